@@ -25,34 +25,34 @@ if TYPE_CHECKING:
     from lispac.errors import LispacError as LispacError
     from lispac.identity import Identity as Identity
     from lispac.messages import Message as Message
-    from lispac.picks import PickedSighting as PickedSighting
-    from lispac.picks import Target as Target
+    from lispac.picked_targets import PickedSighting as PickedSighting
+    from lispac.picked_targets import Target as Target
     from lispac.project import Settings as Settings
     from lispac.scripting.open_project import OpenProject as OpenProject
     from lispac.scripting.projects import demo as demo
     from lispac.scripting.projects import new as new
     from lispac.scripting.projects import open as open
-    from lispac.survey.source import LineSource as LineSource
-    from lispac.survey.source import Reading as Reading
-    from lispac.targets.expected import ExpectedTarget as ExpectedTarget
-    from lispac.targets.settings import FinderChoices as FinderChoices
+    from lispac.survey.line_source import LineSource as LineSource
+    from lispac.survey.line_source import Reading as Reading
+    from lispac.targets.expected_target import ExpectedTarget as ExpectedTarget
+    from lispac.targets.finder_settings import FinderChoices as FinderChoices
     from lispac.workflow.batch import batch as batch
     from lispac.workflow.point_numbers import point_numbers as point_numbers
 
 # Imported on first use: the command line asks for the version alone.
 _WHERE = {
-    "ExpectedTarget": "lispac.targets.expected",
-    "FinderChoices": "lispac.targets.settings",
+    "ExpectedTarget": "lispac.targets.expected_target",
+    "FinderChoices": "lispac.targets.finder_settings",
     "Identity": "lispac.identity",
-    "LineSource": "lispac.survey.source",
+    "LineSource": "lispac.survey.line_source",
     "LispacError": "lispac.errors",
     "Message": "lispac.messages",
     "OpenProject": "lispac.scripting.open_project",
     "Parameter": "lispac.adjustment.parameters",
-    "PickedSighting": "lispac.picks",
-    "Reading": "lispac.survey.source",
+    "PickedSighting": "lispac.picked_targets",
+    "Reading": "lispac.survey.line_source",
     "Settings": "lispac.project",
-    "Target": "lispac.picks",
+    "Target": "lispac.picked_targets",
     "batch": "lispac.workflow.batch",
     "demo": "lispac.scripting.projects",
     "new": "lispac.scripting.projects",
@@ -79,7 +79,7 @@ def _use_cache() -> None:
 
     from lispac import caches
 
-    if (message := caches.use(os.environ)) is not None:
+    if (message := caches.set_cache_variables(os.environ)) is not None:
         from lispac.message_texts import message_text
 
         warnings.warn(message_text(message), stacklevel=3)

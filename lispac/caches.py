@@ -14,7 +14,7 @@ from functools import cache
 from pathlib import Path
 
 from lispac.errors import InputError, system_reason
-from lispac.installed import home_folder, temporary_folder, user_folder
+from lispac.installation_paths import home_folder, temporary_folder, user_folder
 from lispac.messages import Level, Message, error
 
 CHOICE = "cache-folder.txt"
@@ -28,8 +28,8 @@ VARIABLES = {"NUMBA_CACHE_DIR": "numba", "MPLCONFIGDIR": "matplotlib"}
 """Parts of the cache that other packages fill, by the variable that sets their place."""
 
 
-def usual_folder() -> Path:
-    """The user's cache folder, as the system has it."""
+def default_folder() -> Path:
+    """Default cache folder of the user on this system."""
     home = home_folder()
     if sys.platform == "win32":
         return Path(os.environ.get("LOCALAPPDATA", home / "AppData" / "Local")) / "cache"
@@ -39,7 +39,7 @@ def usual_folder() -> Path:
 
 
 def chosen_folder(config: Path | None = None) -> Path | None:
-    """The folder that was chosen; None for the usual one.
+    """Cache folder that the user chose; None for the default one.
 
     Parameters
     ----------
@@ -53,23 +53,23 @@ def chosen_folder(config: Path | None = None) -> Path | None:
     return Path(text) if text else None
 
 
-def place_in(folder: Path | None) -> Path:
-    """Where the cache lies when this folder is chosen; None for the usual one."""
-    return (folder or usual_folder()) / NAME
+def cache_folder_in(folder: Path | None) -> Path:
+    """Folder of the cache within a chosen folder; None stands for the default one."""
+    return (folder or default_folder()) / NAME
 
 
-def cache_place(config: Path | None = None) -> Path:
-    """Where the cache lies: as chosen, or temporary where that cannot be written."""
-    return writable_or_temporary(place_in(chosen_folder(config)))
+def usable_cache_folder(config: Path | None = None) -> Path:
+    """Folder of the cache: as chosen, or temporary if that cannot be written."""
+    return writable_or_temporary_folder(cache_folder_in(chosen_folder(config)))
 
 
-def writable_or_temporary(place: Path) -> Path:
-    """A folder where it can be written, which it is tried for once; else a temporary one."""
-    return place if _can_be_written(place) else temporary_folder()
+def writable_or_temporary_folder(place: Path) -> Path:
+    """The folder if it can be written, which is tested once; else a temporary one."""
+    return place if _is_writable(place) else temporary_folder()
 
 
 @cache
-def _can_be_written(place: Path) -> bool:
+def _is_writable(place: Path) -> bool:
     home = home_folder()
     if place.is_relative_to(home) and not home.is_dir():
         return False  # a home directory is not for this program to make
@@ -90,7 +90,7 @@ def require_writable(folder: Path) -> None:
     ------
     InputError
     """
-    place, present = place_in(folder), folder.is_dir()
+    place, present = cache_folder_in(folder), folder.is_dir()
     try:
         place.mkdir(parents=True, exist_ok=True)
         trial = place / f".trial-{os.getpid()}"
@@ -108,28 +108,28 @@ def require_writable(folder: Path) -> None:
                 folder.rmdir()
 
 
-def choose(folder: Path | None, config: Path | None = None) -> None:
-    """Keep the cache in a folder from now on, None for the usual one; what there is stays.
+def choose_folder(folder: Path | None, config: Path | None = None) -> None:
+    """Set the cache folder, None for the default one; existing files remain.
 
     Raises
     ------
     InputError
         Where it cannot be written.
     """
-    from lispac.io.files import written_whole
+    from lispac.io.files import atomic_write
 
     if folder == chosen_folder(config):
         return
     if folder is not None:
         require_writable(folder)
-    with written_whole((config or user_folder()) / CHOICE) as path:
+    with atomic_write((config or user_folder()) / CHOICE) as path:
         path.write_text("" if folder is None else f"{folder}\n", encoding="utf-8")
 
 
-def size(place: Path) -> int:
-    """Bytes of what the program has put there."""
+def cache_size(place: Path) -> int:
+    """Size of the program's files in the cache, in bytes."""
     found = 0
-    for part in _parts(place):
+    for part in _cache_parts(place):
         for folder, _, names in os.walk(part):
             for name in names:
                 with suppress(OSError):
@@ -137,15 +137,15 @@ def size(place: Path) -> int:
     return found
 
 
-def empty(place: Path) -> None:
-    """Remove what the program has put there, and nothing else.
+def empty_cache(place: Path) -> None:
+    """Remove the program's files from the cache, and nothing else.
 
     Raises
     ------
     InputError
         Where something of it could not be removed.
     """
-    for part in _parts(place):
+    for part in _cache_parts(place):
         try:
             shutil.rmtree(part)
         except OSError as failure:
@@ -155,8 +155,8 @@ def empty(place: Path) -> None:
             ) from failure
 
 
-def use(variables: MutableMapping[str, str]) -> Message | None:
-    """Set the cache folders of other packages; usable existing settings are kept.
+def set_cache_variables(variables: MutableMapping[str, str]) -> Message | None:
+    """Set the cache folders of other packages unless they are set to a usable folder.
 
     Parameters
     ----------
@@ -168,8 +168,8 @@ def use(variables: MutableMapping[str, str]) -> Message | None:
     Message or None
         A note where something is kept in a temporary folder because its own cannot be written.
     """
-    wanted = place_in(chosen_folder())
-    place = cache_place()
+    wanted = cache_folder_in(chosen_folder())
+    place = usable_cache_folder()
     refused = [] if place == wanted else [wanted]
     for variable, part in VARIABLES.items():
         given = variables.get(variable)
@@ -185,13 +185,13 @@ def use(variables: MutableMapping[str, str]) -> Message | None:
 
 
 def _may_be_written(folder: Path) -> bool:
-    """Whether nothing speaks against writing to a folder, which need not exist."""
+    """True if a folder can presumably be written; it need not exist."""
     folder = folder.absolute()
     there = next(each for each in (folder, *folder.parents) if os.path.exists(each))
     return os.path.isdir(there) and os.access(there, os.W_OK | os.X_OK)
 
 
-def _parts(place: Path) -> list[Path]:
+def _cache_parts(place: Path) -> list[Path]:
     parts = [place / part for part in VARIABLES.values()]
     # A folder called demo may be anybody's; ours is marked.
     if (place / DEMO / "raw" / DEMO).is_file():

@@ -30,7 +30,7 @@ def system_reason(failure: OSError) -> Message | str:
 
 
 class LispacError(Exception):
-    """Something the user can act on.
+    """Error that the user can act on.
 
     Parameters
     ----------
@@ -45,17 +45,17 @@ class LispacError(Exception):
 
     @property
     def message(self) -> Message | None:
-        """The typed message; None where there is a text alone."""
+        """Typed message; None if the error has only a text."""
         return self._message if isinstance(self._message, Message) else None
 
     @property
     def code(self) -> str:
-        """Code of the message; empty where there is a text alone."""
+        """Code of the message; empty if the error has only a text."""
         return self.message.code if self.message is not None else ""
 
     @property
     def reason(self) -> Message | str:
-        """The message, or the text alone, as a parameter of another message."""
+        """Message or text of the error, as a parameter of another message."""
         return self._message
 
     def __str__(self) -> str:

@@ -1,4 +1,4 @@
-"""Who calibrated what, when and with what: what a report needs beside the numbers.
+"""Identity of a calibration for the report: person, date, equipment.
 
 Everything is text as the user writes it, blank where it is not known. Nothing is computed from it.
 """
@@ -15,7 +15,7 @@ LONGEST = 200
 
 @dataclass(frozen=True)
 class Identity:
-    """What a calibration is signed for.
+    """Identity of a calibration in the report.
 
     Attributes
     ----------
@@ -37,14 +37,14 @@ class Identity:
     remarks: str = ""
 
     def changed(self, **texts: str) -> "Identity":
-        """Other texts in these fields, without blanks around them.
+        """Identity with other texts in these fields, without surrounding blanks.
 
         Raises
         ------
         InputError
             Where a text cannot stand in a report.
         """
-        return replace(self, **{name: _tidy(name, text) for name, text in texts.items()})
+        return replace(self, **{name: _clean_text(name, text) for name, text in texts.items()})
 
     def require_sound(self) -> None:
         """Refuse texts that cannot stand in a report.
@@ -90,7 +90,7 @@ HINTS = {
 """What belongs into each field."""
 
 
-def _tidy(name: str, text: str) -> str:
+def _clean_text(name: str, text: str) -> str:
     field = note(f"identity_field.{name}")
     tidy = "\n".join(line.strip() for line in text.strip().splitlines())
     if name != "remarks" and "\n" in tidy:

@@ -116,16 +116,16 @@ class LazyText:
 
     def __str__(self) -> str:
         """The text in the language in use."""
-        return text_of(self.template, self.params)
+        return format_text(self.template, self.params)
 
 
 def gettext_lazy(template: Template, /, **params: Any) -> LazyText:
-    """As `gettext`, translated when it is shown."""
+    """Translated text that is translated anew each time it is shown."""
     return LazyText(template, params)
 
 
-def sentences(texts: Sequence[LazyText]) -> LazyText:
-    """Sentences one after the other."""
+def join_sentences(texts: Sequence[LazyText]) -> LazyText:
+    """Join sentences into one text."""
     return LazyText("{texts:sentences}", {"texts": tuple(texts)})
 
 
@@ -139,11 +139,11 @@ def gettext(template: Template, /, **params: Any) -> str:
     **params
         Values of the placeholders in SI units. A literal brace of a text without any stays.
     """
-    return text_of(template, params)
+    return format_text(template, params)
 
 
-def text_of(template: Template, params: Mapping[str, Any]) -> str:
-    """As `gettext`, with the parameters in a mapping."""
+def format_text(template: Template, params: Mapping[str, Any]) -> str:
+    """Translate a text and fill its placeholders from a mapping."""
     catalogue = _catalogue(current_language())
     if isinstance(template, Plural):
         text = catalogue.ngettext(template.singular, template.plural, int(params["count"]))
@@ -169,8 +169,8 @@ def number(value: float, decimals: int | None = None, *, sign: bool = False) -> 
     return str(format_decimal(value, pattern, locale=_LOCALES[current_language()]))
 
 
-def joined(names: Sequence[str], *, choice: bool = False) -> str:
-    """Names as in a sentence: ``a, b and c``, or ``a, b or c``."""
+def join_names(names: Sequence[str], *, choice: bool = False) -> str:
+    """Join names as in a sentence: ``a, b and c``, or ``a, b or c``."""
     from babel.lists import format_list
 
     locale = _LOCALES[current_language()]
@@ -218,7 +218,7 @@ class TextFormatter(Formatter):
         """
         if format_spec in ("names", "choices"):
             names = [value] if isinstance(value, str) else value
-            return joined([str(each) for each in names], choice=format_spec == "choices")
+            return join_names([str(each) for each in names], choice=format_spec == "choices")
         if format_spec == "sentences":
             return " ".join(map(str, value))
         if format_spec == "n":

@@ -20,11 +20,11 @@ UNSUPPORTED = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP}
 
 
 class LockTaken(Exception):
-    """Somebody else holds the lock."""
+    """Error that another holder has the lock."""
 
 
 class NotALockFile(Exception):
-    """A link or a folder has the name of the lock file."""
+    """Error that a link or a folder has the name of the lock file."""
 
 
 @contextmanager
@@ -49,7 +49,7 @@ def file_lock(
     OSError
         Where the file cannot be made.
     """
-    handle = _taken(path, time.monotonic() + wait, waiting)
+    handle = _acquire_lock(path, time.monotonic() + wait, waiting)
     try:
         yield
     finally:
@@ -58,7 +58,7 @@ def file_lock(
         os.close(handle)
 
 
-def _taken(path: Path, until: float, waiting: Callable[[], None]) -> int:
+def _acquire_lock(path: Path, until: float, waiting: Callable[[], None]) -> int:
     """An open handle of the lock file, locked.
 
     Raises
@@ -84,7 +84,7 @@ def _taken(path: Path, until: float, waiting: Callable[[], None]) -> int:
             if time.monotonic() >= until:
                 raise LockTaken(str(path)) from failure
             waiting()
-            waiting = _nothing
+            waiting = _do_nothing
             time.sleep(POLL)
             continue
         # The last holder may have removed the file between the two steps.
@@ -96,7 +96,7 @@ def _taken(path: Path, until: float, waiting: Callable[[], None]) -> int:
         os.close(handle)
 
 
-def _nothing() -> None:
+def _do_nothing() -> None:
     pass
 
 
@@ -110,7 +110,7 @@ def try_lock(handle: int) -> bool:
 
 
 def is_locked(path: Path) -> bool | None:
-    """Whether somebody holds a lock file; None where its file system has no locks."""
+    """True if a lock file is held; None if its file system has no locks."""
     try:
         handle = os.open(path, os.O_RDWR | getattr(os, "O_NOFOLLOW", 0))
     except OSError:

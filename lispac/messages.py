@@ -10,7 +10,7 @@ from enum import StrEnum
 from math import isfinite
 from typing import Any, Union
 
-from lispac.causes import Cause
+from lispac.warning_causes import Cause
 
 Value = Union[str, int, float, "Message", Sequence[Union[str, "Message"]]]
 """A parameter: a name, a count, an SI quantity (metres, seconds, radians, ratios), names, or
@@ -21,7 +21,7 @@ MAX_LISTED = 4
 
 
 class Level(StrEnum):
-    """How serious a message is."""
+    """Severity of a message."""
 
     ERROR = "error"
     """The result cannot be used, or a file cannot be read."""
@@ -33,7 +33,7 @@ class Level(StrEnum):
 
 @dataclass(frozen=True)
 class Action:
-    """What the user can do about a message.
+    """Suggested action of a message.
 
     Attributes
     ----------
@@ -77,7 +77,7 @@ class Message:
 
     @property
     def is_serious(self) -> bool:
-        """Whether the result cannot be used or may be wrong: more than a note."""
+        """True if the result cannot be used or may be wrong: more than a note."""
         return self.level is not Level.NOTE
 
 
@@ -87,31 +87,31 @@ def _python_value(value: Any) -> Any:
     return value.tolist() if hasattr(value, "tolist") else value
 
 
-def by_level(messages: Iterable[Message]) -> tuple[Message, ...]:
-    """Errors first, then warnings, then notes; the order within a level stays."""
+def sort_by_level(messages: Iterable[Message]) -> tuple[Message, ...]:
+    """Sort messages: errors, warnings, notes; the order within a level is kept."""
     order = list(Level)
     return tuple(sorted(messages, key=lambda message: order.index(message.level)))
 
 
-def shortened(items: Sequence[str | Message]) -> tuple[str | Message, ...]:
-    """The first items of a list, and how many more there are."""
+def shortened_list(items: Sequence[str | Message]) -> tuple[str | Message, ...]:
+    """First items of a list, with a note on the number of the others."""
     rest = len(items) - MAX_LISTED
     return (*items[:MAX_LISTED], note("item.more", count=rest)) if rest > 0 else tuple(items)
 
 
 def plain_params(message: Message | Action) -> dict[str, Any]:
     """Parameters as JSON has them; messages among them with code and parameters."""
-    return {name: _plain(value) for name, value in message.params.items()}
+    return {name: _plain_value(value) for name, value in message.params.items()}
 
 
-def _plain(value: Value) -> Any:
+def _plain_value(value: Value) -> Any:
     if isinstance(value, Message):
         return {"code": value.code, "params": plain_params(value)}
     if isinstance(value, float):
         return value if isfinite(value) else None
     if isinstance(value, str | int):
         return value
-    return [_plain(each) for each in value]
+    return [_plain_value(each) for each in value]
 
 
 def as_message(reason: Message | str) -> Message:

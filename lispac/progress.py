@@ -1,4 +1,4 @@
-"""How long work reports on itself without knowing who listens.
+"""Progress reports of long computations.
 
 A core function takes a keyword-only ``progress`` and calls it now and then. The command line
 prints the calls, the window draws them, and either may raise `Cancelled` from inside the call:
@@ -16,8 +16,8 @@ SHORTEST_RATED = 1.0
 
 
 @dataclass(frozen=True)
-class PointStep:
-    """A step of a task that goes through points.
+class PointProgress:
+    """Progress of a task by its number of points.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class PointStep:
         return f"{self.without_time_left()}, {left}"
 
     def without_time_left(self) -> str:
-        """The step with its rate."""
+        """Text of the step with its rate."""
         if self.total is None:
             text = gettext("{step}: {done} points", step=self.step, done=count_text(self.done))
         else:
@@ -58,7 +58,7 @@ class PointStep:
         return f"{text}, {rate}"
 
 
-Step = LazyText | PointStep
+Step = LazyText | PointProgress
 """What is being done; ``str`` gives its text."""
 
 
@@ -70,11 +70,11 @@ class Progress(Protocol):
 
 
 def no_progress(fraction: float, step: Step | None = None) -> None:
-    """Listen to nothing."""
+    """Ignore the progress."""
 
 
-def part(progress: Progress, start: float, stop: float) -> Progress:
-    """Give a sub-task the stretch from ``start`` to ``stop`` of the whole."""
+def sub_progress(progress: Progress, start: float, stop: float) -> Progress:
+    """Progress of a sub-task, from ``start`` to ``stop`` of the whole."""
 
     def report(fraction: float, step: Step | None = None) -> None:
         progress(start + (stop - start) * fraction, step)
@@ -82,8 +82,8 @@ def part(progress: Progress, start: float, stop: float) -> Progress:
     return report
 
 
-class Pace:
-    """How fast points go by.
+class PointRate:
+    """Rate of points of a task.
 
     Parameters
     ----------
@@ -99,12 +99,12 @@ class Pace:
         self._step, self._total, self._before = step, total, done
         self._started = time.monotonic()
 
-    def step(self, done: int) -> PointStep:
-        """How far it is, and how fast once that is known."""
+    def step(self, done: int) -> PointProgress:
+        """Progress after ``done`` points, with the rate once it is known."""
         elapsed = time.monotonic() - self._started
         if elapsed < SHORTEST_RATED or done <= self._before:
-            return PointStep(self._step, done, self._total)
-        return PointStep(self._step, done, self._total, (done - self._before) / elapsed)
+            return PointProgress(self._step, done, self._total)
+        return PointProgress(self._step, done, self._total, (done - self._before) / elapsed)
 
 
 def count_text(count: int) -> str:

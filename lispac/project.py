@@ -14,28 +14,28 @@ import numpy as np
 
 from lispac.adjustment.parameters import PRIOR_SIGMAS, SWITCHED, Parameter
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.robust import LOSSES, LossName
-from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
+from lispac.adjustment.robust_loss import LOSSES, LossName
+from lispac.adjustment.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
+from lispac.alternative_methods import METHODS, AlternativeResult, Method
 from lispac.errors import InputError, ProjectError
 from lispac.identity import BLANK, Identity
 from lispac.messages import Message, error, note
-from lispac.opinions import METHODS, Method, Opinion
-from lispac.picks import ROLES as ROLES
-from lispac.picks import SHAPES as SHAPES
-from lispac.picks import PickedSighting as PickedSighting
-from lispac.picks import Role as Role
-from lispac.picks import Shape as Shape
-from lispac.picks import Target as Target
-from lispac.picks import Triple as Triple
-from lispac.picks import require_name as require_name
-from lispac.picks import require_target as require_target
+from lispac.picked_targets import ROLES as ROLES
+from lispac.picked_targets import SHAPES as SHAPES
+from lispac.picked_targets import PickedSighting as PickedSighting
+from lispac.picked_targets import Role as Role
+from lispac.picked_targets import Shape as Shape
+from lispac.picked_targets import Target as Target
+from lispac.picked_targets import Triple as Triple
+from lispac.picked_targets import require_target_name as require_target_name
+from lispac.picked_targets import require_valid_target as require_valid_target
 from lispac.survey.georeferencing import Mounting
-from lispac.survey.source import USUAL
-from lispac.survey.source import LineSource as LineSource
-from lispac.survey.source import Reading as Reading
+from lispac.survey.line_source import USUAL
+from lispac.survey.line_source import LineSource as LineSource
+from lispac.survey.line_source import Reading as Reading
 from lispac.survey.trajectory import LONGEST_GAP
-from lispac.validation.absolute import AbsoluteCheck
-from lispac.validation.comparison import PlaneComparison
+from lispac.validation.absolute_check import AbsoluteCheck
+from lispac.validation.plane_comparison import PlaneComparison
 
 DEFAULT_THRESHOLD = 0.01
 """RANSAC distance threshold in metres (thesis 4.5.3)."""
@@ -61,7 +61,7 @@ OUT_OF_RANGE: Mapping[Unit, str] = {
 
 @dataclass(frozen=True)
 class Settings:
-    """What the user states about system and adjustment.
+    """Settings of the system and the adjustment.
 
     Attributes
     ----------
@@ -226,7 +226,7 @@ def _out_of_range(name: str, value: float, least: float, most: float, unit: Unit
 
 @dataclass(frozen=True, eq=False)
 class Project:
-    """Contents of a project folder; paths are absolute here and relative on disk."""
+    """Content of a project folder; paths are absolute here and relative on disk."""
 
     folder: Path
     trajectory: Path
@@ -246,7 +246,7 @@ class Project:
     identity: Identity = BLANK
     absolute: AbsoluteCheck | None = None
     """The lines against a static scan or surveyed points, where that has been checked."""
-    opinions: tuple[Opinion, ...] = ()
+    opinions: tuple[AlternativeResult, ...] = ()
     """Results of alternative methods on the same lines, at most one of each method."""
     data_messages: tuple[Message, ...] = ()
     """Warnings and notes about the imported files, as of the last time they were read."""
@@ -259,7 +259,7 @@ class Project:
         return self.folder.name
 
     def mounting(self, which: Literal["prior", "estimated"]) -> Mounting:
-        """The mounting as it went in, or as estimated.
+        """Prior or estimated mounting.
 
         Raises
         ------
@@ -279,7 +279,7 @@ class Project:
             raise ProjectError(error("project.not_estimated", project=self.name))
         return self.result.mounting
 
-    def of_role(self, role: Role) -> tuple[Target, ...]:
+    def targets_of_role(self, role: Role) -> tuple[Target, ...]:
         """Targets, or validation planes."""
         return tuple(target for target in self.targets if target.role == role)
 
@@ -321,7 +321,7 @@ class Project:
         ProjectError
             Where its name or shape cannot be worked with.
         """
-        require_target(target)
+        require_valid_target(target)
         kept = list(self.targets)
         names = [other.name for other in kept]
         old = kept[names.index(target.name)] if target.name in names else None
@@ -354,7 +354,7 @@ class Project:
         )
 
     def with_cross_checks(self, checks: CrossChecks) -> "Project":
-        """Store the cross-checks with parts of the data."""
+        """Set the results of parts of the data."""
         return replace(self, cross_checks=checks)
 
     def with_validation(
@@ -371,12 +371,12 @@ class Project:
         """Keep the comparison with a reference."""
         return replace(self, absolute=absolute)
 
-    def opinion(self, method: Method) -> Opinion | None:
-        """Result of a method; None if it was not run."""
+    def alternative_result(self, method: Method) -> AlternativeResult | None:
+        """Result of an alternative method; None if it has not been run."""
         return next((each for each in self.opinions if each.method == method), None)
 
-    def with_opinion(self, opinion: Opinion) -> "Project":
-        """Store the result of a method in place of its former one."""
+    def with_alternative_result(self, opinion: AlternativeResult) -> "Project":
+        """Set the result of an alternative method."""
         others = [each for each in self.opinions if each.method != opinion.method]
         kept = sorted([*others, opinion], key=lambda each: METHODS.index(each.method))
         return replace(self, opinions=tuple(kept))

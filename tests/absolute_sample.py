@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 
 from lispac.project import Project
-from lispac.simulation.survey import SimulatedSurvey
+from lispac.simulation.simulated_survey import SimulatedSurvey
 from lispac.survey.georeferencing import Mounting, georeference
-from lispac.validation.absolute import AbsoluteCheck
-from lispac.workflow.absolute import check_absolute
+from lispac.validation.absolute_check import AbsoluteCheck
+from lispac.workflow.absolute_check import check_absolute
 from lispac.workflow.survey import Survey, load_survey
 from tests.static_scans import plane_of
 

@@ -210,7 +210,7 @@ def while_read(act: Callable[[Path], object], command: Callable[[Scene, str], Wo
     """Something happens to the line after its first points have been read."""
 
     def case(scene: Scene) -> Words:
-        project, sound = scene.made(), las_chunks.require_points
+        project, sound = scene.made(), las_chunks.require_usable_points
         scene.spoilt.add("L1.las")
 
         def spoil(*given: object) -> None:
@@ -219,7 +219,7 @@ def while_read(act: Callable[[Path], object], command: Callable[[Scene, str], Wo
                 act(scene / "L1.las")
 
         scene.patch.setattr(las_chunks, "CHUNK", 200)
-        scene.patch.setattr(las_chunks, "require_points", spoil)
+        scene.patch.setattr(las_chunks, "require_usable_points", spoil)
         return command(scene, project)
 
     return case

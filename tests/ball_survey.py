@@ -10,7 +10,7 @@ from lispac.geometry.rotations import rotation_matrix
 from lispac.io.las import write_points
 from lispac.io.sbet import write_sbet
 from lispac.project import LineSource, Project, Settings
-from lispac.simulation.closed_form import Course, Sea, six_courses
+from lispac.simulation.closed_form_survey import Course, SeaMotion, six_courses
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.projects import create_project
@@ -50,7 +50,7 @@ class BallSurvey:
 def make_ball_survey(folder: Path) -> BallSurvey:
     """Six lines past three balls, a board and a wall, without POS errors."""
     rng = np.random.default_rng(5)
-    sea, mounting = Sea.draw(rng), Mounting(np.array(LEVER_ARM), np.radians(BORESIGHT_DEG))
+    sea, mounting = SeaMotion.draw(rng), Mounting(np.array(LEVER_ARM), np.radians(BORESIGHT_DEG))
     states, lines, labels = [], [], {}
     for course in sorted(six_courses(), key=_abeam):
         time = _abeam(course) + np.arange(-HALF - 0.5, HALF + 0.5, 0.005)
@@ -77,7 +77,7 @@ def _abeam(course: Course) -> float:
     return float(course.time + MIDDLE @ course.direction / course.speed)
 
 
-def _sail(course: Course, sea: Sea, time: np.ndarray) -> tuple[np.ndarray, ...]:
+def _sail(course: Course, sea: SeaMotion, time: np.ndarray) -> tuple[np.ndarray, ...]:
     motion = sea.at(time)
     along = (time - course.time)[:, None] * course.speed * course.direction
     attitude = motion[:, 3:] + [0.0, 0.0, course.heading]

@@ -9,7 +9,7 @@ import numpy as np
 from lispac.io.sbet import write_sbet
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import CoordinateSystem
-from lispac.survey.georeferencing import Mounting, place
+from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from tests.point_files import cloud as open3d_cloud
 
@@ -103,7 +103,7 @@ def one_by_one(
     system: CoordinateSystem, trajectory: LocalTrajectory, points: np.ndarray, time: np.ndarray
 ) -> np.ndarray:
     """The reference: formula by formula, PROJ for every point."""
-    local = place(points, trajectory.at(time + MOUNTING.latency), MOUNTING)
+    local = place_points(points, trajectory.at(time + MOUNTING.latency), MOUNTING)
     return system.from_geodetic(*trajectory.frame.to_geodetic(local))
 
 

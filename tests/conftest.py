@@ -14,7 +14,7 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.project import Project
-from lispac.simulation.survey import SimulatedSurvey, port_survey
+from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.workflow.demo import make_demo
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import Survey, load_survey
@@ -164,7 +164,7 @@ def shown(qtbot):
 
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")
-    from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     views = []
 

@@ -15,15 +15,21 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lispac.adjustment.averaging import averaged
 from lispac.adjustment.observations import Observations
+from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.warnings import doubts
+from lispac.adjustment.warnings import result_warnings
 from lispac.geometry.rotations import rotation_matrix
 from lispac.project import Settings
-from lispac.simulation.closed_form import BOARDS, Board, exact_survey, observed, six_courses
+from lispac.simulation.closed_form_survey import (
+    BOARDS,
+    Board,
+    add_errors,
+    error_free_survey,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
-from lispac.survey.georeferencing import Mounting, place
+from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
@@ -57,8 +63,8 @@ def curved(data: Observations, chance: np.random.Generator) -> Observations:
     """
     boards = {each.name: each for each in TARGETS}
     poses = Poses(data.position, data.attitude)
-    near = place(data.points_lidar, poses, TRUTH)
-    beams = place(1.1 * data.points_lidar, poses, TRUTH) - near
+    near = place_points(data.points_lidar, poses, TRUTH)
+    beams = place_points(1.1 * data.points_lidar, poses, TRUTH) - near
     beams /= np.linalg.norm(beams, axis=1)[:, None]
     off, seen = np.zeros(len(data)), np.zeros(len(data), dtype=bool)
     bends = {name: chance.normal(0, 0.01) for name in boards}
@@ -120,11 +126,11 @@ def survey(kind: str, seed: int) -> Observations:
     if kind == "lever arm 2 cm":
         off = chance.normal(size=3)
         mounting = replace(TRUTH, lever_arm=TRUTH.lever_arm + 0.02 * off / np.linalg.norm(off))
-    exact = exact_survey(mounting, TARGETS, six_courses(), RAW, generator, pos=pos)
-    data = observed(exact, pos, generator)
+    exact = error_free_survey(mounting, TARGETS, six_courses(), RAW, generator, pos=pos)
+    data = add_errors(exact, pos, generator)
     change = KINDS[kind]
     data = data if change is None else change(data, chance)
-    return averaged(data, PRIOR, 0.1, longest=MODEL.knot_interval, strays_apart=True)
+    return average_points_in_cells(data, PRIOR, 0.1, longest=MODEL.knot_interval, strays_apart=True)
 
 
 @dataclass(frozen=True)
@@ -147,7 +153,7 @@ def answer(kind: str, seed: int) -> Answer:
         np.degrees(result.boresight - TRUTH.boresight),
         np.degrees(result.sigma),
         np.degrees(result.with_formal_sigmas.sigma),
-        tuple(doubt.code for doubt in doubts(result, None) if doubt.is_serious),
+        tuple(doubt.code for doubt in result_warnings(result, None) if doubt.is_serious),
         result.stated_times is not None,
     )
 

@@ -12,16 +12,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lispac.adjustment.averaging import averaged
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.shapes import points_local
+from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.target_shapes import points_local
 from lispac.project import Settings
-from lispac.simulation.closed_form import BOARDS, exact_survey, observed, six_courses
+from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
-from lispac.targets.thinning import thin
+from lispac.targets.thinning import thin_points
 
 TRUTH = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
 PRIOR = TRUTH.with_boresight(np.zeros(3))
@@ -79,7 +79,7 @@ def selected(survey: Observations, distance: float) -> Observations:
     """One point a cube in each sighting, as thesis mode thins."""
     places = points_local(survey, PRIOR)
     own = [np.flatnonzero(survey.sighting == k) for k in range(len(survey.sightings))]
-    return survey.reordered(np.concatenate([i[thin(places[i], distance)] for i in own]))
+    return survey.reordered(np.concatenate([i[thin_points(places[i], distance)] for i in own]))
 
 
 def _one(
@@ -87,13 +87,13 @@ def _one(
 ) -> list[tuple[np.ndarray, np.ndarray]]:
     pos = replace(HYDROGRAPHIC_INS, time_position=times[0], time_attitude=times[1])
     generator = np.random.default_rng([2026, seed])
-    exact = exact_survey(TRUTH, BOARDS, six_courses(), RAW, generator, pos=pos)
-    survey = observed(exact, pos, generator)
+    exact = error_free_survey(TRUTH, BOARDS, six_courses(), RAW, generator, pos=pos)
+    survey = add_errors(exact, pos, generator)
     found = []
     for distance in distances:
         for model in models(times).values():
             if model.correlated:
-                points = averaged(
+                points = average_points_in_cells(
                     survey, PRIOR, distance, longest=model.knot_interval, strays_apart=True
                 )
             else:

@@ -18,21 +18,21 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from lispac.adjustment.averaging import averaged
 from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.warnings import doubts
+from lispac.adjustment.warnings import result_warnings
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.message_texts import message_text
-from lispac.simulation.closed_form import exact_survey, observed, six_courses
+from lispac.simulation.closed_form_survey import add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.workflow.calibration import estimate
-from lispac.workflow.picking import pick
-from lispac.workflow.proposals import propose
+from lispac.workflow.picking import pick_target
+from lispac.workflow.proposals import propose_targets
 from lispac.workflow.simulate import TARGETS as TARGETS_LIST
 from lispac.workflow.simulate import simulate
-from lispac.workflow.simulated_setup import simulation
+from lispac.workflow.simulated_setup import read_simulation
 from lispac.workflow.survey import load_survey
 from lispac.workflow.targetless import targetless
 from tests.coverage_of_errors import MODEL, PRIOR, TARGETS, TRUTH
@@ -56,11 +56,11 @@ Judged = tuple[AdjustmentResult, CrossChecks | None]
 def boards(seed: int, courses: int = 6) -> Judged:
     chance = np.random.default_rng([36, seed])
     chosen = tuple(six_courses()[k] for k in sorted(chance.choice(6, courses, replace=False)))
-    data = observed(
-        exact_survey(TRUTH, TARGETS, chosen, SPACING, chance, pos=HYDROGRAPHIC_INS),
+    data = add_errors(
+        error_free_survey(TRUTH, TARGETS, chosen, SPACING, chance, pos=HYDROGRAPHIC_INS),
         HYDROGRAPHIC_INS, chance,
     )  # fmt: skip
-    data = averaged(data, PRIOR, 0.1, longest=MODEL.knot_interval, strays_apart=True)
+    data = average_points_in_cells(data, PRIOR, 0.1, longest=MODEL.knot_interval, strays_apart=True)
     result = adjust(data, PRIOR, MODEL)
     return result, cross_checks(data, PRIOR, result)
 
@@ -72,7 +72,7 @@ def two_lines(seed: int) -> Judged:
 def natural_planes(seed: int) -> Judged:
     seen = natural_site(seed)
     project, survey = opened(seen, np.random.default_rng([35, seed]).normal(0, 1.0, 3))
-    proposal = propose(project, survey)
+    proposal = propose_targets(project, survey)
     solved = estimate(replace(project, targets=proposal.targets), survey)
     assert solved.result is not None
     return solved.result, solved.cross_checks
@@ -85,7 +85,7 @@ def without_targets(seed: int) -> Judged:
 
 
 def spinning(seed: int) -> Judged:
-    made = simulation(
+    made = read_simulation(
         "port", vessel="launch", scanner="velodyne-hdl-32e", points_per_second=60_000,
         errors={"boresight_deg": tuple(np.random.default_rng([37, seed]).normal(0, 1, 3))},
     )  # fmt: skip
@@ -96,7 +96,7 @@ def spinning(seed: int) -> Judged:
             seeds = [row for row in DictReader(rows) if row["name"] in PICKED]
         for row in seeds:
             place = np.array([float(row[axis]) for axis in "xyz"])
-            project = pick(project, survey, place, name=row["name"])
+            project = pick_target(project, survey, place, name=row["name"])
         solved = estimate(project, survey)
     assert solved.result is not None
     return solved.result, solved.cross_checks
@@ -115,7 +115,7 @@ def false_warnings(kind: str, seed: int) -> tuple[str, ...] | None:
     except (AdjustmentError, TargetNotFound) as error:
         print(kind, seed, str(error)[:100])
         return None
-    found = [each for each in doubts(result, checks) if each.is_serious]
+    found = [each for each in result_warnings(result, checks) if each.is_serious]
     for each in found:
         if each.code not in OF_GEOMETRY:
             print(kind, seed, each.code, message_text(each)[:260], flush=True)

@@ -6,10 +6,10 @@ from functools import cache
 import numpy as np
 
 from lispac.project import Project
-from lispac.simulation.scene import tilted
+from lispac.simulation.scene import tilted_rectangle
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.calibration import estimate
-from lispac.workflow.picking import pick
+from lispac.workflow.picking import pick_target
 from lispac.workflow.survey import Survey
 from tests.finder_scenes import WALL, Site, site
 from tests.test_finder_sites import board
@@ -18,7 +18,7 @@ from tests.test_finder_sites import board
 @cache
 def passes() -> Site:
     """An upright board and a leaning one, some 1,500 points a line on both together."""
-    leaning = tilted("T2", (-2.6, WALL, 7.5), 1.23, 1.0, 270, 45)
+    leaning = tilted_rectangle("T2", (-2.6, WALL, 7.5), 1.23, 1.0, 270, 45)
     return site([board(), leaning], lines=3, pulses_per_second=50_000.0)
 
 
@@ -28,7 +28,7 @@ def picked() -> tuple[Project, Survey]:
     project, survey = passes().opened()
     for surface in passes().scene.surfaces:
         north, west, up = map(float, surface.centre)
-        project = pick(project, survey, (north, west, up), name=surface.name)
+        project = pick_target(project, survey, (north, west, up), name=surface.name)
     return project, survey
 
 

@@ -8,12 +8,12 @@ import numpy as np
 
 from lispac.geometry.frames import LocalFrame
 from lispac.project import LineSource, Project, Settings
-from lispac.simulation.port import ORIGIN, six_passes
+from lispac.simulation.port_scene import ORIGIN, six_passes
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
-from lispac.simulation.scanner import Echoes, Scanner, scan
-from lispac.simulation.scene import Rectangle, Scene, Surface, tilted
-from lispac.simulation.survey import BORESIGHT_DEG, LEVER_ARM
-from lispac.simulation.vessel import RATE, sail
+from lispac.simulation.scanner import Echoes, Scanner, scan_scene
+from lispac.simulation.scene import Rectangle, Scene, Surface, tilted_rectangle
+from lispac.simulation.simulated_survey import BORESIGHT_DEG, LEVER_ARM
+from lispac.simulation.vessel_motion import RATE, sail_passes
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.scan import Scan
@@ -93,7 +93,7 @@ def site(
     """
     sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + lines)
     passes = [replace(each, run_in=REACH, run_out=REACH) for each in six_passes()[:lines]]
-    motion = sail(passes, 1.1, sea)
+    motion = sail_passes(passes, 1.1, sea)
     off_position, off_attitude = HYDROGRAPHIC_INS.draw(len(motion.time), 1 / RATE, errors)
     states = (motion.time, motion.position, motion.attitude)
     scene, boresight = Scene.of(surfaces), np.radians(BORESIGHT_DEG)
@@ -103,7 +103,7 @@ def site(
     for k, (each, recorded) in enumerate(zip(passes, motion.recorded, strict=True)):
         absent = absent_from == f"L{k + 1}"
         shown = without if absent else scene
-        whole = scan(
+        whole = scan_scene(
             Scanner(pulses_per_second), shown, states, recorded, each.starboard,
             Mounting(np.array(LEVER_ARM), boresight), scanners[k],
         )  # fmt: skip
@@ -129,7 +129,7 @@ def rippled(
     strip = period / 2
     half = np.radians(slope_deg)
     return [
-        tilted(
+        tilted_rectangle(
             name,
             (float(north), centre[1], centre[2]),
             strip / float(np.cos(half)),

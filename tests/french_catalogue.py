@@ -2,11 +2,11 @@
 
 from babel.messages.pofile import read_po
 
-from lispac.installed import resource
+from lispac.installation_paths import resource_path
 
 
 def _texts() -> dict[str, str]:
-    with (resource("i18n") / "fr" / "LC_MESSAGES" / "lispac.po").open("rb") as file:
+    with (resource_path("i18n") / "fr" / "LC_MESSAGES" / "lispac.po").open("rb") as file:
         messages = [message for message in read_po(file) if message.id]
     found = {}
     for message in messages:

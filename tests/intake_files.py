@@ -6,8 +6,8 @@ import laspy
 import numpy as np
 from pyproj import CRS
 
-from lispac.workflow.intake import Intake, gathered
-from lispac.workflow.intake_entry import Entry, examined, examined_again
+from lispac.workflow.input_file import InputFile, examine_file, reexamine_file
+from lispac.workflow.input_files import InputFiles, collect_files
 from tests.message_codes import codes, texts
 from tests.trajectory_files import vessel, write_records
 
@@ -15,13 +15,15 @@ START = 486_000.0
 LEVER = (0.2, -0.1, 1.5)
 
 
-def taken_in(intake: Intake, *paths: Path, mappings: dict[str, str] | None = None) -> Intake:
+def taken_in(
+    intake: InputFiles, *paths: Path, mappings: dict[str, str] | None = None
+) -> InputFiles:
     """As the window does it, in one thread."""
-    intake = intake.with_files(gathered(paths))
+    intake = intake.with_files(collect_files(paths))
     while waiting := [entry for entry in intake.entries if entry.pending]:
         entry = waiting[0]
-        found = examined_again(entry) if entry.looks else examined(entry.path, mappings)
-        intake = intake.with_entry(found).sorted_out(entry.path)
+        found = reexamine_file(entry) if entry.looks else examine_file(entry.path, mappings)
+        intake = intake.with_entry(found).with_resolved_role(entry.path)
     return intake
 
 
@@ -61,16 +63,16 @@ def write_survey(folder: Path) -> Path:
     return folder
 
 
-def named(intake: Intake, name: str) -> Entry:
+def named(intake: InputFiles, name: str) -> InputFile:
     """The entry of a file of that name."""
     return next(entry for entry in intake.entries if entry.path.name == name)
 
 
-def said(intake: Intake, name: str) -> str:
+def said(intake: InputFiles, name: str) -> str:
     """Texts of the messages about a file."""
     return texts(intake.remarks(named(intake, name)))
 
 
-def codes_about(intake: Intake, name: str) -> list[str]:
+def codes_about(intake: InputFiles, name: str) -> list[str]:
     """Codes of the messages about a file."""
     return codes(intake.remarks(named(intake, name)))

@@ -30,7 +30,7 @@ def photograph(language: str) -> None:
     from lispac.gui import controller
     from lispac.gui.session import Session
     from lispac.gui.settings import AppSettings
-    from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
     from tests.gui.reader import Reader, picture_file
 
     application = QApplication(sys.argv[:1])
@@ -53,7 +53,7 @@ def photograph(language: str) -> None:
                 Reader(session.window, steps_of(source.read_text("utf-8")), take).follow()
         finally:
             session.window.document.undo_stack.setClean()
-            session.window.retire()
+            session.window.stop_and_hide()
 
 
 def save(widget: QWidget, file: Path) -> None:

@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import actions
-from lispac.gui.dialogs.about import keys_said
+from lispac.gui.dialogs.about import keys_text
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.settings import SettingsDialog
 from lispac.gui.language import set_language
@@ -39,10 +39,10 @@ from lispac.gui.panels.targets import TargetsPanel
 from lispac.gui.panels.validate import ValidatePanel
 from lispac.gui.preferences import Preferences
 from lispac.gui.settings import AppSettings
-from lispac.gui.viewing_actions import KEYS, Menu
-from lispac.installed import resource
+from lispac.gui.view_actions import KEYS, Menu
+from lispac.installation_paths import resource_path
+from lispac.io.format_types import FileFormat, FormatOption
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
-from lispac.io.registry import Format, Option
 from lispac.language import LANGUAGES, Plural, Template, current_language, gettext
 from lispac.message_texts import TOPICS, message_text
 from lispac.message_texts.occasions import OCCASIONS
@@ -262,7 +262,7 @@ def _entries(names: Menu, under: str) -> Iterator[tuple[str, ...]]:
             yield from _entries(name[1], f"{under}{_bare(gettext(name[0]))} > ")
         elif name in actions._ACTIONS:
             keys = actions._ACTIONS[name][3]
-            text, tip = actions.texts(name)
+            text, tip = actions.action_texts(name)
             first = keys[0] if isinstance(keys, tuple) else keys
             shown = STANDARD.get(first, first)
             shown = shown.replace("Shift", "Maj") if current_language() == "fr" else shown
@@ -276,7 +276,7 @@ def _bare(text: str) -> str:
 def _keys(language: str) -> str:
     parts = []
     for title, rows in KEYS:
-        described = [(keys_said(keys), gettext(what)) for keys, what in rows]
+        described = [(keys_text(keys), gettext(what)) for keys, what in rows]
         parts.append(f"### {gettext(title)}\n\n{_table(MENUS[language][1:], described)}")
     return "\n".join(parts)
 
@@ -284,7 +284,7 @@ def _keys(language: str) -> str:
 # -- formats -------------------------------------------------------------------------------------
 
 
-def _format(format: Format, file: Path, language: str) -> str:
+def _format(format: FileFormat, file: Path, language: str) -> str:
     endings = ", ".join(f"`{each}`" for each in format.endings)
     text = f"### {message_text(format.name)}\n\n`{format.key}`{' · ' if endings else ''}{endings}\n"
     told = [message_text(each) for each in assumed(format.key, file)]
@@ -294,7 +294,7 @@ def _format(format: Format, file: Path, language: str) -> str:
     return f"{text}\n{_options(own, language)}" if own else text
 
 
-def _options(options: list[Option], language: str) -> str:
+def _options(options: list[FormatOption], language: str) -> str:
     words = WORDS[language]
     rows = []
     for option in options:
@@ -356,7 +356,7 @@ def _shown(template: Template) -> tuple[str, ...]:
 
 def folder(language: str) -> Path:
     """Where the tables of a language are kept."""
-    return resource("manual") / language / "tables"
+    return resource_path("manual") / language / "tables"
 
 
 def main() -> None:

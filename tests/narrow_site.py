@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.installed import resource
+from lispac.installation_paths import resource_path
 
 NARROWED = {
     "along_m = [-8, -4, -1, 1, 4, 8]": "along_m = [-1, 1]",
@@ -15,7 +15,7 @@ NARROWED = {
 
 def narrow_site(others: Mapping[str, str]) -> str:
     """Its text, with these places of it changed as well."""
-    text = (resource("sites") / "quay.toml").read_text(encoding="utf-8")
+    text = (resource_path("sites") / "quay.toml").read_text(encoding="utf-8")
     for wide, narrow in {**NARROWED, **others}.items():
         assert wide in text
         text = text.replace(wide, narrow)

@@ -14,17 +14,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from lispac.adjustment.warnings import doubts
+from lispac.adjustment.warnings import result_warnings
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.project import Project
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes
-from lispac.simulation.scene import Rectangle, tilted
-from lispac.simulation.survey import LEVER_ARM
+from lispac.simulation.scene import Rectangle, tilted_rectangle
+from lispac.simulation.simulated_survey import LEVER_ARM
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import TrajectoryAccuracy
 from lispac.workflow.calibration import estimate
-from lispac.workflow.proposals import propose
+from lispac.workflow.proposals import propose_targets
 from lispac.workflow.survey import Survey
 from tests.finder_scenes import WALL, Site, site
 
@@ -36,8 +36,8 @@ PULSES = 60_000.0
 def surfaces(chance: np.random.Generator) -> list[Rectangle]:
     """Six to fourteen surfaces, the first two of them ground and a wall."""
     found = [
-        tilted("T-ground", (0.0, WALL - 3.0, 4.0), 14.0, 8.0, 270, 85),
-        tilted(
+        tilted_rectangle("T-ground", (0.0, WALL - 3.0, 4.0), 14.0, 8.0, 270, 85),
+        tilted_rectangle(
             "T-wall", (chance.uniform(-3, 3), WALL - 5.0, 7.0), 6.0, 5.0,
             chance.uniform(240, 300), 0,
         ),
@@ -46,7 +46,7 @@ def surfaces(chance: np.random.Generator) -> list[Rectangle]:
         centre = (chance.uniform(-5, 5), WALL - chance.uniform(-2, 4), chance.uniform(4.5, 9.5))
         width, height = np.exp(chance.uniform(np.log(0.7), np.log(3.5), 2))
         facing, elevation = 270 + chance.normal(0, 35), abs(chance.normal(0, 35))
-        found.append(tilted(f"T{k}", centre, width, height, facing, min(elevation, 80.0)))
+        found.append(tilted_rectangle(f"T{k}", centre, width, height, facing, min(elevation, 80.0)))
     return found
 
 
@@ -132,7 +132,7 @@ def answer(seed: int) -> Answer:
     off = np.random.default_rng([35, seed]).normal(0, 1.0, 3)
     project, survey = opened(seen, off)
     try:
-        proposal = propose(project, survey)
+        proposal = propose_targets(project, survey)
         solved = estimate(replace(project, targets=proposal.targets), survey)
     except (TargetNotFound, AdjustmentError) as error:
         return Answer(f"{type(error).__name__}: {error}", lines=len(seen.echoes))
@@ -145,7 +145,7 @@ def answer(seed: int) -> Answer:
         np.degrees(proposal.sigma),
         sum(target.role == "target" for target in proposal.targets),
         len(seen.echoes),
-        tuple(d.code for d in doubts(result, solved.cross_checks) if d.is_serious),
+        tuple(d.code for d in result_warnings(result, solved.cross_checks) if d.is_serious),
     )
 
 

@@ -9,27 +9,27 @@ does the same with any plan.
 
 import sys
 
-from lispac.cli.campaign import table
-from lispac.design.monte_carlo import Scatter, surveyed
-from lispac.design.plan import Plan, pattern
-from lispac.simulation.closed_form import Board
-from lispac.workflow.campaign import pool_of
+from lispac.cli.campaign import scatter_table
+from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
+from lispac.design.plan import Plan, line_pattern
+from lispac.simulation.closed_form_survey import Board
+from lispac.workflow.parallel_map import process_pool_mapper
 
 BOARDS = (
     Board("T1", (0.8, -15.0, 5.0), (0.0, 1.0, 0.0)),
     Board("T2", (-0.8, -15.0, 5.0), (0.0, 1.0, 1.0)),
 )
-PLAN = Plan(BOARDS, pattern(), (0.0, -15.0, 5.0))
+PLAN = Plan(BOARDS, line_pattern(), (0.0, -15.0, 5.0))
 
 
-def compared(plan: Plan, surveys: int, *, stated: bool, workers: int = 2) -> Scatter:
+def compared(plan: Plan, surveys: int, *, stated: bool, workers: int = 2) -> MonteCarloResult:
     """Many surveys of a plan; ``stated``: the adjustment is told how flat the boards are."""
-    with pool_of(workers) as mapper:
-        return surveyed(plan, surveys, flatness_known=stated, mapper=mapper)
+    with process_pool_mapper(workers) as mapper:
+        return run_monte_carlo(plan, surveys, flatness_known=stated, mapper=mapper)
 
 
 if __name__ == "__main__":
     number = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
     for told in (True, False):
         print("flatness stated" if told else "flatness from the data")
-        print(table(compared(PLAN, number, stated=told)))
+        print(scatter_table(compared(PLAN, number, stated=told)))

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
-from lispac.adjustment.message_parts import quantity
+from lispac.adjustment.message_parts import mounting_value_name
 from lispac.adjustment.observations import Sighting
-from lispac.adjustment.parameters import Estimate
+from lispac.adjustment.parameters import ParameterEstimate
 from lispac.adjustment.result import (
     AdjustmentResult,
     ChiSquare,
@@ -18,22 +18,22 @@ from lispac.adjustment.result import (
     SightingResidual,
     TargetResidual,
 )
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.messages import error, note
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
 from lispac.report.trajectory_values import TrajectoryOnLine
 from lispac.survey.georeferencing import Mounting
-from lispac.validation.distance_map import DistanceMap
-from lispac.validation.plane_offset import PlaneOffset
-from lispac.validation.profile import Profile
-from lispac.validation.results import (
+from lispac.validation.comparison_results import (
     DistanceStatistics,
     PairComparison,
     PairState,
     PlaneComparison,
     SignedStatistics,
 )
+from lispac.validation.distance_map import DistanceMap
+from lispac.validation.distance_profile import DistanceProfile
+from lispac.validation.plane_offset import PlaneOffset
 
 HEADINGS = {"L1": 0.4, "L2": 180.2, "L3": 45.1, "L4": 224.7, "L5": 315.3, "L6": 134.8}
 MADE = datetime(2025, 6, 4, 14, 3, 20, tzinfo=UTC)
@@ -74,10 +74,10 @@ def _observability(sigma: np.ndarray, lines: dict[str, float]) -> Observability:
         remarks=(
             note(
                 "observability.directions",
-                weakest=quantity("yaw"), weakest_sigma=sigma[2],
-                strongest=quantity("roll"), strongest_sigma=sigma[0],
+                weakest=mounting_value_name("yaw"), weakest_sigma=sigma[2],
+                strongest=mounting_value_name("roll"), strongest_sigma=sigma[0],
             ),
-            note("observability.no_main_line", angle=quantity("roll")),
+            note("observability.no_main_line", angle=mounting_value_name("roll")),
         ),
     )  # fmt: skip
 
@@ -129,7 +129,7 @@ def _result(lines: dict[str, float], targets: tuple[str, ...], model: str) -> Ad
     wider[:3, :3] = correlation
     wider[3, :3] = wider[:3, 3] = (0.031, -0.127, 0.208)
     sigma_all = np.array([*sigma, 0.0048])
-    lever = Estimate("lever_x", -0.1856, None, -0.2017, 0.0048, -3.354)
+    lever = ParameterEstimate("lever_x", -0.1856, None, -0.2017, 0.0048, -3.354)
     return AdjustmentResult(
         mounting=Mounting(np.zeros(3), np.radians([0.43951, -1.86812, 0.39923])),
         prior_boresight=np.radians([0.0, -1.5, 0.0]),
@@ -185,7 +185,7 @@ def _plane(name: str, scale: float, pairs: tuple[tuple[str, str, bool], ...]) ->
         )
     ]
     steps = np.linspace(1.0, 40.0, 13)
-    profile = Profile(
+    profile = DistanceProfile(
         steps, np.full(12, 750), scale * steps[1:] / 40, np.full(12, 0.004),
         scale * steps[1:] / 20, np.full(12, 0.012),
     )  # fmt: skip

@@ -11,8 +11,8 @@ from typing import Any, get_type_hints
 from jsonschema import Draft202012Validator
 from pydantic import TypeAdapter
 
-from lispac.report.json_report import NAME, SCHEMA_FILE, SCHEMA_VERSION, Caution
-from lispac.report.values import ReportContent
+from lispac.report.json_report import NAME, SCHEMA_FILE, SCHEMA_VERSION, JsonWarning
+from lispac.report.report_values import ReportContent
 
 PATH = Path(__file__).resolve().parents[1] / "resources" / SCHEMA_FILE
 ABOUT = (
@@ -43,7 +43,7 @@ def schema_text() -> str:
 
 def _in_json() -> type:
     """The content with its messages as they are in JSON."""
-    hints = get_type_hints(ReportContent) | {"cautions": tuple[Caution, ...]}
+    hints = get_type_hints(ReportContent) | {"cautions": tuple[JsonWarning, ...]}
     each = [
         (it.name, hints[it.name], field(default=it.default))
         if it.default is not MISSING

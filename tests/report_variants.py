@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from lispac.adjustment.message_parts import quantity
-from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.result import Component
-from lispac.adjustment.robust import LOSSES
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.result import VarianceComponent
+from lispac.adjustment.robust_loss import LOSSES
+from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.io.formats import POINTS
 from lispac.messages import Message, error, note
 from lispac.project import Project
@@ -24,16 +24,25 @@ REMARKS = (
         "observability.directions",
         weakest=note(
             "adjustment.angle_with_two",
-            first=quantity("yaw"), second=quantity("roll"), third=quantity("pitch"),
+            first=mounting_value_name("yaw"),
+            second=mounting_value_name("roll"),
+            third=mounting_value_name("pitch"),
         ),
-        weakest_sigma=6.6e-4, strongest=quantity("roll"), strongest_sigma=2.8e-4,
+        weakest_sigma=6.6e-4,
+        strongest=mounting_value_name("roll"),
+        strongest_sigma=2.8e-4,
     ),
     note(
         "observability.main_lines",
-        count=1, lines=["L3"], angle=quantity("pitch"), line="L3", without=7.0e-4, sigma=5.1e-4,
+        count=1,
+        lines=["L3"],
+        angle=mounting_value_name("pitch"),
+        line="L3",
+        without=7.0e-4,
+        sigma=5.1e-4,
     ),
-    note("observability.no_main_line", angle=quantity("roll")),
-)  # fmt: skip
+    note("observability.no_main_line", angle=mounting_value_name("roll")),
+)
 """As `lispac.adjustment.observability` makes them."""
 NOTES = (
     note("trajectory.metres_assumed", file="a.txt", column="Alt"),
@@ -94,11 +103,11 @@ def _parameters(project: Project) -> Project:
     assert project.result is not None
     reason = note(
         "parameter.rotates_like_boresight",
-        parameter=quantity("scan_angle_offset"), kept=note("parameter.kept"),
+        parameter=mounting_value_name("scan_angle_offset"), kept=note("parameter.kept"),
     )  # fmt: skip
-    unseen = Estimate("scan_angle_offset", 0.0, None, reason=reason)
-    late = Estimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
-    far = Estimate("range_offset", 0.0, 0.002, 0.0051, 0.0008, None)
+    unseen = ParameterEstimate("scan_angle_offset", 0.0, None, reason=reason)
+    late = ParameterEstimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
+    far = ParameterEstimate("range_offset", 0.0, 0.002, 0.0051, 0.0008, None)
     return with_result(parameters=(*project.result.parameters, unseen, late, far))(project)
 
 
@@ -111,9 +120,9 @@ def _worse(project: Project) -> Project:
 
 def _components(project: Project) -> Project:
     found = (
-        Component("LiDAR", 0.82, 0.78, 0.87, applied=True),
-        Component("POS position", 1.3, 0.6, 2.9, applied=True),
-        Component("POS attitude", 1.3, 0.1, 2.9),
+        VarianceComponent("LiDAR", 0.82, 0.78, 0.87, applied=True),
+        VarianceComponent("POS position", 1.3, 0.6, 2.9, applied=True),
+        VarianceComponent("POS attitude", 1.3, 0.1, 2.9),
     )
     return with_result(components=found, left_out=1)(project)
 
@@ -166,8 +175,10 @@ def _refused() -> Message:
     return error(
         "adjustment.undetermined_because",
         direction=note(
-            "adjustment.angle_with_one", first=quantity("yaw"), second=quantity("roll")
+            "adjustment.angle_with_one",
+            first=mounting_value_name("yaw"),
+            second=mounting_value_name("roll"),
         ),
         reason=note("adjustment.parallel_lines_one_target", target="T1"),
         action=note("adjustment.add_orientation"),
-    )  # fmt: skip
+    )

@@ -4,23 +4,23 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from lispac.gui.dialogs.dialog_service import Dialogs
 from lispac.gui.dialogs.sensor_editor import NEW_POS, SensorEditor
-from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.language import local_datetime
 from lispac.gui.settings import AppSettings
 from lispac.identity import Identity
 from lispac.io.project_file import write_project
 from lispac.project import Project
-from lispac.report.absolute_values import Absolute
-from lispac.report.budget_values import Budget
+from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.thesis_site import SITES
-from lispac.simulation.visibility_study import Visibility, visibility
-from lispac.workflow.absolute import check_absolute
-from lispac.workflow.budget import budget_of
-from lispac.workflow.history import History, histories
-from lispac.workflow.proposals import Proposal, propose
-from lispac.workflow.seed_lists import Outcome, pick_seeds, read_seeds
-from lispac.workflow.subsampling import USUAL, Subsampled, subsampling_study
+from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
+from lispac.workflow.absolute_check import check_absolute
+from lispac.workflow.budget import error_budget_of
+from lispac.workflow.history import History, read_histories
+from lispac.workflow.proposals import Proposal, propose_targets
+from lispac.workflow.seed_lists import SeedOutcome, pick_seeds, read_seeds
+from lispac.workflow.subsampling import USUAL, SubsamplingResult, subsampling_study
 from lispac.workflow.survey import Survey
 from tests.report_sample import sample_project
 
@@ -39,14 +39,14 @@ NOWHERE = (400.0, 400.0, 0.0)
 class Findings:
     """Answers that take a while."""
 
-    checked: Absolute
-    budget: Budget
+    checked: AbsoluteCheckValues
+    budget: ErrorBudgetValues
     histories: tuple[tuple[History, ...], tuple[str, ...]]
-    subsampled: tuple[Subsampled, ...]
-    visible: list[Visibility]
+    subsampled: tuple[SubsamplingResult, ...]
+    visible: list[VisibilityStudy]
     proposal: Proposal
     seeds: Path
-    outcomes: tuple[Outcome, ...]
+    outcomes: tuple[SeedOutcome, ...]
 
     @classmethod
     def of(cls, project: Project, survey: Survey, folder: Path) -> "Findings":
@@ -59,12 +59,12 @@ class Findings:
         absolute = check_absolute(project, survey, _check_points(project, folder))[0].absolute
         assert absolute is not None
         return cls(
-            Absolute.of(absolute),
-            Budget.of(budget_of(project, survey)),
+            AbsoluteCheckValues.of(absolute),
+            ErrorBudgetValues.of(error_budget_of(project, survey)),
             _years(project, folder),
             subsampling_study(project, survey, sorted({*USUAL, project.settings.subsample})),
-            [visibility(site) for site in SITES.values()],
-            propose(bare, survey),
+            [study_visibility(site) for site in SITES.values()],
+            propose_targets(bare, survey),
             seeds,
             pick_seeds(bare, survey, listed, {})[1],
         )
@@ -88,10 +88,12 @@ class Findings:
                 settings.sensors, NEW_POS, "", dialogs.parent
             ).exec(),
             "add-or-new": lambda: dialogs.add_or_new(project.name),
-            "candidate-waits": lambda: dialogs.candidate_waits("T3"),
-            "recover": lambda: dialogs.recover(project.name, local_datetime(WRITTEN)),
-            "open-elsewhere": lambda: dialogs.open_elsewhere(project.name, "bridge, process 4711"),
-            "overwrite": lambda: dialogs.overwrite(project.name),
+            "candidate-waits": lambda: dialogs.ask_about_candidate("T3"),
+            "recover": lambda: dialogs.ask_to_recover(project.name, local_datetime(WRITTEN)),
+            "open-elsewhere": lambda: dialogs.ask_to_open_locked(
+                project.name, "bridge, process 4711"
+            ),
+            "overwrite": lambda: dialogs.ask_to_overwrite(project.name),
         }
 
 
@@ -115,4 +117,4 @@ def _years(project: Project, folder: Path) -> tuple[tuple[History, ...], tuple[s
     last = sample_project(folder / "years" / "2025")
     write_project(replace(last, identity=replace(SYSTEM, dates="2025-04-02")))
     now = replace(project, identity=replace(SYSTEM, dates="2026-04-05"))
-    return histories([folder / "years"], also=[now])
+    return read_histories([folder / "years"], also=[now])

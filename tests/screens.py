@@ -28,7 +28,7 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.status import STEPS
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.units import ANGLES, LENGTHS
-from lispac.gui.viewport.vtk import VtkViewport
+from lispac.gui.viewport.vtk_viewport import VtkViewport
 from lispac.workflow.demo import run_demo
 from tests.screen_findings import Findings
 
@@ -128,7 +128,7 @@ class Photographer:
     def _dress(self, look: str, language: str) -> None:
         self._settings.theme, self._settings.language = look, language
         former = self.window
-        self.window.renew()
+        self.window.rebuild_window()
         while self.window is former:
             self.rest(0.1)
 
@@ -187,7 +187,7 @@ class Photographer:
         )
         self._ask("error", lambda: dialogs.show_error(bad))
         self._ask("excess_variance", lambda: dialogs.show_error(ValueError("for the picture")))
-        self._ask("save-changes", lambda: dialogs.save_changes("harbour"))
+        self._ask("save-changes", lambda: dialogs.ask_to_save_changes("harbour"))
         raw = [self._project / "raw"]
         self._ask("import-empty", lambda: dialogs.new_project(self._settings))
         self._ask("import", lambda: dialogs.new_project(self._settings, raw))
@@ -254,7 +254,7 @@ class Photographer:
     def leave(self) -> None:
         """Close the windows, and list what stayed English."""
         assert self.window.site_design.leave()
-        self.window.retire()
+        self.window.stop_and_hide()
 
 
 def main() -> None:

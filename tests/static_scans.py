@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.simulation.port import port_scene
+from lispac.simulation.port_scene import port_scene
 from lispac.simulation.scene import Rectangle
 
 Array = NDArray[np.float64]

@@ -10,14 +10,14 @@ import pytest
 from lispac.errors import Cancelled, LispacError
 from lispac.messages import Message
 from lispac.progress import Progress, Step
-from lispac.survey.store import columns, merging, ordering, pieces, spool
+from lispac.survey.store import block_merge, column_files, column_writer, point_blocks, spool
 from lispac.survey.store.layout import Manifest, SourceFile
-from lispac.survey.store.pieces import Piece
-from lispac.survey.store.reading import StoredLine, open_store
-from lispac.survey.store.writing import Recipe, write_store
+from lispac.survey.store.line_import import ImportRecipe, write_store
+from lispac.survey.store.point_blocks import PointPiece
+from lispac.survey.store.stored_line import StoredLine, open_store
 
 ORIGINAL = SourceFile("a.las", 1, 2, "c")
-RECIPE = Recipe("L1", ORIGINAL, {}, {})
+RECIPE = ImportRecipe("L1", ORIGINAL, {}, {})
 
 
 def place(xyz: np.ndarray, time: np.ndarray) -> np.ndarray:
@@ -74,7 +74,7 @@ class Source:
     def __init__(self, line: Line, size: int) -> None:
         self._line, self._size, self.asked = line, size, []
 
-    def __call__(self, first: int) -> Iterator[Piece]:
+    def __call__(self, first: int) -> Iterator[PointPiece]:
         """The points from an index of the file on."""
         self.asked.append(first)
         line, end = self._line, int(self._line.index[-1]) + 1
@@ -82,7 +82,7 @@ class Source:
             read = min(end, start + self._size)
             rows = slice(*np.searchsorted(line.index, [start, read]))
             extra = {name: values[rows] for name, values in line.extra.items()}
-            yield Piece(line.xyz[rows], line.time[rows], line.index[rows], extra, read, end)
+            yield PointPiece(line.xyz[rows], line.time[rows], line.index[rows], extra, read, end)
 
 
 def stop_at(call: int) -> Progress:
@@ -115,12 +115,12 @@ def files_of(manifest: Manifest) -> dict[str, int]:
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
     """Blocks, buckets and coarse level so small that a few thousand points are a big line."""
-    for module in (pieces, spool):
+    for module in (point_blocks, spool):
         monkeypatch.setattr(module, "BLOCK", 1000)
-    monkeypatch.setattr(merging, "BUCKET", 700)
-    monkeypatch.setattr(merging, "STEP", 16)
-    monkeypatch.setattr(ordering, "COARSE", 1500)
-    monkeypatch.setattr(columns, "WINDOW", 2048)
+    monkeypatch.setattr(block_merge, "BUCKET", 700)
+    monkeypatch.setattr(block_merge, "STEP", 16)
+    monkeypatch.setattr(column_writer, "COARSE", 1500)
+    monkeypatch.setattr(column_files, "WINDOW", 2048)
 
 
 def why(error: LispacError) -> str:

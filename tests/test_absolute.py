@@ -16,17 +16,17 @@ from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import Message, error, note, warning
 from lispac.project import Project
-from lispac.report.absolute_figure import absolute_figure
-from lispac.report.absolute_values import Absolute
-from lispac.report.blocks import Table
-from lispac.report.document import document_of
+from lispac.report.absolute_figure import reference_distance_figure
+from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.report.document import report_document
+from lispac.report.document_blocks import Table
 from lispac.report.figures import svg_of
 from lispac.report.json_report import english_values, json_text
-from lispac.simulation.port import ORIGIN
-from lispac.simulation.survey import SimulatedSurvey, port_survey
+from lispac.simulation.port_scene import ORIGIN
+from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.survey.crs import coordinate_system
-from lispac.validation.absolute import AbsoluteCheck, LineCheck
-from lispac.workflow.absolute import check_absolute
+from lispac.validation.absolute_check import AbsoluteCheck, LineCheck
+from lispac.workflow.absolute_check import check_absolute
 from lispac.workflow.survey import Survey
 from tests.absolute_sample import checked, true_offsets, with_truth
 from tests.command_errors import is_refusal
@@ -91,7 +91,7 @@ def test_errors_beyond_the_stated_ones_are_significant(
     check = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",), shift=(0.0, 0.08, 0.0)))
     assert check.together.after.significant
     assert all(line.after.significant for line in check.lines)
-    mean, _, lines, *_ = Absolute.of(check).in_words
+    mean, _, lines, *_ = AbsoluteCheckValues.of(check).in_words
     assert mean.code == "absolute.after_farther"
     assert mean.params["finding"] == note("absolute.not_explained")
     assert (lines.code, lines.params["count"]) == ("report.absolute_line_off", len(check.lines))
@@ -161,7 +161,7 @@ def test_far_lines_have_as_many_places_beside_near_ones_as_alone(
     assert together.distances.rms == pytest.approx(np.sqrt(np.mean(squares)))
     scatters = [line.after.mean_sigma.scatter for line in both.lines]
     assert together.mean_sigma.scatter == pytest.approx(np.linalg.norm(scatters) / len(scatters))
-    assert Absolute.of(both).in_words[-1].code == "absolute.lines_alike"
+    assert AbsoluteCheckValues.of(both).in_words[-1].code == "absolute.lines_alike"
 
 
 def test_a_line_that_is_not_compared_says_what_would_help(
@@ -246,7 +246,7 @@ def test_surveyed_points_and_planes(
 
     content = sample_content(sample.with_absolute(check))
     (section,) = (
-        s for s in document_of(content, {}).sections if s.title == "Check against the reference"
+        s for s in report_document(content, {}).sections if s.title == "Check against the reference"
     )
     (listed,) = (b for b in section.blocks if isinstance(b, Table) and "surveyed points" in b.title)
     assert [row[0] for row in listed.rows] == ["A0", "A1", "BOARD"]
@@ -348,7 +348,7 @@ def test_the_project_keeps_it_and_the_report_tells_it(
     assert content.files[-1].sha256 == check.sha256
     assert followed(json_text(content))["absolute"]["reference"] == check.reference
     (section,) = (
-        s for s in document_of(content, {}).sections if s.title == "Check against the reference"
+        s for s in report_document(content, {}).sections if s.title == "Check against the reference"
     )
     tables = [block for block in section.blocks if isinstance(block, Table)]
     shown = tables[0].rows[-1]
@@ -357,7 +357,7 @@ def test_the_project_keeps_it_and_the_report_tells_it(
     assert shown[3].replace("\N{MINUS SIGN}", "-") == f"{1000 * together.signed.mean:+.1f}"
     assert shown[6] == f"{1000 * together.distances.rms:.1f}"
     assert content.absolute is not None
-    assert len(svg_of(absolute_figure(content.absolute))) > 1000
+    assert len(svg_of(reference_distance_figure(content.absolute))) > 1000
     # A file of before has no such entry, and nothing is told of it.
     path = project.folder / FILE_NAME
     stored = json.loads(path.read_text())
@@ -365,7 +365,7 @@ def test_the_project_keeps_it_and_the_report_tells_it(
     path.write_text(json.dumps(stored))
     older = read_project(project.folder)
     assert older.absolute is None
-    titles = [s.title for s in document_of(sample_content(older), {}).sections]
+    titles = [s.title for s in report_document(sample_content(older), {}).sections]
     assert "Check against the reference" not in titles
 
 
@@ -379,7 +379,7 @@ def test_the_command(
     found = answer(capsys, "check", project.folder, "--reference", path)
     check = read_project(project.folder).absolute
     assert check is not None
-    assert found == json.loads(json.dumps(asdict(english_values(Absolute.of(check)))))
+    assert found == json.loads(json.dumps(asdict(english_values(AbsoluteCheckValues.of(check)))))
     code, out, err = run(capsys, "check", project.folder, "--reference", path)
     assert code == 0
     assert english_text(note("assumed.local_frame")) in err

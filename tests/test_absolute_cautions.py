@@ -8,11 +8,11 @@ import pytest
 
 from lispac.message_texts import message_text
 from lispac.messages import Level
-from lispac.report.absolute_values import Absolute
-from lispac.report.blocks import Paragraph
+from lispac.report.absolute_values import AbsoluteCheckValues
 from lispac.report.document import undrawn_document
+from lispac.report.document_blocks import Paragraph
 from lispac.report.options import ReportOptions
-from lispac.validation.absolute import (
+from lispac.validation.absolute_check import (
     ALL_LINES,
     AbsoluteCheck,
     AbsoluteState,
@@ -20,7 +20,7 @@ from lispac.validation.absolute import (
     PointCheck,
     SigmaSources,
 )
-from lispac.validation.results import DistanceStatistics, SignedStatistics
+from lispac.validation.comparison_results import DistanceStatistics, SignedStatistics
 from tests.report_sample import sample_content, sample_project
 
 SIGMA = 0.012
@@ -107,7 +107,7 @@ def test_page_one_has_a_line_of_every_check(tmp_path: Path, off: float, code: st
     found = check({ALL_LINES: off})
     content = sample_content(sample_project(tmp_path).with_absolute(found))
     document = undrawn_document(content, {}, ReportOptions())
-    first = message_text(Absolute.of(found).in_words[0])
+    first = message_text(AbsoluteCheckValues.of(found).in_words[0])
     said = [b.text for b in document.summary if isinstance(b, Paragraph) and first in b.text]
     warnings = [
         each for each in content.cautions if "nearer" in each.code or "farther" in each.code

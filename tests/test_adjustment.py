@@ -7,12 +7,12 @@ import pytest
 import scipy.linalg
 import scipy.stats
 
-from lispac.adjustment.conditions import CALIBRATION, POSE, SHAPE, linearise
+from lispac.adjustment.condition_equations import CALIBRATION, POSE, SHAPE, linearise
+from lispac.adjustment.group_sums import AdjustmentState, PointWeights, group_points, sum_by_group
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.robust import Loss
+from lispac.adjustment.robust_loss import Loss
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import KNOT_INTERVAL, PosErrorKnots, StochasticModel
-from lispac.adjustment.sums import State, Weights, grouped, sum_by_group
+from lispac.adjustment.stochastic_model import KNOT_INTERVAL, PosErrorKnots, StochasticModel
 from lispac.errors import AdjustmentError, Cancelled, RankDeficient
 from lispac.io.plane_file import read_plane_files
 from lispac.progress import Step
@@ -104,10 +104,10 @@ def test_sums_equal_dense_matrix_products(model: StochasticModel) -> None:
     observations, here = planar_survey(mounting(), points=6), mounting(0.1, 0.2, 0.3)
     knots = PosErrorKnots.of(observations, model) if model is CORRELATED else None
     effects = np.random.default_rng(0).normal(0, 0.01, (len(knots.time) if knots else 0, 6))
-    observations, groups, _ = grouped(observations, knots)
+    observations, groups, _ = group_points(observations, knots)
     rows, variance = dense_rows(observations, here, groups.knots, effects)
-    state = State(here, PLANES, np.zeros((12, 4)), effects)
-    weights = Weights(Loss("none"), np.ones(2), np.ones(2))
+    state = AdjustmentState(here, PLANES, np.zeros((12, 4)), effects)
+    weights = PointWeights(Loss("none"), np.ones(2), np.ones(2))
     sums = sum_by_group(observations, groups, state, np.arange(3), weights)
     assert len(sums) == len(groups.sighting) > 1
     for g in range(len(sums)):
@@ -128,7 +128,7 @@ def test_knots_interpolate_and_have_the_gauss_markov_prior() -> None:
     for k, (tau, sigma) in {0: (200.0, 0.012), 5: (500.0, np.radians(0.012))}.items():
         unit = np.zeros((count, count, 6))
         unit[range(count), range(count), k] = 1.0
-        precision = np.stack([knots.weighted(column)[:, k] for column in unit])
+        precision = np.stack([knots.apply_prior_precision(column)[:, k] for column in unit])
         expected = sigma**2 * np.exp(-apart / tau)
         np.testing.assert_allclose(np.linalg.inv(precision), expected, rtol=1e-6)
 

@@ -6,27 +6,38 @@ import numpy as np
 import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from lispac.adjustment import iteration, scatter, solver
-from lispac.adjustment.blas import one_thread
-from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
-from lispac.adjustment.chunks import in_chunks
-from lispac.adjustment.components import _Likelihood, surface_sigma
+from lispac.adjustment import excess_scatter, iteration, solver
+from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.blas_threads import single_blas_thread
+from lispac.adjustment.blunders import (
+    Blunder,
+    find_confirmed_blunders,
+    find_restorable_blunder,
+    worst_blunder,
+)
 from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.excess_scatter import excess_variance, raise_sigmas_by_scatter
 from lispac.adjustment.observability import require_determined
 from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.omitted_parameters import contradictions
+from lispac.adjustment.omitted_parameters import find_contradicted_parameters
+from lispac.adjustment.parallel_chunks import run_in_chunks
 from lispac.adjustment.parameters import SWITCHED, Parameter
-from lispac.adjustment.problem import Linearised, Problem
-from lispac.adjustment.robust import Loss
-from lispac.adjustment.scatter import excess_variance, with_scatter
-from lispac.adjustment.shapes import fit_shapes
-from lispac.adjustment.solved import Solved
+from lispac.adjustment.robust_loss import Loss
+from lispac.adjustment.solved_equations import SolvedEquations
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.adjustment.warnings import doubts
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.target_shapes import fit_shapes
+from lispac.adjustment.variance_components import _RestrictedLikelihood, most_likely_surface_sigma
+from lispac.adjustment.warnings import result_warnings
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
 from lispac.messages import note
-from lispac.simulation.closed_form import Ball, Board, exact_survey, observed, six_courses
+from lispac.simulation.closed_form_survey import (
+    Ball,
+    Board,
+    add_errors,
+    error_free_survey,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 from tests import coverage_of_errors
@@ -41,9 +52,9 @@ LEVEL = Mounting(np.array([-0.2, 0.04, 2.4]), np.zeros(3))
 
 def _linearised(
     data: Observations, model: StochasticModel = MODEL, parameters: tuple[Parameter, ...] = ()
-) -> Linearised:
+) -> LinearisedProblem:
     """At the truth, where only the data can be wrong."""
-    problem = Problem.of(data, TRUTH, model, parameters)
+    problem = AdjustmentProblem.of(data, TRUTH, model, parameters)
     return problem.linearised(problem.start(TRUTH, fit_shapes(data, TRUTH)), Loss(model.loss))
 
 
@@ -94,10 +105,10 @@ def test_what_does_not_settle_says_how_far_it_was(
 def test_a_step_that_cannot_be_solved_is_an_adjustment_that_ran_away(
     few: Observations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def singular(self: Linearised) -> None:
+    def singular(self: LinearisedProblem) -> None:
         raise np.linalg.LinAlgError
 
-    monkeypatch.setattr(Linearised, "step", singular)
+    monkeypatch.setattr(LinearisedProblem, "step", singular)
     with pytest.raises(NotConverged, check=has_code("adjustment.diverged")):
         adjust(few, PRIOR, MODEL)
 
@@ -106,7 +117,7 @@ def test_where_foreseeing_steps_fail_plain_ones_lead_to_the_same(
     few: Observations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     usual, failed = adjust(few, PRIOR, ROBUST, diagnostics=False), []
-    own = Problem.linearised
+    own = AdjustmentProblem.linearised
 
     def failing(self, *given, tangent=False):
         if tangent:
@@ -114,7 +125,7 @@ def test_where_foreseeing_steps_fail_plain_ones_lead_to_the_same(
             raise np.linalg.LinAlgError
         return own(self, *given)
 
-    monkeypatch.setattr(Problem, "linearised", failing)
+    monkeypatch.setattr(AdjustmentProblem, "linearised", failing)
     plain = adjust(few, PRIOR, ROBUST, diagnostics=False)
     assert failed
     assert np.degrees(np.abs(plain.boresight - usual.boresight)).max() < 1e-6
@@ -124,7 +135,7 @@ def test_parallel_lines_past_two_inclinations_are_refused_for_their_course() -> 
     """The reason is the lines: the targets face different ways."""
     level = planar_survey(LEVEL, headings_deg=(0, 180), scatter=False)
     level = replace(level, sigma_attitude=10.0 * level.sigma_attitude)
-    problem = Problem.of(level, LEVEL, MODEL)
+    problem = AdjustmentProblem.of(level, LEVEL, MODEL)
     state = problem.start(LEVEL, fit_shapes(level, LEVEL))
     with pytest.raises(
         RankDeficient,
@@ -147,7 +158,7 @@ def test_a_wrong_lever_arm_that_leaves_the_angles_open_is_named() -> None:
 def test_open_angles_that_no_stated_value_explains_are_refused_as_such(few: Observations) -> None:
     vague = few.with_sigmas(1.0, 1.0, 1000.0)
     with pytest.raises(RankDeficient, check=has_code("adjustment.undetermined")):
-        solver._require_determined_still(_linearised(vague))
+        solver._require_still_determined(_linearised(vague))
 
 
 def test_points_that_no_weight_is_left_of_agree_with_nothing(few: Observations) -> None:
@@ -155,11 +166,11 @@ def test_points_that_no_weight_is_left_of_agree_with_nothing(few: Observations) 
     sighting = 4
     usual = fit_shapes(few, TRUTH)
     dirty = shifted(few, sighting, 30.0)
-    problem = Problem.of(dirty, TRUTH, ROBUST)
+    problem = AdjustmentProblem.of(dirty, TRUTH, ROBUST)
     here = problem.linearised(problem.start(TRUTH, usual), Loss("tukey"))
     off = Blunder("surface", (sighting,))
-    assert belonging(here, [off]) is None
-    assert belonging(here, [Blunder("surface", (0,))]) is not None
+    assert find_restorable_blunder(here, [off]) is None
+    assert find_restorable_blunder(here, [Blunder("surface", (0,))]) is not None
     found = worst_blunder(here, ())
     assert found is None or sighting not in found.sightings
 
@@ -169,8 +180,8 @@ def _balls(metres: float) -> Observations:
     places = ((0.0, 15.0, 5.0), (1.5, 12.0, 3.0), (-1.5, 20.0, 7.0))
     balls = [Ball(f"S{k + 1}", place, 0.3, True) for k, place in enumerate(places)]
     generator = np.random.default_rng(3)
-    exact = exact_survey(TRUTH, balls, six_courses(), 0.05, generator)
-    clean = observed(exact, HYDROGRAPHIC_INS, generator)
+    exact = error_free_survey(TRUTH, balls, six_courses(), 0.05, generator)
+    clean = add_errors(exact, HYDROGRAPHIC_INS, generator)
     position = clean.position.copy()
     position[clean.sighting == 2] += [0.0, metres, 0.0]
     return replace(clean, position=position)
@@ -179,10 +190,10 @@ def _balls(metres: float) -> Observations:
 def test_a_ball_metres_off_stays_out_as_shifted() -> None:
     """A ball has no tilt that could agree or not."""
     dirty, usual = _balls(0.4), fit_shapes(_balls(0.0), TRUTH)
-    problem = Problem.of(dirty, TRUTH, MODEL)
+    problem = AdjustmentProblem.of(dirty, TRUTH, MODEL)
     here = problem.linearised(problem.start(TRUTH, usual))
     gone = [Blunder("shift", (2,)), Blunder("shift", (9,))]
-    assert plainly_off(here, gone) == [Blunder("shift", (2,))]
+    assert find_confirmed_blunders(here, gone) == [Blunder("shift", (2,))]
 
 
 @pytest.mark.parametrize("metres", [0.5, 3.0])
@@ -198,11 +209,11 @@ def test_with_every_value_estimated_none_is_contradicted(few: Observations) -> N
     """A latency cannot be without the rates of the trajectory, so it is not asked for then."""
     wrong = replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.3, 0.0, 0.0])
     data, start = replace(few, pose_rate=None), fit_shapes(few, wrong)
-    stated = Problem.of(data, wrong, MODEL)
-    found = contradictions(stated.linearised(stated.start(wrong, start)))
+    stated = AdjustmentProblem.of(data, wrong, MODEL)
+    found = find_contradicted_parameters(stated.linearised(stated.start(wrong, start)))
     assert "lever_x" in {each.name for each in found}
     free = stated.with_parameters(tuple(Parameter(name) for name in SWITCHED if name != "latency"))
-    assert contradictions(free.linearised(free.start(wrong, start))) == ()
+    assert find_contradicted_parameters(free.linearised(free.start(wrong, start))) == ()
 
 
 @pytest.mark.parametrize(
@@ -213,11 +224,13 @@ def test_a_stated_value_weighs_in_the_likelihood_of_the_sigmas(
     few: Observations, one: tuple[Parameter, ...], other: tuple[Parameter, ...]
 ) -> None:
     """One held by a tiny sigma is as good as one not estimated, by a huge one as a free one."""
-    likelihoods = [_Likelihood(_linearised(few, parameters=each)) for each in (one, other)]
+    likelihoods = [
+        _RestrictedLikelihood(_linearised(few, parameters=each)) for each in (one, other)
+    ]
     factors = np.log([1.3, 0.7, 1.5, 1.0])
     rises = [likelihood(factors) - likelihood(np.zeros(4)) for likelihood in likelihoods]
     assert rises[1] == pytest.approx(rises[0], rel=1e-4)
-    free = _Likelihood(_linearised(few, parameters=(Parameter("lever_x", 0.01),)))
+    free = _RestrictedLikelihood(_linearised(few, parameters=(Parameter("lever_x", 0.01),)))
     assert free(factors) - free(np.zeros(4)) != pytest.approx(rises[0], rel=1e-4)
 
 
@@ -234,12 +247,12 @@ def test_one_round_of_the_sigmas_is_told_and_used(monkeypatch: pytest.MonkeyPatc
 
 def test_a_pass_over_no_points_calls_nothing() -> None:
     called: list[tuple[int, int]] = []
-    in_chunks(lambda first, last: called.append((first, last)), np.zeros(0, np.int64))
+    run_in_chunks(lambda first, last: called.append((first, last)), np.zeros(0, np.int64))
     assert called == []
-    in_chunks(lambda first, last: called.append((first, last)), np.array([5, 9]))
+    run_in_chunks(lambda first, last: called.append((first, last)), np.array([5, 9]))
     assert called == [(0, 2)]
     called.clear()
-    in_chunks(lambda first, last: called.append((first, last)), np.arange(1, 40_001))
+    run_in_chunks(lambda first, last: called.append((first, last)), np.arange(1, 40_001))
     first, last = np.array(sorted(called)).T
     assert len(called) == 16
     np.testing.assert_array_equal([*first, 40_000], [0, *last])
@@ -250,10 +263,10 @@ def test_of_two_targets_and_halves_of_lines_nothing_is_told_of_their_scatter(
     few: Observations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Two parts of a kind are too few for a jackknife."""
-    solved = Solved.of(adjust(few, PRIOR, MODEL), few, PRIOR)
+    solved = SolvedEquations.of(adjust(few, PRIOR, MODEL), few, PRIOR)
     assert solved is not None
     assert excess_variance(solved.here, solved.origins).shape == (3,)
-    monkeypatch.setattr(scatter, "STRETCHES", 2)
+    monkeypatch.setattr(excess_scatter, "STRETCHES", 2)
     np.testing.assert_array_equal(excess_variance(solved.here, solved.origins), np.zeros(3))
 
 
@@ -269,10 +282,10 @@ def test_what_is_not_foreseen_is_that_of_adjustments_without_each_place(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Two sightings displaced; the jackknife, less what the sigmas foresee (Tukey, Hausman)."""
-    monkeypatch.setattr(scatter, "STRETCHES", 2)  # too few to tell anything of the lines
+    monkeypatch.setattr(excess_scatter, "STRETCHES", 2)  # too few to tell anything of the lines
     generator = np.random.default_rng(5)
-    exact = exact_survey(TRUTH, BESIDE_EACH_OTHER, six_courses(), 0.5, generator)
-    data = shifted(observed(exact, HYDROGRAPHIC_INS, generator), 2, 0.02)
+    exact = error_free_survey(TRUTH, BESIDE_EACH_OTHER, six_courses(), 0.5, generator)
+    data = shifted(add_errors(exact, HYDROGRAPHIC_INS, generator), 2, 0.02)
     model = replace(MODEL, surface=0.001)
     whole = adjust(data, TRUTH, model, diagnostics=False)
     parts = []
@@ -282,12 +295,12 @@ def test_what_is_not_foreseen_is_that_of_adjustments_without_each_place(
     off = np.array([part.boresight - whole.boresight for part in parts])
     predicted = np.array([part.sigma**2 - whole.sigma**2 for part in parts])
     expected = 3 / 4 * np.maximum((off**2 - predicted).sum(axis=0), 0.0)
-    solved = Solved.of(whole, data, TRUTH)
+    solved = SolvedEquations.of(whole, data, TRUTH)
     assert solved is not None
     more = excess_variance(solved.here, solved.origins)
     np.testing.assert_allclose(more, expected, rtol=0.01)
     assert np.count_nonzero(expected) == 2
-    raised = with_scatter(whole, solved.here, solved.origins)
+    raised = raise_sigmas_by_scatter(whole, solved.here, solved.origins)
     np.testing.assert_allclose(raised.sigma**2, whole.sigma**2 + more)
     np.testing.assert_allclose(raised.correlation_all, whole.correlation_all)
 
@@ -299,7 +312,7 @@ def test_the_equations_at_an_answer_say_how_its_weights_follow(
     """By difference quotients of the right-hand side; with weights held they are a tenth off."""
     strays, _ = with_strays(few, 3)
     model = StochasticModel(loss=loss, surface=0.001)
-    solved = Solved.of(adjust(strays, PRIOR, model, diagnostics=False), strays, PRIOR)
+    solved = SolvedEquations.of(adjust(strays, PRIOR, model, diagnostics=False), strays, PRIOR)
     assert solved is not None
     here, step = solved.here, 1e-6
     mounting = here.state.mounting
@@ -317,11 +330,11 @@ def test_the_equations_at_an_answer_say_how_its_weights_follow(
 def test_what_is_still_to_come_is_a_geometric_series() -> None:
     last, change = np.array([8.0, 10.0, 0.0, 4.0]), np.array([4.0, 1.0, 1.0, 4.0])
     # 2 + 1 + ..., 0.1 + 0.01 + ..., and never slower than by halves
-    np.testing.assert_allclose(iteration._to_come(change, last), [4.0, 1 / 9, 1.0, 4.0])
+    np.testing.assert_allclose(iteration._remaining_change(change, last), [4.0, 1 / 9, 1.0, 4.0])
 
 
 def test_products_are_made_by_the_thread_that_asks_for_them() -> None:
-    with threadpool_limits(limits=3), one_thread():
+    with threadpool_limits(limits=3), single_blas_thread():
         inside = [each for each in threadpool_info() if each["user_api"] == "blas"]
     assert inside
     assert [each["num_threads"] for each in inside] == [1] * len(inside)
@@ -334,7 +347,7 @@ def test_of_two_sightings_of_a_target_neither_is_let_go_of(
     """What would be left of the target nothing could contradict."""
     whole = survey(1, 0.3)
     data = whole.of_sightings(np.array([each.line in lines for each in whole.sightings]))
-    problem = Problem.of(shifted(data, 1, 0.3), TRUTH, replace(MODEL, surface=0.001))
+    problem = AdjustmentProblem.of(shifted(data, 1, 0.3), TRUTH, replace(MODEL, surface=0.001))
     here = problem.linearised(problem.start(TRUTH, fit_shapes(data, TRUTH)))
     assert worst_blunder(here, ()) == (Blunder("shift", (1,)) if named else None)
 
@@ -344,7 +357,7 @@ def test_the_statistic_is_the_quadratic_form_of_the_equations(few: Observations)
     data, off = shifted(few, 2, 0.02), replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.02, 0.0, 0.0])
     stated = (Parameter("lever_x", 0.01),)
     result = adjust(data, off, MODEL, parameters=stated, diagnostics=False)
-    solved = Solved.of(result, data, off, stated)
+    solved = SolvedEquations.of(result, data, off, stated)
     assert solved is not None
     assert np.abs(solved.here.departures).max() > 0
     assert result.chi_square.statistic == pytest.approx(solved.here.normal.quadratic, rel=1e-6)
@@ -352,34 +365,34 @@ def test_the_statistic_is_the_quadratic_form_of_the_equations(few: Observations)
 
 def test_a_contradiction_is_told_from_so_many_sigmas_of_an_angle_on(few: Observations) -> None:
     wrong = replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.04, 0.0, 0.0])
-    problem = Problem.of(few, wrong, MODEL)
+    problem = AdjustmentProblem.of(few, wrong, MODEL)
     first = problem.linearised(problem.start(wrong, fit_shapes(few, wrong)))
     here = problem.linearised(first.step()[0])
-    (found,) = contradictions(here, least=1.0)
+    (found,) = find_contradicted_parameters(here, least=1.0)
     assert 3.5 < abs(found.w) < 5.5  # beyond 6 it would be told whatever it does
     sigmas = np.abs(found.moved / np.sqrt(np.diag(here.normal.covariance)[:3])).max()
     assert sigmas > 1.0
-    assert contradictions(here, least=1.01 * sigmas) == ()
+    assert find_contradicted_parameters(here, least=1.01 * sigmas) == ()
 
 
 def test_the_sigma_of_the_surfaces_is_the_likeliest(few: Observations) -> None:
     """Restricted likelihood (Patterson and Thompson 1971) from equations made for each sigma."""
     data = shifted(shifted(few, 2, 0.004), 7, -0.003)
-    problem = Problem.of(data, TRUTH, MODEL)
+    problem = AdjustmentProblem.of(data, TRUTH, MODEL)
     state = problem.start(TRUTH, fit_shapes(data, TRUTH))
 
     def unlikely(sigma: float) -> float:
-        here = problem.with_surface(sigma)
+        here = problem.with_surface_sigma(sigma)
         normal = here.linearised(state).normal
-        fitted = normal.reduced_right @ normal.covariance @ normal.reduced_right
+        fitted = normal.reduced_right_side @ normal.covariance @ normal.reduced_right_side
         return float(
-            np.linalg.slogdet(normal.reduced)[1]
+            np.linalg.slogdet(normal.reduced_matrix)[1]
             + 2 * np.log(here.surface_sigma).sum()
             + normal.quadratic
             - fitted
         )
 
-    found = surface_sigma(problem.linearised(state))
+    found = most_likely_surface_sigma(problem.linearised(state))
     assert 0.0002 < found < 0.01
     assert unlikely(found) < min(unlikely(0.8 * found), unlikely(1.25 * found))
 
@@ -396,7 +409,7 @@ def test_a_target_without_weight_is_excluded_and_the_rest_is_estimated() -> None
     assert result.boresight == pytest.approx(without.boresight, abs=1e-12)
     checks = cross_checks(weightless, prior, result)
     assert "T5" not in {part.without for part in checks.parts}
-    assert "adjustment.target_excluded" in {doubt.code for doubt in doubts(result, checks)}
+    assert "adjustment.target_excluded" in {doubt.code for doubt in result_warnings(result, checks)}
     # Where only two targets would be left to compare, the reason is given instead.
     two = weightless.without_targets([name for name in data.targets if name not in ("T1", "T5")])
     with pytest.raises(TargetDisagrees) as caught:

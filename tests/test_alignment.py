@@ -6,15 +6,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.simulation.scene import Rectangle, upright
-from lispac.survey.cloud import Cloud, CloudInMemory, placed_with
+from lispac.simulation.scene import Rectangle, upright_rectangle
+from lispac.survey.cloud import Cloud, CloudInMemory, place_clouds
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.scan import Scan
-from lispac.targets.alignment import Alignment, align
-from lispac.workflow.picking import find
-from lispac.workflow.qualities import judge_target
+from lispac.targets.rough_alignment import Alignment, align_lines
+from lispac.workflow.picking import find_target
+from lispac.workflow.sighting_assessment import assess_target
 from lispac.workflow.survey import Survey
-from lispac.workflow.target_search import Place
+from lispac.workflow.target_search import SearchPlace
 from tests.finder_scenes import WALL, Site, site
 from tests.test_finder import SharedSurvey
 
@@ -43,7 +43,7 @@ def test_six_lines_of_a_harbour_meet_from_wherever_the_prior_is(
 ) -> None:
     clouds, arm, truth = lines_of(shared_data / "harbour")
     for off in [-truth, *offs]:
-        found = align(placed_with(clouds, Mounting(arm, np.radians(truth + off))))
+        found = align_lines(place_clouds(clouds, Mounting(arm, np.radians(truth + off))))
         assert found.nearly_meets
         assert np.abs(off_deg(found, truth)).max() < 0.05, off
 
@@ -56,7 +56,7 @@ def test_two_lines_of_a_drone_meet(shared_data: Path, name: str, most: float) ->
     centimetres for a quarter of a degree: there they cannot tell more.
     """
     clouds, _, truth = lines_of(shared_data / name)
-    found = align(clouds)
+    found = align_lines(clouds)
     assert found.nearly_meets
     assert found.met_before < 0.75
     assert np.abs(off_deg(found, truth)).max() < most
@@ -64,36 +64,38 @@ def test_two_lines_of_a_drone_meet(shared_data: Path, name: str, most: float) ->
 
 def test_the_demo_meets_and_a_click_moves_with_its_line(calibrated: tuple) -> None:
     project, survey = calibrated
-    assert survey.aligned.nearly_meets
-    assert np.abs(off_deg(survey.aligned, project.truth_deg)).max() < 0.05
+    assert survey.alignment.nearly_meets
+    assert np.abs(off_deg(survey.alignment, project.truth_deg)).max() < 0.05
     sighting = project.target("T1").sightings[2]
     number = sighting.indices[len(sighting.indices) // 2][None]
     clicked = survey.clouds[sighting.line][number][0]
-    moved = survey.aligned.clouds[sighting.line][number][0]
+    moved = survey.alignment.clouds[sighting.line][number][0]
     assert np.linalg.norm(moved - clicked) > 0.1
     for line in (sighting.line, None):
-        place = Place.of(survey.aligned, clicked, line, 2.0)
+        place = SearchPlace.of(survey.alignment, clicked, line, 2.0)
         assert place.line == sighting.line
         np.testing.assert_allclose(place.seed, moved, atol=1e-9)
     # Coordinates that are no point of a line are where the target truly is.
-    typed = Place.of(survey.aligned, clicked + [0.0, 0.0, 50.0], None, 2.0)
+    typed = SearchPlace.of(survey.alignment, clicked + [0.0, 0.0, 50.0], None, 2.0)
     assert typed.line is None
     np.testing.assert_array_equal(typed.seed, clicked + [0.0, 0.0, 50.0])
 
 
 def quay_wall(*more: Rectangle) -> Site:
     """Two lines, there and back, along a wall that is all there is."""
-    return site([upright("wall", (0.0, WALL - 0.3), 0.0, 12.0, 30.0, 270), *more], lines=2)
+    return site(
+        [upright_rectangle("wall", (0.0, WALL - 0.3), 0.0, 12.0, 30.0, 270), *more], lines=2
+    )
 
 
-TWINS = [upright(f"T{k + 1}", (k - 0.5, WALL), 7.4, 8.2, 0.6, 270) for k in range(2)]
+TWINS = [upright_rectangle(f"T{k + 1}", (k - 0.5, WALL), 7.4, 8.2, 0.6, 270) for k in range(2)]
 
 
 @pytest.mark.parametrize("off", [(0.0, 0.0, 2.0), (2.0, -2.0, 1.0), (-1.0, 2.0, -2.0)])
 def test_what_one_wall_leaves_open_stays_near_its_prior(off: tuple[float, float, float]) -> None:
     seen = quay_wall(*TWINS)
     _, survey = seen.opened(off)
-    found = survey.aligned
+    found = survey.alignment
     assert found.met > 0.9
     assert not found.determined
     assert not found.nearly_meets
@@ -107,7 +109,7 @@ def test_a_twin_is_told_where_the_scene_does_not_tell_them_apart() -> None:
     seen = quay_wall(*TWINS)
     project, survey = seen.opened((0.0, 0.0, 2.0))
     clicked = survey.clouds["L1"][np.flatnonzero(seen.on("L1", "T1"))].mean(axis=0)
-    judged = judge_target(project, survey, find(project, survey, clicked, name="T1"))
+    judged = assess_target(project, survey, find_target(project, survey, clicked, name="T1"))
     for quality in judged.values():
         assert quality.light == "doubtful"
         # A metre apart, as a boresight off by two degrees lays them.
@@ -116,7 +118,7 @@ def test_a_twin_is_told_where_the_scene_does_not_tell_them_apart() -> None:
     alone = quay_wall(TWINS[0])
     project, survey = alone.opened((0.0, 0.0, 2.0))
     clicked = survey.clouds["L1"][np.flatnonzero(alone.on("L1", "T1"))].mean(axis=0)
-    judged = judge_target(project, survey, find(project, survey, clicked, name="T1"))
+    judged = assess_target(project, survey, find_target(project, survey, clicked, name="T1"))
     assert [quality.light for quality in judged.values()] == ["good", "good"]
 
 
@@ -128,14 +130,14 @@ def test_lines_with_nothing_in_common_stay_where_they_are(calibrated: tuple) -> 
     rng = np.random.default_rng(0)
     shrubs = Scan(rng.uniform(-20.0, 20.0, (20_000, 3)), second.scan.time[:20_000])
     apart = CloudInMemory.of(shrubs, second.place.trajectory, second.place.mounting)
-    found = align({"L1": first, "L2": apart})
+    found = align_lines({"L1": first, "L2": apart})
     assert not found.nearly_meets
-    assert align({"L1": first}).clouds == {"L1": first}
+    assert align_lines({"L1": first}).clouds == {"L1": first}
 
 
 def test_a_survey_is_aligned_once(calibrated: tuple, monkeypatch: pytest.MonkeyPatch) -> None:
     survey: Survey = calibrated[1]
-    assert survey.aligned is survey.aligned
-    other = survey.with_prior(survey.aligned.mounting)
-    assert other.aligned is not survey.aligned
-    assert other.aligned.met_before > 0.9
+    assert survey.alignment is survey.alignment
+    other = survey.with_prior(survey.alignment.mounting)
+    assert other.alignment is not survey.alignment
+    assert other.alignment.met_before > 0.9

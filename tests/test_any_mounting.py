@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lispac.adjustment.conditions import linearise
+from lispac.adjustment.condition_equations import linearise
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.geometry.rotations import angles_of, rotation_matrix
-from lispac.io.values import decoded, encoded
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.geometry.rotations import rotation_angles, rotation_matrix
+from lispac.io.value_conversion import decode_value, encode_value
 from lispac.survey.georeferencing import AXES, Mounting
 from tests.surveys import TARGETS, planar_survey
 
@@ -26,7 +26,7 @@ NOISE = np.random.default_rng(8).normal(0, 0.003, (len(SURVEY), 3))
 def adjusted(turn: np.ndarray) -> AdjustmentResult:
     """The survey with the axes of the scanner turned: what it reads is the same in other axes."""
     observations = replace(SURVEY, points_lidar=(SURVEY.points_lidar + NOISE) @ turn)
-    prior = Mounting.near(LEVER, angles_of(turn))
+    prior = Mounting.near(LEVER, rotation_angles(turn))
     np.testing.assert_allclose(prior.rotation_body_lidar, turn, atol=1e-12)
     return adjust(observations, prior, StochasticModel("correlated"))
 
@@ -118,8 +118,8 @@ def test_ordinary_mountings_are_as_before() -> None:
 
 def test_a_mounting_with_turned_axes_is_kept_in_a_project() -> None:
     mounting = Mounting.near(LEVER, np.radians([5.0, -89.0, 10.0]), 0.01, 0.002, 0.0)
-    again = decoded(json.loads(json.dumps(encoded(mounting))), Mounting)
+    again = decode_value(json.loads(json.dumps(encode_value(mounting))), Mounting)
     assert again.axes is not None
     np.testing.assert_array_equal(again.rotation_body_lidar, mounting.rotation_body_lidar)
-    before = {k: v for k, v in encoded(Mounting(LEVER, TRUTH)).items() if k != "axes"}
-    assert decoded(before, Mounting).axes is None
+    before = {k: v for k, v in encode_value(Mounting(LEVER, TRUTH)).items() if k != "axes"}
+    assert decode_value(before, Mounting).axes is None

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.averaging import averaged
-from lispac.adjustment.shapes import points_local
+from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.simulation.closed_form import BOARDS, exact_survey, observed, six_courses
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.target_shapes import points_local
+from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 
@@ -20,13 +20,13 @@ PRIOR = TRUTH.with_boresight(np.zeros(3))
 @pytest.fixture(scope="module")
 def survey():
     generator = np.random.default_rng(11)
-    exact = exact_survey(TRUTH, BOARDS, six_courses(), 0.04, generator)
-    return observed(exact, HYDROGRAPHIC_INS, generator)
+    exact = error_free_survey(TRUTH, BOARDS, six_courses(), 0.04, generator)
+    return add_errors(exact, HYDROGRAPHIC_INS, generator)
 
 
 @pytest.mark.parametrize("distance", [0.1, 0.2])
 def test_averages_keep_the_mean_place_and_the_information(survey, distance) -> None:
-    fewer = averaged(survey, PRIOR, distance)
+    fewer = average_points_in_cells(survey, PRIOR, distance)
     assert len(fewer) < len(survey) / 3
     counts = (survey.sigma_lidar[0, 0] / fewer.sigma_lidar[:, 0]) ** 2
     assert counts.sum() == pytest.approx(len(survey))
@@ -39,7 +39,7 @@ def test_averages_keep_the_mean_place_and_the_information(survey, distance) -> N
 
 def test_averages_keep_the_sigmas_of_the_pos_and_the_mean_time(survey) -> None:
     """Its error is shared by the points of an average, which makes it no smaller."""
-    fewer = averaged(survey, PRIOR, 0.2)
+    fewer = average_points_in_cells(survey, PRIOR, 0.2)
     counts = (survey.sigma_lidar[0, 0] / fewer.sigma_lidar[:, 0]) ** 2
     for name in ("sigma_position", "sigma_attitude"):
         stated = getattr(survey, name)
@@ -51,7 +51,10 @@ def test_averages_keep_the_sigmas_of_the_pos_and_the_mean_time(survey) -> None:
 
 def test_averages_reach_over_a_short_time_only(survey) -> None:
     """Points of one square seen at other times have POS errors of their own."""
-    fewer = [len(averaged(survey, PRIOR, 0.1, longest=seconds)) for seconds in (0.05, 0.25, 100.0)]
+    fewer = [
+        len(average_points_in_cells(survey, PRIOR, 0.1, longest=seconds))
+        for seconds in (0.05, 0.25, 100.0)
+    ]
     assert fewer[0] > 1.5 * fewer[1] > 1.5 * fewer[2]
 
 
@@ -60,23 +63,23 @@ def test_sigmas_do_not_depend_on_the_distance() -> None:
     model, distances, sigmas = StochasticModel(loss="tukey"), (0.0, 0.05, 0.1, 0.2), []
     for seed in range(5):
         generator = np.random.default_rng([13, seed])
-        exact = exact_survey(TRUTH, BOARDS, six_courses(), 0.04, generator)
-        noisy = observed(exact, HYDROGRAPHIC_INS, generator)
-        thinned = [averaged(noisy, PRIOR, d) for d in distances]
+        exact = error_free_survey(TRUTH, BOARDS, six_courses(), 0.04, generator)
+        noisy = add_errors(exact, HYDROGRAPHIC_INS, generator)
+        thinned = [average_points_in_cells(noisy, PRIOR, d) for d in distances]
         sigmas.append([adjust(o, PRIOR, model, diagnostics=False).sigma for o in thinned])
     mean = np.mean(sigmas, axis=0)
     assert (mean.max(axis=0) / mean.min(axis=0) < 1.10).all(), np.degrees(mean)
 
 
 def test_zero_distance_changes_nothing(survey) -> None:
-    assert averaged(survey, PRIOR, 0.0) is survey
+    assert average_points_in_cells(survey, PRIOR, 0.0) is survey
 
 
 def test_a_heading_through_north_is_averaged_to_north(survey) -> None:
     attitude = survey.attitude.copy()
     first = survey.sighting == 0
     attitude[first, 2] = np.where(np.arange(first.sum()) % 2, 1e-4, 2 * np.pi - 1e-4)
-    fewer = averaged(replace(survey, attitude=attitude), PRIOR, 0.2)
+    fewer = average_points_in_cells(replace(survey, attitude=attitude), PRIOR, 0.2)
     heading = fewer.attitude[fewer.sighting == 0, 2]
     assert np.abs(np.angle(np.exp(1j * heading))).max() < 1.1e-4
 
@@ -97,16 +100,18 @@ def test_strays_do_not_hide_in_averages(spacing) -> None:
     model = StochasticModel(loss="tukey")
     for seed in range(2):
         generator = np.random.default_rng([14, seed])
-        exact = exact_survey(TRUTH, BOARDS, six_courses(), spacing, generator)
-        clean = observed(exact, HYDROGRAPHIC_INS, generator)
+        exact = error_free_survey(TRUTH, BOARDS, six_courses(), spacing, generator)
+        clean = add_errors(exact, HYDROGRAPHIC_INS, generator)
         strayed, hit = with_strays(clean, 0.05, generator)
-        fewer = averaged(strayed, PRIOR, 0.1, strays_apart=True)
+        fewer = average_points_in_cells(strayed, PRIOR, 0.1, strays_apart=True)
         assert fewer.left_out == hit.sum()
         found = adjust(fewer, PRIOR, model, diagnostics=False)
         assert found.left_out == fewer.left_out
-        all_clean = adjust(averaged(clean, PRIOR, 0.1), PRIOR, model, diagnostics=False)
+        all_clean = adjust(
+            average_points_in_cells(clean, PRIOR, 0.1), PRIOR, model, diagnostics=False
+        )
         assert (np.abs(found.boresight - all_clean.boresight) < all_clean.sigma).all()
-        without = averaged(clean.where(~hit), PRIOR, 0.1)
+        without = average_points_in_cells(clean.where(~hit), PRIOR, 0.1)
         expected = adjust(without, PRIOR, model, diagnostics=False)
         np.testing.assert_allclose(found.boresight, expected.boresight, rtol=0, atol=1e-7)
         np.testing.assert_allclose(found.sigma, expected.sigma, rtol=1e-3)
@@ -114,13 +119,13 @@ def test_strays_do_not_hide_in_averages(spacing) -> None:
 
 def test_nothing_stands_out_of_a_clean_survey(survey) -> None:
     """Of normal errors three in a million lie beyond the limit."""
-    assert averaged(survey, PRIOR, 0.1, strays_apart=True).left_out <= 1
+    assert average_points_in_cells(survey, PRIOR, 0.1, strays_apart=True).left_out <= 1
 
 
 def test_nothing_stands_out_where_the_scanner_is_worse_than_stated(survey) -> None:
     """The spread of the points themselves is what they are judged by."""
     told = survey.with_sigmas(0.2, 1.0, 1.0)
-    assert averaged(told, PRIOR, 0.1, strays_apart=True).left_out <= 1
+    assert average_points_in_cells(told, PRIOR, 0.1, strays_apart=True).left_out <= 1
 
 
 def test_two_surfaces_among_the_points_of_one_sighting(survey) -> None:
@@ -128,7 +133,9 @@ def test_two_surfaces_among_the_points_of_one_sighting(survey) -> None:
     third = (np.arange(len(survey)) % 3 == 0) & (survey.sighting == 0)
     points = survey.points_lidar.copy()
     points[third] *= 1 + 0.2 / np.linalg.norm(points[third], axis=1)[:, None]
-    fewer = averaged(replace(survey, points_lidar=points), PRIOR, 0.1, strays_apart=True)
+    fewer = average_points_in_cells(
+        replace(survey, points_lidar=points), PRIOR, 0.1, strays_apart=True
+    )
     assert fewer.left_out == third.sum()
 
 
@@ -146,6 +153,6 @@ def test_two_points_of_a_sighting_stay_two(survey) -> None:
     """They lie on a straight line, which has no plane to average over."""
     two = np.flatnonzero(survey.sighting == 3)[:2]
     kept = (survey.sighting != 3) | np.isin(range(len(survey)), two)
-    fewer = averaged(survey.where(kept), TRUTH, 0.5, longest=100.0)
+    fewer = average_points_in_cells(survey.where(kept), TRUTH, 0.5, longest=100.0)
     expected = np.sort(survey.points_lidar[two], axis=0)
     np.testing.assert_allclose(np.sort(fewer.points_lidar[fewer.sighting == 3], axis=0), expected)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from lispac.adjustment.shown import plain as console_text
+from lispac.adjustment.display_text import to_plain_text as console_text
 from lispac.cli import main as command_line
 from lispac.cli.main import main
 from lispac.errors import LispacError

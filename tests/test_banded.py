@@ -6,7 +6,11 @@ import pytest
 import scipy.linalg
 from hypothesis import given
 
-from lispac.adjustment.banded import backward, factor_of, forward
+from lispac.adjustment.banded_cholesky import (
+    back_substitution,
+    cholesky_factor,
+    forward_substitution,
+)
 
 
 def banded(n: int, width: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
@@ -28,10 +32,10 @@ def test_the_same_as_of_the_whole_matrix(n: int, width: int, many: int, seed: in
     whole, band = banded(n, width, seed)
     right = np.random.default_rng(seed + 1).normal(size=(n, many))
     given_right = right.copy()
-    factor, root = factor_of(band), np.linalg.cholesky(whole)
-    half = forward(factor, right)
+    factor, root = cholesky_factor(band), np.linalg.cholesky(whole)
+    half = forward_substitution(factor, right)
     assert half == pytest.approx(scipy.linalg.solve_triangular(root, right, lower=True), rel=1e-6)
-    solution = backward(factor, half)
+    solution = back_substitution(factor, half)
     assert solution == pytest.approx(np.linalg.solve(whole, right), rel=1e-6, abs=1e-9)
     assert solution == pytest.approx(
         scipy.linalg.cho_solve_banded((factor, True), right), rel=1e-9, abs=1e-12
@@ -41,10 +45,10 @@ def test_the_same_as_of_the_whole_matrix(n: int, width: int, many: int, seed: in
 
 def test_one_right_hand_side_and_any_order_in_memory() -> None:
     whole, band = banded(30, 12, seed=5)
-    factor = factor_of(band)
+    factor = cholesky_factor(band)
     right = np.random.default_rng(6).normal(size=(4, 30))
-    all_at_once = backward(factor, forward(factor, right.T))
-    one = backward(factor, forward(factor, right[2]))
+    all_at_once = back_substitution(factor, forward_substitution(factor, right.T))
+    one = back_substitution(factor, forward_substitution(factor, right[2]))
     assert one.shape == (30,)
     assert one == pytest.approx(all_at_once[:, 2], rel=1e-12)
     assert whole @ one == pytest.approx(right[2])
@@ -54,7 +58,7 @@ def test_what_is_not_positive_definite_is_refused() -> None:
     _, band = banded(10, 3, seed=7)
     band[0, 4] = -1.0
     with pytest.raises(np.linalg.LinAlgError):
-        factor_of(band)
+        cholesky_factor(band)
     band[0, 4] = np.nan
     with pytest.raises(ValueError, match="infs or NaNs"):
-        factor_of(band)
+        cholesky_factor(band)

@@ -12,7 +12,7 @@ import lispac
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
 from lispac.project import Project
-from lispac.workflow.batch import HEADS, Row, write_table
+from lispac.workflow.batch import HEADS, BatchRow, write_table
 from lispac.workflow.demo import demo_seeds
 
 TRUTH = (0.27, -1.14, 0.36)
@@ -118,7 +118,9 @@ def test_what_is_found_is_saved_where_that_is_wanted(
 
 
 def test_a_table_holds_what_was_typed(tmp_path: Path) -> None:
-    row = Row(Path("a,b"), 'the "first"', "refused", ("one\ntwo", "three"), vessel="Léonie, II")
+    row = BatchRow(
+        Path("a,b"), 'the "first"', "refused", ("one\ntwo", "three"), vessel="Léonie, II"
+    )
     write_table([row], tmp_path / "table.csv")
     (read,) = table(tmp_path / "table.csv").values()
     assert read["project"] == 'the "first"'

@@ -5,7 +5,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lispac.validation.bins import IN_THE_NARROWER, MOST, counted, merged, shared_edges
+from lispac.validation.distance_bins import (
+    IN_THE_NARROWER,
+    MOST,
+    histogram_counts,
+    merge_bins,
+    shared_bin_edges,
+)
 
 SCALES = st.floats(1e-5, 10.0)
 
@@ -14,7 +20,7 @@ SCALES = st.floats(1e-5, 10.0)
 def test_bins_are_round_and_show_both_states(before: float, after: float, seed: int) -> None:
     rng = np.random.default_rng(seed)
     distances = [scale * np.abs(rng.normal(size=500)) for scale in (before, after)]
-    edges = shared_edges(*distances)
+    edges = shared_bin_edges(*distances)
     tops = [np.percentile(each, 99.5) for each in distances]
     assert edges[0] == 0.0
     assert max(tops) <= edges[-1] * (1 + 1e-6)
@@ -25,7 +31,7 @@ def test_bins_are_round_and_show_both_states(before: float, after: float, seed: 
     finest = width <= min(tops) / IN_THE_NARROWER * (1 + 1e-6)
     assert finest or len(edges) - 1 > MOST / 2.5 - 1  # as fine as the most bins let them be
     for each in distances:
-        assert counted(each, edges).sum() == len(each)
+        assert histogram_counts(each, edges).sum() == len(each)
 
 
 @given(
@@ -36,7 +42,7 @@ def test_bins_are_round_and_show_both_states(before: float, after: float, seed: 
 def test_merged_bins_hold_the_same_points(counts: list[int], share: float, most: int) -> None:
     fine = 0.002 * np.arange(len(counts) + 1)
     shown = share * fine[-1]
-    edges, grouped = merged(fine, counts, shown, most)
+    edges, grouped = merge_bins(fine, counts, shown, most)
     assert grouped.sum() == sum(counts)
     assert shown / edges[1] <= most * (1 + 1e-6) or edges[1] == pytest.approx(0.002)
     assert edges[-1] >= fine[-1] * (1 - 1e-9)
@@ -46,5 +52,5 @@ def test_merged_bins_hold_the_same_points(counts: list[int], share: float, most:
 
 
 def test_points_that_lie_on_each_other_have_a_histogram() -> None:
-    edges = shared_edges(np.zeros(10), np.zeros(10))
-    assert counted(np.zeros(10), edges)[0] == 10
+    edges = shared_bin_edges(np.zeros(10), np.zeros(10))
+    assert histogram_counts(np.zeros(10), edges)[0] == 10

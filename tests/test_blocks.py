@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from lispac.survey import blocks
-from lispac.survey.blocks import in_blocks
+from lispac.survey import parallel_blocks
+from lispac.survey.parallel_blocks import run_in_blocks
 
 
 @pytest.mark.parametrize("count", [0, 1, 6, 7, 8, 14, 23])
 def test_blocks_are_put_together_as_they_were(count: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(blocks, "BLOCK", 7)
+    monkeypatch.setattr(parallel_blocks, "BLOCK", 7)
     sizes: list[int] = []
 
     def run(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> tuple[np.ndarray, ...]:
@@ -19,7 +19,7 @@ def test_blocks_are_put_together_as_they_were(count: int, monkeypatch: pytest.Mo
 
     # Every other column of a table is not contiguous
     x, y, z = np.random.default_rng(count).normal(size=(count, 6)).T[::2]
-    for found, wanted in zip(in_blocks(run, x, y, z), (x + y, 2 * y, z - 1), strict=True):
+    for found, wanted in zip(run_in_blocks(run, x, y, z), (x + y, 2 * y, z - 1), strict=True):
         np.testing.assert_array_equal(found, wanted)
     assert sorted(sizes, reverse=True) == [7] * (count // 7) + [count % 7] * bool(
         count % 7 or not count

@@ -8,11 +8,11 @@ import pytest
 from lispac.adjustment import solver
 from lispac.adjustment.blunders import Blunder
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.shapes import fit_shapes
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.geometry.planes import in_plane_axes
-from lispac.survey.georeferencing import place
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.target_shapes import fit_shapes
+from lispac.geometry.planes import plane_axes
+from lispac.survey.georeferencing import place_points
 from lispac.survey.trajectory import Poses
 from tests.test_robustness import PRIOR, TRUTH, shifted, survey
 
@@ -21,9 +21,9 @@ def turned(clean: Observations, sighting: int, degrees: float) -> Observations:
     """One sighting turned about an axis of its target's plane through its middle."""
     own = clean.sighting == sighting
     normal = fit_shapes(clean, TRUTH)[clean.target_of_sighting[sighting], :3]
-    level = in_plane_axes(normal)[0]
+    level = plane_axes(normal)[0]
     poses = Poses(clean.position[own], clean.attitude[own])
-    across = place(clean.points_lidar[own], poses, TRUTH) @ level
+    across = place_points(clean.points_lidar[own], poses, TRUTH) @ level
     position = clean.position.copy()
     position[own] += np.outer((across - across.mean()) * np.radians(degrees), normal)
     return replace(clean, position=position)

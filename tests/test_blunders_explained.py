@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from lispac.adjustment import crosscheck, solver
+from lispac.adjustment.adjustment_problem import RELEASED
 from lispac.adjustment.blunders import Blunder
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.parameters import Parameter
-from lispac.adjustment.problem import RELEASED
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.errors import RankDeficient
 from lispac.messages import error
 from lispac.progress import no_progress
@@ -86,7 +86,7 @@ def test_values_are_let_go_of_where_fewer_sightings_are_left(
         "Parameter": lambda name: SimpleNamespace(name=name),
     }.items():
         monkeypatch.setattr(solver, name, stand_in)
-    found = solver._explained(start, [], no_progress)  # type: ignore[arg-type]
+    found = solver._reject_unexplained_sightings(start, [], no_progress)  # type: ignore[arg-type]
     assert (found is not released) == taken
     if taken:  # the values themselves stay as they were stated
         problem = found.linearised.problem
@@ -103,7 +103,9 @@ def test_what_was_taken_back_is_not_let_go_of_again(monkeypatch: pytest.MonkeyPa
         return todo.pop() if todo else None
 
     monkeypatch.setattr(solver, "worst_blunder", worst)
-    monkeypatch.setattr(solver, "belonging", lambda _, gone: back.pop() if gone and back else None)
+    monkeypatch.setattr(
+        solver, "find_restorable_blunder", lambda _, gone: back.pop() if gone and back else None
+    )
     model = StochasticModel(loss="tukey")
     result = adjust(survey(2, 0.1), PRIOR, model)
     assert result.suspects == ()

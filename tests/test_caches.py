@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from lispac import caches, installed
+from lispac import caches, installation_paths
 from lispac.errors import InputError
 from lispac.messages import error, note
 
@@ -33,11 +33,11 @@ def filled(place: Path) -> Path:
 
 def test_the_choice_is_kept_and_taken_back(config: Path, tmp_path: Path) -> None:
     assert caches.chosen_folder(config) is None
-    assert caches.cache_place(config) == caches.usual_folder() / "lispac"
-    caches.choose(tmp_path / "élan disk", config)
+    assert caches.usable_cache_folder(config) == caches.default_folder() / "lispac"
+    caches.choose_folder(tmp_path / "élan disk", config)
     assert not (tmp_path / "élan disk").exists()  # nothing is left of the trial
-    assert caches.cache_place(config) == tmp_path / "élan disk" / "lispac"
-    caches.choose(None, config)
+    assert caches.usable_cache_folder(config) == tmp_path / "élan disk" / "lispac"
+    caches.choose_folder(None, config)
     assert caches.chosen_folder(config) is None
 
 
@@ -46,7 +46,7 @@ def test_a_place_that_cannot_be_written_is_refused_in_a_sentence(
 ) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError) as refused:
-        caches.choose(tmp_path / "file", config)
+        caches.choose_folder(tmp_path / "file", config)
     assert refused.value.message == error(
         "cache.folder_not_writable",
         folder=str(tmp_path / "file"),
@@ -57,9 +57,9 @@ def test_a_place_that_cannot_be_written_is_refused_in_a_sentence(
 
 def test_only_what_is_ours_is_counted_and_removed(tmp_path: Path) -> None:
     place = filled(tmp_path / "lispac")
-    assert caches.size(place) == 35
-    caches.empty(place)
-    assert caches.size(place) == 0
+    assert caches.cache_size(place) == 35
+    caches.empty_cache(place)
+    assert caches.cache_size(place) == 0
     assert sorted(each.name for each in place.iterdir()) == ["thesis", "window.ini"]
 
 
@@ -71,8 +71,8 @@ def test_a_folder_called_demo_that_is_not_ours_stays(tmp_path: Path) -> None:
     elsewhere.mkdir()
     (elsewhere / "kept").write_text("")
     (place / "numba").symlink_to(elsewhere)
-    assert caches.size(place) == 0
-    caches.empty(place)
+    assert caches.cache_size(place) == 0
+    caches.empty_cache(place)
     assert (place / "demo" / "tape.mp3").is_file()
     assert (elsewhere / "kept").is_file()
 
@@ -80,7 +80,7 @@ def test_a_folder_called_demo_that_is_not_ours_stays(tmp_path: Path) -> None:
 @pytest.mark.skipif(sys.platform != "linux", reason="the variables are those of Linux")
 def test_the_command_line_follows_the_choice_unless_told_otherwise(tmp_path: Path) -> None:
     config = tmp_path / "config"
-    caches.choose(tmp_path / "fast", config / "lispac")
+    caches.choose_folder(tmp_path / "fast", config / "lispac")
     told = (
         "import os, sys; from lispac.cli.main import main; main(['sensors']); "
         "print(os.environ['NUMBA_CACHE_DIR'], os.environ['MPLCONFIGDIR'])"
@@ -113,16 +113,16 @@ def test_the_usual_folder_is_that_of_the_system(
         monkeypatch.setenv(variable, str(tmp_path / "local"))
     monkeypatch.setattr(Path, "home", lambda: tmp_path / "home")
     monkeypatch.setattr(caches.sys, "platform", system)
-    assert caches.usual_folder() == tmp_path.joinpath(*expected)
+    assert caches.default_folder() == tmp_path.joinpath(*expected)
 
 
 def test_choosing_the_same_again_writes_nothing(config: Path, tmp_path: Path) -> None:
     (tmp_path / "fast").mkdir()
-    caches.choose(tmp_path / "fast", config)
+    caches.choose_folder(tmp_path / "fast", config)
     assert (tmp_path / "fast").is_dir()  # it was there before
     (config / caches.CHOICE).chmod(0o444)
     before = (config / caches.CHOICE).stat().st_ino
-    caches.choose(tmp_path / "fast", config)
+    caches.choose_folder(tmp_path / "fast", config)
     assert (config / caches.CHOICE).stat().st_ino == before
     (config / caches.CHOICE).chmod(0o644)
 
@@ -131,10 +131,10 @@ def test_a_manual_that_we_made_is_ours(tmp_path: Path) -> None:
     place = tmp_path / "lispac"
     (place / "manual").mkdir(parents=True)
     (place / "manual" / "index.html").write_bytes(bytes(9))
-    assert caches.size(place) == 0
+    assert caches.cache_size(place) == 0
     (place / "manual" / caches.MANUAL_MARK).write_bytes(b"")
-    assert caches.size(place) == 9
-    caches.empty(place)
+    assert caches.cache_size(place) == 9
+    caches.empty_cache(place)
     assert not (place / "manual").exists()
 
 
@@ -146,7 +146,7 @@ def test_what_cannot_be_removed_is_named(tmp_path: Path, monkeypatch: pytest.Mon
 
     monkeypatch.setattr(caches.shutil, "rmtree", busy)
     with pytest.raises(InputError) as refused:
-        caches.empty(place)
+        caches.empty_cache(place)
     assert refused.value.message == error(
         "cache.not_removed", folder=str(place / "numba"), reason=note("system.permission")
     )
@@ -263,7 +263,7 @@ def test_a_numba_folder_that_cannot_be_written_is_replaced(
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
     variables = {"NUMBA_CACHE_DIR": "/dev/null/numba", "MPLCONFIGDIR": str(tmp_path / "own")}
-    message = caches.use(variables)
+    message = caches.set_cache_variables(variables)
     assert message is not None
     assert message.code == "cache.not_writable"
     assert message.params["folder"] == "/dev/null/numba"
@@ -283,9 +283,11 @@ def test_an_account_without_a_home_has_a_temporary_one(
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setattr(Path, "home", none)
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
-    temporary_folder = cache(installed.temporary_folder.__wrapped__)
-    for module in (installed, caches):
+    temporary_folder = cache(installation_paths.temporary_folder.__wrapped__)
+    for module in (installation_paths, caches):
         monkeypatch.setattr(module, "temporary_folder", temporary_folder)
-    assert installed.user_folder().is_relative_to(tmp_path)
-    assert caches.usual_folder().is_relative_to(tmp_path)
-    assert installed.expanded(Path("~nobody-of-this-name/x")) == Path("~nobody-of-this-name/x")
+    assert installation_paths.user_folder().is_relative_to(tmp_path)
+    assert caches.default_folder().is_relative_to(tmp_path)
+    assert installation_paths.expand_user(Path("~nobody-of-this-name/x")) == Path(
+        "~nobody-of-this-name/x"
+    )

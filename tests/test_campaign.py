@@ -20,20 +20,20 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from lispac.design.monte_carlo import Scatter, surveyed
+from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
 from lispac.design.plan import System
-from lispac.design.search import search
-from lispac.design.simulated_plan import simulated
+from lispac.design.plan_search import search
+from lispac.design.plan_simulation import simulate_plan
 from lispac.errors import Cancelled, LispacError, RankDeficient
 from lispac.io.plan_file import read_site
 from lispac.progress import Step
-from lispac.simulation.closed_form import Ball
+from lispac.simulation.closed_form_survey import Ball
 from lispac.simulation.scanner import Scanner
 from lispac.workflow import cluster as cluster_module
-from lispac.workflow.campaign import chunk_of, mapper_of, pool_of
-from lispac.workflow.cluster import cluster_of
+from lispac.workflow.cluster import cluster_mapper
 from lispac.workflow.cluster_access import ClusterAccess
-from lispac.workflow.plan_checks import headline
+from lispac.workflow.parallel_map import choose_mapper, chunk_size, process_pool_mapper
+from lispac.workflow.plan_checks import result_heading
 from tests.clusters import Clusters
 from tests.command_errors import command_error
 from tests.error_codes import has_code
@@ -58,19 +58,19 @@ def cluster(clusters: Clusters) -> distributed.LocalCluster:
     return clusters.with_workers()
 
 
-def same(one: Scatter, other: Scatter) -> bool:
+def same(one: MonteCarloResult, other: MonteCarloResult) -> bool:
     """To the last bit."""
     return np.array_equal(one.errors, other.errors) and np.array_equal(one.sigmas, other.sigmas)
 
 
 def test_monte_carlo_is_the_same_everywhere(cluster: distributed.LocalCluster) -> None:
-    here = surveyed(SMALL, 12)
-    with pool_of(2) as mapper:
-        assert same(surveyed(SMALL, 12, mapper=mapper), here)
-    with cluster_of(cluster.scheduler_address) as mapper:
-        assert same(surveyed(SMALL, 12, mapper=mapper), here)
-    assert np.array_equal(surveyed(SMALL, 5).errors, here.errors[:5])
-    assert not np.isclose(surveyed(SMALL, 5, seed=1).errors, here.errors[:5]).any()
+    here = run_monte_carlo(SMALL, 12)
+    with process_pool_mapper(2) as mapper:
+        assert same(run_monte_carlo(SMALL, 12, mapper=mapper), here)
+    with cluster_mapper(cluster.scheduler_address) as mapper:
+        assert same(run_monte_carlo(SMALL, 12, mapper=mapper), here)
+    assert np.array_equal(run_monte_carlo(SMALL, 5).errors, here.errors[:5])
+    assert not np.isclose(run_monte_carlo(SMALL, 5, seed=1).errors, here.errors[:5]).any()
 
 
 @pytest.mark.long
@@ -80,7 +80,11 @@ def test_a_search_is_the_same_everywhere(cluster: distributed.LocalCluster) -> N
         site, lines=3, along=(-4.0, 1.0, 4.0), heights=(2.0, 8.0), headings_deg=(0.0, 45.0, 135.0)
     )
     designs = []
-    for where in (pool_of(1), pool_of(2), cluster_of(cluster.scheduler_address)):
+    for where in (
+        process_pool_mapper(1),
+        process_pool_mapper(2),
+        cluster_mapper(cluster.scheduler_address),
+    ):
         with where as mapper:
             designs.append(search(site, plans=300, mapper=mapper))
     here, *others = designs
@@ -126,7 +130,7 @@ def refuses(number: int) -> int:
 
 def test_a_lost_worker_loses_no_result(cluster: distributed.LocalCluster, tmp_path: Path) -> None:
     marker = tmp_path / "killed"
-    with cluster_of(cluster.scheduler_address) as mapper:
+    with cluster_mapper(cluster.scheduler_address) as mapper:
         assert list(mapper(partial(once, marker), range(100))) == [k**2 for k in range(100)]
     assert marker.exists()
 
@@ -135,11 +139,11 @@ def test_a_worker_killed_from_outside_loses_no_result(
     cluster: distributed.LocalCluster,
 ) -> None:
     """In the middle of a campaign, by the operating system."""
-    here = surveyed(SMALL, 20)
+    here = run_monte_carlo(SMALL, 20)
     killed: list[int] = []
     with (
         distributed.Client(cluster.scheduler_address, set_as_default=False) as client,
-        cluster_of(cluster.scheduler_address) as mapper,
+        cluster_mapper(cluster.scheduler_address) as mapper,
     ):
         workers = list(client.run(os.getpid).values())
 
@@ -148,7 +152,7 @@ def test_a_worker_killed_from_outside_loses_no_result(
                 killed.append(workers[0])
                 os.kill(workers[0], signal.SIGTERM if sys.platform == "win32" else signal.SIGKILL)
 
-        assert same(surveyed(SMALL, 20, mapper=mapper, progress=kill), here)
+        assert same(run_monte_carlo(SMALL, 20, mapper=mapper, progress=kill), here)
         client.wait_for_workers(2, timeout=120)
         assert workers[0] not in client.run(os.getpid).values()
 
@@ -156,18 +160,22 @@ def test_a_worker_killed_from_outside_loses_no_result(
 @pytest.mark.long
 def test_what_ends_every_worker_ends_the_campaign(cluster: distributed.LocalCluster) -> None:
     with (
-        cluster_of(cluster.scheduler_address) as mapper,
+        cluster_mapper(cluster.scheduler_address) as mapper,
         pytest.raises(LispacError) as raised,
     ):
         list(mapper(never, range(20)))
     assert raised.value.code == "cluster.worker_lost_repeatedly"
-    with pool_of(2) as mapper, pytest.raises(LispacError) as raised:
+    with process_pool_mapper(2) as mapper, pytest.raises(LispacError) as raised:
         list(mapper(never, range(20)))
     assert raised.value.code == "plan_survey.process_ended"
 
 
 def test_an_error_comes_back_as_it_is(cluster: distributed.LocalCluster) -> None:
-    for where in (pool_of(1), pool_of(2), cluster_of(cluster.scheduler_address)):
+    for where in (
+        process_pool_mapper(1),
+        process_pool_mapper(2),
+        cluster_mapper(cluster.scheduler_address),
+    ):
         with where as mapper, pytest.raises(LispacError, match=r"^number 3 is too large$"):
             list(mapper(refuses, [3]))
 
@@ -195,7 +203,10 @@ def test_what_is_cancelled_stops(
     place: str, cluster: distributed.LocalCluster, tmp_path: Path
 ) -> None:
     address = cluster.scheduler_address
-    where: Callable = {"pool": lambda: pool_of(2), "cluster": lambda: cluster_of(address)}[place]
+    where: Callable = {
+        "pool": lambda: process_pool_mapper(2),
+        "cluster": lambda: cluster_mapper(address),
+    }[place]
     before = set(active_children())
     with pytest.raises(Cancelled), where() as mapper:
         stopped_at_once(mapper(Slow(tmp_path), range(2000)))
@@ -239,14 +250,14 @@ def test_workers_of_another_version_are_refused(
     monkeypatch.setattr(cluster_module, "__version__", "9.9.9")
     with (
         pytest.raises(LispacError) as raised,
-        cluster_of(cluster.scheduler_address),
+        cluster_mapper(cluster.scheduler_address),
     ):
         pass
     assert raised.value.code == "cluster.worker_version"
     assert raised.value.message is not None
     assert raised.value.message.params["expected"] == "9.9.9"
     assert str(raised.value.message.params["address"]).startswith("tcp://")
-    task = partial(cluster_module._answers, abs, "9.9.9")
+    task = partial(cluster_module._map_on_worker, abs, "9.9.9")
     with (
         distributed.Client(cluster.scheduler_address, set_as_default=False) as client,
         pytest.raises(LispacError) as raised,
@@ -259,14 +270,14 @@ def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(cluster_module, "WORKERS", 1.0)
     with distributed.LocalCluster(n_workers=0, dashboard_address=":0") as empty:
         address = empty.scheduler_address
-        with pytest.raises(LispacError) as raised, cluster_of(address):
+        with pytest.raises(LispacError) as raised, cluster_mapper(address):
             pass
         assert raised.value.code == "cluster.no_workers"
         empty.scale(1)
         empty.wait_for_workers(1, timeout=120)
         monkeypatch.setattr(cluster_module, "LOOK", 0.1)
         monkeypatch.setattr(cluster_module, "PATIENCE", 0.3)
-        with cluster_of(address) as mapper:
+        with cluster_mapper(address) as mapper:
             answers = mapper(abs, range(3))
             assert next(answers) == 0
             tasks = empty.scheduler.tasks
@@ -297,7 +308,7 @@ def test_a_lost_scheduler_is_told_of(
             assert time.monotonic() < until
             time.sleep(0.1)
         address = json.loads((tmp_path / "where").read_text())["address"]
-        with pytest.raises(LispacError) as raised, cluster_of(address):
+        with pytest.raises(LispacError) as raised, cluster_mapper(address):
             pass
         assert raised.value.code == "cluster.no_workers"
         capfd.readouterr()
@@ -305,7 +316,7 @@ def test_a_lost_scheduler_is_told_of(
         scheduler.kill()
         scheduler.wait()
         told = cluster_module._Cluster(client, address)
-        with cluster_module._silence():
+        with cluster_module._silenced_logs():
             with pytest.raises(LispacError) as raised:
                 list(told.map(abs, range(3)))
             assert raised.value.code == "cluster.connection_lost"
@@ -322,30 +333,32 @@ def test_without_the_package_it_is_named(
     monkeypatch.setitem(sys.modules, "distributed", None)
     said = refused(capsys, "campaign", PORT, "--cluster", "tcp://127.0.0.1:8786")
     assert "pip install -e '.[cluster]'" in said
-    with mapper_of(1, None) as mapper:
+    with choose_mapper(1, None) as mapper:
         assert mapper is map
 
 
 def test_chunks() -> None:
-    assert [chunk_of(n, 2) for n in (0, 1, 16, 144, 1000)] == [1, 1, 1, 9, 16]
-    assert chunk_of(200, 0) == 16
+    assert [chunk_size(n, 2) for n in (0, 1, 16, 144, 1000)] == [1, 1, 1, 9, 16]
+    assert chunk_size(200, 0) == 16
 
 
 def test_plans_that_cannot_be_adjusted_are_refused() -> None:
     with pytest.raises(RankDeficient, check=has_code("design.undetermined")):
-        surveyed(SMALL.with_lines(SMALL.lines[:1]), 2)
+        run_monte_carlo(SMALL.with_lines(SMALL.lines[:1]), 2)
     own = replace(SMALL, targets=tuple(replace(t, flatness=0.001) for t in SMALL.targets))
     with pytest.raises(LispacError, check=has_code("design.own_flatness")):
-        surveyed(own, 2, flatness_known=True)
-    assert surveyed(own, 2).sigmas.shape == (2, 3)
+        run_monte_carlo(own, 2, flatness_known=True)
+    assert run_monte_carlo(own, 2).sigmas.shape == (2, 3)
 
 
 def test_balls_are_surveyed_too() -> None:
     """On a calm sea and without errors the points lie on the ball, as many as the scanner has."""
     ball = Ball("S1", (0.0, -13.0, 6.0), 0.2)
-    found = surveyed(SMALL.with_targets((*SMALL.targets, ball)), 3)
+    found = run_monte_carlo(SMALL.with_targets((*SMALL.targets, ball)), 3)
     assert found.failed == 0
-    exact = simulated(SMALL.with_targets([ball]), np.random.default_rng(1), perfect=True, calm=True)
+    exact = simulate_plan(
+        SMALL.with_targets([ball]), np.random.default_rng(1), perfect=True, calm=True
+    )
     mounting = SMALL.system.mounting
     places = mounting.lever_arm + exact.points_lidar
     turn = exact.attitude[:, 2]
@@ -359,12 +372,14 @@ def test_balls_are_surveyed_too() -> None:
 def test_the_words_say_which_sigma_is_too_small() -> None:
     generator = np.random.default_rng(3)
     sigmas, alone = np.full((400, 3), 1e-4), np.eye(3)
-    found = Scatter(generator.normal(0.0, 1e-4, (400, 3)) * [1, 1, 5], sigmas, sigmas[0], alone, 2)
+    found = MonteCarloResult(
+        generator.normal(0.0, 1e-4, (400, 3)) * [1, 1, 5], sigmas, sigmas[0], alone, 2
+    )
     yaw, chi, failed = found.words
     assert yaw.startswith("The stated standard deviation of yaw is too small")
     assert "the errors are larger than predicted" in chi
     assert failed.startswith("2 surveys could not be adjusted")
-    others = Scatter(found.errors * [1, 1, 0.2], sigmas, sigmas[0], alone, 0)
+    others = MonteCarloResult(found.errors * [1, 1, 0.2], sigmas, sigmas[0], alone, 0)
     assert "agrees with 95 %" in others.words[0]
     assert "the errors agree with the prediction" in others.words[1]
     off = replace(others, errors=others.errors + [0.0, 5e-5, 0.0])
@@ -379,8 +394,8 @@ def test_chi_square_knows_that_angles_go_together() -> None:
     sigma = np.sqrt(np.diag(covariance))
     correlation = covariance / np.outer(sigma, sigma)
     errors = np.random.default_rng(8).multivariate_normal(np.zeros(3), covariance, 2000)
-    found = Scatter(errors, np.tile(sigma, (2000, 1)), sigma, correlation, 0)
-    low, high = found.chi_square_expected
+    found = MonteCarloResult(errors, np.tile(sigma, (2000, 1)), sigma, correlation, 0)
+    low, high = found.chi_square_bounds
     assert (low, high) == pytest.approx(scipy.stats.chi2.ppf((0.025, 0.975), 6000), rel=1e-9)
     assert low < found.chi_square < high
     each = [e @ np.linalg.solve(covariance, e) for e in errors]
@@ -395,14 +410,16 @@ def test_a_cancelled_campaign_tells_of_what_was_finished_if_that_is_enough() -> 
 
         return progress
 
-    whole = surveyed(SMALL, 14)
-    part = surveyed(SMALL, 14, enough=6, progress=cancelled_after(8))
+    whole = run_monte_carlo(SMALL, 14)
+    part = run_monte_carlo(SMALL, 14, enough=6, progress=cancelled_after(8))
     assert np.array_equal(part.errors, whole.errors[:8])
-    assert str(headline("Pier", part, 14)) == "Pier: cancelled after 8 of 14 simulated surveys"
-    assert str(headline("Pier", whole, 14)) == "Pier: 14 surveys simulated and adjusted"
+    assert (
+        str(result_heading("Pier", part, 14)) == "Pier: cancelled after 8 of 14 simulated surveys"
+    )
+    assert str(result_heading("Pier", whole, 14)) == "Pier: 14 surveys simulated and adjusted"
     for enough in (6, None):
         with pytest.raises(Cancelled):
-            surveyed(SMALL, 14, enough=enough, progress=cancelled_after(5))
+            run_monte_carlo(SMALL, 14, enough=enough, progress=cancelled_after(5))
 
 
 @pytest.fixture(scope="module")
@@ -441,14 +458,17 @@ def test_a_cluster_is_reached_by_tls(
     ) as secure:  # fmt: skip
         address = secure.scheduler_address
         assert address.startswith("tls://")
-        with cluster_of(ClusterAccess(address, certificates)) as mapper:
+        with cluster_mapper(ClusterAccess(address, certificates)) as mapper:
             assert list(mapper(abs, [-1, -2])) == [1, 2]
-        with pytest.raises(LispacError, match="certificates"), cluster_of(ClusterAccess(address)):
+        with (
+            pytest.raises(LispacError, match="certificates"),
+            cluster_mapper(ClusterAccess(address)),
+        ):
             pass
         other = tmp_path_factory.mktemp("other")
         (other / "ca.pem").write_text("no certificate")
         wrong = ClusterAccess(address, (other / "ca.pem", *certificates[1:]))
-        with pytest.raises(LispacError) as raised, cluster_of(wrong):
+        with pytest.raises(LispacError) as raised, cluster_mapper(wrong):
             pass
         assert raised.value.code == "cluster.unusable_certificates"
 
@@ -460,7 +480,7 @@ def test_a_scheduler_without_the_certificate_is_not_spoken_to(
     address = cluster.scheduler_address.replace("tcp://", "tls://")
     with (
         pytest.raises(LispacError) as raised,
-        cluster_of(ClusterAccess(address, certificates)),
+        cluster_mapper(ClusterAccess(address, certificates)),
     ):
         pass
     assert raised.value.code == "cluster.no_scheduler"

@@ -6,17 +6,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.averaging import averaged
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.adjustment.warnings import doubts
-from lispac.io.values import decoded, encoded
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.warnings import result_warnings
+from lispac.io.value_conversion import decode_value, encode_value
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import warning
-from lispac.simulation.closed_form import BOARDS, exact_survey, observed, six_courses
+from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 
@@ -36,7 +36,7 @@ Place = tuple[str, str, str]
 
 def exact(mounting: Mounting, seed: int) -> tuple[Observations, np.random.Generator]:
     generator = np.random.default_rng([9, seed])
-    return exact_survey(mounting, BOARDS, six_courses(), 0.05, generator), generator
+    return error_free_survey(mounting, BOARDS, six_courses(), 0.05, generator), generator
 
 
 def survey(kind: str, seed: int) -> tuple[Observations, Place]:
@@ -67,7 +67,7 @@ def survey(kind: str, seed: int) -> tuple[Observations, Place]:
         points = data.points_lidar + 0.08 * (data.sighting == k)[:, None] * beams
         sighting = data.sightings[k]
         data, place = replace(data, points_lidar=points), (kind, sighting.target, sighting.line)
-    return averaged(observed(data, HYDROGRAPHIC_INS, generator), PRIOR, 0.1), place
+    return average_points_in_cells(add_errors(data, HYDROGRAPHIC_INS, generator), PRIOR, 0.1), place
 
 
 def places(result: AdjustmentResult) -> list[list[Place]]:
@@ -88,7 +88,7 @@ def test_a_wrong_value_of_the_mounting_is_named_alone(kind: str, seed: int) -> N
     moved = wide.boresight - result.boresight
     assert np.abs(cause.moved - moved).max() < 0.4 * wide.sigma.max() + 0.05 * np.abs(moved).max()
     assert places(wide) == []
-    found = [each for each in doubts(result, None) if each.is_serious]
+    found = [each for each in result_warnings(result, None) if each.is_serious]
     assert f"contradicted_{kind}" in map(former_code, found)
 
 
@@ -106,7 +106,11 @@ def test_an_error_in_one_place_is_named_or_listed(kind: str, seed: int) -> None:
 
 def test_two_components_of_the_lever_arm_are_both_named() -> None:
     data, generator = exact(replace(KNOWN, lever_arm=KNOWN.lever_arm + [0.06, -0.05, 0]), 3)
-    result = adjust(averaged(observed(data, HYDROGRAPHIC_INS, generator), PRIOR, 0.1), PRIOR, MODEL)
+    result = adjust(
+        average_points_in_cells(add_errors(data, HYDROGRAPHIC_INS, generator), PRIOR, 0.1),
+        PRIOR,
+        MODEL,
+    )
     assert {group[0][0] for group in places(result)} == {"lever_x", "lever_y"}
     assert result.causes is not None
     mended = result.boresight + sum(group[0].moved for group in result.causes) - KNOWN.boresight
@@ -171,7 +175,7 @@ def test_an_error_known_from_the_data_goes_before_a_lever_arm(
     data, _ = survey("lever_y", 1)
     result = adjust(data, PRIOR, MODEL)
     also = warning(code) if effect is None else warning(code, shift=effect)
-    codes = set(map(former_code, doubts(result, None, [also])))
+    codes = set(map(former_code, result_warnings(result, None, [also])))
     assert code in codes
     assert ("known_cause" in codes) == explained
     assert ("contradicted_lever_y" in codes) != explained
@@ -185,12 +189,12 @@ def test_thesis_mode_and_surfaces_held_have_no_cause() -> None:
 
 def test_causes_are_kept_with_the_result() -> None:
     result = adjust(survey("line_position", 0)[0], PRIOR, MODEL)
-    kept = decoded(encoded(result), AdjustmentResult)
+    kept = decode_value(encode_value(result), AdjustmentResult)
     assert places(kept) == places(result) != []
-    content = encoded(result)
+    content = encode_value(result)
     del content["causes"]  # of an earlier version
-    assert decoded(content, AdjustmentResult).causes is None
+    assert decode_value(content, AdjustmentResult).causes is None
 
 
 def _codes(result: AdjustmentResult) -> set[str]:
-    return {each.code for each in doubts(result, None)}
+    return {each.code for each in result_warnings(result, None)}

@@ -15,10 +15,10 @@ from lispac.errors import InputError, ProjectError, TargetNotFound
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
-from lispac.targets.settings import USUAL, FinderChoices, FinderSettings
+from lispac.targets.finder_settings import USUAL, FinderChoices, FinderSettings
 from lispac.workflow import reselection
 from lispac.workflow.demo import demo_seeds
-from lispac.workflow.picking import find
+from lispac.workflow.picking import find_target
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.target_search import TargetSearch
 from tests.report_sample import sample_project
@@ -53,21 +53,25 @@ def test_what_cannot_be_worked_with_is_refused(wrong: dict[str, Any]) -> None:
 
 
 def test_choices_decide_what_is_found(demo_project: Project, survey: Survey) -> None:
-    usual = find(demo_project, survey, SEED, name="T1")
+    usual = find_target(demo_project, survey, SEED, name="T1")
     assert usual.choices == USUAL
     sizes = sorted(len(sighting.indices) for sighting in usual.sightings)
     between = (sizes[0] + sizes[-1]) // 2
-    fewer = find(demo_project, survey, SEED, name="T1", choices=FinderChoices(min_points=between))
+    fewer = find_target(
+        demo_project, survey, SEED, name="T1", choices=FinderChoices(min_points=between)
+    )
     assert 0 < len(fewer.sightings) < len(usual.sightings)
     assert min(len(sighting.indices) for sighting in fewer.sightings) >= between
     assert fewer.choices.min_points == between
     with pytest.raises(TargetNotFound, match=f"{10 * sizes[-1]:,}"):
-        find(
+        find_target(
             demo_project, survey, SEED, name="T1",
             choices=FinderChoices(min_points=10 * sizes[-1]),
         )  # fmt: skip
     drawn = [
-        find(demo_project, survey, SEED, name="T1", choices=FinderChoices(seed=seed, stop=0.5))
+        find_target(
+            demo_project, survey, SEED, name="T1", choices=FinderChoices(seed=seed, stop=0.5)
+        )
         for seed in (3, 3)
     ]
     for one, other in zip(drawn[0].sightings, drawn[1].sightings, strict=True):
@@ -77,17 +81,17 @@ def test_choices_decide_what_is_found(demo_project: Project, survey: Survey) -> 
 def test_points_are_selected_again_with_them(
     demo_project: Project, survey: Survey, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    target = find(demo_project, survey, SEED, name="T1", choices=CHOSEN)
+    target = find_target(demo_project, survey, SEED, name="T1", choices=CHOSEN)
     used: list[FinderSettings] = []
-    real = TargetSearch.in_lines
+    real = TargetSearch.find_in_lines
 
     def watched(self: TargetSearch, clouds: Any, seed: Any, settings: Any, **others: Any) -> Any:
         used.append(settings)
         return real(self, clouds, seed, settings, **others)
 
-    monkeypatch.setattr(TargetSearch, "in_lines", watched)
+    monkeypatch.setattr(TargetSearch, "find_in_lines", watched)
     clouds: dict[str, Cloud] = dict(survey.clouds)
-    again = reselection.selected_again(target, clouds, clouds)
+    again = reselection.reselect_target(target, clouds, clouds)
     assert used == [
         CHOSEN.settings(
             radius=target.radius, threshold=reselection.NARROWED * target.threshold,
@@ -97,7 +101,7 @@ def test_points_are_selected_again_with_them(
     assert again.choices == CHOSEN
     # With more points wanted than there are, none is found again and all stay as they were.
     many = replace(target, choices=FinderChoices(min_points=1_000_000))
-    assert reselection.selected_again(many, clouds, clouds) is many
+    assert reselection.reselect_target(many, clouds, clouds) is many
 
 
 def test_kept_in_the_project_where_they_are_not_the_usual_ones(tmp_path: Path) -> None:

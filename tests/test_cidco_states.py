@@ -9,7 +9,7 @@ import pytest
 from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
-from lispac.io.formats import format_of, recognised
+from lispac.io.formats import format_of, recognise_formats
 from lispac.messages import note
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
@@ -65,7 +65,7 @@ def test_sigmas_are_those_of_the_points(files: dict[str, Path]) -> None:
 
 
 def test_it_is_said_what_is_taken_for_granted(files: dict[str, Path]) -> None:
-    assert [format.key for format, _ in recognised(files["states"], "trajectory")] == [
+    assert [format.key for format, _ in recognise_formats(files["states"], "trajectory")] == [
         "cidco-states"
     ]
     found = STATES.look(files["states"], {})

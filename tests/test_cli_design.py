@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.design.objective import Objective
+from lispac.design.objective import PlanObjective
+from lispac.design.plan_search import DesignResult, ReductionStep
 from lispac.design.prediction import predict
-from lispac.design.search import Design, Step
 from lispac.design.site import Site
 from lispac.io.plan_file import read_plan
 from lispac.project import Project
@@ -93,8 +93,10 @@ def test_names_in_the_table_of_a_design_are_text(tmp_path: Path) -> None:
     plan = read_plan(PORT).plan
     name = '=1+1, "a"'
     plan = plan.with_targets([replace(plan.targets[0], name=name), *plan.targets[1:]])
-    design = Design(plan, predict(plan), 1e-3, True, 1, (), (Step(plan, 45.0, 1e-3),))
-    write_design(tmp_path, "Port", Site((0.0, -15.0, 0.0), 270.0), design, Objective())
+    design = DesignResult(
+        plan, predict(plan), 1e-3, True, 1, (), (ReductionStep(plan, 45.0, 1e-3),)
+    )
+    write_design(tmp_path, "Port", Site((0.0, -15.0, 0.0), 270.0), design, PlanObjective())
     with (tmp_path / "front.csv").open(newline="") as file:
         (row,) = csv.DictReader(file)
     assert row["targets"] == f"'{name} T2"

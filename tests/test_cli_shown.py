@@ -9,23 +9,23 @@ import numpy as np
 import pytest
 
 from lispac.cli import budget, demo, design, subsample, visibility
-from lispac.cli.pick import notes_on
-from lispac.cli.qualities import print_doubtful
+from lispac.cli.pick import search_notes
+from lispac.cli.sighting_qualities import print_weak_sightings
 from lispac.cli.validate import print_validation
-from lispac.installed import window_command
+from lispac.installation_paths import window_command
 from lispac.io.plan_file import read_plan
 from lispac.io.plane_file import write_plane_file
 from lispac.io.project_file import write_project
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, as_message, note
-from lispac.picks import Target
-from lispac.report.budget_values import BeamErrors, Budget, ErrorSource, PointError
+from lispac.picked_targets import Target
+from lispac.report.budget_values import BeamErrors, ErrorBudgetValues, ErrorSource, PointError
 from lispac.simulation.thesis_site import MARINE
-from lispac.survey.conventions.words import THESIS_MODE
+from lispac.survey.conventions.mounting_texts import THESIS_MODE
 from lispac.survey.georeferencing import Mounting
-from lispac.targets.quality import SightingQuality
+from lispac.targets.sighting_quality import SightingQuality
 from lispac.workflow import sensors
-from lispac.workflow.subsampling import Subsampled
+from lispac.workflow.subsampling import SubsamplingResult
 from tests.narrow_site import narrow_site
 from tests.report_sample import sample_project
 from tests.surveys import TARGETS, planar_survey
@@ -53,13 +53,13 @@ def test_only_what_is_less_than_good_is_listed_the_poor_first(
         ("T1", "L2"): quality("doubtful", note("quality.few_points", count=48)),
         ("T2", "L1"): quality("poor", note("quality.sparse", share=0.4)),
     }
-    print_doubtful(found)
+    print_weak_sightings(found)
     assert capsys.readouterr().out.splitlines() == [
         "", "Sightings of doubtful or poor quality:",
         "- T2 on L1: Poor. The points cover only 40 % of the area within the outline.",
         "- T1 on L2: Doubtful. The sighting has only 48 points.",
     ]  # fmt: skip
-    print_doubtful({("T1", "L1"): quality("good")})
+    print_weak_sightings({("T1", "L1"): quality("good")})
     assert capsys.readouterr().out == ""
 
 
@@ -89,7 +89,7 @@ def test_planes_that_were_not_compared_are_told_with_the_reason(
 def test_that_a_target_was_sought_farther_off_is_noted(
     asked: float | None, radius: float, notes: tuple[Message, ...]
 ) -> None:
-    assert notes_on(Target("T1", "target", (0.0, 0.0, 0.0), 0.01, radius, ()), asked) == notes
+    assert search_notes(Target("T1", "target", (0.0, 0.0, 0.0), 0.01, radius, ()), asked) == notes
 
 
 def one_line(path: Path) -> Path:
@@ -253,10 +253,10 @@ def test_a_budget_shows_what_nobody_knows(
     known = ErrorSource("POS position", (PointError(0.012, 0.02, 0.01, 0.03),))
     unknown = ErrorSource("Lever arm", None)
     beam = BeamErrors("horizontal, to starboard", (known, unknown), known, known)
-    found = Budget((50.0,), (beam,), (note("budget.no_latency"),))
+    found = ErrorBudgetValues((50.0,), (beam,), (note("budget.no_latency"),))
     monkeypatch.setattr(budget, "load_survey", lambda *_, **__: None)
-    monkeypatch.setattr(budget, "budget_of", lambda *_, **__: None)
-    monkeypatch.setattr(budget, "Budget", SimpleNamespace(of=lambda _: found))
+    monkeypatch.setattr(budget, "error_budget_of", lambda *_, **__: None)
+    monkeypatch.setattr(budget, "ErrorBudgetValues", SimpleNamespace(of=lambda _: found))
     write_project(sample_project(tmp_path))
     rows = told(capsys, "budget", tmp_path)[0].splitlines()
     assert rows[0].split() == ["beam", "horizontal,", "to", "starboard", "at", "50", "m"]
@@ -271,8 +271,9 @@ def test_a_row_for_each_distance_and_one_for_all_points(
 ) -> None:
     angles, sigma = np.radians([0.27, -1.14, 0.36]), np.radians([0.01, 0.02, 0.03])
     rows = (
-        Subsampled(0.0, 12_345, angles, sigma, 1.5), Subsampled(0.1, 2_345, angles, sigma, 0.25),
-    )  # fmt: skip
+        SubsamplingResult(0.0, 12_345, angles, sigma, 1.5),
+        SubsamplingResult(0.1, 2_345, angles, sigma, 0.25),
+    )
     monkeypatch.setattr(subsample, "load_survey", lambda *_, **__: None)
     monkeypatch.setattr(subsample, "subsampling_study", lambda *_, **__: rows)
     write_project(sample_project(tmp_path))

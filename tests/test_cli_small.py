@@ -19,25 +19,25 @@ from lispac.errors import ProjectError
 from lispac.io.project_file import read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import note
-from lispac.patchtest.answer import PatchTest
-from lispac.patchtest.boxes import Box, PatchObject
-from lispac.patchtest.pairs import LinePair
-from lispac.patchtest.sigmas import ObjectFound
-from lispac.picks import PickedSighting, Target
+from lispac.patchtest.line_pairs import LinePair
+from lispac.patchtest.minimum_precision import ObjectAgreement
+from lispac.patchtest.object_boxes import ObjectBox, PatchObject
+from lispac.patchtest.patch_test_result import PatchTestResult
+from lispac.picked_targets import PickedSighting, Target
 from lispac.project import LineSource, Project
-from lispac.targets.quality import undetermined
-from lispac.validation.absolute import PointCheck
+from lispac.targets.sighting_quality import undetermined_quality
+from lispac.validation.absolute_check import PointCheck
 from lispac.workflow import patch_test
 from lispac.workflow.proposals import Proposal
-from lispac.workflow.seed_lists import ListedSeed, Outcome
+from lispac.workflow.seed_lists import ListedSeed, SeedOutcome
 from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.targetless import Targetless
+from lispac.workflow.targetless import TargetlessResult
 from tests.report_sample import sample_project
 from tests.sharing import once
 from tests.test_absolute_cautions import check as against_reference
 from tests.test_cli import answer, refused, run
 
-SQUARE = Box(np.array([0.0, -15.0, 5.0]), np.array([2.0, 2.0, 2.0]))
+SQUARE = ObjectBox(np.array([0.0, -15.0, 5.0]), np.array([2.0, 2.0, 2.0]))
 
 
 def _made(folder: Path) -> Project:
@@ -130,15 +130,15 @@ class Bench:
     def find(
         self, _: object, __: object, laid: SimpleNamespace, *, pairs: tuple[LinePair, ...],
         **___: object,
-    ) -> PatchTest:  # fmt: skip
+    ) -> PatchTestResult:  # fmt: skip
         self.pairs = pairs
         named = [each.name for each in laid.objects]
-        objects = tuple(ObjectFound(name, ("L1 L2",), 0.01, 0, 0.0, 0.001) for name in named)
+        objects = tuple(ObjectAgreement(name, ("L1 L2",), 0.01, 0, 0.0, 0.001) for name in named)
         return answered(laid.boresight, objects)
 
 
-def answered(angles: np.ndarray, objects: tuple[ObjectFound, ...]) -> PatchTest:
-    return PatchTest(
+def answered(angles: np.ndarray, objects: tuple[ObjectAgreement, ...]) -> PatchTestResult:
+    return PatchTestResult(
         angles, angles, np.diag(np.radians([0.01, 0.02, 0.03]) ** 2), np.array([10.0, 20.0, 30.0]),
         0.05, 0.01, ("L1", "L2", "L3"), objects, 3, True,
     )  # fmt: skip
@@ -174,11 +174,11 @@ def test_objects_and_pairs_of_a_patch_test_are_those_asked_for(
 def test_an_object_that_differs_is_marked(capsys: pytest.CaptureFixture[str]) -> None:
     angles = np.radians([0.25, -1.1, 0.4])
     objects = (
-        ObjectFound("pole", ("L1 L2",), 0.012, 0, np.radians(0.01), np.radians(0.05)),
-        ObjectFound("moved", ("L1 L2", "L1 L3"), 0.04, 2, np.radians(-0.2), np.radians(0.05)),
-        ObjectFound("ball", ("L1 L2",), 0.02, None, 0.0, 0.0),
+        ObjectAgreement("pole", ("L1 L2",), 0.012, 0, np.radians(0.01), np.radians(0.05)),
+        ObjectAgreement("moved", ("L1 L2", "L1 L3"), 0.04, 2, np.radians(-0.2), np.radians(0.05)),
+        ObjectAgreement("ball", ("L1 L2",), 0.02, None, 0.0, 0.0),
     )
-    patchtest.print_answer(answered(angles, objects))
+    patchtest.print_patch_test(answered(angles, objects))
     rows = capsys.readouterr().out.splitlines()
     assert rows[2].split() == ["pitch", "-1.1000", "0.0200", "-1.1000", "3.5"]
     assert rows[5].split() == ["pole", "1", "12.0", "roll", "+0.0100", "0.0500"]
@@ -230,7 +230,7 @@ def test_the_answer_of_the_scene_is_printed_and_kept_where_wanted(
     capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
-    found = Targetless(sample_project(tmp_path / "sample"), 3, False, 40, ("L6",))
+    found = TargetlessResult(sample_project(tmp_path / "sample"), 3, False, 40, ("L6",))
     monkeypatch.setattr(targetless, "find", lambda *_, **__: found)
     out, _ = told(capsys, "targetless", project.folder)
     remarks = list(map(english_text, found.remarks))
@@ -245,7 +245,7 @@ def test_the_answer_of_the_scene_is_printed_and_kept_where_wanted(
     wanted = {"rounds": 3, "settled": False, "candidates": 40, "targets": 0}
     assert {key: numbers[key] for key in wanted} == wanted
     assert numbers["disagreeing_lines"] == ["L6"]
-    kept = read_project(project.folder).opinion("targetless")
+    kept = read_project(project.folder).alternative_result("targetless")
     assert kept is not None
     np.testing.assert_allclose(kept.boresight, found.result.boresight)
 
@@ -325,14 +325,14 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
 
     def picked(
         project: Project, _: Survey, listed: Sequence[ListedSeed], *__: object, **___: object
-    ) -> tuple[Project, tuple[Outcome, ...]]:
+    ) -> tuple[Project, tuple[SeedOutcome, ...]]:
         there, none = listed
         target = _target(there.name, there.role, -1.1)
-        found = (Outcome(there, target), Outcome(none, None, note("finder.not_alike")))
+        found = (SeedOutcome(there, target), SeedOutcome(none, None, note("finder.not_alike")))
         return project.with_target(target), found
 
     at_hand(pick)
-    seen = undetermined(50, 0.003, note("quality.few_points", count=50))
+    seen = undetermined_quality(50, 0.003, note("quality.few_points", count=50))
     monkeypatch.setattr(
         "lispac.cli.pick_list.judge_target", lambda *_: {"L1_000": seen, "L2_180": seen}
     )
@@ -356,7 +356,7 @@ def test_nothing_to_warn_of_is_said(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     at_hand(warnings)
-    monkeypatch.setattr(warnings, "qualities", lambda *_, **__: {})
+    monkeypatch.setattr(warnings, "sighting_qualities", lambda *_, **__: {})
     monkeypatch.setattr(warnings, "warnings_of", lambda *_: ())
     assert told(capsys, "warnings", project.folder) == ("No warnings.\n", "")
     assert answer(capsys, "warnings", project.folder) == {"warnings": []}

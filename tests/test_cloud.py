@@ -16,15 +16,15 @@ from lispac.progress import Step, no_progress
 from lispac.project import LineSource, Project
 from lispac.survey import cloud as cloud_module
 from lispac.survey.cloud import CloudInMemory, CloudOnDisk
-from lispac.survey.store import reading as reading_module
+from lispac.survey.store import stored_line as reading_module
 from lispac.workflow import survey as survey_module
 from lispac.workflow import target_search as seeking_module
 from lispac.workflow.calibration import estimate
+from lispac.workflow.data_export import export_targets
 from lispac.workflow.demo import demo_seeds
-from lispac.workflow.export import content_of
-from lispac.workflow.exported_files import export_targets
-from lispac.workflow.importing import import_lines, line_folder
-from lispac.workflow.picking import find
+from lispac.workflow.export import report_content_of
+from lispac.workflow.line_import import import_lines, line_folder
+from lispac.workflow.picking import find_target
 from lispac.workflow.projects import create_project, new_project
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.target_search import thinned_notes
@@ -129,10 +129,10 @@ def test_a_thinned_sighting_says_so_and_keeps_saying_it(
 ) -> None:
     project, survey = calibrated
     role, seed = demo_seeds()["T1"]
-    assert thinned_notes(find(project, survey, seed, name="T1", role=role)) == ()
+    assert thinned_notes(find_target(project, survey, seed, name="T1", role=role)) == ()
     monkeypatch.setattr(cloud_module, "MOST", 500)
     monkeypatch.setattr(seeking_module, "SOUGHT", 2000)
-    target = find(project, survey, seed, name="T1", role=role)
+    target = find_target(project, survey, seed, name="T1", role=role)
     notes = thinned_notes(target)
     thinned = [s for s in target.sightings if s.one_in > 1]
     assert notes
@@ -150,8 +150,8 @@ def test_one_seed_finds_the_same_points(
 ) -> None:
     for name in ("T1", "V1"):
         role, seed = demo_seeds()[name]
-        own = find(calibrated[0], calibrated[1], seed, name=name, role=role)
-        other = find(project, stored, seed, name=name, role=role)
+        own = find_target(calibrated[0], calibrated[1], seed, name=name, role=role)
+        other = find_target(project, stored, seed, name=name, role=role)
         assert [s.line for s in own.sightings] == [s.line for s in other.sightings]
         for one, two in zip(own.sightings, other.sightings, strict=True):
             assert one.fingerprint == two.fingerprint
@@ -172,7 +172,7 @@ def test_same_boresight_validation_and_exports(
     for comparison in validated.validation:
         assert comparison.after.rms == pytest.approx(before[comparison.name].after.rms, rel=0.02)
     assert len(export_targets(solved, stored, tmp_path)) == len(solved.targets)
-    assert content_of(validated, stored).cautions is not None
+    assert report_content_of(validated, stored).cautions is not None
 
 
 def test_large_line_is_imported_when_the_project_is_opened(

@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from lispac.errors import Cancelled, InputError
-from lispac.io.values import decoded, encoded
+from lispac.io.value_conversion import decode_value, encode_value
 from lispac.message_texts import english_text
 from lispac.progress import Step
 from lispac.validation.cloud_distance import cloud_to_cloud
@@ -105,7 +105,7 @@ def test_a_quadric_follows_a_bend_that_a_plane_cuts() -> None:
 
 def test_a_model_survives_json() -> None:
     for model in (*MODELS, NEAREST_POINT, SIX_POINT_PLANE):
-        assert decoded(encoded(model), LocalModel) == model
+        assert decode_value(encode_value(model), LocalModel) == model
 
 
 def test_agrees_with_brute_force_with_duplicates() -> None:

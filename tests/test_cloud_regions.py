@@ -8,12 +8,12 @@ import pytest
 
 from lispac.geometry.frames import LocalFrame
 from lispac.survey import cloud as cloud_module
-from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, placed_with
-from lispac.survey.georeferencing import Georeferencer, Mounting, place
+from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, place_clouds
+from lispac.survey.georeferencing import Georeferencer, Mounting, place_points
 from lispac.survey.scan import Scan
-from lispac.survey.store.cells import in_sample
-from lispac.survey.store.reading import open_store
-from lispac.survey.store.writing import write_store
+from lispac.survey.store.line_import import write_store
+from lispac.survey.store.spatial_cells import is_number_in_sample
+from lispac.survey.store.stored_line import open_store
 from lispac.survey.trajectory import LocalTrajectory
 from tests.store_lines import RECIPE, Line, small
 
@@ -49,7 +49,7 @@ def reference(cloud: Cloud, mounting: Mounting) -> np.ndarray:
     """All points of the line by the reference formula, in the order of the file."""
     line = Line(COUNT)
     xyz = line.xyz.astype(np.float32).astype(float)
-    return place(xyz, TRACK.at(line.time + mounting.latency), mounting)
+    return place_points(xyz, TRACK.at(line.time + mounting.latency), mounting)
 
 
 @pytest.mark.parametrize("mounting", [PRIOR, OTHER], ids=["as placed", "placed anew"])
@@ -57,7 +57,7 @@ def reference(cloud: Cloud, mounting: Mounting) -> np.ndarray:
 def test_a_region_is_what_brute_force_finds(
     clouds: dict[str, Cloud], kind: str, mounting: Mounting
 ) -> None:
-    cloud = placed_with(clouds, mounting)[kind]
+    cloud = place_clouds(clouds, mounting)[kind]
     every = reference(cloud, mounting)
     assert len(cloud) == COUNT
     # Among many points, about a single one, where there is none, and all of them
@@ -105,10 +105,14 @@ def test_a_crowded_region_is_the_same_sample_in_memory_and_on_disk(
     assert one.one_in == other.one_in
     halvings = one.one_in.bit_length() - 1
     np.testing.assert_array_equal(one.numbers, other.numbers)
-    np.testing.assert_array_equal(one.numbers, whole.numbers[in_sample(whole.numbers, halvings)])
+    np.testing.assert_array_equal(
+        one.numbers, whole.numbers[is_number_in_sample(whole.numbers, halvings)]
+    )
     np.testing.assert_allclose(one.points, other.points, rtol=0, atol=1e-9)
     # As few halvings as leave no more than are wanted
-    assert len(one.numbers) <= 300 < np.count_nonzero(in_sample(whole.numbers, halvings - 1))
+    assert (
+        len(one.numbers) <= 300 < np.count_nonzero(is_number_in_sample(whole.numbers, halvings - 1))
+    )
     monkeypatch.setattr(cloud_module, "MOST", 300)
     for cloud in clouds.values():
         np.testing.assert_array_equal(cloud.within(centre, 12.0).numbers, one.numbers)
@@ -117,7 +121,7 @@ def test_a_crowded_region_is_the_same_sample_in_memory_and_on_disk(
 def test_samples_are_halves_of_each_other() -> None:
     numbers, before = np.arange(40_000), np.ones(40_000, bool)
     for halvings in range(1, 6):
-        kept = in_sample(numbers, halvings)
+        kept = is_number_in_sample(numbers, halvings)
         assert not (kept & ~before).any()
         assert np.count_nonzero(kept) == pytest.approx(40_000 / 2**halvings, rel=0.1)
         before = kept
@@ -151,10 +155,10 @@ def test_no_point_moves_farther_than_is_said_nor_is_much_more_said(
         when = np.full(3000, 1.0)
         one, moved = Georeferencer.of(track, ZERO), Georeferencer.of(track, other)
         off = np.linalg.norm(one(points, when) - moved(points, when), axis=1).max()
-        assert off <= one.farthest_move(other, 40.0) * (1 + 1e-12)
-        assert moved.farthest_move(ZERO, 40.0) >= off * (1 - 1e-12)
-        assert one.farthest_move(other, 40.0) <= loose * off
-    assert Georeferencer.of(track, other).farthest_move(other, 40.0) == 0
+        assert off <= one.largest_displacement(other, 40.0) * (1 + 1e-12)
+        assert moved.largest_displacement(ZERO, 40.0) >= off * (1 - 1e-12)
+        assert one.largest_displacement(other, 40.0) <= loose * off
+    assert Georeferencer.of(track, other).largest_displacement(other, 40.0) == 0
 
 
 def test_points_about_a_place_tell_how_far_it_moved() -> None:
@@ -164,12 +168,12 @@ def test_points_about_a_place_tell_how_far_it_moved() -> None:
     far = np.linalg.norm(after - centre, axis=1) > 2.0 + cloud_module.BESIDE
     before = after - np.where(far[:, None], [0.0, 2.0, 0.0], [0.3, -0.4, 0.0])
     near = cloud_module.SPARE * 0.5 + cloud_module.MARGIN_LEAST
-    found = cloud_module._margin_near(before, after, centre, 2.0, 9.0)
+    found = cloud_module._largest_move_near(before, after, centre, 2.0, 9.0)
     assert found == pytest.approx(near)
-    assert cloud_module._margin_near(before, after, centre, 2.0, 0.25) == 0.25
+    assert cloud_module._largest_move_near(before, after, centre, 2.0, 0.25) == 0.25
     # Where fewer than 50 lie about it, nothing but the most that any can have moved is known
     chosen = np.flatnonzero(~far)
     for count, margin in ((49, 9.0), (50, near)):
         some = chosen[:count]
-        found = cloud_module._margin_near(before[some], after[some], centre, 2.0, 9.0)
+        found = cloud_module._largest_move_near(before[some], after[some], centre, 2.0, 9.0)
         assert found == pytest.approx(margin)

@@ -9,17 +9,17 @@ import pytest
 from pyproj import CRS
 
 from lispac.errors import InputError
+from lispac.io.format_types import PointChunk
 from lispac.io.las_chunks import LAS
-from lispac.io.las_crs import stated_system
-from lispac.io.las_export import pattern_of_columns, pattern_of_las
-from lispac.io.points import system_of
-from lispac.io.registry import PointChunk
+from lispac.io.las_crs import read_header_crs
+from lispac.io.las_export import layout_of_columns, layout_of_las
+from lispac.io.point_reading import crs_of_options
 from lispac.messages import error, note
 from lispac.progress import Step
 from lispac.survey.crs import CoordinateSystem, coordinate_system
-from lispac.survey.mapping import PointMapper
-from lispac.survey.recovery import Recovery, recovered
-from lispac.workflow.clouds import write_cloud
+from lispac.survey.point_mapping import PointMapper
+from lispac.survey.scanner_frame_recovery import RecoverySetup, recover_chunks
+from lispac.workflow.cloud_export import write_cloud
 from tests.cloud_files import (
     MOUNTING,
     TIMED,
@@ -41,7 +41,7 @@ def to_las(
     mapper = PointMapper(system, track(), MOUNTING)
     chunks = LAS.read(source, LAS.settled({})) if chunk is None else [chunk]
     write_cloud(
-        chunks, path, path, mapper, lambda _: pattern_of_las(source),
+        chunks, path, path, mapper, lambda _: layout_of_las(source),
         compressed=path.suffix == ".laz",
     )  # fmt: skip
     return laspy.read(path)
@@ -88,7 +88,7 @@ def test_every_attribute_of_every_point_format_stays(
     assert [record.record_data for record in own] == [b"kept as it is"]
     if header.version.minor >= 4:
         assert [e.record_data for e in after.evlrs or []] == [b"e" * 70]
-    assert stated_system(header).text == UTM
+    assert read_header_crs(header).text == UTM
     assert header.parse_crs() == CRS(UTM)
     wkt = [record for record in header.vlrs if record.record_id == 2112]
     assert len(wkt) == 1
@@ -167,28 +167,28 @@ def test_what_is_written_is_read_back(tmp_path: Path, code: str, height: str, nu
     choice = {**LAS.look(path, {}).choice, "height": grid}
     if number < 6 and code == "EPSG:4326":
         choice["frame"] = "georeferenced"
-    found = system_of(LAS.settled(choice))
+    found = crs_of_options(LAS.settled(choice))
     assert found is not None
     trajectory = track()
-    recovery = Recovery(found, trajectory, MOUNTING)
-    parts = [part.xyz for part, _ in recovered(LAS.read(path, choice), recovery)]
+    recovery = RecoverySetup(found, trajectory, MOUNTING)
+    parts = [part.xyz for part, _ in recover_chunks(LAS.read(path, choice), recovery)]
     assert np.linalg.norm(np.concatenate(parts) - before.xyz, axis=1).max() < 2e-4
 
 
 def test_heights_with_a_code_are_in_the_header(tmp_path: Path) -> None:
     """EPSG:5703 needs a grid that may be absent, so only the header is written and read here."""
-    from lispac.io.las_crs_written import state_system
+    from lispac.io.las_crs_writer import write_crs
 
     for number, version in ((3, "1.2"), (6, "1.4")):
         header = laspy.LasHeader(point_format=number, version=version)
-        state_system(header, CRS("EPSG:6347+5703"))
+        write_crs(header, CRS("EPSG:6347+5703"))
         las = laspy.LasData(header)
         las.x = las.y = las.z = np.zeros(1)
         las.write(tmp_path / "heights.las")
         read = laspy.read(tmp_path / "heights.las").header
         assert (
-            stated_system(read).text == "EPSG:6347+5703"
-            or CRS(stated_system(read).text).sub_crs_list[1].to_epsg() == 5703
+            read_header_crs(read).text == "EPSG:6347+5703"
+            or CRS(read_header_crs(read).text).sub_crs_list[1].to_epsg() == 5703
         )
         if number < 6:
             keys = {k.id: k.value_offset for r in read.vlrs if r.record_id == 34735
@@ -213,11 +213,11 @@ def test_other_columns_become_extra_bytes(tmp_path: Path) -> None:
         "remark": np.array(["x"] * 500),
     }
     chunk = PointChunk(points, time, extra, 500)
-    pattern = pattern_of_columns(chunk)
+    pattern = layout_of_columns(chunk)
     assert pattern.notes == (note("export.column_excluded", column="remark"),)
     path = tmp_path / "map.laz"
     mapper = PointMapper(coordinate_system(UTM), track(), MOUNTING)
-    write_cloud([chunk], path, path, mapper, pattern_of_columns)
+    write_cloud([chunk], path, path, mapper, layout_of_columns)
     after = laspy.read(path)
     assert after.point_format.id == 7
     np.testing.assert_array_equal(after.gps_time, time)
@@ -243,7 +243,7 @@ def test_a_column_that_outgrows_its_dimension_is_refused(tmp_path: Path) -> None
     path = tmp_path / "map.laz"
     mapper = PointMapper(coordinate_system(UTM), track(), MOUNTING)
     with pytest.raises(InputError) as refused:
-        write_cloud([first, second], path, path, mapper, pattern_of_columns)
+        write_cloud([first, second], path, path, mapper, layout_of_columns)
     assert refused.value.message == error(
         "las.value_too_large", file="map.laz", column="return_number", value=41, limit=15
     )
@@ -261,7 +261,7 @@ def test_progress_says_rate_and_time_left(tmp_path: Path, monkeypatch: pytest.Mo
     def listen(fraction: float, step: Step | None = None) -> None:
         said.append((fraction, str(step)))
 
-    write_cloud(chunks, path, path, mapper, pattern_of_columns, progress=listen)
+    write_cloud(chunks, path, path, mapper, layout_of_columns, progress=listen)
     fractions = [fraction for fraction, _ in said]
     assert fractions == sorted(fractions)
     assert fractions[-1] == 1.0
@@ -277,7 +277,7 @@ def test_waveforms_stay_behind_and_that_is_said(tmp_path: Path) -> None:
     assert las.evlrs is not None
     las.evlrs.append(laspy.VLR("LASF_Spec", 65535, "waveforms", b"w" * 100))
     las.write(source)
-    pattern = pattern_of_las(source)
+    pattern = layout_of_las(source)
     assert pattern.notes == (note("export.waveforms", file="raw.las"),)
     after = to_las(source, tmp_path / "map.las", coordinate_system(UTM))
     assert not after.header.global_encoding.waveform_data_packets_internal
@@ -288,7 +288,7 @@ def test_a_line_without_points_is_refused(tmp_path: Path) -> None:
     mapper = PointMapper(coordinate_system(UTM), track(), MOUNTING)
     path = tmp_path / "L1.las"
     with pytest.raises(InputError) as caught:
-        write_cloud([], path, path, mapper, pattern_of_columns)
+        write_cloud([], path, path, mapper, layout_of_columns)
     assert caught.value.code == "export.no_points"
     assert not path.exists()
 
@@ -299,11 +299,11 @@ def test_chunks_before_the_trajectory_write_nothing_and_are_counted(tmp_path: Pa
     inside = PointChunk(points, time, {}, 800)
     mapper = PointMapper(coordinate_system(UTM), track(), MOUNTING)
     path = tmp_path / "L1.las"
-    done = write_cloud([early, inside], path, path, mapper, pattern_of_columns)
+    done = write_cloud([early, inside], path, path, mapper, layout_of_columns)
     assert (done.points, done.outside) == (600, 200)
     assert len(laspy.read(path).points) == 600
     with pytest.raises(InputError) as caught:
-        write_cloud([early, early], path, path, mapper, pattern_of_columns)
+        write_cloud([early, early], path, path, mapper, layout_of_columns)
     assert caught.value.code == "export.outside_trajectory"
     assert caught.value.message is not None
     assert caught.value.message.params == {

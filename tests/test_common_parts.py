@@ -5,13 +5,19 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.common_parts import common_parts
+from lispac.adjustment.common_target_parts import find_common_parts
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.warnings import doubts
-from lispac.simulation.closed_form import BOARDS, Board, exact_survey, observed, six_courses
+from lispac.adjustment.warnings import result_warnings
+from lispac.simulation.closed_form_survey import (
+    BOARDS,
+    Board,
+    add_errors,
+    error_free_survey,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
-from lispac.survey.georeferencing import place
+from lispac.survey.georeferencing import place_points
 from lispac.survey.trajectory import Poses
 from tests.coverage_of_errors import MODEL, PRIOR, TRUTH
 
@@ -30,10 +36,10 @@ def wall_survey(seed: int, *, bend: float = 0.0, overlap: float = 0.0) -> Observ
         Width of the part in the middle that all lines show.
     """
     generator = np.random.default_rng([38, seed])
-    exact = exact_survey(TRUTH, (*BOARDS, WALL), six_courses(), SPACING, generator)
+    exact = error_free_survey(TRUTH, (*BOARDS, WALL), six_courses(), SPACING, generator)
     poses = Poses(exact.position, exact.attitude)
-    points = place(exact.points_lidar, poses, TRUTH)
-    beams = place(1.1 * exact.points_lidar, poses, TRUTH) - points
+    points = place_points(exact.points_lidar, poses, TRUTH)
+    beams = place_points(1.1 * exact.points_lidar, poses, TRUTH) - points
     beams /= np.linalg.norm(beams, axis=1)[:, None]
     on_wall = np.array([each.target == "wall" for each in exact.sightings])[exact.sighting]
     first = np.array([each.line in FIRST for each in exact.sightings])[exact.sighting]
@@ -42,30 +48,30 @@ def wall_survey(seed: int, *, bend: float = 0.0, overlap: float = 0.0) -> Observ
     along = exact.points_lidar / np.linalg.norm(exact.points_lidar, axis=1)[:, None]
     bent = replace(exact, points_lidar=exact.points_lidar + (on_wall * off)[:, None] * along)
     shown = np.where(first, north > -overlap / 2, north < overlap / 2)
-    return observed(bent, HYDROGRAPHIC_INS, generator).where(~on_wall | shown)
+    return add_errors(bent, HYDROGRAPHIC_INS, generator).where(~on_wall | shown)
 
 
 def test_a_flat_wall_is_used_whole() -> None:
     data = wall_survey(1)
-    kept, parts = common_parts(data, TRUTH)
+    kept, parts = find_common_parts(data, TRUTH)
     assert parts == ()
     assert kept is data
 
 
 def test_of_a_bent_wall_the_common_part_is_used() -> None:
     data = wall_survey(1, bend=0.05, overlap=1.6)
-    kept, ((wall),) = common_parts(data, TRUTH)
+    kept, ((wall),) = find_common_parts(data, TRUTH)
     assert wall.target == "wall"
     assert set(wall.lines) == set(data.lines)
     assert wall.share == pytest.approx(0.33, abs=0.06)  # 1.6 of the 4.8 m that each line shows
     on_wall = np.array([each.target == "wall" for each in kept.sightings])[kept.sighting]
-    points = place(kept.points_lidar, Poses(kept.position, kept.attitude), TRUTH)[on_wall]
+    points = place_points(kept.points_lidar, Poses(kept.position, kept.attitude), TRUTH)[on_wall]
     assert np.abs(points[:, 0]).max() < 1.6 / 2 + 0.5
 
 
 def test_of_two_parts_that_three_lines_show_each_one_is_used() -> None:
     data = wall_survey(1, bend=0.05)
-    kept, ((wall),) = common_parts(data, TRUTH)
+    kept, ((wall),) = find_common_parts(data, TRUTH)
     assert wall.lines in (FIRST, ("L2", "L4", "L6"))
     assert wall.share == pytest.approx(0.5, abs=0.05)
     result = adjust(kept, PRIOR, MODEL)
@@ -75,14 +81,14 @@ def test_of_two_parts_that_three_lines_show_each_one_is_used() -> None:
 def test_a_bent_wall_without_a_common_part_is_excluded_and_the_rest_estimated() -> None:
     data = wall_survey(1, bend=0.05)
     twice = [s.target != "wall" or s.line in ("L1", "L2") for s in data.sightings]
-    kept, ((wall),) = common_parts(data.of_sightings(np.array(twice)), TRUTH)
+    kept, ((wall),) = find_common_parts(data.of_sightings(np.array(twice)), TRUTH)
     assert (wall.share, wall.lines) == (0.0, ())
     assert kept.targets == ("T1", "T2")
     result = replace(adjust(kept, PRIOR, MODEL), common_parts=(wall,))
     assert (np.abs(result.boresight - TRUTH.boresight) < 3.5 * result.sigma).all()
-    assert "adjustment.target_parts" in {each.code for each in doubts(result, None)}
+    assert "adjustment.target_parts" in {each.code for each in result_warnings(result, None)}
 
 
 def test_boards_seen_whole_are_left_alone() -> None:
     data = wall_survey(2).without_targets(["wall"])
-    assert common_parts(data, TRUTH) == (data, ())
+    assert find_common_parts(data, TRUTH) == (data, ())

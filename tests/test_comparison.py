@@ -7,15 +7,15 @@ import pytest
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
-from lispac.io.values import decoded, encoded
-from lispac.validation.comparison import (
+from lispac.io.value_conversion import decode_value, encode_value
+from lispac.validation.local_models import NEAREST_POINT, SIX_POINT_PLANE
+from lispac.validation.plane_comparison import (
     MAX_POINTS_PER_LINE,
     DistanceStatistics,
     PlaneComparison,
     compare_plane,
     reciprocal,
 )
-from lispac.validation.local_models import NEAREST_POINT, SIX_POINT_PLANE
 from tests.error_codes import has_code
 
 Array = NDArray[np.float64]
@@ -186,7 +186,7 @@ def test_many_points_are_thinned_alike_in_both_states() -> None:
     assert result.after.n <= (len(a) + 1) // 2 + len(b)
     assert result.before.median == pytest.approx(0.006, abs=1e-9)
     again = compare_plane("V1", moved, clouds, OPPOSITE)
-    assert encoded(again) == encoded(result)
+    assert encode_value(again) == encode_value(result)
 
 
 def test_lines_that_saw_different_parts_are_named() -> None:
@@ -257,8 +257,8 @@ def test_round_trip_through_json() -> None:
     clouds = {"L1": wall(1, noise=0.002), "L2": wall(2), "L3": wall(3, low=(9, 9), high=(10, 10))}
     headings = OPPOSITE | {"L3": 0.0}
     result = compare_plane("V1", clouds, clouds, headings)
-    back = decoded(json.loads(json.dumps(encoded(result))), PlaneComparison)
-    assert encoded(back) == encoded(result)
+    back = decode_value(json.loads(json.dumps(encode_value(result))), PlaneComparison)
+    assert encode_value(back) == encode_value(result)
     assert back.pairs[0].after == result.pairs[0].after
     assert back.not_compared == result.not_compared
     assert back.counts_after.dtype == result.counts_after.dtype

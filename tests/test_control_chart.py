@@ -12,10 +12,10 @@ from matplotlib.dates import date2num
 from lispac.identity import Identity
 from lispac.io.project_file import write_project
 from lispac.messages import note
-from lispac.report.control_charts import control_figure
-from lispac.validation.control_chart import CHANCE, control_chart, limits
+from lispac.report.control_charts import control_chart_figure
+from lispac.validation.control_chart import CHANCE, control_chart, control_limits
 from lispac.validation.repeatability import Calibration
-from lispac.workflow.history import System, histories
+from lispac.workflow.history import CalibratedSystem, read_histories
 from tests.command_errors import command_error
 from tests.report_sample import sample_project, with_lines_of_its_own
 from tests.test_cli import answer, run
@@ -74,10 +74,10 @@ def test_a_mounting_that_moved_begins_a_new_series() -> None:
     # The mean after it knows nothing of those before.
     assert chart[6].before is not None
     assert np.degrees(chart[6].before.boresight[1]) == pytest.approx(0.2, abs=4 * 0.022)
-    reach = limits(moved)
+    reach = control_limits(moved)
     assert reach is not None
     assert not reach[0, 1] < moved.calibration.boresight[1] < reach[1, 1]
-    assert limits(chart[0]) is None
+    assert control_limits(chart[0]) is None
 
 
 def surveyed(folder: Path, day: str, pitch_deg: float = 0.0, vessel: str = "Nordlys") -> None:
@@ -154,16 +154,16 @@ def test_an_open_project_stands_for_its_saved_self(tmp_path: Path) -> None:
 
     opened = read_project(tmp_path / "b")
     opened = replace(opened, identity=opened.identity.changed(dates="2023-01-01"))
-    (history,), _ = histories([tmp_path], also=[opened])
+    (history,), _ = read_histories([tmp_path], also=[opened])
     assert [each.day for each in history.entries] == [date(2023, 1, 1), date(2024, 5, 2)]
-    assert history.system.same(System("NORDLYS", "vz-400i", "s1"))
+    assert history.system.is_same_system(CalibratedSystem("NORDLYS", "vz-400i", "s1"))
 
 
 @pytest.mark.parametrize("days", [(20, 22), (20, 20), (20,), (1, 2, 28)])
 def test_the_axis_of_days_ends_a_little_beyond_the_calibrations(days: tuple[int, ...]) -> None:
     chart = control_chart(calibrations(np.random.default_rng(5), np.zeros((len(days), 3))))
     at = [date(2025, 11, day) for day in days]
-    axes = control_figure(at, chart).axes[-1]
+    axes = control_chart_figure(at, chart).axes[-1]
     first, last = axes.get_xlim()
     dots = [x for line in axes.lines for x in line.get_xdata()]
     bands = [path.vertices[:, 0] for each in axes.collections for path in each.get_paths()]
@@ -184,7 +184,7 @@ def test_what_is_not_estimated_or_not_named_is_told(tmp_path: Path) -> None:
     )
     nameless = sample_project(tmp_path / "c")
     write_project(replace(nameless, identity=Identity(dates="2025-07-02")))
-    found, remarks = histories([tmp_path])
+    found, remarks = read_histories([tmp_path])
     assert remarks == (note("history.excluded", reason=note("history.no_result", project="b")),)
     told = {history.entries[0].project.name: history.remarks for history in found}
     assert note("history.unnamed_system") not in told["a"]  # its scanner is named

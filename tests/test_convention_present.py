@@ -10,9 +10,18 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from lispac.survey.conventions.conversion import LISPAC, Setup, angles_from, state
-from lispac.survey.conventions.correction import on_top_of
-from lispac.survey.conventions.present import Replacement, present_of_matrix, replacement
+from lispac.survey.conventions.conversion import (
+    LISPAC,
+    ConventionSetup,
+    angles_of_rotation,
+    convert_to_system,
+)
+from lispac.survey.conventions.correction import add_to_applied_boresight
+from lispac.survey.conventions.present_settings import (
+    ReplacementSettings,
+    present_settings_of_matrix,
+    replace_settings,
+)
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.survey.georeferencing import Mounting
 from tests.test_conventions import FORMULAS, LEVER_ARM, setup_of
@@ -35,11 +44,13 @@ def moved(points: np.ndarray, matrix: np.ndarray) -> np.ndarray:
     return np.array([[row[:3] @ x + row[3] for row in matrix[:3]] for x in points])
 
 
-def answered(setup: Setup, found: Mounting, *, applied: bool, known: bool) -> Replacement:
+def answered(
+    setup: ConventionSetup, found: Mounting, *, applied: bool, known: bool
+) -> ReplacementSettings:
     """Where ``OLD`` is set there now, given as its 4x4 matrix."""
-    matrix = state(OLD, setup).transform
-    present = present_of_matrix(setup, matrix[:3, :3], matrix[:3, 3])
-    return replacement(setup, found, None, present, applied=applied, has_lever_arm=known)
+    matrix = convert_to_system(OLD, setup).transform
+    present = present_settings_of_matrix(setup, matrix[:3, :3], matrix[:3, 3])
+    return replace_settings(setup, found, None, present, applied=applied, has_lever_arm=known)
 
 
 @pytest.fixture
@@ -84,7 +95,9 @@ def test_lines_already_turned_and_moved(key: str, exported: np.ndarray, points: 
     """A boresight and a lever arm found on lines that hold the old ones come on top of them."""
     lines = in_body(points, OLD) @ exported.T
     small = Rotation.from_rotvec([0.004, -0.007, 0.002]).as_matrix()
-    found = Mounting(np.array([0.02, -0.01, 0.03]), angles_from(LISPAC, small @ exported.T)[0])
+    found = Mounting(
+        np.array([0.02, -0.01, 0.03]), angles_of_rotation(LISPAC, small @ exported.T)[0]
+    )
     new = answered(setup_of(key), found, applied=True, known=True)
     np.testing.assert_allclose(
         in_body(points, new.mounting), in_body(lines, found), rtol=0, atol=1e-9
@@ -101,32 +114,34 @@ def test_lines_already_turned_and_moved(key: str, exported: np.ndarray, points: 
 @pytest.mark.parametrize("applied", [True, False])
 def test_sigmas_are_those_of_the_new_settings(applied: bool) -> None:
     setup, covariance = setup_of("applanix"), np.diag(np.radians([0.01, 0.02, 0.03]) ** 2)
-    present = present_of_matrix(setup, state(OLD, setup).rotation, None)
-    new = replacement(setup, FOUND, covariance, present, applied=applied, has_lever_arm=True)
+    present = present_settings_of_matrix(setup, convert_to_system(OLD, setup).rotation, None)
+    new = replace_settings(setup, FOUND, covariance, present, applied=applied, has_lever_arm=True)
     whole, of_whole = FOUND, covariance
     if applied:
-        whole, of_whole = on_top_of(setup, present.values, FOUND, covariance)
+        whole, of_whole = add_to_applied_boresight(setup, present.values, FOUND, covariance)
         assert np.abs(of_whole - covariance).max() > 1e-9
     np.testing.assert_array_equal(new.covariance, of_whole)
-    np.testing.assert_array_equal(new.stated.sigmas, state(whole, setup, of_whole).sigmas)
+    np.testing.assert_array_equal(
+        new.stated.sigmas, convert_to_system(whole, setup, of_whole).sigmas
+    )
 
 
 def test_a_matrix_is_that_from_the_scanner_whichever_way_the_angles_go() -> None:
     setup = setup_of("applanix")
     other = replace(setup, convention=replace(setup.convention, direction="body_to_lidar"))
     for each in (setup, other):
-        stated = state(OLD, each)
+        stated = convert_to_system(OLD, each)
         assert stated.angles is not None
-        present = present_of_matrix(each, stated.transform[:3, :3], None)
-        found = angles_from(each.convention, present.values)[0]
+        present = present_settings_of_matrix(each, stated.transform[:3, :3], None)
+        found = angles_of_rotation(each.convention, present.values)[0]
         np.testing.assert_allclose(found, stated.angles, rtol=0, atol=1e-12)
 
 
 def test_a_3x3_matrix_leaves_the_lever_arm_alone() -> None:
     setup = setup_of("applanix")
-    present = present_of_matrix(setup, np.eye(3), None)
+    present = present_settings_of_matrix(setup, np.eye(3), None)
     for known, source in ((True, "given"), (False, "none")):
-        new = replacement(setup, FOUND, None, present, applied=False, has_lever_arm=known)
+        new = replace_settings(setup, FOUND, None, present, applied=False, has_lever_arm=known)
         assert new.transform is None
         assert new.lever_arm == source
         assert new.lever_arm_note is None

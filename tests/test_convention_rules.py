@@ -13,22 +13,26 @@ from lispac.survey.conventions.axes import (
     DIRECTIONS,
     FORWARD_PORT_UP,
     axes_matrix,
-    completed_axes,
+    complete_axes,
     nearest_axes,
 )
 from lispac.survey.conventions.conversion import (
     LOCKED,
-    Setup,
+    ConventionSetup,
     angle_jacobian,
-    angles_from,
-    mounting_of,
+    angles_of_rotation,
+    convert_from_system,
+    convert_to_system,
     mounting_of_angles,
     require_rotation,
-    rotation_of,
-    state,
+    rotation_of_angles,
 )
-from lispac.survey.conventions.correction import correct, on_top_of, turn_between
-from lispac.survey.conventions.systems import LISPAC, SYSTEMS, system
+from lispac.survey.conventions.correction import (
+    add_to_applied_boresight,
+    angle_between_rotations,
+    correct_boresight,
+)
+from lispac.survey.conventions.systems import LISPAC, SYSTEMS, convention_of_key
 from lispac.survey.georeferencing import Mounting
 from tests.error_codes import has_code
 
@@ -47,21 +51,21 @@ every_direction = st.sampled_from(["lidar_to_body", "body_to_lidar"])
 @given(st.sampled_from(WITH_ANGLES), turn, turn, turn)
 @settings(max_examples=300, deadline=None)
 def test_angles_of_a_product_give_the_product(convention, a, b, c) -> None:
-    rotation = rotation_of(convention, np.array([a, b, c]))
-    angles, _ = angles_from(convention, rotation)
-    np.testing.assert_allclose(rotation_of(convention, angles), rotation, atol=3e-8)
+    rotation = rotation_of_angles(convention, np.array([a, b, c]))
+    angles, _ = angles_of_rotation(convention, rotation)
+    np.testing.assert_allclose(rotation_of_angles(convention, angles), rotation, atol=3e-8)
     assert abs(angles[convention.order[1]]) <= np.pi / 2
 
 
-@example(system("phoenix-1-5"), "lidar_to_body", 0.0, 0.0, 1e-10, False)
+@example(convention_of_key("phoenix-1-5"), "lidar_to_body", 0.0, 0.0, 1e-10, False)
 @given(every_system, every_direction, small, small, small, st.booleans())
 @settings(max_examples=300, deadline=None)
 def test_there_and_back(convention, direction, roll, pitch, yaw, kept) -> None:
     scanner = "kept" if kept and convention.key != "hypack" else None
-    setup = Setup(replace(convention, direction=direction), scanner=scanner)
+    setup = ConventionSetup(replace(convention, direction=direction), scanner=scanner)
     mounting = Mounting(LEVER_ARM, np.array([roll, pitch, yaw]))
-    stated = state(mounting, setup)
-    back = mounting_of(setup, stated.rotation, stated.lever_arm)
+    stated = convert_to_system(mounting, setup)
+    back = convert_from_system(setup, stated.rotation, stated.lever_arm)
     np.testing.assert_allclose(back.boresight, mounting.boresight, rtol=0, atol=1e-12)
     np.testing.assert_allclose(back.lever_arm, LEVER_ARM, rtol=0, atol=1e-15)
     if stated.angles is not None:
@@ -80,16 +84,18 @@ def test_there_and_back(convention, direction, roll, pitch, yaw, kept) -> None:
 @given(st.sampled_from(WITH_ANGLES), every_direction, small, small, small)
 @settings(max_examples=100, deadline=None)
 def test_jacobian_against_central_differences(convention, direction, roll, pitch, yaw) -> None:
-    setup = Setup(replace(convention, direction=direction), scanner=None)
+    setup = ConventionSetup(replace(convention, direction=direction), scanner=None)
     boresight, step = np.array([roll, pitch, yaw]), 1e-6
     jacobian = angle_jacobian(setup, boresight)
-    middle = abs(state(Mounting(np.zeros(3), boresight), setup).angles[convention.order[1]])
+    middle = abs(
+        convert_to_system(Mounting(np.zeros(3), boresight), setup).angles[convention.order[1]]
+    )
     if middle > 1.4:  # kept axes may lie near the pole, where differences say nothing
         return
     for k in range(3):
         change = step * np.eye(3)[k]
         ahead, behind = (
-            state(Mounting(np.zeros(3), boresight + sign * change), setup).angles
+            convert_to_system(Mounting(np.zeros(3), boresight + sign * change), setup).angles
             for sign in (1, -1)
         )
         difference = (ahead - behind + np.pi) % (2 * np.pi) - np.pi
@@ -101,19 +107,19 @@ def test_sigmas_follow_a_sample_of_boresights() -> None:
     middle = np.array([0.3, -0.4, 0.9])
     root = rng.normal(0, 1e-4, (3, 3))
     covariance = root @ root.T
-    setup = Setup(system("novatel"), scanner="turned")
-    sigmas = state(Mounting(LEVER_ARM, middle), setup, covariance).sigmas
+    setup = ConventionSetup(convention_of_key("novatel"), scanner="turned")
+    sigmas = convert_to_system(Mounting(LEVER_ARM, middle), setup, covariance).sigmas
     sample = middle + rng.normal(size=(4000, 3)) @ root.T
-    angles = [state(Mounting(LEVER_ARM, each), setup).angles for each in sample]
+    angles = [convert_to_system(Mounting(LEVER_ARM, each), setup).angles for each in sample]
     np.testing.assert_allclose(np.std(angles, axis=0), sigmas, rtol=0.05)
 
 
 def test_direction_is_the_transpose() -> None:
     boresight = np.radians([1.0, 2.0, 3.0])
-    to_body = Setup(system("applanix"))
-    to_lidar = Setup(replace(system("applanix"), direction="body_to_lidar"))
-    one = state(Mounting(LEVER_ARM, boresight), to_body)
-    other = state(Mounting(LEVER_ARM, boresight), to_lidar)
+    to_body = ConventionSetup(convention_of_key("applanix"))
+    to_lidar = ConventionSetup(replace(convention_of_key("applanix"), direction="body_to_lidar"))
+    one = convert_to_system(Mounting(LEVER_ARM, boresight), to_body)
+    other = convert_to_system(Mounting(LEVER_ARM, boresight), to_lidar)
     np.testing.assert_allclose(one.rotation, other.rotation.T, atol=1e-15)
     np.testing.assert_allclose(one.transform, other.transform, atol=1e-15)
     # Not the negative of the angles: that would be 0.1 deg off here.
@@ -124,12 +130,12 @@ def test_direction_is_the_transpose() -> None:
 def test_a_mounting_takes_up_the_quarter_turns(axes) -> None:
     """A scanner mounted on its side has small OPALS angles, and its raw points still fit."""
     rotation = rotation_matrix(*np.radians([0.3, -0.5, 0.8])) @ axes_matrix(axes).T
-    boresight, _ = angles_from(LISPAC, rotation)
+    boresight, _ = angles_of_rotation(LISPAC, rotation)
     assert nearest_axes(rotation) == axes
-    setup = Setup(system("opals"))
-    stated = state(Mounting(LEVER_ARM, boresight), setup)
+    setup = ConventionSetup(convention_of_key("opals"))
+    stated = convert_to_system(Mounting(LEVER_ARM, boresight), setup)
     assert np.degrees(np.abs(stated.angles).max()) < 1.0
-    back = mounting_of(replace(setup, mounting=axes), stated.rotation, stated.lever_arm)
+    back = convert_from_system(replace(setup, mounting=axes), stated.rotation, stated.lever_arm)
     np.testing.assert_allclose(back.rotation_body_lidar, rotation, rtol=0, atol=1e-12)
     body = stated.transform[:3, :3] @ [1.0, 2.0, 3.0]
     np.testing.assert_allclose(body * [1, -1, -1], rotation @ [1.0, 2.0, 3.0], atol=1e-12)
@@ -139,14 +145,16 @@ def test_a_mounting_takes_up_the_quarter_turns(axes) -> None:
 
 
 def test_a_sum_of_angles_misses_by_what_is_said() -> None:
-    convention = system("applanix")
+    convention = convention_of_key("applanix")
     current, wanted = np.radians([5.0, -4.0, 10.0]), np.radians([-2.0, 3.0, 1.0])
-    found = correct(convention, current, rotation_of(convention, wanted))
-    summed = rotation_of(convention, current + found.correction)
+    found = correct_boresight(convention, current, rotation_of_angles(convention, wanted))
+    summed = rotation_of_angles(convention, current + found.correction)
     sight = np.array([0.0, 0.0, 1.0])
-    off = 100 * np.linalg.norm(summed @ sight - rotation_of(convention, wanted) @ sight)
+    off = 100 * np.linalg.norm(summed @ sight - rotation_of_angles(convention, wanted) @ sight)
     assert 0.1 < off <= 100 * found.sum_error * 1.0001
-    assert found.sum_error == pytest.approx(turn_between(summed, rotation_of(convention, wanted)))
+    assert found.sum_error == pytest.approx(
+        angle_between_rotations(summed, rotation_of_angles(convention, wanted))
+    )
 
 
 @pytest.mark.parametrize("direction", ["lidar_to_body", "body_to_lidar"])
@@ -154,12 +162,12 @@ def test_a_sum_of_angles_misses_by_what_is_said() -> None:
 def test_what_is_found_on_turned_lines_comes_on_top(direction, exported) -> None:
     """Raw points turned by old settings and given to this program as they then are."""
     truth = Mounting(LEVER_ARM, np.radians([1.3, -1.1, 2.4]))
-    setup = Setup(replace(system("applanix"), direction=direction))
+    setup = ConventionSetup(replace(convention_of_key("applanix"), direction=direction))
     current = np.radians([1.0, 1.5, 2.0])
     old = mounting_of_angles(setup, current, LEVER_ARM).rotation_body_lidar
     to_exported = axes_matrix(exported) @ old  # raw scanner to the axes of the export
-    remainder, _ = angles_from(LISPAC, truth.rotation_body_lidar @ to_exported.T)
-    whole, _ = on_top_of(setup, current, Mounting(LEVER_ARM, remainder))
+    remainder, _ = angles_of_rotation(LISPAC, truth.rotation_body_lidar @ to_exported.T)
+    whole, _ = add_to_applied_boresight(setup, current, Mounting(LEVER_ARM, remainder))
     np.testing.assert_allclose(
         whole.rotation_body_lidar, truth.rotation_body_lidar, rtol=0, atol=1e-14
     )
@@ -167,16 +175,21 @@ def test_what_is_found_on_turned_lines_comes_on_top(direction, exported) -> None
 
 def test_covariance_of_the_whole_follows_a_sample() -> None:
     rng = np.random.default_rng(5)
-    setup, current = Setup(system("applanix")), np.radians([20.0, 35.0, 60.0])
+    setup, current = ConventionSetup(convention_of_key("applanix")), np.radians([20.0, 35.0, 60.0])
     remainder = np.array([0.01, -0.02, 0.005])
     root = rng.normal(0, 1e-4, (3, 3))
-    _, covariance = on_top_of(setup, current, Mounting(LEVER_ARM, remainder), root @ root.T)
+    _, covariance = add_to_applied_boresight(
+        setup, current, Mounting(LEVER_ARM, remainder), root @ root.T
+    )
     drawn = rng.normal(size=(400, 3))
     drawn -= drawn.mean(axis=0)
     # Without chance in its own covariance, a small sample shows what happens to it.
     drawn = drawn @ np.linalg.inv(np.linalg.cholesky(drawn.T @ drawn / len(drawn))).T
     sample = remainder + drawn @ root.T
-    angles = [on_top_of(setup, current, Mounting(LEVER_ARM, s))[0].boresight for s in sample]
+    angles = [
+        add_to_applied_boresight(setup, current, Mounting(LEVER_ARM, s))[0].boresight
+        for s in sample
+    ]
     np.testing.assert_allclose(np.sqrt(np.diag(covariance)), np.std(angles, axis=0), rtol=0.001)
 
 
@@ -188,28 +201,28 @@ def test_covariance_of_the_whole_follows_a_sample() -> None:
 def test_at_the_pole_the_rotation_holds_and_a_sentence_says_so(convention, pole) -> None:
     angles = np.radians([10.0, 20.0, 30.0])
     angles[convention.order[1]] = np.radians(pole)
-    rotation = rotation_of(convention, angles)
-    found, remark = angles_from(convention, rotation)
-    np.testing.assert_allclose(rotation_of(convention, found), rotation, atol=1e-12)
+    rotation = rotation_of_angles(convention, angles)
+    found, remark = angles_of_rotation(convention, rotation)
+    np.testing.assert_allclose(rotation_of_angles(convention, found), rotation, atol=1e-12)
     assert remark is not None
     assert remark.params["angle"] == pytest.approx(np.radians(pole))
     assert found[convention.order[2]] == 0.0
     # With its mounting free, a system would rather lay the axes than go to the pole.
-    setup = Setup(convention, mounting=FORWARD_PORT_UP)
-    mounting = mounting_of(setup, rotation, LEVER_ARM)
-    stated = state(mounting, setup, np.eye(3) * 1e-8)
+    setup = ConventionSetup(convention, mounting=FORWARD_PORT_UP)
+    mounting = convert_from_system(setup, rotation, LEVER_ARM)
+    stated = convert_to_system(mounting, setup, np.eye(3) * 1e-8)
     assert stated.sigmas is None
     assert stated.note is not None
     assert stated.note.code == "convention.gimbal_lock"
 
 
 def test_near_the_pole_all_digits_are_asked_for() -> None:
-    convention = system("applanix")
-    rotation = rotation_of(convention, np.radians([10.0, 85.0, 30.0]))
-    note = angles_from(convention, rotation)[1]
+    convention = convention_of_key("applanix")
+    rotation = rotation_of_angles(convention, np.radians([10.0, 85.0, 30.0]))
+    note = angles_of_rotation(convention, rotation)[1]
     assert note is not None
     assert note.code == "convention.near_gimbal_lock"
-    assert angles_from(convention, np.eye(3))[1] is None
+    assert angles_of_rotation(convention, np.eye(3))[1] is None
 
 
 def test_what_is_no_rotation_is_refused() -> None:
@@ -227,17 +240,22 @@ def test_what_is_no_rotation_is_refused() -> None:
 
 def test_systems_and_axes_that_cannot_be_are_refused() -> None:
     with pytest.raises(InputError, check=has_code("survey.unknown_program", name="posmv")):
-        system("posmv")
+        convention_of_key("posmv")
     with pytest.raises(InputError, check=has_code("survey.matrix_only")):
-        mounting_of_angles(Setup(system("riprocess")), np.zeros(3), np.zeros(3))
+        mounting_of_angles(
+            ConventionSetup(convention_of_key("riprocess")), np.zeros(3), np.zeros(3)
+        )
     with pytest.raises(InputError, check=has_code("survey.axes_left_handed")):
-        state(Mounting(LEVER_ARM, np.zeros(3)), Setup(system("hypack"), scanner="kept"))
+        convert_to_system(
+            Mounting(LEVER_ARM, np.zeros(3)),
+            ConventionSetup(convention_of_key("hypack"), scanner="kept"),
+        )
     with pytest.raises(InputError, check=has_code("survey.unknown_direction", word="ahead")):
         axes_matrix(("ahead", "port", "up"))
     with pytest.raises(InputError, check=has_code("survey.axes_not_spanning")):
         axes_matrix(("forward", "aft", "up"))
     with pytest.raises(InputError, check=has_code("survey.axes_on_one_line")):
-        completed_axes("up", "down")
+        complete_axes("up", "down")
 
 
 def test_all_right_handed_axes_can_be_stated() -> None:
@@ -245,7 +263,7 @@ def test_all_right_handed_axes_can_be_stated() -> None:
     for x in DIRECTIONS:
         for y in DIRECTIONS:
             try:
-                made.add(completed_axes(x, y))
+                made.add(complete_axes(x, y))
             except InputError:
                 continue
     assert len(made) == 24
@@ -261,8 +279,8 @@ def test_halfway_between_two_axes_a_frame_is_taken_to_look_ahead() -> None:
 @pytest.mark.parametrize(
     "setup",
     [
-        Setup(system("applanix"), scanner="kept"),
-        Setup(system("kluster"), body_axes=("forward", "port", "up")),
+        ConventionSetup(convention_of_key("applanix"), scanner="kept"),
+        ConventionSetup(convention_of_key("kluster"), body_axes=("forward", "port", "up")),
     ],
 )
 def test_axes_that_no_documentation_knows_are_not_verified(setup) -> None:
@@ -272,7 +290,7 @@ def test_axes_that_no_documentation_knows_are_not_verified(setup) -> None:
 
 
 def test_signs_are_told_for_the_axes_they_hold_for() -> None:
-    as_known = Setup(system("kluster"))
-    turned = Setup(system("kluster"), body_axes=("forward", "port", "up"))
+    as_known = ConventionSetup(convention_of_key("kluster"))
+    turned = ConventionSetup(convention_of_key("kluster"), body_axes=("forward", "port", "up"))
     assert as_known.signs == as_known.convention.signs
     assert "bow" not in str(turned.signs)

@@ -5,7 +5,7 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.geometry.rotations import rotation_matrix
-from lispac.survey.conventions.typed import matrix_of_text
+from lispac.survey.conventions.matrix_input import matrix_of_text
 from tests.error_codes import has_code
 
 ROTATION = rotation_matrix(*np.radians([1.0, -2.0, 80.0]))

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from lispac.geometry.rotations import angles_of, rotation_matrix
+from lispac.geometry.rotations import rotation_angles, rotation_matrix
 from lispac.message_texts import message_text
 from lispac.messages import note
-from lispac.survey.conventions.conversion import Setup
+from lispac.survey.conventions.conversion import ConventionSetup
+from lispac.survey.conventions.mounting_texts import lever_arm_text, offsets_note, orientation_text
 from lispac.survey.conventions.systems import SYSTEMS
-from lispac.survey.conventions.words import lever_arm_text, offsets_note, orientation_text
 from lispac.survey.georeferencing import Mounting
 
 
@@ -28,7 +28,7 @@ def test_a_steep_pitch_is_told_by_the_axes() -> None:
     rotation = rotation_matrix(*np.radians([-57.9, 89.3, 58.2]))
     cosine = min(-rotation[2, 0], rotation[1, 1], rotation[0, 2])
     off = f"{np.degrees(np.arccos(cosine)):.3f}"
-    assert said(angles_of(rotation)) == (
+    assert said(rotation_angles(rotation)) == (
         f"Directions of the scanner axes: X down, Y port, Z forward, with deviations up to {off} "
         "deg."
     )
@@ -117,18 +117,18 @@ def test_what_is_not_verified_says_what_is_assumed(convention) -> None:
 
 
 def test_what_is_taken_for_the_axes_of_the_scanner_is_said() -> None:
-    opals = Setup(next(each for each in SYSTEMS if each.key == "opals"))
+    opals = ConventionSetup(next(each for each in SYSTEMS if each.key == "opals"))
     assert str(opals.scanner_axes(rotation_matrix(0.01, 0.02, np.pi / 2))) == (
         "An axis permutation (mounting) first maps the raw scanner axes to the body axes; the "
         "angles are the remaining rotation. Mounting used: scanner axes X starboard, Y forward, "
         "Z up."
     )
-    kept = Setup(next(each for each in SYSTEMS if each.key == "pdal"))
+    kept = ConventionSetup(next(each for each in SYSTEMS if each.key == "pdal"))
     assert str(kept.scanner_axes(np.eye(3))) == "The scanner axes are those of the raw points."
 
 
 def test_open_axes_say_what_was_taken() -> None:
     phoenix = next(each for each in SYSTEMS if each.open_axes)
-    assert "X forward, Y port, Z up is assumed" in str(Setup(phoenix).assumption)
-    stated = Setup(phoenix, ("down", "starboard", "aft")).assumption
+    assert "X forward, Y port, Z up is assumed" in str(ConventionSetup(phoenix).assumption)
+    stated = ConventionSetup(phoenix, ("down", "starboard", "aft")).assumption
     assert "is assumed" not in str(stated)

@@ -10,10 +10,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.survey.conventions.conversion import Setup, rotation_of, state
-from lispac.survey.conventions.correction import correct
-from lispac.survey.conventions.systems import SYSTEMS, system
-from lispac.survey.georeferencing import Mounting, place
+from lispac.survey.conventions.conversion import (
+    ConventionSetup,
+    convert_to_system,
+    rotation_of_angles,
+)
+from lispac.survey.conventions.correction import correct_boresight
+from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
+from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses
 
 WITH_ANGLES = [each for each in SYSTEMS if each.has_angles]
@@ -173,8 +177,8 @@ FORMULAS: dict[str, Formula] = {
 IMU_AXES = {"phoenix": ("starboard", "forward", "up")}
 
 
-def setup_of(key: str) -> Setup:
-    return Setup(system(key), IMU_AXES.get(key))
+def setup_of(key: str) -> ConventionSetup:
+    return ConventionSetup(convention_of_key(key), IMU_AXES.get(key))
 
 
 @pytest.mark.parametrize("key", [each.key for each in WITH_ANGLES])
@@ -182,9 +186,9 @@ def setup_of(key: str) -> Setup:
 def test_the_same_points_by_the_programs_own_formula(key: str, boresight_deg) -> None:
     points, poses = survey()
     mounting = Mounting(LEVER_ARM, np.radians(boresight_deg))
-    stated = state(mounting, setup_of(key))
+    stated = convert_to_system(mounting, setup_of(key))
     theirs = FORMULAS[key](points, stated.angles, stated.lever_arm, poses.attitude)
-    ours = place(points, poses, mounting) - poses.position
+    ours = place_points(points, poses, mounting) - poses.position
     assert np.abs(theirs - ours).max() < 1e-9
 
 
@@ -194,7 +198,7 @@ def test_the_4x4_does_the_same(key: str) -> None:
     points, poses = survey()
     mounting = Mounting(LEVER_ARM, np.radians([0.4, -1.9, 0.4]))
     setup = setup_of(key)
-    transform = state(mounting, setup).transform
+    transform = convert_to_system(mounting, setup).transform
     given = points
     if setup.scanner_frame == "turned":
         given = points @ setup.permutation.T
@@ -207,7 +211,7 @@ def test_the_4x4_does_the_same(key: str) -> None:
         ("starboard", "forward", "down"): ((1, 1), (0, 1), (2, 1)),
     }[setup.axes]
     for x, attitude, ours in zip(
-        theirs, poses.attitude, place(points, poses, mounting) - poses.position, strict=True
+        theirs, poses.attitude, place_points(points, poses, mounting) - poses.position, strict=True
     ):
         body = np.array([sign * x[k] for k, sign in body_ned])
         roll, pitch, heading = attitude
@@ -218,7 +222,7 @@ def test_the_4x4_does_the_same(key: str) -> None:
 def test_real_vessel_data_by_the_applanix_formula(shared_data: Path) -> None:
     """Stored coordinates of another program, reached in NED with converted angles."""
     mounting = Mounting(LEVER_ARM, np.radians([0.4395, -1.8681, 0.3992]))
-    stated = state(mounting, Setup(system("applanix")))
+    stated = convert_to_system(mounting, ConventionSetup(convention_of_key("applanix")))
     np.testing.assert_allclose(np.degrees(stated.angles), [0.4395, 1.8681, 0.3992], atol=1e-12)
     files = sorted((shared_data / "cidco").glob("*/*/*"))
     assert len(files) == 16
@@ -236,7 +240,7 @@ def test_real_vessel_data_by_the_applanix_formula(shared_data: Path) -> None:
 
 def test_applanix_example_of_the_manual() -> None:
     """An IMU turned 93 deg, with 2 deg about its y and -5 deg about its x axis (POS MV guide)."""
-    turned = rotation_of(system("applanix"), np.radians([-5.0, 2.0, 93.0]))
+    turned = rotation_of_angles(convention_of_key("applanix"), np.radians([-5.0, 2.0, 93.0]))
     x_axis, y_axis = turned[:, 0], turned[:, 1]
     assert x_axis[1] > 0.99, "x points to starboard"
     assert x_axis[2] == pytest.approx(-sin(np.radians(2.0)), abs=1e-12), "and 2 deg up"
@@ -248,7 +252,7 @@ def test_novatel_example_of_the_application_note() -> None:
 
     The same triple as an end-for-end turn: X 180, Y 0, Z 0.
     """
-    axes = rotation_of(system("novatel"), np.radians([0.0, 180.0, 180.0]))
+    axes = rotation_of_angles(convention_of_key("novatel"), np.radians([0.0, 180.0, 180.0]))
     np.testing.assert_allclose(axes, np.diag([1.0, -1.0, -1.0]), atol=1e-15)
 
 
@@ -258,15 +262,21 @@ def test_phoenix_turns_about_fixed_axes() -> None:
     for axis, angle in zip("xyz", angles, strict=True):
         moved = about(axis, angle, moved)
     np.testing.assert_allclose(
-        rotation_of(system("phoenix"), angles) @ [0.3, -0.2, 0.9], moved, atol=1e-15
+        rotation_of_angles(convention_of_key("phoenix"), angles) @ [0.3, -0.2, 0.9],
+        moved,
+        atol=1e-15,
     )
 
 
 @pytest.mark.parametrize("key", ["applanix", "kluster", "qinsy", "terrascan", "hypack"])
 def test_small_angles_differ_in_the_sign_of_the_pitch_only(key: str) -> None:
-    stated = state(Mounting(np.zeros(3), np.radians([0.1, 0.0, 0.0])), Setup(system(key)))
+    stated = convert_to_system(
+        Mounting(np.zeros(3), np.radians([0.1, 0.0, 0.0])), ConventionSetup(convention_of_key(key))
+    )
     np.testing.assert_allclose(np.degrees(stated.angles), [0.1, 0, 0], atol=1e-12)
-    stated = state(Mounting(np.zeros(3), np.radians([0.0, 0.1, 0.0])), Setup(system(key)))
+    stated = convert_to_system(
+        Mounting(np.zeros(3), np.radians([0.0, 0.1, 0.0])), ConventionSetup(convention_of_key(key))
+    )
     np.testing.assert_allclose(np.degrees(stated.angles), [0, -0.1, 0], atol=1e-12)
 
 
@@ -275,15 +285,16 @@ def test_new_is_correction_times_current(key: str) -> None:
     """The correction's own angles, applied on the left of the current ones, place the points."""
     setup = setup_of(key)
     mounting = Mounting(LEVER_ARM, np.radians([0.4, -1.9, 0.4]))
-    stated = state(mounting, setup)
+    stated = convert_to_system(mounting, setup)
     current = np.radians([2.0, -3.0, 5.0])
-    found = correct(setup.convention, current, stated.rotation)
-    product = rotation_of(setup.convention, found.correction) @ rotation_of(
+    found = correct_boresight(setup.convention, current, stated.rotation)
+    product = rotation_of_angles(setup.convention, found.correction) @ rotation_of_angles(
         setup.convention, found.current
     )
     np.testing.assert_allclose(product, stated.rotation, rtol=0, atol=1e-12)
-    np.testing.assert_allclose(found.rotation @ rotation_of(setup.convention, current), product,
-                               atol=1e-12)  # fmt: skip
+    np.testing.assert_allclose(
+        found.rotation @ rotation_of_angles(setup.convention, current), product, atol=1e-12
+    )
     points, poses = survey(100)
     theirs = FORMULAS[key](points, found.new, stated.lever_arm, poses.attitude)
-    assert np.abs(theirs - place(points, poses, mounting) + poses.position).max() < 1e-9
+    assert np.abs(theirs - place_points(points, poses, mounting) + poses.position).max() < 1e-9

@@ -6,7 +6,13 @@ import pytest
 from lispac.errors import InputError
 from lispac.survey.crs import coordinate_system
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.coordinates import away, axes_of, local_places, require_near, too_far
+from lispac.workflow.coordinates import (
+    axis_names,
+    distances_from_trajectory,
+    require_near_trajectory,
+    to_local_frame,
+    too_far_message,
+)
 from tests.cloud_files import track
 
 UTM, GEOGRAPHIC, GEOCENTRIC = "EPSG:32619", "EPSG:4326", "EPSG:4978"
@@ -28,25 +34,25 @@ def circle() -> LocalTrajectory:
     ],
 )
 def test_coordinates_go_by_the_names_of_their_system(code: str, axes: tuple[str, ...]) -> None:
-    assert axes_of(coordinate_system(code) if code else None) == axes
+    assert axis_names(coordinate_system(code) if code else None) == axes
 
 
 def test_places_that_are_none_are_infinitely_far_away(circle: LocalTrajectory) -> None:
     start = circle.position[0]
     places = np.array([start, [np.nan, 0.0, 0.0], start + [0.0, 0.0, 900.0]])
-    found = away(places, circle)
+    found = distances_from_trajectory(places, circle)
     assert found[0] == pytest.approx(0.0, abs=1e-6)
     assert found[1] == np.inf
     assert found[2] == pytest.approx(900.0, abs=2.0)  # the vessel heaves by a metre
-    assert (away(places[1:2], circle) == np.inf).all()
+    assert (distances_from_trajectory(places[1:2], circle) == np.inf).all()
 
 
 def test_what_lies_in_reach_has_its_place(circle: LocalTrajectory) -> None:
     system = coordinate_system(GEOGRAPHIC)
     near = np.array([-71.2, 46.8, 5.0])
-    assert too_far(near, system, circle, "P1") is None
-    place = require_near(near, system, circle, "P1")
-    np.testing.assert_allclose(place, local_places(near, system, circle)[0])
+    assert too_far_message(near, system, circle, "P1") is None
+    place = require_near_trajectory(near, system, circle, "P1")
+    np.testing.assert_allclose(place, to_local_frame(near, system, circle)[0])
     assert np.linalg.norm(place[:2]) < 1000
 
 
@@ -72,10 +78,10 @@ def test_a_slip_is_told_with_what_it_may_be(
     circle: LocalTrajectory, code: str, point: tuple[float, ...], said: str
 ) -> None:
     system = coordinate_system(code) if code else None
-    told = too_far(np.array(point), system, circle, "P1")
+    told = too_far_message(np.array(point), system, circle, "P1")
     assert told is not None
     assert told.code == said
     with pytest.raises(InputError) as caught:
-        require_near(np.array(point), system, circle, "P1")
+        require_near_trajectory(np.array(point), system, circle, "P1")
     assert caught.value.message == told
     assert str(caught.value).startswith("P1: ")

@@ -12,8 +12,8 @@ from pyproj import CRS, Geod, Transformer
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame, geodetic_to_ecef
 from lispac.io.las_chunks import LAS
-from lispac.io.las_crs import stated_system
-from lispac.io.points import system_of
+from lispac.io.las_crs import read_header_crs
+from lispac.io.point_reading import crs_of_options
 from lispac.messages import note
 from lispac.survey.crs import coordinate_system
 from tests.error_codes import has_code
@@ -28,7 +28,7 @@ def test_utm_points_and_their_ecef_twins_agree(
     for name in ("points.las", "points_ecef.las"):
         path = shared_data / "leeward" / name
         choice = LAS.look(path, {}).choice
-        system = system_of(LAS.settled(choice))
+        system = crs_of_options(LAS.settled(choice))
         assert system is not None
         cloud = laspy.read(path).xyz
         clouds.append(cloud)
@@ -220,7 +220,7 @@ def test_crs_of_a_header(tmp_path: Path, version: str, point_format: int, keep: 
     las.x = np.array([1.0])
     las.write(tmp_path / "a.las")
     with laspy.open(tmp_path / "a.las") as reader:
-        stated = stated_system(reader.header)
+        stated = read_header_crs(reader.header)
     assert (stated.text, stated.doubts) == ("EPSG:2949", ())
 
 

@@ -8,9 +8,9 @@ from laspy.vlrs.known import GeoKeyDirectoryVlr, GeoKeyEntryStruct, WktCoordinat
 from pyproj import CRS
 
 from lispac.io.formats import format_of
-from lispac.io.las_crs import StatedSystem, stated_system
-from lispac.io.las_crs_written import state_system
-from lispac.io.static_scan import static_scan
+from lispac.io.las_crs import HeaderCrs, read_header_crs
+from lispac.io.las_crs_writer import write_crs
+from lispac.io.static_scan import open_static_scan
 from lispac.messages import Level
 from tests import point_files as files
 
@@ -40,7 +40,7 @@ def projected(code: int, **more: int) -> dict[int, int]:
     return {1024: 1, 3072: code} | ({4096: more["heights"]} if more else {})
 
 
-def codes(found: StatedSystem) -> list[tuple[str, Level]]:
+def codes(found: HeaderCrs) -> list[tuple[str, Level]]:
     return [(message.code, message.level) for message in found.messages]
 
 
@@ -52,7 +52,7 @@ def test_the_bit_decides_between_two_systems(
     bit: bool, used: str, other: str, point_format: int
 ) -> None:
     header = header_of(ZONE_18, projected(32619), bit=bit, point_format=point_format)
-    found = stated_system(header, "a.las")
+    found = read_header_crs(header, "a.las")
     assert found.text == used
     assert codes(found) == [("file.two_systems", Level.WARNING)]
     (message,) = found.messages
@@ -80,31 +80,31 @@ def test_the_bit_decides_between_two_systems(
 def test_one_system_is_read_whatever_the_bit(
     wkt: str, keys: dict[int, int] | None, text: str, bit: bool
 ) -> None:
-    found = stated_system(header_of(wkt, keys, bit=bit))
+    found = read_header_crs(header_of(wkt, keys, bit=bit))
     assert CRS(found.text) == CRS(text)
     assert (codes(found), found.doubts) == ([], ())
 
 
 @pytest.mark.parametrize("bit", [True, False])
 def test_two_systems_of_heights_are_a_contradiction(bit: bool) -> None:
-    found = stated_system(header_of(f"{MTM}+6647", projected(2949, heights=5713), bit=bit))
+    found = read_header_crs(header_of(f"{MTM}+6647", projected(2949, heights=5713), bit=bit))
     assert CRS(found.text) == CRS(f"{MTM}+6647" if bit else f"{MTM}+5713")
     assert codes(found) == [("file.two_systems", Level.WARNING)]
 
 
 def test_a_datum_makes_another_system() -> None:
     """NAD83 and WGS 84 in the same zone."""
-    found = stated_system(header_of("EPSG:26919", projected(32619), bit=True))
+    found = read_header_crs(header_of("EPSG:26919", projected(32619), bit=True))
     assert (found.text, codes(found)) == ("EPSG:26919", [("file.two_systems", Level.WARNING)])
 
 
 def test_a_system_that_cannot_be_used_leaves_the_other() -> None:
-    found = stated_system(header_of(ZONE_19, projected(NONE), bit=False), "a.las")
+    found = read_header_crs(header_of(ZONE_19, projected(NONE), bit=False), "a.las")
     assert (found.text, found.doubts) == (ZONE_19, ())
     assert codes(found) == [("file.unusable_system", Level.NOTE)]
     header = header_of("", projected(32619), bit=True)
     header.vlrs.append(WktCoordinateSystemVlr("LOCAL_CS[nothing"))
-    found = stated_system(header, "a.las")
+    found = read_header_crs(header, "a.las")
     assert (found.text, found.doubts) == (ZONE_19, ())
     assert codes(found) == [("file.unusable_system", Level.NOTE)]
 
@@ -129,7 +129,7 @@ def test_a_line_is_looked_at_with_the_contradiction(tmp_path: Path, ending: str)
 
 
 def test_a_reference_has_the_contradiction_too(tmp_path: Path) -> None:
-    found = static_scan(conflicting(tmp_path / "a.las"))
+    found = open_static_scan(conflicting(tmp_path / "a.las"))
     assert found.system == ZONE_19
     assert [message.code for message in found.messages] == ["file.two_systems"]
 
@@ -146,8 +146,8 @@ def test_written_systems_do_not_contradict_each_other(
     """Also where the pattern of the file stated another system before."""
     header = laspy.LasHeader(point_format=point_format, version=version)
     header.vlrs.extend(header_of(ZONE_18, projected(32618), bit=True).vlrs)
-    state_system(header, CRS(system))
-    found = stated_system(header)
+    write_crs(header, CRS(system))
+    found = read_header_crs(header)
     assert CRS(found.text) == CRS(system)
     assert (codes(found), found.doubts) == ([], ())
     has_keys = bool(header.vlrs.get("GeoKeyDirectoryVlr"))

@@ -5,8 +5,8 @@ import pytest
 from laspy.vlrs.known import GeoAsciiParamsVlr, GeoKeyDirectoryVlr, GeoKeyEntryStruct
 from pyproj import CRS
 
-from lispac.io.las_crs import StatedSystem, stated_system
-from lispac.io.las_crs_written import state_system
+from lispac.io.las_crs import HeaderCrs, read_header_crs
+from lispac.io.las_crs_writer import write_crs
 from tests.message_codes import codes
 
 MODEL, CITATION, GEOGRAPHIC, PROJECTED, PROJECTED_CITATION = 1024, 1026, 2048, 3072, 3073
@@ -15,7 +15,7 @@ PROJECTION, LINEAR_UNIT, VERTICAL, VERTICAL_UNIT = 3074, 3076, 4096, 4099
 UTM = {MODEL: 1, PROJECTED: 32619}
 
 
-def stated(numbers: dict[int, int], texts: dict[int, str] | None = None) -> StatedSystem:
+def stated(numbers: dict[int, int], texts: dict[int, str] | None = None) -> HeaderCrs:
     """What a header of these keys states."""
     header = laspy.LasHeader(point_format=1, version="1.2")
     directory, ascii_texts = GeoKeyDirectoryVlr(), GeoAsciiParamsVlr()
@@ -27,7 +27,7 @@ def stated(numbers: dict[int, int], texts: dict[int, str] | None = None) -> Stat
     directory.geo_keys = sorted(keys, key=lambda key: key.id)
     ascii_texts.strings = [joined]
     header.vlrs.extend([directory, ascii_texts])
-    return stated_system(header, "a.las")
+    return read_header_crs(header, "a.las")
 
 
 def test_a_unit_that_is_not_the_systems_leaves_the_system_open() -> None:
@@ -114,9 +114,9 @@ def test_a_name_without_a_code(name: str, code: int | None, projection: int | No
 def test_keys_that_are_written_are_read_as_written(system: str, unit: str) -> None:
     """The feet of the heights above Poolbeg, EPSG:5754, have no key here: their code has them."""
     header = laspy.LasHeader(point_format=1, version="1.2")
-    state_system(header, CRS(system))
+    write_crs(header, CRS(system))
     header.vlrs.extract("WktCoordinateSystemVlr")
-    found = stated_system(header)
+    found = read_header_crs(header)
     assert (found.text, found.height_unit, found.doubts) == (system, unit, ())
     assert str(header.version) == "1.2"
 
@@ -132,7 +132,7 @@ def test_heights_without_a_code_are_written_as_wkt_alone() -> None:
     system = CRS(own)
     assert system.sub_crs_list[1].to_epsg() is None
     header = laspy.LasHeader(point_format=1, version="1.2")
-    state_system(header, system)
+    write_crs(header, system)
     assert str(header.version) == "1.4"
     assert not header.vlrs.get("GeoKeyDirectoryVlr")
-    assert "gauge" in stated_system(header).name
+    assert "gauge" in read_header_crs(header).name

@@ -13,12 +13,12 @@ from lispac.errors import ProjectError
 from lispac.io.project_file import (
     FILE_NAME,
     SIGHTINGS,
-    keep_unsaved,
     read_project,
     read_unsaved,
     write_project,
+    write_unsaved,
 )
-from lispac.io.values import encoded
+from lispac.io.value_conversion import encode_value
 from lispac.messages import Message, error
 from tests.report_sample import sample_project
 
@@ -137,9 +137,9 @@ def test_points_that_are_no_numbers_of_points(folder: Path, numbers: np.ndarray,
 def test_what_is_kept_against_a_crash_and_says_the_same_is_nothing(folder: Path) -> None:
     project = read_project(folder)
     assert read_unsaved(folder) is None
-    keep_unsaved(project)
+    write_unsaved(project)
     assert read_unsaved(folder) is None
-    keep_unsaved(replace(project, targets=project.targets[:1]))
+    write_unsaved(replace(project, targets=project.targets[:1]))
     unsaved = read_unsaved(folder)
     assert unsaved is not None
     assert [target.name for target in unsaved.targets] == ["T1"]
@@ -155,7 +155,7 @@ def test_what_could_not_be_read_again_is_not_written(folder: Path) -> None:
         replace(first, seed=(1e31, 0.0, 0.0)),
         replace(first, sightings=(replace(first.sightings[0], rms=float("nan")),)),
     ):  # fmt: skip
-        for write in (write_project, keep_unsaved):
+        for write in (write_project, write_unsaved):
             with pytest.raises(ProjectError) as told:
                 write(replace(project, targets=(wrong,)))
             assert told.value.code == "project.cannot_be_read_again"
@@ -205,10 +205,10 @@ def test_values_that_only_an_edit_can_have_brought_in(
 
 def test_messages_that_cannot_be_shown_are_not_read(folder: Path) -> None:
     content = json.loads((folder / FILE_NAME).read_text())
-    sound = encoded(error("store.locked", folder="a"))
+    sound = encode_value(error("store.locked", folder="a"))
     content["data_messages"] = [
         sound, sound | {"code": "no.such"},
-        encoded(error("store.disk_full_size", folder="a", size="much")),
+        encode_value(error("store.disk_full_size", folder="a", size="much")),
     ]  # fmt: skip
     (folder / FILE_NAME).write_text(json.dumps(content))
     assert [each.code for each in read_project(folder).data_messages] == ["store.locked"]

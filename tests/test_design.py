@@ -6,15 +6,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.design.choices import thesis_plan
-from lispac.design.objective import CRITERIA, Objective
+from lispac.design.objective import CRITERIA, PlanObjective
 from lispac.design.plan import Line
+from lispac.design.plan_choices import thesis_plan
+from lispac.design.plan_search import EXACTLY, information_gains, search
 from lispac.design.prediction import predict
-from lispac.design.search import EXACTLY, search, worth
-from lispac.design.site import Site, apart, steps
+from lispac.design.site import Site, are_boards_apart, evenly_spaced
 from lispac.errors import Cancelled, InputError, RankDeficient
 from lispac.progress import Step
-from lispac.simulation.closed_form import Board
+from lispac.simulation.closed_form_survey import Board
 from tests.error_codes import has_code
 
 SMALL = Site(
@@ -42,7 +42,7 @@ def test_a_small_site_is_searched_exactly(best) -> None:
     assert best.exact
     assert best.looked_at == 28 * 3**3 <= EXACTLY
     generator = np.random.default_rng(3)
-    lines, objective = SMALL.lines_allowed, Objective()
+    lines, objective = SMALL.lines_allowed, PlanObjective()
     for _ in range(60):
         boards = [
             SMALL.wall.board(
@@ -52,7 +52,7 @@ def test_a_small_site_is_searched_exactly(best) -> None:
             for k in range(2)
         ]  # fmt: skip
         chosen = [lines[k] for k in generator.integers(0, len(lines), 3)]
-        if apart(boards) and boards[0].normal != boards[1].normal:
+        if are_boards_apart(boards) and boards[0].normal != boards[1].normal:
             assert objective.of(SMALL.plan(boards, chosen)) >= best.value * (1 - 1e-9)
 
 
@@ -61,7 +61,7 @@ def test_evolution_finds_what_looking_at_all_finds(best, monkeypatch: pytest.Mon
 
     Which one it is depends on the last digit of the numbers, and so on the processor.
     """
-    monkeypatch.setattr("lispac.design.search.EXACTLY", 10)
+    monkeypatch.setattr("lispac.design.plan_search.EXACTLY", 10)
     found = [search(SMALL, plans=400, seed=seed) for seed in range(5)]
     assert not any(design.exact for design in found)
     beyond = np.array([design.value for design in found]) / best.value - 1
@@ -72,7 +72,7 @@ def test_evolution_finds_what_looking_at_all_finds(best, monkeypatch: pytest.Mon
 def test_the_same_with_any_mapper(best, monkeypatch: pytest.MonkeyPatch) -> None:
     with ThreadPoolExecutor(2) as pool:
         assert search(SMALL, mapper=pool.map).plan.lines == best.plan.lines
-        monkeypatch.setattr("lispac.design.search.EXACTLY", 10)
+        monkeypatch.setattr("lispac.design.plan_search.EXACTLY", 10)
         one, other = (search(SMALL, plans=200, mapper=m) for m in (map, pool.map))
     assert one.plan.targets == other.plan.targets
     assert one.plan.lines == other.plan.lines
@@ -82,14 +82,16 @@ def test_the_same_with_any_mapper(best, monkeypatch: pytest.MonkeyPatch) -> None
 def test_the_search_beats_the_thesis_on_its_own_terms() -> None:
     """Two boards and six lines, as the thesis recommends, hung and sailed elsewhere."""
     for criterion, gain in (("largest", 1.5), ("A", 1.5)):
-        objective = Objective(criterion)
+        objective = PlanObjective(criterion)
         usual = objective.of(thesis_plan(LARGE))
         found = search(LARGE, objective, plans=400)
         print(f"{criterion}: {np.degrees(usual):.4f} -> {np.degrees(found.value):.4f} deg")
         assert found.value < usual / gain
         assert len(found.plan.lines) == 6
         assert len(found.plan.targets) == 2
-        for course, (start, stop) in zip(found.plan.courses, found.plan.runs, strict=True):
+        for course, (start, stop) in zip(
+            found.plan.courses, found.plan.straight_extents, strict=True
+        ):
             west = course.abeam[1] + np.array([start, stop]) * course.direction[1]
             assert (west + 15.0 >= LARGE.closest - 1e-9).all()  # the wall's face is at -15
 
@@ -98,16 +100,16 @@ def test_the_search_never_ends_worse_than_it_began() -> None:
     site = replace(LARGE, along=(-0.8, 0.8), heights=(5.0,), distances=(15.0, 20.0))
     start = thesis_plan(site)
     found = search(site, plans=150, start=start)
-    assert found.value <= Objective().of(start)
+    assert found.value <= PlanObjective().of(start)
 
 
 def test_worth_is_what_the_plan_is_without(best) -> None:
-    found = {each.name: each.without for each in worth(best.plan, Objective())}
+    found = {each.name: each.without for each in information_gains(best.plan, PlanObjective())}
     assert set(found) == {"T1", "T2", "L1", "L2", "L3"}
     without = best.plan.with_lines(best.plan.lines[1:])
-    assert found["L1"] == pytest.approx(Objective().of(without))
+    assert found["L1"] == pytest.approx(PlanObjective().of(without))
     assert all(value >= best.value for value in found.values())
-    assert best.worth == worth(best.plan, Objective())
+    assert best.worth == information_gains(best.plan, PlanObjective())
 
 
 def test_less_time_is_never_better(best) -> None:
@@ -132,21 +134,21 @@ def test_planes_that_are_there_anyway_are_used() -> None:
     found = search(site)
     assert found.exact
     assert {t.name for t in found.plan.targets} == {"tower", "roof"}
-    assert found.value < Objective().of(thesis_plan(LARGE))
+    assert found.value < PlanObjective().of(thesis_plan(LARGE))
     assert site.minutes(found.plan) == pytest.approx(4 * 1.5)
 
 
 @pytest.mark.long
 def test_every_criterion_is_the_smallest_for_its_own_search(best) -> None:
     for criterion in CRITERIA:
-        objective = Objective(criterion)
+        objective = PlanObjective(criterion)
         own = search(SMALL, objective)
         assert own.value <= objective.of(best.plan) * (1 + 1e-12)
 
 
 def test_an_unsure_pos_counts_by_its_mean() -> None:
     plan = thesis_plan(LARGE)
-    one, two, both = (Objective(pos_factors=f).of(plan) for f in ((1.0,), (2.0,), (1.0, 2.0)))
+    one, two, both = (PlanObjective(pos_factors=f).of(plan) for f in ((1.0,), (2.0,), (1.0, 2.0)))
     assert one < both < two
     assert both == pytest.approx((one + two) / 2)
     doubled = replace(plan, system=plan.system.with_pos_scaled(2.0))
@@ -181,32 +183,34 @@ def test_limits_that_allow_nothing_are_refused() -> None:
     with pytest.raises(InputError, check=has_code("design.no_board_places")):
         replace(SMALL, heights=())
     with pytest.raises(InputError, check=has_code("design.steps")):
-        steps(0.0, 1.0, 0.0)
-    assert steps(0.0, 1.0, 0.4) == pytest.approx((0.0, 0.4, 0.8, 1.0))
+        evenly_spaced(0.0, 1.0, 0.0)
+    assert evenly_spaced(0.0, 1.0, 0.4) == pytest.approx((0.0, 0.4, 0.8, 1.0))
 
 
 def test_lines_keep_off_the_wall_where_they_are_straight() -> None:
     """Targets far apart along the wall make a line long, and an oblique one nears the wall."""
     boards = [LARGE.wall.board(f"T{k}", a, 5.0, 90.0, (1.0, 1.0)) for k, a in enumerate((-8, 8))]
     oblique = LARGE.plan(boards, [Line(45.0, 15.0, True)])
-    assert not LARGE.keeps_off(oblique)
-    assert LARGE.keeps_off(LARGE.plan(boards, [Line(0.0, 15.0, True)]))
-    assert LARGE.keeps_off(LARGE.plan([LARGE.wall.board("T", 0, 5, 90, (1.0, 1.0))], oblique.lines))
+    assert not LARGE.keeps_clear_of_wall(oblique)
+    assert LARGE.keeps_clear_of_wall(LARGE.plan(boards, [Line(0.0, 15.0, True)]))
+    assert LARGE.keeps_clear_of_wall(
+        LARGE.plan([LARGE.wall.board("T", 0, 5, 90, (1.0, 1.0))], oblique.lines)
+    )
 
 
 def test_boards_over_each_other_are_told() -> None:
     def board(along: float, up: float) -> Board:
         return LARGE.wall.board("T", along, up, 90.0, (1.23, 1.22))
 
-    assert not apart([board(0.0, 5.0), board(0.9, 5.9)])
-    assert apart([board(0.0, 5.0), board(1.3, 5.9)])
-    assert apart([board(0.0, 5.0), board(0.9, 6.3)])
-    assert apart([board(0.0, 5.0)])
+    assert not are_boards_apart([board(0.0, 5.0), board(0.9, 5.9)])
+    assert are_boards_apart([board(0.0, 5.0), board(1.3, 5.9)])
+    assert are_boards_apart([board(0.0, 5.0), board(0.9, 6.3)])
+    assert are_boards_apart([board(0.0, 5.0)])
 
 
 def test_a_part_without_which_an_angle_is_open_is_worth_all(best) -> None:
     two = best.plan.with_lines(best.plan.lines[:2])
-    found = {each.name: each.without for each in worth(two, Objective())}
+    found = {each.name: each.without for each in information_gains(two, PlanObjective())}
     assert np.isinf(found["L1"])
     assert np.isinf(found["L2"])
 

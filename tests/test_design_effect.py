@@ -3,12 +3,17 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.adaptation import with_noise
-from lispac.adjustment.noise import _design_effect, blocks_of, noise_factors, noise_of_form
-from lispac.adjustment.problem import Problem
-from lispac.adjustment.robust import LOSSES
-from lispac.adjustment.shapes import fit_shapes, middles, points_local
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.adjustment_problem import AdjustmentProblem
+from lispac.adjustment.noise_estimation import (
+    _design_effect,
+    assign_surface_blocks,
+    form_error_noise,
+    target_noise_factors,
+)
+from lispac.adjustment.noise_update import reestimate_noise
+from lispac.adjustment.robust_loss import LOSSES
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.target_shapes import fit_shapes, points_local, target_centroids
 from tests.test_robustness import TRUTH, survey, with_strays
 
 BLOCKS = np.repeat(np.arange(400), 25)
@@ -50,9 +55,11 @@ def test_strays_are_noise_unless_a_loss_takes_their_weight() -> None:
     strays, _ = with_strays(survey(1, 0.3), 3)
     noise, scale = {}, {}
     for loss in LOSSES:
-        problem = Problem.of(strays, TRUTH, StochasticModel(loss=loss)).with_blocks()
+        problem = AdjustmentProblem.of(
+            strays, TRUTH, StochasticModel(loss=loss)
+        ).with_noise_blocks()
         state = problem.start(TRUTH, fit_shapes(survey(1, 0.3), TRUTH))
-        told = with_noise(problem, state)
+        told = reestimate_noise(problem, state)
         noise[loss], scale[loss] = told.noise, told.scale
     np.testing.assert_array_equal(scale["none"], 1.0)
     np.testing.assert_array_equal(noise["huber"], noise["tukey"])
@@ -64,20 +71,20 @@ def test_only_what_lines_have_in_common_is_a_form_error(seed) -> None:
     """A bend of the surfaces, then of the lines, of which half bend to the other side."""
     data, rng = survey(seed, 0.04), np.random.default_rng(seed)
     owner, line = data.target_of_sighting[data.sighting], data.sighting
-    off = np.linalg.norm(points_local(data, TRUTH) - middles(data, TRUTH)[owner], axis=1)
+    off = np.linalg.norm(points_local(data, TRUTH) - target_centroids(data, TRUTH)[owner], axis=1)
     size = np.array([off[owner == k].max() for k in range(len(data.targets))])[owner]
     bend = 2 * (off / size) ** 2
     names = sorted({each.line for each in data.sightings})
     signs = np.array([(-1.0) ** names.index(each.line) for each in data.sightings])
     noise = rng.normal(size=len(data))
-    blocks, every = blocks_of(data, TRUTH), np.ones(len(data.targets), dtype=bool)
-    of_surface = noise_of_form(data, TRUTH, noise + bend, every)
+    blocks, every = assign_surface_blocks(data, TRUTH), np.ones(len(data.targets), dtype=bool)
+    of_surface = form_error_noise(data, TRUTH, noise + bend, every)
     assert (of_surface > 1.6).all()
     np.testing.assert_allclose(
-        of_surface, noise_factors(data, noise + bend - bend.mean(), blocks, None), rtol=0.4
+        of_surface, target_noise_factors(data, noise + bend - bend.mean(), blocks, None), rtol=0.4
     )
     of_lines = noise + signs[line] * bend
-    assert (noise_factors(data, of_lines, blocks, None) > 2).all()
-    assert (noise_of_form(data, TRUTH, of_lines, every) < 1.35).all()
+    assert (target_noise_factors(data, of_lines, blocks, None) > 2).all()
+    assert (form_error_noise(data, TRUTH, of_lines, every) < 1.35).all()
     some = every & (np.arange(len(every)) > 0)
-    np.testing.assert_array_equal(np.isnan(noise_of_form(data, TRUTH, noise, some)), ~some)
+    np.testing.assert_array_equal(np.isnan(form_error_noise(data, TRUTH, noise, some)), ~some)

@@ -8,13 +8,13 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.project import Project
-from lispac.simulation.scene import tilted
-from lispac.targets.detection import VOXEL, detect_planes
-from lispac.targets.finder import FinderSettings
-from lispac.targets.patches import flat_patches, voxel_for
+from lispac.simulation.scene import tilted_rectangle
+from lispac.targets.flat_patches import find_flat_patches, voxel_side
+from lispac.targets.plane_detection import VOXEL, detect_planes
+from lispac.targets.plane_finder import FinderSettings
 from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds
-from lispac.workflow.proposals import propose
+from lispac.workflow.proposals import propose_targets
 from lispac.workflow.survey import Survey
 from tests.finder_scenes import WALL, precision_and_recall, rippled, site
 from tests.test_finder import SharedSurvey
@@ -25,7 +25,7 @@ def test_flat_patches_are_those_of_the_scene():
     """A board 5 cm before a wall is a patch of its own, of its own size."""
     seen = scenery("5 cm proud")
     cloud, board = seen.clouds()["L1"], seen.on("L1", "T1")
-    found = flat_patches(cloud, 0.01)
+    found = find_flat_patches(cloud, 0.01)
     large = [patch for patch in found.patches if patch.area > 0.3]
     assert len(large) == 2
     assert large[0].area > 50.0
@@ -36,9 +36,9 @@ def test_flat_patches_are_those_of_the_scene():
 
 def test_no_patch_where_nothing_is_flat():
     rng = np.random.default_rng(0)
-    assert flat_patches(rng.uniform(0, 3, (20_000, 3)), 0.01).patches == ()
-    assert flat_patches(np.empty((0, 3)), 0.01).patches == ()
-    assert flat_patches(np.full((50, 3), np.nan), 0.01).patches == ()
+    assert find_flat_patches(rng.uniform(0, 3, (20_000, 3)), 0.01).patches == ()
+    assert find_flat_patches(np.empty((0, 3)), 0.01).patches == ()
+    assert find_flat_patches(np.full((50, 3), np.nan), 0.01).patches == ()
 
 
 def test_both_twins_are_detected_on_every_line_and_kept_apart():
@@ -62,13 +62,13 @@ def test_both_twins_are_detected_on_every_line_and_kept_apart():
 def test_pieces_of_one_surface_do_not_count_as_surfaces_followed():
     """A tarpaulin in folds comes in pieces, larger than the board beside it."""
     folds = rippled("sheet", (-0.6, WALL, 7.8), 3.2, 1.6, period=1.4, slope_deg=7.0)
-    seen = site([tilted("T1", (2.6, WALL, 7.5), 1.0, 0.7, 270, 40), *folds], lines=2)
+    seen = site([tilted_rectangle("T1", (2.6, WALL, 7.5), 1.0, 0.7, 270, 40), *folds], lines=2)
     clouds, settings = seen.clouds(), FinderSettings(threshold=0.06)
-    voxel = voxel_for(settings.threshold, VOXEL)
+    voxel = voxel_side(settings.threshold, VOXEL)
     pieces = [
         patch
         for line in clouds
-        for patch in flat_patches(clouds[line], settings.threshold, voxel=voxel).patches
+        for patch in find_flat_patches(clouds[line], settings.threshold, voxel=voxel).patches
         if patch.area > 0.7  # of the board
     ]
     assert len(pieces) > 2
@@ -90,7 +90,7 @@ def test_pieces_of_one_surface_do_not_count_as_surfaces_followed():
 @pytest.mark.long
 def test_the_demo_is_calibrated_from_what_is_proposed(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
-    proposal = propose(project, survey)
+    proposal = propose_targets(project, survey)
     targets = [target for target in proposal.targets if target.role == "target"]
     validation = [target for target in proposal.targets if target.role == "validation"]
     seeds = {name: np.array(seed) for name, (_, seed) in demo_seeds().items()}

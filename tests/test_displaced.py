@@ -10,8 +10,14 @@ from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.simulation.closed_form import BOARDS, Board, exact_survey, observed, six_courses
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.simulation.closed_form_survey import (
+    BOARDS,
+    Board,
+    add_errors,
+    error_free_survey,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from tests.test_robustness import PRIOR, TRUTH, jumped, shifted
 
@@ -27,8 +33,8 @@ MODEL = StochasticModel(loss="tukey")
 def survey(seed: int, displaced: float = 0.0, boards: tuple[Board, ...] = FIVE) -> Observations:
     """Each sighting displaced along the beams by a normal deviate of so many metres."""
     generator = np.random.default_rng([99, seed])
-    exact = exact_survey(TRUTH, boards, six_courses(), 0.12, generator)
-    data = observed(exact, HYDROGRAPHIC_INS, generator)
+    exact = error_free_survey(TRUTH, boards, six_courses(), 0.12, generator)
+    data = add_errors(exact, HYDROGRAPHIC_INS, generator)
     off = generator.normal(0, displaced, len(data.sightings))[data.sighting]
     beams = data.points_lidar / np.linalg.norm(data.points_lidar, axis=1)[:, None]
     return replace(data, points_lidar=data.points_lidar + off[:, None] * beams)

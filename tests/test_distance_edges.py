@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError, NotComparable
-from lispac.validation.absolute import AbsoluteState, SigmaSources
+from lispac.validation.absolute_check import AbsoluteState, SigmaSources
 from lispac.validation.cloud_distance import cloud_to_cloud
-from lispac.validation.comparison import compare_plane
+from lispac.validation.comparison_results import DistanceStatistics, SignedStatistics
 from lispac.validation.distance_map import distance_map
 from lispac.validation.local_models import LocalModel
 from lispac.validation.normal_distance import distances_along_normal
-from lispac.validation.results import DistanceStatistics, SignedStatistics
+from lispac.validation.plane_comparison import compare_plane
 from tests.error_codes import has_code
 from tests.test_distance_map import TO_VESSEL, wall
 

@@ -12,15 +12,15 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.io.values import decoded, encoded
+from lispac.io.value_conversion import decode_value, encode_value
 from lispac.language import in_language
-from lispac.report.maps import map_figure, map_figure_of
-from lispac.report.tables import write_tables
-from lispac.report.text_width import width_of
+from lispac.report.csv_tables import write_tables
+from lispac.report.distance_maps import map_figure, map_figure_of
+from lispac.report.text_width import text_width
 from lispac.report.validation_values import ValidationPlane
-from lispac.validation.comparison import compare_plane
+from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.distance_map import DistanceMap, distance_map
-from lispac.validation.results import PlaneComparison
+from lispac.validation.plane_comparison import compare_plane
 from tests.report_sample import sample_content, sample_project
 
 OPPOSITE = {"L1": 0.0, "L2": np.pi}
@@ -50,7 +50,7 @@ def test_every_cell_has_the_distance_of_its_place() -> None:
     np.testing.assert_allclose(found.before, 0.01 * found.across, atol=0.01 * 0.2 + 0.0025)
     np.testing.assert_allclose(found.after, 0.004 * found.up, atol=0.004 * 0.2 + 0.0025)
     assert np.corrcoef(found.before, found.across)[0, 1] > 0.99
-    again = decoded(json.loads(json.dumps(encoded(found))), DistanceMap)
+    again = decode_value(json.loads(json.dumps(encode_value(found))), DistanceMap)
     for name, values in vars(found).items():
         np.testing.assert_array_equal(getattr(again, name), values)
 
@@ -127,7 +127,7 @@ def test_widths_are_those_of_the_drawing() -> None:
     figure = Figure(dpi=72.0)
     for text in ("par rapport à L2_180", "Up (m)", "iiii\nWWWW"):
         drawn = figure.text(0, 0, text, fontsize=30).get_window_extent().width / 72
-        assert width_of(text, 30) == pytest.approx(drawn, rel=0.05)
+        assert text_width(text, 30) == pytest.approx(drawn, rel=0.05)
 
 
 def test_report_tables_and_file_hold_the_cells(tmp_path: Path) -> None:

@@ -9,11 +9,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.warnings import doubts
-from lispac.cli.estimate import print_result, project_numbers
-from lispac.doubles import doubles, overlap_warning, overlap_with, overlaps
+from lispac.adjustment.warnings import result_warnings
+from lispac.cli.estimate import print_result, project_result_values
+from lispac.duplicate_targets import (
+    duplicate_warnings,
+    find_overlap,
+    find_overlaps,
+    overlap_warning,
+)
 from lispac.gui.panels import result_words
-from lispac.gui.status import steps
+from lispac.gui.status import step_statuses
 from lispac.message_texts import message_text
 from lispac.project import PickedSighting, Project, Role, Target
 from lispac.workflow.demo import demo_seeds
@@ -38,19 +43,19 @@ WALL = picked("V1", {"L1": range(0, 40_000, 3), "L2": range(7000, 9000)}, "valid
 
 
 def test_the_share_is_that_of_the_smaller_one_on_the_line_where_it_is_largest() -> None:
-    (found,) = overlaps([BOARD, AGAIN])
+    (found,) = find_overlaps([BOARD, AGAIN])
     assert (found.one, found.other, found.line) == ("T2", "T6", "L1")
     assert found.share == pytest.approx(0.89)
     small = picked("T7", {"L2": range(8500, 8600)})
-    (found,) = overlaps([WALL, small])
+    (found,) = find_overlaps([WALL, small])
     assert (found.smaller, found.share) == ("T7", 1.0)
-    assert overlap_with(small, [BOARD, WALL, AGAIN]) == replace(found, one="T7", other="V1")
+    assert find_overlap(small, [BOARD, WALL, AGAIN]) == replace(found, one="T7", other="V1")
 
 
 @pytest.mark.parametrize(("shared", "told"), [(0, False), (99, False), (100, True), (299, True)])
 def test_from_a_tenth_on_it_is_told(shared: int, told: bool) -> None:
     other = picked("T3", {"L1": range(2000 - shared, 3000 - shared), "L9": range(10)})
-    assert bool(overlaps([BOARD, other])) == told
+    assert bool(find_overlaps([BOARD, other])) == told
     found = overlap_warning(other, [BOARD])
     assert (found is not None) == told
     if found is not None:
@@ -60,14 +65,14 @@ def test_from_a_tenth_on_it_is_told(shared: int, told: bool) -> None:
 
 def test_a_sighting_without_points_shares_none() -> None:
     empty = picked("T8", {"L1": range(0)})
-    assert overlaps([BOARD, empty]) == ()
+    assert find_overlaps([BOARD, empty]) == ()
     assert overlap_warning(empty, [BOARD]) is None
 
 
 def test_order_of_the_numbers_does_not_matter() -> None:
     mixed = np.random.default_rng(1).permutation(np.arange(1110, 2110))
     sighting = replace(AGAIN.sightings[0], indices=mixed)
-    (found,) = overlaps([BOARD, replace(AGAIN, sightings=(sighting,))])
+    (found,) = find_overlaps([BOARD, replace(AGAIN, sightings=(sighting,))])
     assert found.share == pytest.approx(0.89)
 
 
@@ -105,36 +110,36 @@ def test_an_answer_with_shared_points_is_in_doubt_everywhere(
     capsys: pytest.CaptureFixture[str], project: Project, second: Target, code: str,
     serious: bool, words: str,
 ) -> None:  # fmt: skip
-    assert doubles(project) == ()
+    assert duplicate_warnings(project) == ()
     both = replace(project, targets=(BOARD, second))
     result, checks = both.result, both.cross_checks
     assert result is not None
-    (doubt,) = doubles(both)
+    (doubt,) = duplicate_warnings(both)
     assert (doubt.code, doubt.is_serious) == (f"targets.{code}", serious)
     text = message_text(doubt)
     assert words in text
-    assert doubts(result, checks, doubles(both))[0] == doubt
-    print_result(result, checks, doubles(both))
+    assert result_warnings(result, checks, duplicate_warnings(both))[0] == doubt
+    print_result(result, checks, duplicate_warnings(both))
     assert f"- {text}\n" in capsys.readouterr().out
-    assert text in [each["text"] for each in project_numbers(both)["doubts"]]
-    assert "can be used" not in result_words.verdict(result, checks, doubles(both))
+    assert text in [each["text"] for each in project_result_values(both)["doubts"]]
+    assert "can be used" not in result_words.fit_verdict(result, checks, duplicate_warnings(both))
     assert doubt in sample_content(both).cautions
-    step = steps(both, None, waiting=False, refusal="")[2]
+    step = step_statuses(both, None, waiting=False, refusal="")[2]
     assert ("with warnings" in step.sentence) == serious
 
 
 def test_what_takes_no_part_does_not_count(project: Project) -> None:
     left_out = replace(AGAIN, used=False)
-    assert doubles(replace(project, targets=(BOARD, left_out))) == ()
+    assert duplicate_warnings(replace(project, targets=(BOARD, left_out))) == ()
     no_lines = replace(AGAIN, sightings=tuple(replace(s, used=False) for s in AGAIN.sightings))
-    assert doubles(replace(project, targets=(BOARD, no_lines))) == ()
+    assert duplicate_warnings(replace(project, targets=(BOARD, no_lines))) == ()
     planes = tuple(replace(each, role="validation") for each in (BOARD, AGAIN))
-    assert doubles(replace(project, targets=planes)) == ()
+    assert duplicate_warnings(replace(project, targets=planes)) == ()
 
 
 def test_many_pairs_are_counted(project: Project) -> None:
     targets = tuple(replace(AGAIN, name=f"T{k}") for k in range(4))
-    (doubt,) = doubles(replace(project, targets=targets))
+    (doubt,) = duplicate_warnings(replace(project, targets=targets))
     text = message_text(doubt)
     assert "T0 with T1 (100 % on L1), " in text
     assert " and 2 more. These points" in text

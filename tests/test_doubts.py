@@ -8,14 +8,19 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from lispac.adjustment.critical import rarely_more
-from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.result import CommonPart, Contradiction, RadiusDiscrepancy, Unchecked
-from lispac.adjustment.scatter import raised
-from lispac.adjustment.shown import plain
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.adjustment.warnings import RULES, doubts
-from lispac.cli.estimate import numbers, print_result
+from lispac.adjustment.critical_values import exceedance_limit
+from lispac.adjustment.display_text import to_plain_text
+from lispac.adjustment.excess_scatter import with_raised_sigmas
+from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.result import (
+    CommonPart,
+    ContradictedParameter,
+    RadiusDiscrepancy,
+    UncheckedPart,
+)
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.warnings import RULES, result_warnings
+from lispac.cli.estimate import print_result, result_values
 from lispac.gui.panels import result_words
 from lispac.io.project_file import read_project, write_project
 from lispac.language import in_language
@@ -43,7 +48,9 @@ def _wide(project: Project) -> Project:
 
 
 def _unseen(project: Project) -> Project:
-    turned = Estimate("scan_angle_offset", 0.0, 0.01, reason=note("parameter.kept_uncertain"))
+    turned = ParameterEstimate(
+        "scan_angle_offset", 0.0, 0.01, reason=note("parameter.kept_uncertain")
+    )
     wide = _wide(project)
     assert wide.result is not None
     return replace(wide, result=replace(wide.result, parameters=(turned,)))
@@ -58,7 +65,7 @@ def _unchecked(
         assert project.result.observability is not None
         target = project.targets[0].name if of_target else ""
         found = tuple(
-            Unchecked(kind, target, name, angles, size)
+            UncheckedPart(kind, target, name, angles, size)
             for name in [line.name for line in project.lines[:lines]] or [""]
         )
         seen = replace(project.result.observability, unchecked=found)
@@ -102,7 +109,7 @@ def _shorter(project: Project) -> Project:
 
 def _raised(project: Project) -> Project:
     assert project.result is not None
-    return replace(project, result=raised(project.result, np.array([1.0, 2.5, 1.02])))
+    return replace(project, result=with_raised_sigmas(project.result, np.array([1.0, 2.5, 1.02])))
 
 
 def _apart(project: Project) -> Project:
@@ -173,7 +180,7 @@ def _facing(count: int) -> Callable[[Project], Project]:
 def _contradicted(project: Project) -> Project:
     assert project.result is not None
     sigma = project.result.sigma
-    found = Contradiction("lever_x", -0.0951, 0.0041, sigma * [0.1, -14.2, 0.6], 0.0)
+    found = ContradictedParameter("lever_x", -0.0951, 0.0041, sigma * [0.1, -14.2, 0.6], 0.0)
     return replace(project, result=replace(project.result, contradictions=(found,)))
 
 
@@ -253,8 +260,10 @@ def test_a_doubt_is_told_alike_everywhere(
     changed = change(project)
     result, checks = changed.result, changed.cross_checks
     assert result is not None
-    (found,) = [each for each in doubts(result, checks) if each.code == f"adjustment.{code}"]
-    text = plain(message_text(found))
+    (found,) = [
+        each for each in result_warnings(result, checks) if each.code == f"adjustment.{code}"
+    ]
+    text = to_plain_text(message_text(found))
     assert words in text
     assert (found.level is Level.WARNING) == serious
     assert text.isascii()
@@ -264,8 +273,8 @@ def test_a_doubt_is_told_alike_everywhere(
         "code": found.code, "former_code": former_code(found), "serious": serious, "text": text,
         "params": plain_params(found),
     }  # fmt: skip
-    assert told in numbers(result, checks)["doubts"]
-    assert "can be used" not in result_words.verdict(result, checks)
+    assert told in result_values(result, checks)["doubts"]
+    assert "can be used" not in result_words.fit_verdict(result, checks)
     assert [each for each in sample_content(changed).cautions if each.code == found.code] == [found]
 
 
@@ -276,7 +285,7 @@ def test_numbers_are_parameters_and_texts_are_made_in_the_language_in_use(
     code, _, change, _ = case
     changed = change(project)
     assert changed.result is not None
-    told = doubts(changed.result, changed.cross_checks)
+    told = result_warnings(changed.result, changed.cross_checks)
     (found,) = [each for each in told if each.code == f"adjustment.{code}"]
     with in_language("fr"):
         assert message_text(found) != message_text_in("en", found)
@@ -303,24 +312,24 @@ def test_a_sound_answer_leaves_no_doubt(
 ) -> None:
     result, checks = project.result, project.cross_checks
     assert result is not None
-    assert doubts(result, checks) == ()
-    assert result_words.verdict(result, checks).endswith("The uncertainties can be used.")
+    assert result_warnings(result, checks) == ()
+    assert result_words.fit_verdict(result, checks).endswith("The uncertainties can be used.")
     print_result(result, checks)
     assert "Warnings and notes:" not in capsys.readouterr().out
 
 
 def test_a_value_that_was_stated_and_found_does_not_go_into_a_large_sigma(project: Project) -> None:
-    seen = Estimate("lever_x", 0.0, 0.01, value=0.004, sigma=0.006, significance=0.5)
+    seen = ParameterEstimate("lever_x", 0.0, 0.01, value=0.004, sigma=0.006, significance=0.5)
     wide = _wide(project).result
     assert wide is not None
-    (large,) = doubts(replace(wide, parameters=(seen,)), None)
+    (large,) = result_warnings(replace(wide, parameters=(seen,)), None)
     assert large.code == "adjustment.large_sigma"
 
 
 def test_serious_doubts_come_first(project: Project) -> None:
     changed = _raised(_wide(project))
     assert changed.result is not None
-    told = [each.level for each in doubts(changed.result, changed.cross_checks)]
+    told = [each.level for each in result_warnings(changed.result, changed.cross_checks)]
     assert told == [Level.WARNING, Level.NOTE]
 
 
@@ -330,11 +339,13 @@ def test_a_doubt_outlives_saving(project: Project, tmp_path: Path) -> None:
     opened = read_project(tmp_path)
     assert opened.result is not None
     assert saved.result is not None
-    assert doubts(opened.result, opened.cross_checks) == doubts(saved.result, saved.cross_checks)
+    assert result_warnings(opened.result, opened.cross_checks) == result_warnings(
+        saved.result, saved.cross_checks
+    )
     (found,) = opened.result.contradictions
     np.testing.assert_array_equal(found.moved, saved.result.contradictions[0].moved)
 
 
 @pytest.mark.parametrize("points", [1, 2, 50, 999, 2_215, 1_000_000])
 def test_strays_by_chance_are_those_of_the_binomial_distribution(points: int) -> None:
-    assert rarely_more(points, 0.001) == stats.binom.isf(0.001, points, 0.001)
+    assert exceedance_limit(points, 0.001) == stats.binom.isf(0.001, points, 0.001)

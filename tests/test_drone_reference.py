@@ -14,18 +14,18 @@ import numpy as np
 import pytest
 from scipy.spatial import KDTree
 
-from lispac.adjustment.averaging import averaged
 from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.result import AdjustmentResult
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.adjustment.warnings import doubts
-from lispac.geometry.planes import fit_plane, in_plane_axes
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.warnings import result_warnings
+from lispac.geometry.planes import fit_plane, plane_axes
 from lispac.project import LineSource, Settings
-from lispac.survey.cloud import placed_with
+from lispac.survey.cloud import place_clouds
 from lispac.workflow.projects import create_project
 from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.targetless import Targetless, targetless
+from lispac.workflow.targetless import TargetlessResult, targetless
 
 Labels = dict[str, np.ndarray]
 NAMES = ("lanl_truck", "lanl_tent")
@@ -37,7 +37,7 @@ LEAST = 10
 
 class Drone(NamedTuple):
     survey: Survey
-    found: Targetless
+    found: TargetlessResult
     reference: np.ndarray  # degrees
     labels: Labels
     inside: list[Labels]  # of each label, the points of each line that lie in its outline
@@ -78,7 +78,7 @@ def drone(shared_data: Path, tmp_path_factory: pytest.TempPathFactory):  # type:
 def places(survey: Survey, boresight_deg: np.ndarray) -> Labels:
     """All points of each line placed with a boresight."""
     one = next(iter(survey.clouds.values())).place.mounting
-    clouds = placed_with(survey.clouds, one.with_boresight(np.radians(boresight_deg)))
+    clouds = place_clouds(survey.clouds, one.with_boresight(np.radians(boresight_deg)))
     return {line: cloud[np.arange(len(survey.scans[line].time))] for line, cloud in clouds.items()}
 
 
@@ -86,7 +86,7 @@ def outlined(placed: Labels, own: Labels) -> Labels:
     """Numbers of the points that labelled ones surround within their plane, however far off it."""
     labelled = np.concatenate([placed[line][own[line]] for line in placed])
     plane = fit_plane(labelled)
-    axes = in_plane_axes(plane.normal).T
+    axes = plane_axes(plane.normal).T
     tree, found = KDTree(labelled @ axes), {}
     for line, points in placed.items():
         near = np.flatnonzero(np.abs(plane.distances(points)) < 2 * WIDE)
@@ -131,7 +131,7 @@ def answer(drone: Drone, chosen: list[Labels], model: StochasticModel) -> Adjust
     start = next(iter(survey.clouds.values())).place.mounting
     start = start.with_boresight(np.radians(drone.reference))
     if model.correlated:
-        observations = averaged(observations, start, 0.10)
+        observations = average_points_in_cells(observations, start, 0.10)
     return adjust(observations, start, model, diagnostics=False)
 
 
@@ -182,4 +182,4 @@ def test_the_scene_alone_agrees_with_the_whole_surfaces(drone, name: str) -> Non
     assert (off < 3).all(), off
     assert np.degrees(np.abs(result.boresight - whole.boresight)).max() < 0.1
     assert here.found.raised > 1.3
-    assert "adjustment.not_flat" in {each.code for each in doubts(result, None)}
+    assert "adjustment.not_flat" in {each.code for each in result_warnings(result, None)}

@@ -75,7 +75,9 @@ def test_points_without_valid_coordinates_are_excluded_and_counted(tmp_path: Pat
     np.testing.assert_array_equal(xyz, files.XYZ[~SECOND_HALF])
     assert len(time) == N // 2
     assert excluded(path) == N // 2
-    np.testing.assert_array_equal(np.concatenate(list(e57.places(path))), files.XYZ[~SECOND_HALF])
+    np.testing.assert_array_equal(
+        np.concatenate(list(e57.read_coordinates(path))), files.XYZ[~SECOND_HALF]
+    )
 
 
 def test_empty_spherical_columns_without_state_are_not_used(tmp_path: Path) -> None:
@@ -98,7 +100,7 @@ def test_spherical_coordinates_alone_have_their_own_state(tmp_path: Path) -> Non
 def test_an_invalid_time_excludes_a_point_of_a_line_but_not_of_a_reference(tmp_path: Path) -> None:
     path = file(tmp_path, isTimeStampInvalid=np.where(SECOND_HALF, 1, 0))
     assert len(read(path)[0]) == excluded(path) == N // 2
-    assert sum(map(len, e57.places(path))) == N
+    assert sum(map(len, e57.read_coordinates(path))) == N
 
 
 def test_a_file_without_valid_points_is_refused(tmp_path: Path) -> None:

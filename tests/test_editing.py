@@ -10,7 +10,7 @@ from lispac.io.project_file import read_project, write_project
 from lispac.project import PickedSighting, Project, Target
 from lispac.simulation.scene import Sphere
 from lispac.workflow.point_edits import BESIDE, FEWEST, with_points, without_points
-from lispac.workflow.reselection import reselect
+from lispac.workflow.reselection import reselect_targets
 from lispac.workflow.survey import Survey
 from tests.few_passes import picked
 from tests.finder_scenes import WALL, site
@@ -84,10 +84,10 @@ def test_what_was_edited_by_hand_is_not_selected_again_and_survives_the_file(
     line = target.sightings[0].line
     less, _ = without_points(target, survey.clouds, lambda p: p[:, 2] > np.median(p[:, 2]), line)
     edited = replace(project, targets=tuple(less if t is target else t for t in project.targets))
-    again = reselect(edited, survey).target("T1")
+    again = reselect_targets(edited, survey).target("T1")
     np.testing.assert_array_equal(again.sightings[0].indices, less.sightings[0].indices)
     assert len(again.sightings[1].indices) > 0
-    whole = reselect(project, survey).target("T1")
+    whole = reselect_targets(project, survey).target("T1")
     assert len(whole.sightings[0].indices) > 1.5 * len(less.sightings[0].indices)
     write_project(replace(copy, targets=edited.targets))
     read = read_project(copy.folder).target("T1")

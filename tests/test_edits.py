@@ -7,8 +7,8 @@ import pytest
 from lispac.errors import ProjectError
 from lispac.project import Project
 from lispac.workflow.edits import (
-    with_name,
-    with_other_role,
+    with_renamed_target,
+    with_switched_role,
     with_use_of_line,
     with_use_of_sighting,
     with_use_of_target,
@@ -45,10 +45,10 @@ def test_what_is_so_already_keeps_the_answer(project: Project) -> None:
 
 
 def test_a_new_name_stands_in_the_old_place(project: Project) -> None:
-    renamed = with_name(project, "T1", "  north board ")
+    renamed = with_renamed_target(project, "T1", "  north board ")
     assert [t.name for t in renamed.targets] == ["north board", "T2", "V1", "V2", "V3"]
     assert renamed.result is None
-    plane = with_name(project, "V2", "tower")
+    plane = with_renamed_target(project, "V2", "tower")
     assert [t.name for t in plane.targets] == ["T1", "T2", "V1", "tower", "V3"]
     assert plane.result is project.result  # no part in the adjustment
     assert plane.validation == ()
@@ -57,11 +57,11 @@ def test_a_new_name_stands_in_the_old_place(project: Project) -> None:
 @pytest.mark.parametrize(("name", "code"), [(" ", "edit.no_name"), ("V2", "edit.name_taken")])
 def test_names_that_cannot_be_given_are_refused(project: Project, name: str, code: str) -> None:
     with pytest.raises(ProjectError) as caught:
-        with_name(project, "T1", name)
+        with_renamed_target(project, "T1", name)
     assert caught.value.code == code
 
 
 def test_a_role_is_changed_to_and_fro(project: Project) -> None:
-    changed = with_other_role(project, "T2")
+    changed = with_switched_role(project, "T2")
     assert changed.target("T2").role == "validation"
-    assert with_other_role(changed, "T2").target("T2").role == "target"
+    assert with_switched_role(changed, "T2").target("T2").role == "target"

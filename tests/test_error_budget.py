@@ -10,8 +10,8 @@ import pytest
 from lispac.adjustment.error_budget import (
     BEAMS,
     ErrorBudget,
+    PointSigma,
     SourceBudget,
-    Spread,
     SystemErrors,
     error_budget,
 )
@@ -19,12 +19,12 @@ from lispac.errors import InputError
 from lispac.geometry.rotations import rotation_matrix
 from lispac.message_texts import message_text
 from lispac.project import Project
-from lispac.report.blocks import Bullets, Table
-from lispac.report.budget_values import Budget
-from lispac.report.document import document_of
+from lispac.report.budget_values import ErrorBudgetValues
+from lispac.report.document import report_document
+from lispac.report.document_blocks import Bullets, Table
 from lispac.report.json_report import english_values
 from lispac.survey.georeferencing import Mounting
-from lispac.workflow.budget import budget_of
+from lispac.workflow.budget import error_budget_of
 from lispac.workflow.survey import load_survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code
@@ -62,11 +62,11 @@ def by_name(budget: ErrorBudget, beam: str) -> dict[str, SourceBudget]:
     return {each.source: each for each in (*found.sources, found.before, found.after)}
 
 
-def drawn(errors: np.ndarray, way: np.ndarray) -> Spread:
+def drawn(errors: np.ndarray, way: np.ndarray) -> PointSigma:
     """The spread of drawn errors, shape (n, 3)."""
     across = errors - np.outer(errors @ way, way)
     squares = (errors[:, :2], errors[:, 2:], across, errors)
-    return Spread(*(float(np.sqrt((part**2).sum(axis=1).mean())) for part in squares))
+    return PointSigma(*(float(np.sqrt((part**2).sum(axis=1).mean())) for part in squares))
 
 
 @pytest.mark.parametrize("beam", BEAMS)
@@ -93,7 +93,7 @@ def test_every_source_agrees_with_drawn_errors(beam: str, distance: float) -> No
     }
     exact = placed(0, nothing)
 
-    def spread(**values: np.ndarray) -> Spread:
+    def spread(**values: np.ndarray) -> PointSigma:
         used = nothing | values
         return drawn(np.array([placed(k, used) - exact for k in range(DRAWS)]), way)
 
@@ -192,14 +192,14 @@ def test_the_command_and_the_report_say_the_same(
     project = replace(demo_project, folder=tmp_path / "p", result=sample.result)
     write_project(project)
     found = answer(capsys, "budget", project.folder)
-    budget = Budget.of(budget_of(project, load_survey(project)))
+    budget = ErrorBudgetValues.of(error_budget_of(project, load_survey(project)))
     assert found == json.loads(json.dumps(asdict(english_values(budget))))
     code, out, _ = run(capsys, "budget", project.folder, "--distance", 50)
     assert code == 0
     for sentence in found["in_words"]:
         assert sentence in out
     content = replace(sample_content(sample), budget=budget)
-    section = document_of(content, {}).sections[0]
+    section = report_document(content, {}).sections[0]
     tables = [b for b in section.blocks if isinstance(b, Table) and "Error of a point" in b.title]
     assert len(tables) == len(BEAMS)
     last = tables[0].rows[-1]
@@ -221,7 +221,7 @@ def test_sigmas_of_the_lever_arm_that_make_no_sense_are_refused(
 ) -> None:
     project, survey = answered()
     with pytest.raises(InputError) as caught:
-        budget_of(project, survey, lever_sigma=sigma)
+        error_budget_of(project, survey, lever_sigma=sigma)
     assert caught.value.code == "estimate.lever_arm_sigma"
-    known = budget_of(project, survey, lever_sigma=(0.0, 0.0, 0.0))
+    known = error_budget_of(project, survey, lever_sigma=(0.0, 0.0, 0.0))
     assert known.beams

@@ -9,10 +9,10 @@ from lispac.cli.main import main
 from lispac.errors import ProjectError
 from lispac.io.project_file import read_project, write_project
 from lispac.project import Project
-from lispac.targets.expected import ExpectedTarget
+from lispac.targets.expected_target import ExpectedTarget
 from lispac.workflow.demo import demo_seeds
-from lispac.workflow.picking import find
-from lispac.workflow.qualities import judge_target, unexpected
+from lispac.workflow.picking import find_target
+from lispac.workflow.sighting_assessment import assess_target, unexpected_deviations
 from lispac.workflow.survey import Survey
 from tests.message_codes import codes
 
@@ -24,13 +24,15 @@ def test_a_usual_board_is_as_expected_and_a_larger_one_is_told(
 ) -> None:
     project, survey = calibrated
     _, seed = demo_seeds()["T1"]
-    found = find(project, survey, seed, name="T9", expected=BOARD)
+    found = find_target(project, survey, seed, name="T9", expected=BOARD)
     assert found.expected == BOARD
-    assert unexpected(found, survey) == {}
+    assert unexpected_deviations(found, survey) == {}
     other = ExpectedTarget(2.0, 1.22, radians(45))
-    wrong = find(project, survey, seed, name="T9", expected=other)
-    assert set(unexpected(wrong, survey)) == {sighting.line for sighting in wrong.sightings}
-    for quality in judge_target(project, survey, wrong).values():
+    wrong = find_target(project, survey, seed, name="T9", expected=other)
+    assert set(unexpected_deviations(wrong, survey)) == {
+        sighting.line for sighting in wrong.sightings
+    }
+    for quality in assess_target(project, survey, wrong).values():
         assert quality.light != "good"
         assert {"quality.narrower", "quality.steeper"} <= set(codes(quality.reasons))
 

@@ -12,21 +12,21 @@ from pyproj import CRS
 from lispac.adjustment.observations import Observations
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
-from lispac.io.formats import format_of, recognised
+from lispac.io.formats import format_of, recognise_formats
 from lispac.io.plane_file import read_plane_files
 from lispac.io.sbet import read_sbet, write_sbet
 from lispac.messages import note
 from lispac.project import Project, Settings
 from lispac.survey.crs import coordinate_system
-from lispac.survey.georeferencing import place
+from lispac.survey.georeferencing import place_points
 from lispac.survey.trajectory import Poses, Trajectory
-from lispac.workflow.export_request import ExportRequest, export, system_of
-from lispac.workflow.exported_files import (
+from lispac.workflow.data_export import (
     SBET_ZEROS,
     export_planes,
     export_targets,
     export_trajectory,
 )
+from lispac.workflow.export_request import ExportRequest, export, output_system_of
 from lispac.workflow.survey import Survey
 from tests.few_passes import picked
 
@@ -41,7 +41,7 @@ def expected(project: Project, survey: Survey, name: str, which: str) -> dict[st
         scan = survey.scans[sighting.line]
         time = scan.time[sighting.indices]
         poses = survey.trajectory.at(time + mounting.latency)
-        parts[sighting.line] = place(scan.points_lidar[sighting.indices], poses, mounting)
+        parts[sighting.line] = place_points(scan.points_lidar[sighting.indices], poses, mounting)
     return parts
 
 
@@ -118,7 +118,7 @@ def test_plane_files(calibrated: tuple[Project, Survey], tmp_path: Path, which: 
     for target, path in zip(project.targets, paths, strict=True):
         rows = np.loadtxt(path)
         assert rows.shape[1] == 25
-        placed = place(rows[:, 5:8], Poses(rows[:, 14:17], rows[:, 8:11]), plain)
+        placed = place_points(rows[:, 5:8], Poses(rows[:, 14:17], rows[:, 8:11]), plain)
         np.testing.assert_allclose(placed, rows[:, 1:4], rtol=0, atol=1e-9)
         parts = expected(project, survey, target.name, which)
         local = np.concatenate(list(parts.values()))
@@ -185,7 +185,7 @@ def test_what_is_taken_for_granted_is_told_with_what_is_written(tmp_path: Path) 
     assert notes == ()  # metres from the survey's own origin
     request = ExportRequest("targets", tmp_path / "map", "prior", "las", "EPSG:32619")
     _, notes = export(project, survey, request)
-    system = system_of(project, survey.trajectory, "EPSG:32619")
+    system = output_system_of(project, survey.trajectory, "EPSG:32619")
     assert system is not None
     assert notes == system.assumptions
     assert notes
@@ -226,7 +226,7 @@ def test_trajectory_as_sbet_and_as_text(tmp_path: Path) -> None:
     assert rows[:, 6].max() > 359
     assert rows[:, 6].min() < 1
     # The program's own reader knows the columns by their names, and its defaults are right.
-    ((format, _), *_) = recognised(path, "trajectory")
+    ((format, _), *_) = recognise_formats(path, "trajectory")
     assert format.key == "ascii-trajectory"
     again = format_of("ascii-trajectory").read(path, format.look(path, {}).choice)
     assert isinstance(again, Trajectory)

@@ -8,7 +8,7 @@ import pytest
 from lispac.adjustment.observability import RankDeficient
 from lispac.project import PickedSighting, Project
 from lispac.workflow.calibration import estimate
-from lispac.workflow.orientation_check import face_one_way
+from lispac.workflow.orientation_check import do_targets_face_one_way
 from lispac.workflow.survey import Survey
 from lispac.workflow.warnings import warnings_of
 from tests.few_passes import picked
@@ -27,7 +27,7 @@ def test_it_is_said_of_what_the_estimate_refuses_and_of_nothing_else(
     told = {}
     for names in (("T1", "T2"), ("T1", "V1"), ("T1", "V5"), ("T2", "V1"), ("V1", "V2")):
         few = only(project, *names)
-        told[names] = face_one_way(few, survey)
+        told[names] = do_targets_face_one_way(few, survey)
         assert told[names] == (
             "project.one_facing" in [each.code for each in warnings_of(few, survey)]
         )
@@ -44,9 +44,11 @@ def test_nothing_is_said_of_one_target_and_where_it_is_accepted(
 ) -> None:
     project, survey = calibrated
     alike = only(project, "T1", "V1")
-    assert face_one_way(alike, survey) != face_one_way(only(project, "T1"), survey)
+    assert do_targets_face_one_way(alike, survey) != do_targets_face_one_way(
+        only(project, "T1"), survey
+    )
     accepted = alike.with_settings(replace(alike.settings, accept_one_facing=True))
-    assert not face_one_way(accepted, survey)
+    assert not do_targets_face_one_way(accepted, survey)
     assert "project.one_facing" not in [each.code for each in warnings_of(project, survey)]
 
 
@@ -55,13 +57,13 @@ def test_nothing_is_said_where_a_ball_or_a_line_that_is_gone_leaves_it_open() ->
     project, survey = picked()
     upright = project.target("T1")
     alike = replace(project, targets=(upright, replace(upright, name="twin")))
-    assert face_one_way(alike, survey)
+    assert do_targets_face_one_way(alike, survey)
     ball = replace(upright, name="ball", shape="sphere", sphere_radius=0.145)
-    assert not face_one_way(alike.with_target(ball), survey)
-    assert not face_one_way(alike.with_target(project.target("T2")), survey)
+    assert not do_targets_face_one_way(alike.with_target(ball), survey)
+    assert not do_targets_face_one_way(alike.with_target(project.target("T2")), survey)
     fullest = max(upright.sightings, key=lambda each: len(each.indices)).line
     gone = {name: cloud for name, cloud in survey.clouds.items() if name != fullest}
-    assert not face_one_way(alike, replace(survey, clouds=gone))
+    assert not do_targets_face_one_way(alike, replace(survey, clouds=gone))
 
 
 def test_points_on_one_straight_line_tell_no_way() -> None:
@@ -69,4 +71,4 @@ def test_points_on_one_straight_line_tell_no_way() -> None:
     upright = project.target("T1")
     row = PickedSighting("L1", np.repeat(upright.sightings[0].indices[:1], 9), 0.0)
     thin = replace(upright, name="thin", sightings=(row,))
-    assert not face_one_way(replace(project, targets=(upright, thin)), survey)
+    assert not do_targets_face_one_way(replace(project, targets=(upright, thin)), survey)

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from lispac.design.choices import thesis_plan
 from lispac.design.plan import Line
-from lispac.design.scenarios import outcomes, thesis_setting
-from lispac.design.search import Step
+from lispac.design.plan_choices import thesis_plan
+from lispac.design.plan_search import ReductionStep
+from lispac.design.scenarios import predict_scenarios, thesis_setting
 from lispac.design.site import Site, Wall
-from lispac.report.design_figures import front_figure, scenario_figure
-from lispac.report.field_plan import field_plan
-from lispac.simulation.closed_form import Ball
+from lispac.report.design_figures import pareto_front_figure, scenario_figure
+from lispac.report.field_plan import field_plan_figure
+from lispac.simulation.closed_form_survey import Ball
 
 
 def words(figure: Figure) -> list[str]:
@@ -27,7 +27,7 @@ def words(figure: Figure) -> list[str]:
 def test_lines_are_drawn_along_their_headings(facing: float) -> None:
     site = Site((0.0, 0.0, 0.0), facing)
     plan = thesis_plan(site)
-    page = field_plan(plan, site.wall, "Quay")
+    page = field_plan_figure(plan, site.wall, "Quay")
     above = page.axes[0]
     arrows = [text for text in above.texts if getattr(text, "arrow_patch", None) is not None]
     assert len(arrows) == len(plan.lines)
@@ -57,7 +57,9 @@ def test_the_tables_say_what_the_plan_says() -> None:
             Line(335.0, 30.0, False),
         ),
     )
-    said = words(field_plan(plan, wall, "Quai Bickerdike", ["Ask the harbour master first."]))
+    said = words(
+        field_plan_figure(plan, wall, "Quai Bickerdike", ["Ask the harbour master first."])
+    )
     for text in (
         "Quai Bickerdike", "left", "\u22123.25", "90, vertical", "50, tilted forward", "+0.50",
         "sphere, r 0.145", "1.00 x 0.80", "1, 2", "12.5", "starboard", "port", "0.7", "335",
@@ -68,7 +70,7 @@ def test_the_tables_say_what_the_plan_says() -> None:
 
 def test_north_is_up_and_the_bar_is_as_long_as_it_says() -> None:
     site = Site((0.0, 0.0, 0.0), 130.0)
-    page = field_plan(thesis_plan(site), site.wall, "Quay")
+    page = field_plan_figure(thesis_plan(site), site.wall, "Quay")
     page.draw_without_rendering()
     above = page.axes[0]
     north = next(text for text in above.texts if text.get_text() == "N")
@@ -90,7 +92,7 @@ def test_all_of_it_is_on_the_page(lines: int, balls: int) -> None:
     plan = plan.with_targets(
         (*plan.targets, *(Ball(f"B{k}", (k, 0.0, 4.0), 0.1) for k in range(balls)))
     )
-    page = field_plan(
+    page = field_plan_figure(
         plan, site.wall, "Quay", cautions=["Line 1 would run through the wall."] * balls
     )
     page.draw_without_rendering()
@@ -107,7 +109,7 @@ def test_all_of_it_is_on_the_page(lines: int, balls: int) -> None:
 def test_a_plan_that_determines_nothing_says_so() -> None:
     site = Site((0.0, 0.0, 0.0), 270.0)
     plan = thesis_plan(site)
-    said = words(field_plan(plan.with_lines(plan.lines[:1]), site.wall, "One line"))
+    said = words(field_plan_figure(plan.with_lines(plan.lines[:1]), site.wall, "One line"))
     assert "This survey plan does not determine the boresight angles." in said
 
 
@@ -116,14 +118,14 @@ def test_the_same_plan_gives_the_same_page() -> None:
     pages = []
     for _ in range(2):
         stream = BytesIO()
-        page = field_plan(thesis_plan(site), site.wall, "Quay")
+        page = field_plan_figure(thesis_plan(site), site.wall, "Quay")
         page.savefig(stream, format="pdf", metadata={"CreationDate": None})
         pages.append(stream.getvalue())
     assert pages[0] == pages[1]
 
 
 def test_scenarios_and_front_are_drawn() -> None:
-    found = outcomes(thesis_setting(), ("lines",))
+    found = predict_scenarios(thesis_setting(), ("lines",))
     figure = scenario_figure(found)
     assert [axes.get_title(loc="left") for axes in figure.axes] == [
         "correlated POS errors", "uncorrelated POS errors (classical)",
@@ -133,5 +135,8 @@ def test_scenarios_and_front_are_drawn() -> None:
     last = next(o for o in found if o.case == "all six" and o.pos_errors == "correlated")
     assert heights[-1] == pytest.approx(np.degrees(last.sigma[1]))
     plan = thesis_setting()
-    front = (Step(plan, 39.0, 0.0002), Step(plan.with_lines(plan.lines[:4]), 36.0, 0.0003))
-    assert "1 × 4" in words(front_figure(front, "largest of the three standard deviations"))
+    front = (
+        ReductionStep(plan, 39.0, 0.0002),
+        ReductionStep(plan.with_lines(plan.lines[:4]), 36.0, 0.0003),
+    )
+    assert "1 × 4" in words(pareto_front_figure(front, "largest of the three standard deviations"))

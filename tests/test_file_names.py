@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 from tests.intake_files import START, fan, write_line, write_survey
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")

@@ -10,16 +10,16 @@ import pytest
 
 from lispac.errors import Cancelled, InputError, PlaneNotFound
 from lispac.geometry.frames import LocalFrame
-from lispac.geometry.neighbours import PointGrid, points_within
-from lispac.geometry.planes import in_plane_axes
+from lispac.geometry.planes import plane_axes
+from lispac.geometry.radius_search import PointGrid, points_within
 from lispac.geometry.rotations import rotation_matrix
 from lispac.io.las import read_scan
 from lispac.io.sbet import read_sbet
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.scan import Scan
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.targets.across_lines import find_in_lines
-from lispac.targets.finder import FinderSettings, find_plane
+from lispac.targets.plane_finder import FinderSettings, find_plane
+from lispac.targets.planes_across_lines import find_in_lines
 from tests.error_codes import has_code
 
 SETTINGS = FinderSettings()
@@ -35,7 +35,7 @@ def sheet(rng, centre, normal, width, height, *, spacing=0.025, noise=0.002):
     normal = np.asarray(normal, float) / np.linalg.norm(normal)
     return (
         np.asarray(centre)
-        + placed @ in_plane_axes(normal)
+        + placed @ plane_axes(normal)
         + rng.normal(0, noise, (len(placed), 1)) * normal
     )
 
@@ -49,7 +49,7 @@ def scene(rng, *, normal=(0, -1, 0), gap=0.3, noise=0.002, size=(1.23, 1.22)):
     board = sheet(rng, CENTRE, unit, *size, noise=noise)
     wall = sheet(rng, CENTRE + [0, gap, -0.5], (0, -1, 0), 7.0, 5.0, noise=noise)
     hit = wall * (CENTRE @ unit / (wall @ unit))[:, None]  # the ray to the wall, on the board
-    beside = np.abs((hit - CENTRE) @ in_plane_axes(unit).T) - np.array(size) / 2
+    beside = np.abs((hit - CENTRE) @ plane_axes(unit).T) - np.array(size) / 2
     behind = np.linalg.norm(hit, axis=1) < np.linalg.norm(wall, axis=1)
     hidden = (beside < 0).all(axis=1) & behind
     rim = hidden & (beside > -0.03).any(axis=1)
@@ -310,7 +310,7 @@ def test_harbour_targets_are_found_in_every_line(harbour, offset_deg, seed_off):
         for name, patch in found.items():
             # Where the points truly are: the POS puts them up to some centimetres off.
             off = true_clouds[name] - centre
-            beside = np.abs(off @ in_plane_axes(normal).T) - half
+            beside = np.abs(off @ plane_axes(normal).T) - half
             on = (np.abs(off @ normal) < 0.05) & (beside < 0.03).all(axis=1)
             near = (np.abs(off @ normal) < 0.06) & (beside < 0.05).all(axis=1)
             precision = near[patch.indices].mean()

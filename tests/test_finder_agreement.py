@@ -12,10 +12,10 @@ import pytest
 
 from lispac.errors import TargetNotFound
 from lispac.project import Project, Target
-from lispac.simulation.scene import Surface, tilted, upright
-from lispac.targets.agreement import PlacementAccuracy, agreeing
-from lispac.targets.finder import patch_of
-from lispac.workflow.picking import find
+from lispac.simulation.scene import Surface, tilted_rectangle, upright_rectangle
+from lispac.targets.plane_finder import patch_of
+from lispac.targets.sighting_agreement import PlacementAccuracy, split_by_agreement
+from lispac.workflow.picking import find_target
 from lispac.workflow.survey import Survey
 from tests.finder_scenes import WALL, Site, site
 from tests.test_finder_sites import board, wall
@@ -24,21 +24,24 @@ LOST = "L4"
 SCENES: dict[str, list[Surface]] = {
     "wall 0.3 m behind": [board(), wall(0.3)],
     "wall askew": [board(250), wall(0.5)],
-    "wall across": [tilted("T1", (0.0, WALL, 8.0), 1.23, 1.0, 270, 45), wall(0.5)],
-    "deck at a wall": [tilted("T1", (0.0, WALL + 1.0, 7.0), 3.0, 2.0, 270, 75), wall(0.5)],
+    "wall across": [tilted_rectangle("T1", (0.0, WALL, 8.0), 1.23, 1.0, 270, 45), wall(0.5)],
+    "deck at a wall": [
+        tilted_rectangle("T1", (0.0, WALL + 1.0, 7.0), 3.0, 2.0, 270, 75),
+        wall(0.5),
+    ],
     "deck below": [
-        tilted("T1", (0.0, WALL + 0.6, 8.0), 1.23, 1.0, 270, 60),
-        tilted("T3", (0.0, WALL + 0.8, 7.2), 3.0, 2.0, 270, 70),
+        tilted_rectangle("T1", (0.0, WALL + 0.6, 8.0), 1.23, 1.0, 270, 60),
+        tilted_rectangle("T3", (0.0, WALL + 0.8, 7.2), 3.0, 2.0, 270, 70),
         wall(0.5),
     ],
     "twin beside": [
-        upright("T1", (0.0, WALL), 7.4, 8.62, 1.0, 270),
-        upright("T2", (1.3, WALL), 7.4, 8.62, 1.0, 270),
+        upright_rectangle("T1", (0.0, WALL), 7.4, 8.62, 1.0, 270),
+        upright_rectangle("T2", (1.3, WALL), 7.4, 8.62, 1.0, 270),
         wall(0.5),
     ],
     "twin behind": [
-        upright("T1", (0.0, WALL), 7.4, 8.62, 1.0, 270),
-        upright("T2", (0.2, WALL - 0.35), 7.4, 8.62, 1.0, 270),
+        upright_rectangle("T1", (0.0, WALL), 7.4, 8.62, 1.0, 270),
+        upright_rectangle("T2", (0.2, WALL - 0.35), 7.4, 8.62, 1.0, 270),
         wall(1.2),
     ],
 }
@@ -94,15 +97,15 @@ def test_a_line_without_the_target_gives_no_other_surface(
     seen = scenery(name)
     project, survey = seen.opened(off_deg)
     require_right(
-        seen, find(project, survey, clicked(seen, survey, "L3"), name="T1", first_line="L3")
+        seen, find_target(project, survey, clicked(seen, survey, "L3"), name="T1", first_line="L3")
     )
-    require_right(seen, find(project, survey, typed(seen), name="T1"))
+    require_right(seen, find_target(project, survey, typed(seen), name="T1"))
 
 
 def two_boards() -> tuple[Site, Project, Survey, Target]:
     seen = scenery("twin beside")
     project, survey = seen.opened((1.0, -1.0, 1.0))
-    target = find(project, survey, clicked(seen, survey, "L3"), name="T1", first_line="L3")
+    target = find_target(project, survey, clicked(seen, survey, "L3"), name="T1", first_line="L3")
     return seen, project, survey, target
 
 
@@ -112,8 +115,8 @@ def test_a_click_on_another_surface_adds_no_sighting() -> None:
     on = np.flatnonzero(seen.on(LOST, "T2"))
     seed = survey.clouds[LOST][on[[len(on) // 2]]][0]
     with pytest.raises(TargetNotFound):
-        find(project.with_target(target), survey, seed, name="T1", line=LOST)
-    alone = find(project, survey, seed, name="T2", line=LOST)
+        find_target(project.with_target(target), survey, seed, name="T1", line=LOST)
+    alone = find_target(project, survey, seed, name="T2", line=LOST)
     assert [s.line for s in alone.sightings] == [LOST]
 
 
@@ -122,7 +125,7 @@ def test_a_click_on_the_same_surface_adds_a_sighting() -> None:
     fewer = replace(target, sightings=tuple(s for s in target.sightings if s.line != "L6"))
     on = np.flatnonzero(seen.on("L6", "T1"))
     seed = survey.clouds["L6"][on[[len(on) // 2]]][0]
-    again = find(project.with_target(fewer), survey, seed, name="T1", line="L6")
+    again = find_target(project.with_target(fewer), survey, seed, name="T1", line="L6")
     assert {s.line for s in again.sightings} == {s.line for s in target.sightings}
 
 
@@ -139,9 +142,11 @@ def test_the_accuracy_of_the_placement_is_the_limit(off_deg: float, agrees: bool
         )
         for line, on in ((line, np.flatnonzero(seen.on(line, "T1"))) for line in lines)
     }
-    kept, rejected = agreeing(found, clouds, PlacementAccuracy(np.radians(0.2)), 2.0, "L1")
+    kept, rejected = split_by_agreement(
+        found, clouds, PlacementAccuracy(np.radians(0.2)), 2.0, "L1"
+    )
     assert (set(kept) == set(lines)) is agrees
     assert set(kept) | set(rejected) == set(lines)
     assert "L1" in kept
     # With the accuracy of an unconfirmed prior the same displacement is possible.
-    assert not agreeing(found, clouds, PlacementAccuracy(np.radians(2.0)), 2.0, "L1")[1]
+    assert not split_by_agreement(found, clouds, PlacementAccuracy(np.radians(2.0)), 2.0, "L1")[1]

@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 
 from lispac.errors import PlaneNotFound
-from lispac.simulation.scene import Cylinder, Surface, upright
+from lispac.simulation.scene import Cylinder, Surface, upright_rectangle
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import Mounting
-from lispac.targets.across_lines import find_in_lines
-from lispac.targets.alignment import align
-from lispac.targets.finder import FinderSettings, PlanePatch
+from lispac.targets.plane_finder import FinderSettings, PlanePatch
+from lispac.targets.planes_across_lines import find_in_lines
+from lispac.targets.rough_alignment import align_lines
 from lispac.workflow import target_search
-from lispac.workflow.target_search import Place, TargetSearch, planes_in_lines
+from lispac.workflow.target_search import SearchPlace, TargetSearch, find_planes_in_lines
 from tests.finder_scenes import WALL, Site, precision_and_recall, rippled, site
 from tests.test_finder import SharedSurvey
 from tests.test_simulation import placed
@@ -34,18 +34,18 @@ AIMED = np.array([-0.3, 0.0, -0.25])  # metres: the click, off the middle of the
 
 def wall(gap: float) -> Surface:
     """A bare wall behind the targets, wider and higher than anything nearby."""
-    return upright("wall", (0.0, WALL - gap), 0.0, 13.0, 30.0, 270)
+    return upright_rectangle("wall", (0.0, WALL - gap), 0.0, 13.0, 30.0, 270)
 
 
 def board(facing_deg: float = 270) -> Surface:
-    return upright("T1", (0.0, WALL), 7.4, 8.62, 1.23, facing_deg)
+    return upright_rectangle("T1", (0.0, WALL), 7.4, 8.62, 1.23, facing_deg)
 
 
 SCENES = {
     "5 cm proud": lambda: [board(), wall(0.05)],
     "twins": lambda: [
-        upright("T1", (-0.5, WALL), 7.4, 8.2, 0.6, 270),
-        upright("T2", (0.5, WALL), 7.4, 8.2, 0.6, 270),
+        upright_rectangle("T1", (-0.5, WALL), 7.4, 8.2, 0.6, 270),
+        upright_rectangle("T2", (0.5, WALL), 7.4, 8.2, 0.6, 270),
         wall(0.5),
     ],
     "bollard": lambda: [board(), wall(0.4), Cylinder("bollard", 0.3, WALL + 0.8, 6, 10, 0.3)],
@@ -162,7 +162,7 @@ def test_natural_planes_of_a_drone_are_found_in_line_2(shared_data: Path, name: 
     survey = SharedSurvey(shared_data / name)
     labels = np.load(shared_data / name / "labels.npz")
     mounting = Mounting(np.array(survey.site["lever_arm_m"]), np.zeros(3))
-    aligned = align(
+    aligned = align_lines(
         {
             line: CloudInMemory.of(scan, survey.trajectory, mounting)
             for line, scan in survey.scans.items()
@@ -171,8 +171,8 @@ def test_natural_planes_of_a_drone_are_found_in_line_2(shared_data: Path, name: 
     settings = FinderSettings(threshold=0.03)
     counts = np.zeros(2)
     for key, seed in survey.site["seeds_nwu_on_line1"].items():
-        place = Place.of(aligned, np.array(seed), "line1", settings.radius)
-        found, missing = TargetSearch().in_lines(
+        place = SearchPlace.of(aligned, np.array(seed), "line1", settings.radius)
+        found, missing = TargetSearch().find_in_lines(
             place.clouds,
             place.seed,
             replace(settings, max_shift=place.max_shift),
@@ -202,13 +202,15 @@ def test_a_click_on_an_edge_holds_where_lines_are_sampled(monkeypatch: pytest.Mo
     on = np.flatnonzero(seen.on("L1", "T1"))
     edge = np.abs(points[on, 0]) > 0.57
     clicked = np.random.default_rng(2).choice(on[edge], 40, replace=False)
-    sampled = target_search._regions({"L1": cloud}, points[clicked[0]], SETTINGS, most=6_000)[0][
-        "L1"
-    ]
+    sampled = target_search._search_regions(
+        {"L1": cloud}, points[clicked[0]], SETTINGS, most=6_000
+    )[0]["L1"]
     assert sampled.one_in > 1
     for number in clicked:
         try:
-            found, _ = planes_in_lines({"L1": cloud}, points[number], SETTINGS, first_line="L1")
+            found, _ = find_planes_in_lines(
+                {"L1": cloud}, points[number], SETTINGS, first_line="L1"
+            )
         except PlaneNotFound:
             continue  # told, and nothing wrong is taken
         assert abs(float(found["L1"].plane.distances(points[number]))) < 0.02

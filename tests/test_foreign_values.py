@@ -12,20 +12,26 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.parameters import Parameter
-from lispac.causes import Cause
+from lispac.cli.argument_types import finite_number, number_within
 from lispac.cli.main import main
-from lispac.cli.values import finite, within
 from lispac.errors import InputError, LispacError, ProjectError
-from lispac.foreign_values import InvalidContentError, as_cell, is_count, json_values, toml_values
-from lispac.io.files import written_whole
+from lispac.io.files import atomic_write
 from lispac.io.formats import format_of
 from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.io.toml_table import Table, quoted
+from lispac.io.toml_table import TomlTable, toml_string
 from lispac.project import Project, Settings
 from lispac.survey.store.layout import read_manifest, write_manifest
-from lispac.workflow.importing import import_lines, line_folder
+from lispac.untrusted_values import (
+    InvalidContentError,
+    as_csv_cell,
+    is_whole_number,
+    json_values,
+    toml_values,
+)
+from lispac.warning_causes import Cause
+from lispac.workflow.line_import import import_lines, line_folder
 from lispac.workflow.plan_checks import write_scenarios
-from lispac.workflow.simulate import replacement
+from lispac.workflow.simulate import replaced_survey
 from lispac.workflow.survey import load_survey
 
 
@@ -65,7 +71,7 @@ def test_usable_values_come_back_as_they_are() -> None:
     ],
 )  # fmt: skip
 def test_cells_that_spreadsheets_take_for_formulas(value: object, cell: str) -> None:
-    assert as_cell(value) == cell
+    assert as_csv_cell(value) == cell
 
 
 def test_a_message_stays_one_line_of_text() -> None:
@@ -156,7 +162,7 @@ def test_values_of_a_project_that_do_not_fit_are_refused(
 
 @pytest.mark.parametrize("name", ["a\0b.csv", "a\ud800b.csv"])
 def test_names_that_no_file_can_have_are_refused(tmp_path: Path, name: str) -> None:
-    with pytest.raises(InputError) as refused, written_whole(tmp_path / name):
+    with pytest.raises(InputError) as refused, atomic_write(tmp_path / name):
         pass
     assert refused.value.code == "file.bad_name"
     assert not list(tmp_path.iterdir())
@@ -171,7 +177,7 @@ def test_names_that_no_folder_can_have_are_refused(
     with pytest.raises(InputError) as refused:
         write_project(replace(copy, folder=folder))
     assert refused.value.code == "file.bad_name"
-    with pytest.raises(InputError) as refused, replacement(folder, "mark", "text", ()):
+    with pytest.raises(InputError) as refused, replaced_survey(folder, "mark", "text", ()):
         pass
     assert refused.value.code == "file.bad_name"
     with pytest.raises(InputError) as refused:
@@ -185,7 +191,7 @@ def test_nothing_is_written_in_the_place_of_a_pipe_or_folder(tmp_path: Path) -> 
     os.mkfifo(tmp_path / "pipe.csv")
     (tmp_path / "folder.csv").mkdir()
     for name, code in (("pipe.csv", "file.is_device"), ("folder.csv", "file.is_folder")):
-        with pytest.raises(InputError) as refused, written_whole(tmp_path / name):
+        with pytest.raises(InputError) as refused, atomic_write(tmp_path / name):
             pass
         assert refused.value.code == code
     assert (tmp_path / "pipe.csv").is_fifo()
@@ -195,20 +201,20 @@ def test_files_that_look_like_unfinished_ones_stay(tmp_path: Path) -> None:
     mine = tmp_path / ".report-20260101.pdf"
     mine.write_text("mine")
     os.utime(mine, (0, 0))
-    with written_whole(tmp_path / "report.pdf") as temporary:
+    with atomic_write(tmp_path / "report.pdf") as temporary:
         temporary.write_text("report")
     assert mine.exists()
 
 
 @pytest.mark.parametrize("text", ["9" * 5000, "-1", "", "1.5", "1_0", str(2**63)])
 def test_counts_in_text_that_are_none(text: str) -> None:
-    assert not is_count(text, 1 << 48)
-    assert is_count("12", 1 << 48)
+    assert not is_whole_number(text, 1 << 48)
+    assert is_whole_number("12", 1 << 48)
 
 
 @pytest.mark.parametrize("text", ["1e-320", "1e31", "-1e300", "inf", "nan"])
 def test_amounts_that_no_option_can_have(text: str) -> None:
-    for kind in (finite, within(1e-6, 100.0)):
+    for kind in (finite_number, number_within(1e-6, 100.0)):
         with pytest.raises(ArgumentTypeError):
             kind(text)
 
@@ -216,9 +222,9 @@ def test_amounts_that_no_option_can_have(text: str) -> None:
 @pytest.mark.parametrize("text", ["a\nb", "a\tb", "\x1b[31m", "a\x7fb", "a\u2028b", '"\\', "é 😀"])
 def test_texts_of_a_file_of_settings_have_one_line(tmp_path: Path, text: str) -> None:
     path = tmp_path / "plan.toml"
-    path.write_text(f"title = {quoted(text)}\n", encoding="utf-8")
+    path.write_text(f"title = {toml_string(text)}\n", encoding="utf-8")
     assert toml_values(path.read_bytes()) == {"title": text}
-    with Table.read(path, "plan") as table:
+    with TomlTable.read(path, "plan") as table:
         if text.isprintable():
             assert table.text("title") == text
             return
@@ -231,7 +237,7 @@ def test_texts_of_a_file_of_settings_have_one_line(tmp_path: Path, text: str) ->
 def test_amounts_that_no_file_of_settings_can_have(tmp_path: Path, value: str) -> None:
     path = tmp_path / "made.toml"
     path.write_text(f"a = {value}\n")
-    with pytest.raises(InputError), Table.read(path, "scene") as table:
+    with pytest.raises(InputError), TomlTable.read(path, "scene") as table:
         table.number("a")
 
 

@@ -19,17 +19,17 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.formats import is_las, recognised
+from lispac.io.compressed_files import ARCHIVES
+from lispac.io.format_types import Kind
+from lispac.io.formats import is_las, recognise_formats
 from lispac.io.mesh_file import read_mesh
-from lispac.io.packed import ARCHIVES
-from lispac.io.plane_file import read_table
-from lispac.io.registry import Kind
-from lispac.io.seed_file import looks_like_a_list, read_point_list
-from lispac.io.static_scan import static_scan
+from lispac.io.plane_file import read_plane_table
+from lispac.io.seed_file import is_point_list, read_point_list
+from lispac.io.static_scan import open_static_scan
 from lispac.messages import error
 from lispac.project import LineSource
-from lispac.workflow.file_reading import format_of_line, looks
-from lispac.workflow.line_chunks import Chunks
+from lispac.workflow.file_reading import check_file, format_of_line
+from lispac.workflow.line_chunks import LineChunks
 from tests import point_files as files
 from tests.intake_files import write_survey
 from tests.static_scans import write_pts
@@ -102,8 +102,8 @@ def test_every_format_of_points_is_known_under_any_ending(
 ) -> None:
     key, write = files.VALID[name]
     path = write(tmp_path / name).rename(tmp_path / f"line{ending}")
-    assert recognised(path, "points")[0][0].key == key
-    assert looks(path)[0].format.key == key
+    assert recognise_formats(path, "points")[0][0].key == key
+    assert check_file(path)[0].format.key == key
     assert is_las(path) == (key == "las")
 
 
@@ -112,7 +112,7 @@ def test_a_line_without_a_stated_format(tmp_path: Path) -> None:
     las = LineSource("a", files.las(tmp_path / "a.las").rename(tmp_path / "a.txt"), ())
     text = LineSource("b", files.text(tmp_path / "b.las", head=files.CSV_HEAD), ())
     for line, key in ((las, "las"), (text, "text")):
-        assert format_of_line(line)[0].key == Chunks.of(line).format.key == key
+        assert format_of_line(line)[0].key == LineChunks.of(line).format.key == key
     (tmp_path / "c.laz").write_bytes(bytes(4000))
     assert is_las(tmp_path / "c.laz")
     assert is_las(tmp_path / "none.LAZ")
@@ -120,7 +120,7 @@ def test_a_line_without_a_stated_format(tmp_path: Path) -> None:
 
 
 def places(path: Path) -> np.ndarray:
-    return np.concatenate(list(static_scan(path).chunks(local=True)))
+    return np.concatenate(list(open_static_scan(path).coordinate_chunks(local=True)))
 
 
 @pytest.mark.parametrize("ending", [".pts", ".ply", ".txt", ".las", ".ptx"])
@@ -150,7 +150,7 @@ def test_references_of_other_formats_are_refused_under_any_ending(
     tmp_path: Path, write: Callable[[Path], Path], ending: str
 ) -> None:
     with pytest.raises(InputError, match="scan") as refused:
-        list(static_scan(write(tmp_path / f"scan{ending}")).chunks(local=True))
+        list(open_static_scan(write(tmp_path / f"scan{ending}")).coordinate_chunks(local=True))
     assert refused.value.code == "static_scan.other_format"
 
 
@@ -158,9 +158,12 @@ def test_lists_and_plane_files_of_other_endings(tmp_path: Path) -> None:
     path = tmp_path / "seeds.las"
     path.write_text("T1,1.0,2.0,3.0\nT2,4.0,5.0,6.0\n")
     assert [point.name for point in read_point_list(path).points] == ["T1", "T2"]
-    assert looks_like_a_list(path)
+    assert is_point_list(path)
     for ending in (".las", ".gz", ".bz2", ".npy"):
-        assert read_table(files.planes(tmp_path / f"plane{ending}")).shape == (files.COUNT, 25)
+        assert read_plane_table(files.planes(tmp_path / f"plane{ending}")).shape == (
+            files.COUNT,
+            25,
+        )
 
 
 @pytest.mark.parametrize("ending", [".ply", ".obj", ".stl", ".txt"])
@@ -217,7 +220,7 @@ def test_packed_files_get_a_hint(
     new = ("new", folder / "p", "--lever-arm", 0, 0, 0)
     assert packing in refused(capsys, *new, packed, "--trajectory", trajectory)
     assert packing in refused(capsys, *new, lines, "--trajectory", packed)
-    for read in (static_scan, read_point_list):
+    for read in (open_static_scan, read_point_list):
         with pytest.raises(InputError) as raised:
             read(packed)
         assert raised.value.code == ("file.archive" if packing in ARCHIVES else "file.compressed")
@@ -227,7 +230,7 @@ def test_packed_files_get_a_hint(
 
 def test_text_by_gzip_is_read_and_other_text_in_it_is_not(tmp_path: Path) -> None:
     path = files.text(tmp_path / "a.csv.gz", head=files.CSV_HEAD)
-    assert looks(path.rename(tmp_path / "line.txt"))[0].format.key == "text"
+    assert check_file(path.rename(tmp_path / "line.txt"))[0].format.key == "text"
     path.write_bytes(gzip.compress(b"T1,1.0,2.0,3.0\n"))
     with pytest.raises(InputError) as raised:
         read_point_list(path)
@@ -249,7 +252,7 @@ def test_records_that_begin_like_gzip_are_records(tmp_path: Path) -> None:
     path = tmp_path / "pos.out"
     path.write_bytes(records.tobytes())
     kinds: tuple[Kind, ...] = ("trajectory",)
-    assert looks(path, kinds)[0].format.key == "sbet"
+    assert check_file(path, kinds)[0].format.key == "sbet"
 
 
 @pytest.fixture(params=["fifo", "socket", "device", "folder"])
@@ -296,7 +299,13 @@ def ends_within(seconds: float, task: Callable[[], object]) -> str:
 
 @pytest.mark.parametrize(
     "task",
-    [looks, static_scan, read_point_list, read_table, lambda path: read_mesh(path, "a", 0.5)],
+    [
+        check_file,
+        open_static_scan,
+        read_point_list,
+        read_plane_table,
+        lambda path: read_mesh(path, "a", 0.5),
+    ],
 )
 def test_what_is_no_file_is_refused_by_its_kind(
     special: tuple[Path, str], task: Callable[[Path], object]
@@ -311,5 +320,5 @@ def test_what_is_no_file_is_not_opened_to_recognise_it(special: tuple[Path, str]
     path, _ = special
     kinds: tuple[Kind, ...] = ("points", "trajectory", "accuracy")
     for kind in kinds:
-        assert "no error: []" in ends_within(20, lambda kind=kind: recognised(path, kind))
-    assert "no error: False" in ends_within(20, lambda: looks_like_a_list(path))
+        assert "no error: []" in ends_within(20, lambda kind=kind: recognise_formats(path, kind))
+    assert "no error: False" in ends_within(20, lambda: is_point_list(path))

@@ -9,15 +9,15 @@ import pytest
 from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.io.formats import format_of
-from lispac.io.line_times import line_times
-from lispac.io.points import CHOOSE_FRAME
+from lispac.io.line_times import read_line_times
+from lispac.io.point_reading import CHOOSE_FRAME
 from lispac.messages import warning
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
-from lispac.survey.recovery import FARTHEST
+from lispac.survey.scanner_frame_recovery import FARTHEST
 from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.importing import import_lines
-from lispac.workflow.intake import Intake
+from lispac.workflow.input_files import InputFiles
+from lispac.workflow.line_import import import_lines
 from lispac.workflow.projects import create_project, new_project
 from tests.error_codes import has_code
 from tests.intake_files import LEVER, START, codes_about, fan, named, said, taken_in, write_line
@@ -56,8 +56,8 @@ def test_map_coordinates_stated_as_the_scanners_are_refused_everywhere(track, tm
     told = "utm.las: half of the points are more than 5,000 m from the origin"
     with pytest.raises(InputError, match=told):
         made(tmp_path / "p", track, line, options(frame="scanner"))
-    intake = taken_in(taken_in(Intake(), track, line).with_option(line, "frame", "scanner"))
-    assert "not in the scanner frame" in intake.files_problem() + said(intake, "utm.las")
+    intake = taken_in(taken_in(InputFiles(), track, line).with_option(line, "frame", "scanner"))
+    assert "not in the scanner frame" in intake.files_problem_text() + said(intake, "utm.las")
     assert intake.state(named(intake, "utm.las")) == "error"
     project: Project = create_project(
         tmp_path / "old", trajectory=track, settings=Settings(lever_arm=LEVER),
@@ -75,11 +75,11 @@ def test_map_coordinates_stated_as_the_scanners_are_refused_everywhere(track, tm
 def test_a_long_line_is_judged_by_points_all_over_it(tmp_path, monkeypatch) -> None:
     monkeypatch.setattr("lispac.io.line_times.READ_WHOLE", 100)
     with pytest.raises(InputError, check=has_code("survey.not_scanner_frame")):
-        line_times(on_map(tmp_path), format_of("las"), {"frame": "scanner"})
+        read_line_times(on_map(tmp_path), format_of("las"), {"frame": "scanner"})
     points = fan(3000)
     points[0] += [0, 2 * FARTHEST, 0]  # a stray at the very beginning is none
     line = write_line(tmp_path / "stray.las", START + np.linspace(5, 20, 3000), points)
-    times = line_times(line, format_of("las"), {"frame": "scanner"})
+    times = read_line_times(line, format_of("las"), {"frame": "scanner"})
     assert times.count == 3000
 
 
@@ -99,7 +99,7 @@ def test_a_system_that_is_stated_is_not_asked_for(track, tmp_path, capsys) -> No
     assert "have no coordinate system. Give its EPSG code" in "".join(capsys.readouterr())
     assert main([*command, "--line-option", f"crs={SYSTEM}"]) == 0
     assert "does not specify a coordinate system" not in "".join(capsys.readouterr())
-    intake = taken_in(Intake(), track, line)
+    intake = taken_in(InputFiles(), track, line)
     assert "points.no_system" in codes_about(intake, "utm.las")
     intake = taken_in(intake.with_option(line, "crs", SYSTEM))
     assert intake.state(named(intake, "utm.las")) == "fine"
@@ -112,6 +112,6 @@ def test_a_system_that_is_not_used_is_said(track, tmp_path) -> None:
         "points.unused_system", file="near.las", system=SYSTEM, actions=(CHOOSE_FRAME,)
     )
     assert unused in survey.notes
-    intake = taken_in(taken_in(Intake(), track, line).with_option(line, "crs", SYSTEM))
+    intake = taken_in(taken_in(InputFiles(), track, line).with_option(line, "crs", SYSTEM))
     assert unused in intake.remarks(named(intake, "near.las"))
     assert intake.state(named(intake, "near.las")) == "doubt"

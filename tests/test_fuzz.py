@@ -18,28 +18,28 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
-from lispac.cli.estimate import parameters_of
+from lispac.cli.estimate import parse_parameters
 from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, LispacError
 from lispac.gui.settings import AppSettings
+from lispac.io.format_types import FilePreview
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of
 from lispac.io.mesh_file import MeshReader, read_mesh
 from lispac.io.plan_file import read_plan, read_site
-from lispac.io.points import usable_points
+from lispac.io.point_reading import usable_points
 from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.io.registry import Finding
 from lispac.io.scanner_file import read_scanner
 from lispac.io.scene_file import read_scene
-from lispac.io.seed_file import looks_like_a_list, read_point_list
-from lispac.io.sensor_file import read_pos_figures, read_scanner_figures
-from lispac.io.static_scan import static_scan
+from lispac.io.seed_file import is_point_list, read_point_list
+from lispac.io.sensor_file import read_pos_specification, read_scanner_specification
+from lispac.io.static_scan import open_static_scan
 from lispac.io.vessel_file import read_vessel
 from lispac.simulation.meshes import Mesh
 from lispac.survey.store import layout
-from lispac.survey.store.columns import checksum_of
-from lispac.survey.store.reading import open_store
-from lispac.survey.store.writing import write_store
-from lispac.targets.settings import FinderChoices
+from lispac.survey.store.column_files import file_checksum
+from lispac.survey.store.line_import import write_store
+from lispac.survey.store.stored_line import open_store
+from lispac.targets.finder_settings import FinderChoices
 from lispac.workflow.report_options import report_options
 from tests import point_files
 from tests.fuzzing import Attempt, damaged, fuzz, fuzz_long, json_like, toml_like
@@ -102,7 +102,7 @@ def of_format(key: str) -> Subject:
         def attempt(content: bytes) -> bool:
             path.write_bytes(content)
             assert 0 <= FORMATS[key].sniff(path) <= 1
-            findings: list[Finding] = []
+            findings: list[FilePreview] = []
             said_by(lambda: findings.append(FORMATS[key].look(path, {})))
             refusals = [
                 said_by(lambda choice=choice: read_wholly(key, path, choice))  # type: ignore[misc]
@@ -248,7 +248,7 @@ def coordinate_list(folder: Path) -> tuple[Sources, Attempt]:
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)
-        looks_like_a_list(path)
+        is_point_list(path)
         refusals = [
             said_by(lambda local=local, columns=columns: read_point_list(  # type: ignore[misc]
                 path, columns=columns, local=local, degrees=not local
@@ -275,7 +275,7 @@ def static_scans(folder: Path) -> tuple[Sources, Attempt]:
         path.write_bytes(content)
 
         def read() -> None:
-            for chunk in static_scan(path).chunks(local=True):
+            for chunk in open_static_scan(path).coordinate_chunks(local=True):
                 assert np.isfinite(chunk).all()
 
         told = said_by(read)
@@ -399,13 +399,13 @@ def resealed_columns(folder: Path) -> tuple[Sources, Attempt]:
 def reseal(folder: Path, manifest: layout.Manifest) -> None:
     """Write checksums and times of the column files as they are now."""
 
-    def sealed(column: layout.Column) -> layout.Column:
+    def sealed(column: layout.StoredColumn) -> layout.StoredColumn:
         if not column.file:
             return column
         path = folder / manifest.folder / column.file
         status = path.stat()
         return replace(
-            column, checksum=checksum_of(path), size=status.st_size, modified=status.st_mtime_ns
+            column, checksum=file_checksum(path), size=status.st_size, modified=status.st_mtime_ns
         )
 
     layout.write_manifest(
@@ -545,7 +545,7 @@ def option_values(folder: Path) -> tuple[Sources, Attempt]:
                 ),
             ))  # fmt: skip
         else:
-            parameters = parameters_of(arguments.estimate) or ()
+            parameters = parse_parameters(arguments.estimate) or ()
             changed = project.with_settings(replace(project.settings, parameters=parameters))
         write_project(changed)
         read_project(project.folder)
@@ -561,9 +561,9 @@ SUBJECTS: dict[str, Subject] = {
     "sites": toml("resources/sites/*.toml", read_site),
     "scanners": toml("resources/scanners/*.toml", read_scanner),
     "scanner figures": toml(
-        "resources/scanners/*.toml", partial(read_scanner_figures, whole=False)
+        "resources/scanners/*.toml", partial(read_scanner_specification, whole=False)
     ),
-    "POS figures": toml("resources/pos/*.toml", read_pos_figures),
+    "POS figures": toml("resources/pos/*.toml", read_pos_specification),
     "vessels": toml("resources/vessels/*.toml", read_vessel),
     "report template": report_template,
     **{key: of_format(key) for key in FORMATS},

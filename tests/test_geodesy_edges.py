@@ -10,15 +10,22 @@ from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame, ecef_to_geodetic, geodetic_to_ecef
 from lispac.messages import note, warning
 from lispac.survey.crs import coordinate_system
-from lispac.survey.crs_area import meant_elsewhere
+from lispac.survey.crs_area import area_of_use_elsewhere
 from lispac.survey.crs_operation import realizations
 from lispac.survey.geoid import geoid_grid
 from lispac.survey.georeferencing import Mounting
-from lispac.survey.mapping import PointMapper
-from lispac.survey.recovery import Recovery, require_within_reach
-from lispac.survey.time_base import LEAP_SECONDS_NOW, Match, base_of, from_gps, plausible, to_gps
-from lispac.survey.time_quality import Coverage, exclusion_notes, short_of_trajectory
-from lispac.survey.time_stated import KnownTimeBase, following_messages
+from lispac.survey.known_time_base import KnownTimeBase, known_base_notes
+from lispac.survey.point_mapping import PointMapper
+from lispac.survey.scanner_frame_recovery import RecoverySetup, require_within_reach
+from lispac.survey.time_base import (
+    LEAP_SECONDS_NOW,
+    TimeMatch,
+    base_of_key,
+    from_gps,
+    plausible_bases,
+    to_gps,
+)
+from lispac.survey.time_quality import Coverage, accuracy_coverage_warning, exclusion_notes
 from lispac.survey.trajectory import LocalTrajectory
 from tests.error_codes import has_code
 
@@ -103,8 +110,8 @@ def test_a_projection_of_ones_own_has_no_code_on_a_realization() -> None:
 
 def test_a_system_that_states_no_area_is_meant_for_everywhere() -> None:
     assert CRS("+proj=utm +zone=19 +type=crs").area_of_use is None
-    assert meant_elsewhere(CRS("+proj=utm +zone=19 +type=crs"), -40.0, 170.0) == ""
-    assert meant_elsewhere(CRS("EPSG:32619"), 46.0, -71.0) == ""
+    assert area_of_use_elsewhere(CRS("+proj=utm +zone=19 +type=crs"), -40.0, 170.0) == ""
+    assert area_of_use_elsewhere(CRS("EPSG:32619"), 46.0, -71.0) == ""
 
 
 def test_a_place_is_elsewhere_from_three_degrees_beyond_the_area_on() -> None:
@@ -116,7 +123,7 @@ def test_a_place_is_elsewhere_from_three_degrees_beyond_the_area_on() -> None:
         (46, -74.9, False), (46, -75.1, True), (46, -63.1, False), (46, -62.9, True),
         (46, 111, True),
     ):  # fmt: skip
-        assert meant_elsewhere(zone, latitude, longitude) == (said if elsewhere else "")
+        assert area_of_use_elsewhere(zone, latitude, longitude) == (said if elsewhere else "")
 
 
 def test_an_area_over_the_date_line_is_one() -> None:
@@ -125,8 +132,8 @@ def test_an_area_over_the_date_line_is_one() -> None:
         (173.7, True), (173.9, False), (180, False), (-180, False), (-175.2, False), (-175.1, True),
         (0, True),
     ):  # fmt: skip
-        assert bool(meant_elsewhere(fiji, -17.0, longitude)) == elsewhere
-    assert meant_elsewhere(CRS("EPSG:4326"), 10.0, 179.0) == ""
+        assert bool(area_of_use_elsewhere(fiji, -17.0, longitude)) == elsewhere
+    assert area_of_use_elsewhere(CRS("EPSG:4326"), 10.0, 179.0) == ""
 
 
 @pytest.mark.parametrize("name", ["a,b.gtx", 'a"b.gtx'])
@@ -179,7 +186,7 @@ def test_a_site_that_is_not_on_the_map_says_so_by_its_points() -> None:
 
 def test_no_points_are_within_reach_of_any_scanner() -> None:
     system = coordinate_system("EPSG:32619")
-    recovery = Recovery(system, _track(), AT_POS, Path("a.las"))
+    recovery = RecoverySetup(system, _track(), AT_POS, Path("a.las"))
     require_within_reach(np.zeros((0, 3)), recovery)
     with pytest.raises(InputError, check=has_code("survey.points_of_file_too_far", file="a.las")):
         require_within_reach(np.full((3, 3), 1e6), recovery)
@@ -189,10 +196,10 @@ def test_no_points_are_within_reach_of_any_scanner() -> None:
 
 
 def test_no_times_are_in_no_base_and_stay_none() -> None:
-    week, nothing = base_of("gps-week"), np.zeros(0)
-    assert plausible(nothing) == ()
-    assert plausible(np.array([1.0, np.nan])) == ()
-    assert week in plausible(np.array([1.0, 2.0]))
+    week, nothing = base_of_key("gps-week"), np.zeros(0)
+    assert plausible_bases(nothing) == ()
+    assert plausible_bases(np.array([1.0, np.nan])) == ()
+    assert week in plausible_bases(np.array([1.0, 2.0]))
     assert to_gps(nothing, week).shape == (0,)
     assert from_gps(nothing, week).shape == (0,)
 
@@ -223,35 +230,35 @@ def test_shares_of_no_points_are_none() -> None:
 
 def test_accuracies_may_miss_two_seconds_at_either_end() -> None:
     track = np.array([10.0, 20.0, 30.0])
-    assert short_of_trajectory(np.array([12.0, 28.0]), track, "a") is None
+    assert accuracy_coverage_warning(np.array([12.0, 28.0]), track, "a") is None
     for first, last in ((12.1, 30.0), (10.0, 27.9)):
-        assert short_of_trajectory(np.array([first, last]), track, "a") == warning(
+        assert accuracy_coverage_warning(np.array([first, last]), track, "a") == warning(
             "import.accuracy_too_short", file="a", first=first, last=last, start=10.0, end=30.0
         )
 
 
 def test_leap_seconds_taken_for_granted_are_said() -> None:
-    week, utc = base_of("gps-week"), base_of("utc-week")
+    week, utc = base_of_key("gps-week"), base_of_key("utc-week")
     own, other = KnownTimeBase(utc, stated=True), KnownTimeBase(week)
-    match = Match(((utc, week),), 18.0, 1.0)
+    match = TimeMatch(((utc, week),), 18.0, 1.0)
     follows = note(
         "import.shift_follows", file="a", shift=18.0,
         base=note("time_base.given", base=note("time_base.utc_week")),
         trajectory_base=note("time_base.of_file", base=note("time_base.gps_week")),
     )  # fmt: skip
-    assert following_messages((match,), own, other, "a") == (follows,)
-    assumed = Match(((utc, week),), 18.0, 1.0, leap_assumed=True)
+    assert known_base_notes((match,), own, other, "a") == (follows,)
+    assumed = TimeMatch(((utc, week),), 18.0, 1.0, leap_assumed=True)
     leap = note("import.leap_seconds_assumed", file="a", leap=LEAP_SECONDS_NOW)
-    assert following_messages((assumed,), own, other, "a") == (follows, leap)
+    assert known_base_notes((assumed,), own, other, "a") == (follows, leap)
 
 
 def test_another_way_that_fits_as_well_is_said() -> None:
     """A day later as many points lie inside; two days later fewer do."""
-    day = base_of("utc-day")
-    pair = ((day, base_of("gps-week")),)
-    ways = tuple(Match(pair, 86400.0 * k + 18.0, share) for k, share in ((1, 1.0), (2, 0.998)))
+    day = base_of_key("utc-day")
+    pair = ((day, base_of_key("gps-week")),)
+    ways = tuple(TimeMatch(pair, 86400.0 * k + 18.0, share) for k, share in ((1, 1.0), (2, 0.998)))
     own, other = KnownTimeBase(day, stated=True), KnownTimeBase(pair[0][1])
-    found = following_messages((*ways, Match(pair, 259218.0, 0.9)), own, other, "a")
+    found = known_base_notes((*ways, TimeMatch(pair, 259218.0, 0.9)), own, other, "a")
     follows, rivals = found
     assert follows.params["shift"] == 86_418.0
     assert rivals.code == "import.other_shifts_fit"
@@ -259,7 +266,7 @@ def test_another_way_that_fits_as_well_is_said() -> None:
 
 
 def test_a_base_that_nothing_tells_is_not_known() -> None:
-    week = base_of("gps-week")
+    week = base_of_key("gps-week")
     assert KnownTimeBase().message == note("time_base.unknown")
     suggested = note("time_base.suggested", base=note("time_base.gps_week"))
     assert KnownTimeBase(week, suggested=True).message == suggested

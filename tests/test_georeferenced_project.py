@@ -11,22 +11,22 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import Cancelled, InputError, ProjectError
-from lispac.io.cloud_record import CloudRecord
 from lispac.io.las_chunks import LAS
-from lispac.io.las_crs import stated_system
-from lispac.io.points import system_of
+from lispac.io.las_crs import read_header_crs
+from lispac.io.mounting_record import MountingRecord
+from lispac.io.point_reading import crs_of_options
 from lispac.io.project_file import write_project
 from lispac.io.sbet import write_sbet
 from lispac.messages import Level, note
 from lispac.progress import Step
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
-from lispac.survey.mapping import PointMapper
-from lispac.survey.recovery import Recovery, recovered
+from lispac.survey.point_mapping import PointMapper
+from lispac.survey.scanner_frame_recovery import RecoverySetup, recover_chunks
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.file_reading import local_trajectory
 from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.importing import import_lines
+from lispac.workflow.line_import import import_lines
 from lispac.workflow.line_points import read_line
 from tests.cloud_files import (
     MOUNTING,
@@ -85,11 +85,11 @@ def test_a_project_goes_to_the_map_and_comes_back(
     written = laspy.read(done[0].path)
     np.testing.assert_array_equal(written.gps_time, raw.gps_time)  # the original ones
     choice = LAS.look(done[0].path, {}).choice
-    system = system_of(LAS.settled(choice))
+    system = crs_of_options(LAS.settled(choice))
     assert system is not None
     chunks = (replace(c, time=c.time + 18.0) for c in LAS.read(done[0].path, choice))
-    recovery = Recovery(system, trajectory, project.mounting("prior"))
-    back = np.concatenate([part.xyz for part, _ in recovered(chunks, recovery)])
+    recovery = RecoverySetup(system, trajectory, project.mounting("prior"))
+    back = np.concatenate([part.xyz for part, _ in recover_chunks(chunks, recovery)])
     worst = np.linalg.norm(back - raw.xyz, axis=1).max()
     with capsys.disabled():
         print(f"\nscanner, UTM LAZ, scanner: within {1e3 * worst:.4f} mm")
@@ -146,7 +146,7 @@ def test_another_boresight_on_a_cloud_that_is_georeferenced(
     better = Estimated(**{name: getattr(better, name) for name in better.__dataclass_fields__})
     (done,) = georeference_project(better, tmp_path / "new", "estimated")
     raw, new = laspy.read(tmp_path / "raw.laz"), laspy.read(done.path)
-    assert stated_system(new.header).text == UTM
+    assert read_header_crs(new.header).text == UTM
     mapper = PointMapper(coordinate_system(UTM), local_trajectory(project)[0], turned)
     expected = mapper.to_map(raw.xyz, np.array(raw.gps_time) + 18.0)
     assert np.linalg.norm(new.xyz - expected, axis=1).max() < 2.5e-4
@@ -336,7 +336,7 @@ def test_a_damaged_record_is_not_used(project: Project, tmp_path: Path, damage: 
         if record.user_id == "LISPAC" and record.record_id == 2:
             record.record_data = damage
     cloud.write(done.path)
-    assert CloudRecord.read(done.path) is None
+    assert MountingRecord.read(done.path) is None
     with pytest.raises(InputError, match="local frame of a project"):
         LAS.look(done.path, {})
 

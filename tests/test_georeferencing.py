@@ -7,7 +7,7 @@ from lispac.errors import Cancelled, InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.io.sbet import read_sbet, write_sbet
 from lispac.progress import Step
-from lispac.survey.georeferencing import CHUNK, Mounting, georeference, place, to_lidar
+from lispac.survey.georeferencing import CHUNK, Mounting, georeference, place_points, to_lidar
 from lispac.survey.trajectory import LocalTrajectory, Poses, Trajectory
 from tests.error_codes import has_code
 
@@ -37,7 +37,7 @@ def test_kernel_equals_the_reference_formula(order: str) -> None:
     path, points, time, mounting = survey(5000)
     if order != "shuffled":
         time = np.sort(time) if order == "sorted" else np.sort(time)[::-1]
-    expected = place(points, path.at(time), mounting)
+    expected = place_points(points, path.at(time), mounting)
     np.testing.assert_allclose(
         georeference(points, time, path, mounting), expected, rtol=0, atol=1e-11
     )
@@ -48,7 +48,7 @@ def test_kernel_equals_the_reference_over_several_chunks() -> None:
     local = georeference(points, time, path, mounting)
     ends = np.r_[0:500, CHUNK - 500 : CHUNK + 1000]
     np.testing.assert_allclose(
-        local[ends], place(points[ends], path.at(time[ends]), mounting), atol=1e-11
+        local[ends], place_points(points[ends], path.at(time[ends]), mounting), atol=1e-11
     )
 
 
@@ -83,13 +83,13 @@ def test_a_range_offset_lengthens_every_range(offset: float) -> None:
     longer = mounting.corrected(points)
     np.testing.assert_allclose(np.linalg.norm(longer, axis=1), [5 + offset, 20 + offset])
     np.testing.assert_allclose(np.cross(longer, points), 0.0, atol=1e-12)
-    np.testing.assert_allclose(mounting.as_read(longer), points, atol=1e-12)
+    np.testing.assert_allclose(mounting.apply_offsets(longer), points, atol=1e-12)
 
 
 def test_both_ends_of_the_trajectory_belong_to_it() -> None:
     path, points, _, mounting = survey(2)
     ends = path.time[[0, -1]]
-    expected = place(points, Poses(path.position[[0, -1]], path.attitude[[0, -1]]), mounting)
+    expected = place_points(points, Poses(path.position[[0, -1]], path.attitude[[0, -1]]), mounting)
     np.testing.assert_allclose(georeference(points, ends, path, mounting), expected, atol=1e-11)
 
 
@@ -124,6 +124,6 @@ def test_vessel_data_regeoreferences_to_its_stored_coordinates(shared_data: Path
     assert len(files) == 16
     for path in files:
         rows = np.fromfile(path, dtype="<f8").reshape(-1, 22)
-        local = place(rows[:, 4:7], Poses(rows[:, 16:19], rows[:, 10:13]), mounting)
+        local = place_points(rows[:, 4:7], Poses(rows[:, 16:19], rows[:, 10:13]), mounting)
         worst = np.abs(local - rows[:, :3]).max()
         assert worst < 1e-9, f"{path.name}: {worst:.2e} m"

@@ -12,12 +12,12 @@ from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import rotation_matrix
 from lispac.io.sbet import read_sbet, write_sbet
-from lispac.survey import mapping
+from lispac.survey import point_mapping
 from lispac.survey.crs import coordinate_system
-from lispac.survey.georeferencing import Mounting, georeference, place, to_lidar
-from lispac.survey.mapping import PointMapper
-from lispac.survey.recovery import Recovery
-from lispac.survey.smooth_map import PROMISED, fitted
+from lispac.survey.georeferencing import Mounting, georeference, place_points, to_lidar
+from lispac.survey.point_mapping import PointMapper
+from lispac.survey.scanner_frame_recovery import RecoverySetup
+from lispac.survey.smooth_map import PROMISED, fit_smooth_map
 from lispac.survey.trajectory import STEEPEST, LocalTrajectory, Trajectory
 from tests.cloud_files import (
     GREENWICH,
@@ -93,7 +93,7 @@ def test_utm_against_pipeline_of_proj_alone() -> None:
         f"+h_0={float(frame.height)!r} +step +inv +proj=cart +ellps=WGS84 "
         "+step +proj=utm +zone=19 +ellps=WGS84"
     )
-    local = place(points, trajectory.at(time + MOUNTING.latency), MOUNTING)
+    local = place_points(points, trajectory.at(time + MOUNTING.latency), MOUNTING)
     expected = np.stack(steps.transform(-local[:, 1], local[:, 0], local[:, 2]), axis=1)
     found = PointMapper(coordinate_system("EPSG:32619"), trajectory, MOUNTING).to_map(points, time)
     np.testing.assert_allclose(found, expected, rtol=0, atol=PROMISED)
@@ -121,7 +121,7 @@ def test_the_pieces_that_threads_take_are_put_together(
     mapper = PointMapper(coordinate_system("EPSG:32619"), trajectory, MOUNTING)
     whole = mapper.to_map(points, time)
     back = mapper.to_scanner(whole, time)
-    monkeypatch.setattr(mapping, "PIECE", 128)
+    monkeypatch.setattr(point_mapping, "PIECE", 128)
     np.testing.assert_array_equal(mapper.to_map(points, time, threads=threads), whole)
     np.testing.assert_array_equal(mapper.to_scanner(whole, time, threads=threads), back)
 
@@ -165,7 +165,7 @@ def test_what_polynomials_cannot_follow_is_left_out_of_them() -> None:
         return np.stack(value, axis=1)
 
     low, high = np.array([-500.0, -400, -10]), np.array([500.0, 400, 10])
-    fit = fitted(exact, low, high, metres_in=np.ones(3), metres_out=np.ones(3))
+    fit = fit_smooth_map(exact, low, high, metres_in=np.ones(3), metres_out=np.ones(3))
     points = np.random.default_rng(1).uniform(low, high, (50_000, 3))
     found = points.copy()
     missed = fit.apply(found)
@@ -253,7 +253,7 @@ def test_heading_through_north_turns_the_short_way(tmp_path: Path, clockwise: bo
     np.testing.assert_allclose(local, expected, rtol=0, atol=1e-6)
     system = coordinate_system("EPSG:32618")
     cloud = PointMapper(system, trajectory, mounting).to_map(ahead, time)
-    back = Recovery(system, trajectory, mounting).points_lidar(cloud, time)
+    back = RecoverySetup(system, trajectory, mounting).points_lidar(cloud, time)
     np.testing.assert_allclose(back, ahead, rtol=0, atol=2 * PROMISED)
 
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from lispac.geometry.planes import Plane
-from lispac.targets.region_growing import grow, strongest, trimmed
-from lispac.targets.settings import FinderSettings
+from lispac.targets.finder_settings import FinderSettings
+from lispac.targets.region_growing import grow_best_contender, grow_plane, trim_outliers
 
 LEVEL = Plane(np.array([0.0, 0.0, 1.0]), 0.0)
 FAR = Plane(np.array([0.0, 0.0, 1.0]), -30.0)
@@ -22,26 +22,26 @@ def _board(noise: float = 0.002) -> np.ndarray:
 
 def test_a_plane_where_there_is_nothing_grows_to_nothing() -> None:
     points = _board()
-    assert len(grow(points, np.ones(400), FAR, SETTINGS, None)) == 0
-    assert len(grow(points, np.ones(400), LEVEL, SETTINGS, None)) > 380
+    assert len(grow_plane(points, np.ones(400), FAR, SETTINGS, None)) == 0
+    assert len(grow_plane(points, np.ones(400), LEVEL, SETTINGS, None)) > 380
 
 
 @pytest.mark.parametrize("contenders", [[FAR, LEVEL], [LEVEL, FAR]])
 def test_the_plane_with_points_is_the_strongest(contenders: list[Plane]) -> None:
-    found = strongest(_board(), np.ones(400), contenders, SETTINGS, None)
+    found = grow_best_contender(_board(), np.ones(400), contenders, SETTINGS, None)
     assert abs(found.d) < 0.001
     assert found.tilt_to(LEVEL) < np.radians(0.1)
 
 
 def test_without_points_on_any_the_first_contender_stays() -> None:
     other = replace(FAR, d=-40.0)
-    assert strongest(_board(), np.ones(400), [FAR, other], SETTINGS, None) is FAR
+    assert grow_best_contender(_board(), np.ones(400), [FAR, other], SETTINGS, None) is FAR
 
 
 def test_points_right_at_the_threshold_belong_and_do_not_tilt_the_plane() -> None:
     """They have no weight in the fit: the plane stays where it was."""
     points = np.array([(0.0, 0.0, 0.5), (0.1, 0.0, 0.5), (0.0, 0.1, -0.5), (0.1, 0.1, -0.5)])
-    on = grow(points, np.ones(4), LEVEL, replace(SETTINGS, threshold=0.5), None)
+    on = grow_plane(points, np.ones(4), LEVEL, replace(SETTINGS, threshold=0.5), None)
     np.testing.assert_array_equal(on, np.arange(4))
 
 
@@ -56,10 +56,10 @@ def test_a_crowd_that_the_plane_runs_through_is_not_its_patch() -> None:
     ]
     votes = np.full(205, 1e-3)
     votes[0] = 1.0
-    assert len(grow(on, votes[:5], LEVEL, SETTINGS, None)) == 3, "alone they are connected"
-    assert len(grow(np.concatenate([on, *crowds]), votes, LEVEL, SETTINGS, None)) == 0
+    assert len(grow_plane(on, votes[:5], LEVEL, SETTINGS, None)) == 3, "alone they are connected"
+    assert len(grow_plane(np.concatenate([on, *crowds]), votes, LEVEL, SETTINGS, None)) == 0
 
 
 def test_too_few_points_for_a_plane_are_not_trimmed() -> None:
     points = np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 5.0)])
-    np.testing.assert_array_equal(trimmed(points, np.array([0, 1]), SETTINGS), [0, 1])
+    np.testing.assert_array_equal(trim_outliers(points, np.array([0, 1]), SETTINGS), [0, 1])

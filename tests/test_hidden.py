@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from lispac.geometry.planes import fit_plane
-from lispac.gui.panels.sightings_table import quality_words
+from lispac.gui.panels.sightings_table import quality_text
 from lispac.message_texts import message_text
 from lispac.project import Project
-from lispac.targets.hidden import Shown, ends_within, shown_of
-from lispac.targets.quality import plane_quality
-from lispac.workflow.qualities import judge, judge_target
+from lispac.targets.occlusion import ObservedExtent, compare_observed_extents, does_plane_end_within
+from lispac.targets.sighting_quality import plane_quality
+from lispac.workflow.sighting_assessment import assess_sightings, assess_target
 from lispac.workflow.survey import Survey
 from tests.message_codes import codes
 from tests.test_quality import NOISE
@@ -27,8 +27,8 @@ def seen(
     return np.stack([north + beside, 20.0 + rng.normal(0, NOISE, 2000), up], axis=1)
 
 
-def shares(*sightings: np.ndarray, apart: float = 0.05) -> list[Shown]:
-    found = shown_of(sightings, [True] * len(sightings), apart)
+def shares(*sightings: np.ndarray, apart: float = 0.05) -> list[ObservedExtent]:
+    found = compare_observed_extents(sightings, [True] * len(sightings), apart)
     assert all(each is not None for each in found)
     return [each for each in found if each is not None]
 
@@ -80,9 +80,9 @@ def test_one_line_against_several_is_the_odd_one():
 
 def test_only_what_is_used_is_compared_with():
     points = [seen(wide=(0.0, 0.6)), seen()]
-    assert shown_of(points, [True, False], 0.05)[0] is None
-    assert shown_of(points, [False, True], 0.05)[0].share < 0.51
-    assert shown_of(points[:1], [True], 0.05) == (None,)
+    assert compare_observed_extents(points, [True, False], 0.05)[0] is None
+    assert compare_observed_extents(points, [False, True], 0.05)[0].share < 0.51
+    assert compare_observed_extents(points[:1], [True], 0.05) == (None,)
 
 
 @pytest.mark.parametrize(("part", "light"), [(0.75, "good"), (0.6, "doubtful"), (0.4, "poor")])
@@ -95,12 +95,12 @@ def test_the_limits(part, light):
     assert quality.light == light
     assert quality.share_shown == pytest.approx(part, abs=0.01)
     assert ("quality.shows_less" in codes(quality.reasons)) == (light != "good")
-    assert f"{100 * shown.share:.0f} % of what the other lines show" in quality_words(quality)
+    assert f"{100 * shown.share:.0f} % of what the other lines show" in quality_text(quality)
 
 
 def test_a_wall_cut_by_the_search_radius_is_not_compared():
-    assert ends_within(2.0, [np.array([1.23, 1.22]), np.array([0.6, 1.22])])
-    assert not ends_within(2.0, [np.array([3.9, 1.2]), np.array([0.6, 1.2])])
+    assert does_plane_end_within(2.0, [np.array([1.23, 1.22]), np.array([0.6, 1.22])])
+    assert not does_plane_end_within(2.0, [np.array([3.9, 1.2]), np.array([0.6, 1.2])])
 
 
 def narrowed(project: Project, survey: Survey, name: str, line: str) -> Project:
@@ -120,11 +120,11 @@ def test_on_the_demo_a_half_is_told_and_the_others_are_judged_anew(
     project, survey = calibrated
     project = replace(project, result=None)
     line = project.target("T1").sightings[0].line
-    whole = judge(project, survey)
+    whole = assess_sightings(project, survey)
     assert whole["T1", line].quality.share_shown > 0.95
     assert whole["V5", line].quality.share_shown is None  # cut by the search radius
     half = narrowed(project, survey, "T1", line)
-    judged = judge(half, survey, known=whole)
+    judged = assess_sightings(half, survey, known=whole)
     quality = judged["T1", line].quality
     assert quality.light != "good"
     assert "quality.shows_less" in codes(quality.reasons)
@@ -136,4 +136,4 @@ def test_on_the_demo_a_half_is_told_and_the_others_are_judged_anew(
     alone = replace(
         target, sightings=tuple(replace(s, used=s.line == line) for s in target.sightings)
     )
-    assert judge_target(half, survey, alone)[line].share_shown is None
+    assert assess_target(half, survey, alone)[line].share_shown is None

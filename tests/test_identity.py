@@ -20,10 +20,10 @@ from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.message_texts import TEXTS
 from lispac.messages import error, note
 from lispac.project import LineSource, Project, Reading
-from lispac.report.document import document_of
+from lispac.report.csv_tables import write_tables
+from lispac.report.document import report_document
 from lispac.report.html import html_text
 from lispac.report.pdf import write_pdf
-from lispac.report.tables import write_tables
 from lispac.workflow.survey_dates import survey_dates
 from tests.report_sample import sample_content, sample_project
 from tests.test_cli import run
@@ -136,7 +136,7 @@ def test_page_one_says_it_and_blanks_are_lines(tmp_path: Path) -> None:
     page = html_text(sample_content(project.with_identity(replace(FULL, vessel=""))), {})
     assert page.count("<dd></dd>") == 1
     assert [word for word in _page(page).words if word == FULL.company] == [FULL.company] * 2
-    blank = document_of(sample_content(project), {})
+    blank = report_document(sample_content(project), {})
     assert {value for _, value in blank.identity.rows} == {""}
     assert blank.cautions == ()
 

@@ -17,18 +17,18 @@ from lispac.io.project_file import write_project
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Georeferencer, Mounting, georeference
-from lispac.survey.store import pieces, spool
-from lispac.survey.store.original import original_of
-from lispac.survey.store.reading import StoredLine
+from lispac.survey.store import point_blocks, spool
+from lispac.survey.store.original_file import source_file_of
+from lispac.survey.store.stored_line import StoredLine
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.file_reading import local_trajectory
-from lispac.workflow.importing import (
-    _Source,
+from lispac.workflow.line_import import (
+    _LineFileReader,
     assumptions_of,
     import_line,
     import_lines,
     line_folder,
-    stored_line,
+    open_stored_line,
 )
 from lispac.workflow.line_points import LinePoints, read_line
 from lispac.workflow.projects import create_project, open_project
@@ -115,11 +115,11 @@ def test_no_point_moves_farther_than_the_margin(project: Project, trajectory) ->
         mounting = Mounting.of_values(prior.values + step)
         place = Georeferencer.of(trajectory, mounting)
         moved = np.linalg.norm(place(points, time) - before, axis=1).max()
-        margin = place.farthest_move(prior, item.stored.manifest.reach)
+        margin = place.largest_displacement(prior, item.stored.manifest.reach)
         assert moved <= margin + 1e-9
         shares.append(moved / margin if margin else 1.0)
     assert np.median(shares) > 0.3, "not larger than need be"
-    assert Georeferencer.of(trajectory, prior).farthest_move(prior, 100.0) == 0
+    assert Georeferencer.of(trajectory, prior).largest_displacement(prior, 100.0) == 0
 
 
 def test_placing_is_georeferencing(survey: Survey, project: Project) -> None:
@@ -148,7 +148,7 @@ def test_second_import_does_nothing(project: Project) -> None:
 
 @pytest.mark.parametrize("when", [1, 3, 4])
 def test_cancelled_import_goes_on(project: Project, trajectory, monkeypatch, when: int) -> None:
-    for module in (pieces, spool):
+    for module in (point_blocks, spool):
         monkeypatch.setattr(module, "BLOCK", 100_000)
     line = project.lines[0]
     whole = import_line(project, line, trajectory).stored.manifest
@@ -156,7 +156,7 @@ def test_cancelled_import_goes_on(project: Project, trajectory, monkeypatch, whe
     with pytest.raises(Cancelled):
         import_line(project, line, trajectory, progress=stop_at(when))
     with pytest.raises(ProjectError) as refused:
-        stored_line(project, line, trajectory)
+        open_stored_line(project, line, trajectory)
     assert refused.value.code == "store.interrupted"
     again = import_line(project, line, trajectory).stored.manifest
     assert [c.checksum for c in again.files] == [c.checksum for c in whole.files]
@@ -236,30 +236,30 @@ def test_changes_since_the_import_are_noticed(project: Project, survey: Survey, 
     import_line(project, own, trajectory)
     status = own.path.stat()
     os.utime(own.path, ns=(status.st_atime_ns, status.st_mtime_ns + 10**9))
-    stored_line(project, own, trajectory)  # copied, with the same content
+    open_stored_line(project, own, trajectory)  # copied, with the same content
 
     slower = replace(own, reading=Reading(time_shift=0.5))
     with pytest.raises(ProjectError) as raised:
-        stored_line(project, slower, trajectory)
+        open_stored_line(project, slower, trajectory)
     assert raised.value.code == "import.reading_changed"
     assert raised.value.message.params["line"] == "own"
     with pytest.raises(ProjectError) as raised:
-        stored_line(project, own, replace(trajectory, position=trajectory.position + 1))
+        open_stored_line(project, own, replace(trajectory, position=trajectory.position + 1))
     assert raised.value.code == "import.trajectory_changed"
     late = replace(project, settings=replace(project.settings, latency=0.01))
     with pytest.raises(ProjectError) as raised:
-        stored_line(late, own, trajectory)
+        open_stored_line(late, own, trajectory)
     assert raised.value.code == "import.latency_changed"
     turned = replace(project, settings=replace(project.settings, boresight_deg=(5.0, 0, 0)))
-    stored_line(turned, own, trajectory)  # only the order hangs on it
+    open_stored_line(turned, own, trajectory)  # only the order hangs on it
 
     write_line(own.path, survey.scans["L2_180"])
     with pytest.raises(ProjectError) as raised:
-        stored_line(project, own, trajectory)
+        open_stored_line(project, own, trajectory)
     assert raised.value.code == "import.file_changed"
     assert len(import_line(project, own, trajectory).stored) == len(survey.scans["L2_180"])
     own.path.unlink()
-    stored_line(project, own, trajectory)  # the store does without its file
+    open_stored_line(project, own, trajectory)  # the store does without its file
     assert import_lines(project)[0].seconds == 0.0
     with pytest.raises(InputError, match=r"own\.laz") as refused:
         import_lines(project, again=True)
@@ -286,7 +286,7 @@ def test_a_line_with_a_changed_column_is_imported_again_and_that_is_said(
     (repeated,) = [each for each in notes if each.code == "import.repeated"]
     assert repeated.params["line"] == "again"
     assert repeated.params["reason"].params["file"].endswith("xyz.npy")
-    stored_line(project, own, trajectory).require_sound()
+    open_stored_line(project, own, trajectory).require_sound()
     assert "import.repeated" not in codes(load_survey(project).notes)
 
 
@@ -332,8 +332,10 @@ def test_damaged_file_leaves_nothing(survey: Survey, project, trajectory) -> Non
 @pytest.mark.parametrize("change", ["changed", "removed"])
 def test_file_that_changes_meanwhile(survey: Survey, project, trajectory, change: str) -> None:
     own = write_line(project.folder / "own.las", survey.scans["L1_000"])
-    original = original_of(own.path)
-    source = _Source(LinePoints(own, trajectory, project.mounting("prior")), original).pieces(0)
+    original = source_file_of(own.path)
+    source = _LineFileReader(
+        LinePoints(own, trajectory, project.mounting("prior")), original
+    ).pieces(0)
     assert len(next(source)) == len(survey.scans["L1_000"])
     if change == "changed":
         os.utime(own.path, ns=(0, original.modified + 1))
@@ -368,7 +370,7 @@ def test_line_on_the_map_comes_back_to_the_scanner(survey: Survey, project, traj
     assert stored.fingerprint == read_line(line, trajectory, mounting)[0].fingerprint
     turned = replace(project, settings=replace(project.settings, boresight_deg=(0.0, 0.0, 0.0)))
     with pytest.raises(ProjectError) as raised:
-        stored_line(turned, line, trajectory)
+        open_stored_line(turned, line, trajectory)
     assert raised.value.code == "import.mounting_changed"
 
 

@@ -6,14 +6,14 @@ from pathlib import Path
 import pytest
 
 from lispac.errors import InputError
-from lispac.installed import resource, user_folder, window_command
+from lispac.installation_paths import resource_path, user_folder, window_command
 from lispac.messages import error
 
 
 def test_a_file_the_installation_lacks_is_told() -> None:
-    assert resource("manual").is_dir()
+    assert resource_path("manual").is_dir()
     with pytest.raises(InputError) as refused:
-        resource("manual/no-such-page.md")
+        resource_path("manual/no-such-page.md")
     assert refused.value.message == error(
         "installation.file_missing", name="manual/no-such-page.md"
     )

@@ -9,13 +9,13 @@ import pytest
 
 from lispac.io import line_times as times_module
 from lispac.io.formats import format_of
-from lispac.io.line_times import line_times
+from lispac.io.line_times import read_line_times
 from lispac.io.project_file import read_project
 from lispac.messages import Action, Level, Message, note
 from lispac.project import LineSource, Settings
 from lispac.survey.trajectory import LONGEST_GAP
-from lispac.workflow.intake import Intake, project_among, proposed_folder
-from lispac.workflow.intake_entry import examined
+from lispac.workflow.input_file import examine_file
+from lispac.workflow.input_files import InputFiles, find_project, proposed_folder
 from lispac.workflow.projects import new_project, open_project
 from lispac.workflow.survey import load_survey
 from tests.intake_files import (
@@ -40,14 +40,14 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def whole(files: Path) -> Intake:
-    return taken_in(Intake(), files)
+def whole(files: Path) -> InputFiles:
+    return taken_in(InputFiles(), files)
 
 
 # -- what files are ------------------------------------------------------------------------------
 
 
-def test_files_of_a_folder_are_sorted_by_what_they_are(whole: Intake) -> None:
+def test_files_of_a_folder_are_sorted_by_what_they_are(whole: InputFiles) -> None:
     roles = {entry.path.name: entry.role for entry in whole.entries}
     assert roles == {
         "pos.sbet": "trajectory", "smrmsg.out": "accuracy", "L1.laz": "points",
@@ -61,7 +61,7 @@ def test_files_of_a_folder_are_sorted_by_what_they_are(whole: Intake) -> None:
     assert codes_about(whole, "letter.md") == ["import.unknown_format"]
 
 
-def test_what_readers_take_for_granted_is_told_apart_from_doubts(whole: Intake) -> None:
+def test_what_readers_take_for_granted_is_told_apart_from_doubts(whole: InputFiles) -> None:
     finding = named(whole, "pos.sbet").finding
     assert finding is not None
     assert "assumed.pitch_bow_up" in codes(finding.assumptions)
@@ -69,19 +69,19 @@ def test_what_readers_take_for_granted_is_told_apart_from_doubts(whole: Intake) 
 
 
 def test_a_project_among_the_files_is_found(files: Path, tmp_path: Path) -> None:
-    assert project_among([files, files / "L1.laz"]) is None
+    assert find_project([files, files / "L1.laz"]) is None
     (tmp_path / "project.json").write_text("{}")
-    assert project_among([files, tmp_path]) == tmp_path
-    assert project_among([tmp_path / "project.json"]) == tmp_path / "project.json"
+    assert find_project([files, tmp_path]) == tmp_path
+    assert find_project([tmp_path / "project.json"]) == tmp_path / "project.json"
 
 
 def test_what_is_missing_is_said_in_order(files: Path, tmp_path: Path) -> None:
-    assert Intake().problem("x").startswith("Add the files of the survey")
-    waiting = Intake().with_files([files / "L1.laz"])
+    assert InputFiles().problem("x").startswith("Add the files of the survey")
+    waiting = InputFiles().with_files([files / "L1.laz"])
     assert waiting.problem("x") == "The files are being examined."
-    line = taken_in(Intake(), files / "L1.laz")
+    line = taken_in(InputFiles(), files / "L1.laz")
     assert "The trajectory is missing" in line.problem("x")
-    track = taken_in(Intake(), files / "pos.sbet")
+    track = taken_in(InputFiles(), files / "pos.sbet")
     assert "There is no line" in track.problem("x")
     (tmp_path / "project.json").write_text("{}")
     both = taken_in(line, files / "pos.sbet")
@@ -92,7 +92,7 @@ def test_what_is_missing_is_said_in_order(files: Path, tmp_path: Path) -> None:
 
 
 def test_two_trajectories_are_one_too_many_until_one_is_left_out(
-    whole: Intake, files: Path, tmp_path: Path
+    whole: InputFiles, files: Path, tmp_path: Path
 ) -> None:
     second = write_records(tmp_path / "second.sbet", vessel(500))
     intake = taken_in(whole, second)
@@ -102,7 +102,7 @@ def test_two_trajectories_are_one_too_many_until_one_is_left_out(
     assert mended.state(mended.entry(second)) == "out"
     assert mended.trajectory is not None
     assert mended.trajectory.path == files / "pos.sbet"
-    assert mended.files_problem() == ""
+    assert mended.files_problem_text() == ""
 
 
 def test_text_that_might_be_a_trajectory_is_a_line_beside_a_certain_one(
@@ -111,9 +111,9 @@ def test_text_that_might_be_a_trajectory_is_a_line_beside_a_certain_one(
     rows = np.column_stack([START + np.linspace(3, 9, 200), fan(200), np.ones((200, 4))])
     text = tmp_path / "points.txt"
     np.savetxt(text, rows, fmt="%.4f")
-    alone = taken_in(Intake(), text)
+    alone = taken_in(InputFiles(), text)
     assert "points" in alone.entries[0].roles
-    beside = taken_in(taken_in(Intake(), files / "pos.sbet"), text)
+    beside = taken_in(taken_in(InputFiles(), files / "pos.sbet"), text)
     assert beside.entry(text).role == "points"
 
 
@@ -122,12 +122,14 @@ def test_lines_of_one_name_are_named_by_their_folders(files: Path, tmp_path: Pat
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()
         paths.append(write_line(tmp_path / folder / "scan.laz", START + np.linspace(1, 2, 100)))
-    intake = taken_in(Intake(), files / "pos.sbet", *paths)
+    intake = taken_in(InputFiles(), files / "pos.sbet", *paths)
     assert list(intake.names.values()) == ["a_scan", "b_scan"]
-    assert intake.files_problem() == ""
+    assert intake.files_problem_text() == ""
 
 
-def test_a_damaged_line_is_an_error_beside_the_others(whole: Intake, files: Path, tmp_path: Path):
+def test_a_damaged_line_is_an_error_beside_the_others(
+    whole: InputFiles, files: Path, tmp_path: Path
+):
     damaged = tmp_path / "damaged.laz"
     content = (files / "L1.laz").read_bytes()
     damaged.write_bytes(content[: len(content) // 2])
@@ -135,14 +137,14 @@ def test_a_damaged_line_is_an_error_beside_the_others(whole: Intake, files: Path
     assert intake.state(intake.entry(damaged)) == "error"
     assert str(damaged) not in said(intake, "damaged.laz")
     assert intake.problem("x").startswith("damaged.laz: ")
-    assert intake.with_role(damaged, None).files_problem() == ""
+    assert intake.with_role(damaged, None).files_problem_text() == ""
 
 
 # -- times ---------------------------------------------------------------------------------------
 
 
 def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
-    whole: Intake, files: Path, tmp_path: Path
+    whole: InputFiles, files: Path, tmp_path: Path
 ) -> None:
     late = write_line(tmp_path / "day.laz", START + np.linspace(20, 30, 3000) - 5 * 86_400)
     intake = taken_in(whole, late)
@@ -150,10 +152,10 @@ def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
     assert (remark.level, remark.code) == (Level.ERROR, "import.outside_with_shift")
     assert remark.params["points"] == note("time_base.gps_day")
     assert remark.actions[0].params["shift"] == pytest.approx(432_000)
-    assert [entry.path for entry, _ in intake.shifts_offered] == [late]
+    assert [entry.path for entry, _ in intake.proposed_shifts] == [late]
     for mended in (intake.with_action(late, remark.actions[0]), intake.with_shift_for_all()):
-        assert mended.files_problem() == ""
-        assert mended.shifts_offered == ()
+        assert mended.files_problem_text() == ""
+        assert mended.proposed_shifts == ()
         covered = mended.coverage(mended.entry(late))
         assert covered is not None
         assert covered.usable == covered.count
@@ -169,7 +171,7 @@ def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
     assert again.scans["day"].time.max() == pytest.approx(START + 30)
 
 
-def test_a_shift_that_another_one_rivals_stays_a_doubt(whole: Intake, tmp_path: Path) -> None:
+def test_a_shift_that_another_one_rivals_stays_a_doubt(whole: InputFiles, tmp_path: Path) -> None:
     # With 18 s to spare on one side, UTC and GPS seconds of the day both fit.
     late = write_line(tmp_path / "day.laz", START + np.linspace(1, 5, 500) - 5 * 86_400)
     intake = taken_in(whole, late)
@@ -182,7 +184,9 @@ def test_a_shift_that_another_one_rivals_stays_a_doubt(whole: Intake, tmp_path: 
     assert mended.with_action(late, rivals.actions[-1]).state(intake.entry(late)) == "error"
 
 
-def test_a_line_of_another_day_is_refused_with_the_distance(whole: Intake, tmp_path: Path) -> None:
+def test_a_line_of_another_day_is_refused_with_the_distance(
+    whole: InputFiles, tmp_path: Path
+) -> None:
     other = write_line(tmp_path / "other.laz", START + 50_000 + np.linspace(0, 5, 500))
     intake = taken_in(whole, other)
     remark = intake.remarks(intake.entry(other))[0]
@@ -191,7 +195,7 @@ def test_a_line_of_another_day_is_refused_with_the_distance(whole: Intake, tmp_p
     assert remark.actions == (Action("leave_out"),)
 
 
-def gaps_of(intake: Intake, name: str) -> list[Message]:
+def gaps_of(intake: InputFiles, name: str) -> list[Message]:
     """Messages about the gaps of a trajectory."""
     return [each for each in intake.remarks(named(intake, name)) if each.code == "trajectory.gaps"]
 
@@ -204,7 +208,7 @@ def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
     records = records[(time < 17) | (time > 19)]
     write_records(tmp_path / "gap.sbet", records)
     late = write_line(tmp_path / "late.laz", START + np.linspace(30, 45, 3000))
-    intake = taken_in(Intake(), tmp_path / "gap.sbet", files / "L2.las", late)
+    intake = taken_in(InputFiles(), tmp_path / "gap.sbet", files / "L2.las", late)
     in_gaps = intake.remarks(named(intake, "L2.las"))[0]
     assert (in_gaps.code, in_gaps.params["limit"]) == ("import.points_in_gaps", 1.5)
     assert "import.points_outside" in codes_about(intake, "late.laz")
@@ -254,10 +258,10 @@ def test_a_project_without_the_longest_gap_has_the_usual_one(files: Path, tmp_pa
 def test_a_long_line_is_looked_at_here_and_there(
     files: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    whole = line_times(files / "L1.laz", format_of("las"), {})
+    whole = read_line_times(files / "L1.laz", format_of("las"), {})
     monkeypatch.setattr(times_module, "READ_WHOLE", 1000)
     monkeypatch.setattr(times_module, "BLOCK", 50)
-    sampled = line_times(files / "L1.laz", format_of("las"), {})
+    sampled = read_line_times(files / "L1.laz", format_of("las"), {})
     assert not sampled.whole
     assert whole.whole
     assert sampled.count == whole.count == 3000
@@ -269,10 +273,10 @@ def test_a_line_that_takes_long_to_read_is_cut_and_said(
     files: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(times_module, "LONGEST", -1.0)
-    entry = examined(files / "deeper" / "L9.txt")
+    entry = examine_file(files / "deeper" / "L9.txt")
     assert entry.content is None  # its columns are not named yet
     monkeypatch.setattr("lispac.io.las_chunks.CHUNK", 500)
-    cut = line_times(files / "L1.laz", format_of("las"), {})
+    cut = read_line_times(files / "L1.laz", format_of("las"), {})
     assert not cut.reached_end
     assert cut.count == 3000
     assert cut.end < START + 12

@@ -6,27 +6,27 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.io.ascii_trajectory import use_degrees
+from lispac.io.ascii_trajectory import degrees_action
+from lispac.io.first_points import check_first_points
+from lispac.io.format_types import FilePreview
 from lispac.io.formats import format_of
 from lispac.io.line_times import LineTimes
-from lispac.io.points import CHOOSE_SYSTEM, USE_FEET, base_doubts
-from lispac.io.registry import Finding
-from lispac.io.sight import sight
-from lispac.io.trajectory_facts import SWAP_COORDINATES, time_doubts
-from lispac.io.trajectory_preview import sign_assumed
+from lispac.io.point_reading import CHOOSE_SYSTEM, USE_FEET, time_base_warnings
+from lispac.io.trajectory_facts import SWAP_COORDINATES, time_warnings
+from lispac.io.trajectory_preview import sign_assumed_warning
 from lispac.language import LANGUAGES, in_language
 from lispac.message_texts import action_text, action_tip, message_text
 from lispac.messages import Action, Level, Message, note, warning
 from lispac.project import LineSource, Project, Settings
-from lispac.survey.time_base import base_of
-from lispac.survey.time_stated import KnownTimeBase
+from lispac.survey.known_time_base import KnownTimeBase
+from lispac.survey.time_base import base_of_key
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow import intake as intake_module
-from lispac.workflow.intake import Intake, folder_problem, proposed_folder
-from lispac.workflow.intake_columns import column_tokens, meanings, missing_columns
-from lispac.workflow.intake_entry import Entry, examined_again, examined_as_given
-from lispac.workflow.intake_remarks import option_to_choose, remarks_of
-from lispac.workflow.intake_times import fitting, line_base, trajectory_base
+from lispac.workflow import input_files as intake_module
+from lispac.workflow.input_columns import column_meanings, missing_columns, possible_meanings
+from lispac.workflow.input_file import InputFile, examine_project_file, reexamine_file
+from lispac.workflow.input_file_messages import file_messages, option_to_choose
+from lispac.workflow.input_files import InputFiles, folder_problem, proposed_folder
+from lispac.workflow.input_times import line_time_base, matching_shifts, trajectory_time_base
 from lispac.workflow.projects import new_project
 from tests.intake_files import (
     LEVER,
@@ -55,11 +55,11 @@ def project(files: Path, tmp_path_factory: pytest.TempPathFactory) -> Project:
     )[0]  # fmt: skip
 
 
-def opened(project: Project) -> Intake:
+def opened(project: Project) -> InputFiles:
     """For lines to be added to it, its own files looked into as it reads them."""
-    intake = Intake.of_project(project)
+    intake = InputFiles.of_project(project)
     for entry in intake.entries:
-        intake = intake.with_entry(examined_as_given(entry))
+        intake = intake.with_entry(examine_project_file(entry))
     return intake
 
 
@@ -71,16 +71,18 @@ def test_a_projects_own_files_are_there_and_stay(project: Project, files: Path) 
     assert [entry.role for entry in intake.entries] == ["trajectory", "accuracy"]
     assert intake.track is not None
     assert intake.sigmas is not None
-    assert intake.files_problem() == "There is no line. Add the scan file of at least one line."
+    assert (
+        intake.files_problem_text() == "There is no line. Add the scan file of at least one line."
+    )
     for entry in intake.entries:
         assert intake.without(entry.path).entries == intake.entries
         assert intake.with_role(entry.path, "points") is intake
-    without = Intake.of_project(replace(project, accuracy=None))
+    without = InputFiles.of_project(replace(project, accuracy=None))
     assert [entry.role for entry in without.entries] == ["trajectory"]
     more = taken_in(intake, files / "L2.las")
-    assert more.files_problem() == ""
+    assert more.files_problem_text() == ""
     assert [(line.name, line.path.name) for line in more.sources()] == [("L2", "L2.las")]
-    assert more.without(files / "L2.las").files_problem() == intake.files_problem()
+    assert more.without(files / "L2.las").files_problem_text() == intake.files_problem_text()
 
 
 def test_a_line_that_is_there_already_can_only_be_left_out(project: Project, files: Path) -> None:
@@ -88,7 +90,7 @@ def test_a_line_that_is_there_already_can_only_be_left_out(project: Project, fil
     (remark,) = intake.remarks(named(intake, "L1.laz"))
     assert (remark.level, remark.code) == (Level.ERROR, "import.already_in_project")
     assert remark.params == {"file": "L1.laz", "line": "L1"}
-    assert message_text(remark) in intake.files_problem()
+    assert message_text(remark) in intake.files_problem_text()
     left = intake.with_action(files / "L1.laz", remark.actions[0])
     assert left.state(left.entry(files / "L1.laz")) == "out"
 
@@ -103,7 +105,7 @@ def test_gaps_are_bridged_for_a_new_project_and_not_for_one_that_is_there(
     (new,) = (
         remark
         for remark in (lambda i: i.remarks(named(i, "L1.laz")))(
-            taken_in(Intake(), torn, files / "L1.laz")
+            taken_in(InputFiles(), torn, files / "L1.laz")
         )
         if remark.level is Level.WARNING
     )
@@ -119,7 +121,7 @@ def test_a_gap_too_wide_to_be_bridged_has_no_remedy(files: Path, tmp_path: Path)
     records = vessel(2000)
     time = records[:, 0] - START
     torn = write_records(tmp_path / "torn.sbet", records[(time < 3) | (time > 30)])
-    intake = taken_in(Intake(), torn, files / "L1.laz")
+    intake = taken_in(InputFiles(), torn, files / "L1.laz")
     found = intake.remarks(named(intake, "L1.laz"))
     (doubt,) = (each for each in found if each.level is Level.WARNING)
     assert doubt.actions == ()
@@ -129,28 +131,28 @@ def test_a_gap_too_wide_to_be_bridged_has_no_remedy(files: Path, tmp_path: Path)
 
 
 def test_before_there_is_a_trajectory_nothing_is_told_of_times(files: Path) -> None:
-    line = taken_in(Intake(), files / "L1.laz")
+    line = taken_in(InputFiles(), files / "L1.laz")
     entry = line.entry(files / "L1.laz")
-    assert line.time_remarks(entry) == ()
+    assert line.time_messages(entry) == ()
     assert line.coverage(entry) is None
-    assert line.shifts_offered == ()
+    assert line.proposed_shifts == ()
     assert line.time_base is None
     both = taken_in(line, files / "pos.sbet")
-    assert both.time_remarks(both.entry(files / "pos.sbet")) == ()
+    assert both.time_messages(both.entry(files / "pos.sbet")) == ()
     covered = both.coverage(both.entry(files / "L1.laz"))
     assert covered is not None
     assert covered.usable == covered.count
 
 
 def test_a_file_that_waits_says_nothing(files: Path) -> None:
-    waiting = Intake().with_files([files / "L1.laz"])
+    waiting = InputFiles().with_files([files / "L1.laz"])
     entry = waiting.entries[0]
     assert waiting.state(entry) == "pending"
     assert waiting.remarks(entry) == ()
 
 
 def test_a_role_that_a_file_has_already_keeps_what_was_found(files: Path) -> None:
-    intake = taken_in(Intake(), files / "L1.laz")
+    intake = taken_in(InputFiles(), files / "L1.laz")
     assert intake.with_role(files / "L1.laz", "points") is intake
     assert intake.with_action(files / "L1.laz", CHOOSE_SYSTEM) is intake
 
@@ -158,20 +160,20 @@ def test_a_role_that_a_file_has_already_keeps_what_was_found(files: Path) -> Non
 def test_two_accuracies_are_one_too_many(files: Path, tmp_path: Path) -> None:
     second = tmp_path / "second.out"
     second.write_bytes((files / "smrmsg.out").read_bytes())
-    intake = taken_in(Intake(), files, second)
+    intake = taken_in(InputFiles(), files, second)
     assert "import.several_accuracies" in codes_about(intake, "second.out")
-    assert intake.files_problem().endswith("Another file has errors.")
+    assert intake.files_problem_text().endswith("Another file has errors.")
 
 
 def test_a_folder_for_the_project_is_proposed_where_one_is_free(
     files: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Beside the data, else at home, else under the next number; and none where nothing can be."""
-    assert proposed_folder(Intake()) is None
+    assert proposed_folder(InputFiles()) is None
     home = tmp_path / "home"
     home.mkdir()
     monkeypatch.setattr(Path, "home", lambda: home)
-    intake = taken_in(Intake(), write_line(tmp_path / "L1.las", START + np.arange(50.0)))
+    intake = taken_in(InputFiles(), write_line(tmp_path / "L1.las", START + np.arange(50.0)))
     assert proposed_folder(intake) == tmp_path / "boresight"
     (tmp_path / "boresight").mkdir()
     assert proposed_folder(intake) == home / f"{tmp_path.name}-boresight"
@@ -188,12 +190,15 @@ def test_a_folder_for_the_project_is_proposed_where_one_is_free(
 
 
 def test_columns_mean_what_their_kind_of_file_can_hold() -> None:
-    points, track = meanings(format_of("text")), meanings(format_of("ascii-trajectory"))
+    points, track = (
+        possible_meanings(format_of("text")),
+        possible_meanings(format_of("ascii-trajectory")),
+    )
     assert points[0] == track[0] == "-"
     assert {"time", "x", "y", "z", "intensity"} == set(points[1:])
     assert {"latitude", "longitude", "roll", "pitch", "heading"} < set(track)
     assert "x" not in track
-    assert column_tokens(format_of("text"), None, "time x - y") == ("time", "x", "-", "y")
+    assert column_meanings(format_of("text"), None, "time x - y") == ("time", "x", "-", "y")
 
 
 @pytest.mark.parametrize(
@@ -212,12 +217,12 @@ def test_what_a_trajectory_cannot_do_without_is_named(tokens: str, said: str) ->
 
 
 def test_what_is_not_settled_has_no_time_base() -> None:
-    assert trajectory_base(None) == KnownTimeBase()
-    entry = Entry(Path("a.sbet"), role="trajectory")
-    assert trajectory_base(entry) == KnownTimeBase()
-    assert line_base(Entry(Path("a.las"), role="points")).base is None
+    assert trajectory_time_base(None) == KnownTimeBase()
+    entry = InputFile(Path("a.sbet"), role="trajectory")
+    assert trajectory_time_base(entry) == KnownTimeBase()
+    assert line_time_base(InputFile(Path("a.las"), role="points")).base is None
     assert entry.options == {}
-    assert examined_again(entry).pending is False
+    assert reexamine_file(entry).pending is False
 
 
 def test_a_line_in_another_base_than_that_stated_is_sought_in_any() -> None:
@@ -229,8 +234,8 @@ def test_a_line_in_another_base_than_that_stated_is_sought_in_any() -> None:
     line = LineTimes(
         times, times[0], times[-1], len(times), whole=True, reached_end=True, place=np.zeros(3)
     )
-    for base in (None, base_of("unix"), base_of("gps-week")):
-        best = fitting(line, trajectory, base)[0]
+    for base in (None, base_of_key("unix"), base_of_key("gps-week")):
+        best = matching_shifts(line, trajectory, base)[0]
         assert best.share == 1.0
         assert best.shift == pytest.approx(START - START % 86_400)
 
@@ -244,17 +249,17 @@ _SECONDS = 5000 + np.arange(200) / 100
 
 def of_points(xyz: np.ndarray, crs: str = "") -> tuple[Message, ...]:
     """Warnings about the coordinates of points."""
-    return sight(xyz, _SECONDS[: len(xyz)], file="a.dat", crs=crs).doubts
+    return check_first_points(xyz, _SECONDS[: len(xyz)], file="a.dat", crs=crs).doubts
 
 
 _OPTION = [
     ("sbet", warning("trajectory.exchanged", file="a.dat", actions=(SWAP_COORDINATES,)),
      [("order", "longitude-latitude")]),
     ("ascii-trajectory",
-     warning("trajectory.position_in_radians", file="a.dat", actions=(use_degrees("position"),)),
+     warning("trajectory.position_in_radians", file="a.dat", actions=(degrees_action("position"),)),
      [("position", "degrees")]),
     ("ascii-trajectory",
-     warning("trajectory.attitude_in_radians", file="a.dat", actions=(use_degrees("attitude"),)),
+     warning("trajectory.attitude_in_radians", file="a.dat", actions=(degrees_action("attitude"),)),
      [("attitude", "degrees")]),
     ("las", warning("points.feet_in_header", file="a.dat", actions=USE_FEET),
      [("unit", "foot"), ("unit", "us-survey-foot")]),
@@ -264,12 +269,12 @@ _OPTION = [
 ]  # fmt: skip
 
 
-def entry_with(key: str, doubt: Message) -> Entry:
+def entry_with(key: str, doubt: Message) -> InputFile:
     """A file in a format, with a warning of its reader."""
     format = format_of(key)
     radians = {a.params["name"]: "radians" for a in doubt.actions if a.code == "use_degrees"}
-    finding = Finding({}, choice=radians, doubts=(doubt,))
-    return Entry(Path("a.dat"), role=format.kind, format=format, finding=finding, pending=False)
+    finding = FilePreview({}, choice=radians, doubts=(doubt,))
+    return InputFile(Path("a.dat"), role=format.kind, format=format, finding=finding, pending=False)
 
 
 @pytest.mark.parametrize(("key", "doubt", "options"), _OPTION)
@@ -277,13 +282,13 @@ def test_a_warning_has_the_options_that_its_format_takes(
     key: str, doubt: Message, options: list[tuple[str, str]]
 ) -> None:
     entry = entry_with(key, doubt)
-    (shown,) = (each for each in remarks_of(entry, None, 1, 1, 1.5) if each.code == doubt.code)
+    (shown,) = (each for each in file_messages(entry, None, 1, 1, 1.5) if each.code == doubt.code)
     assert shown == doubt
     assert [(a.params["name"], a.params["value"]) for a in shown.actions] == options
     assert all(action.params["name"] in entry.options for action in shown.actions)
     for name, value in options:  # as they are already
         set_already = replace(entry, stated={name: value})
-        (again,) = remarks_of(set_already, None, 1, 1, 1.5)
+        (again,) = file_messages(set_already, None, 1, 1, 1.5)
         assert (name, value) not in [(a.params["name"], a.params["value"]) for a in again.actions]
 
 
@@ -301,14 +306,16 @@ def test_warnings_about_the_frame_offer_to_choose_it(xyz: np.ndarray, crs: str, 
     """Whatever their words are: the button follows from the action alone."""
     (doubt,) = (each for each in of_points(xyz, crs) if each.code == code)
     (shown,) = (
-        each for each in remarks_of(entry_with("las", doubt), None, 1, 1, 1.5) if each.code == code
+        each
+        for each in file_messages(entry_with("las", doubt), None, 1, 1, 1.5)
+        if each.code == code
     )
     assert [(each.code, option_to_choose(each)) for each in shown.actions] == [
         ("choose_frame", "frame")
     ]
     assert action_text(shown.actions[0]) == "Choose the frame"
     # A trajectory has no such option.
-    (other,) = remarks_of(entry_with("sbet", doubt), None, 1, 1, 1.5)
+    (other,) = file_messages(entry_with("sbet", doubt), None, 1, 1, 1.5)
     assert other.actions == ()
 
 
@@ -316,15 +323,15 @@ def test_warnings_about_the_frame_offer_to_choose_it(xyz: np.ndarray, crs: str, 
     ("key", "doubt", "option"),
     [
         ("las", of_points(_NEAR + [350_000, 5e6, 0])[0], "crs"),
-        ("las", base_doubts(np.array([5e5]), "gps-adjusted", "a.dat")[0], "time_base"),
-        ("sbet", time_doubts(START + 1e9 + np.arange(9.0), "unix", "a.dat")[0], "time"),
-        ("ascii-trajectory", sign_assumed(Path("a.dat"), "pitch", "bow-up"), "pitch"),
-        ("ascii-trajectory", sign_assumed(Path("a.dat"), "roll", "port-down"), "roll"),
+        ("las", time_base_warnings(np.array([5e5]), "gps-adjusted", "a.dat")[0], "time_base"),
+        ("sbet", time_warnings(START + 1e9 + np.arange(9.0), "unix", "a.dat")[0], "time"),
+        ("ascii-trajectory", sign_assumed_warning(Path("a.dat"), "pitch", "bow-up"), "pitch"),
+        ("ascii-trajectory", sign_assumed_warning(Path("a.dat"), "roll", "port-down"), "roll"),
     ],
 )
 def test_a_warning_leads_to_the_option_it_is_about(key: str, doubt: Message, option: str) -> None:
     entry = entry_with(key, doubt)
-    (shown,) = (each for each in remarks_of(entry, None, 1, 1, 1.5) if each.code == doubt.code)
+    (shown,) = (each for each in file_messages(entry, None, 1, 1, 1.5) if each.code == doubt.code)
     assert [option_to_choose(action) for action in shown.actions] == [option]
     assert option in entry.options
 
@@ -349,11 +356,11 @@ def test_of_a_long_file_it_is_said_that_the_rest_comes_later() -> None:
     times = LineTimes(
         sample, sample[0], sample[-1], None, whole=False, reached_end=False, place=np.zeros(3)
     )
-    entry = Entry(
-        Path("a.txt"), role="points", format=format_of("text"), finding=Finding({}),
+    entry = InputFile(
+        Path("a.txt"), role="points", format=format_of("text"), finding=FilePreview({}),
         content=times, pending=False,
     )  # fmt: skip
-    assert remarks_of(entry, None, 1, 1, 1.5) == (
+    assert file_messages(entry, None, 1, 1, 1.5) == (
         note("import.first_times", file="a.txt", count=1500),
     )
 
@@ -372,7 +379,7 @@ def test_accuracies_are_held_against_the_trajectorys_times(
     rows = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))
     rows[:, 0] = START + first + np.arange(41)
     path = write_records(tmp_path / "smrmsg.out", rows)
-    alone = taken_in(Intake(), path)
+    alone = taken_in(InputFiles(), path)
     assert code not in codes_about(alone, "smrmsg.out")
     intake = taken_in(alone, files / "pos.sbet")
     found = [

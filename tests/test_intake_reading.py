@@ -13,8 +13,8 @@ from lispac.project import Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.intake import Intake
-from lispac.workflow.intake_remarks import option_to_choose
+from lispac.workflow.input_file_messages import option_to_choose
+from lispac.workflow.input_files import InputFiles
 from lispac.workflow.projects import new_project
 from tests.intake_files import (
     LEVER,
@@ -36,8 +36,8 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def whole(files: Path) -> Intake:
-    return taken_in(Intake(), files)
+def whole(files: Path) -> InputFiles:
+    return taken_in(InputFiles(), files)
 
 
 # -- columns -------------------------------------------------------------------------------------
@@ -51,7 +51,7 @@ def write_unnamed(path: Path, seconds: float = 3.0) -> Path:
 
 def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_path: Path) -> None:
     text = write_unnamed(tmp_path / "one.txt")
-    intake = taken_in(Intake(), files / "pos.sbet", text)
+    intake = taken_in(InputFiles(), files / "pos.sbet", text)
     assert intake.state(intake.entry(text)) == "error"
     (missing,) = intake.remarks(intake.entry(text))
     assert missing.code == "import.columns_not_chosen"
@@ -73,7 +73,7 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
     np.testing.assert_allclose(survey.scans["one"].points_lidar, fan(400), atol=1e-6)
 
     second = write_unnamed(tmp_path / "two.txt", 20.0)
-    after = taken_in(Intake(), files / "pos.sbet", second, mappings=intake.mappings)
+    after = taken_in(InputFiles(), files / "pos.sbet", second, mappings=intake.column_mappings)
     assert after.entry(second).remembered
     assert after.entry(second).columns == ("x", "y", "z", "time")
     assert after.state(after.entry(second)) == "fine"
@@ -85,12 +85,12 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
 
 def test_columns_of_another_layout_are_not_taken_over(files: Path, tmp_path: Path) -> None:
     first = write_unnamed(tmp_path / "one.txt")
-    intake = taken_in(Intake(), first)
+    intake = taken_in(InputFiles(), first)
     for column, meaning in enumerate(("x", "y", "z", "time")):
         intake = taken_in(intake.with_column(first, column, meaning))
     wider = tmp_path / "wider.txt"
     np.savetxt(wider, np.column_stack([np.loadtxt(first), np.arange(400) % 50]), fmt="%.6f")
-    assert not taken_in(Intake(), wider, mappings=intake.mappings).entries[0].remembered
+    assert not taken_in(InputFiles(), wider, mappings=intake.column_mappings).entries[0].remembered
 
 
 def test_columns_of_a_trajectory_of_text_are_chosen(tmp_path: Path) -> None:
@@ -101,7 +101,7 @@ def test_columns_of_a_trajectory_of_text_are_chosen(tmp_path: Path) -> None:
     rows = rows[:, [1, 2, 3, 0, 4, 5, 6]]  # time stands fourth
     path = tmp_path / "track.csv"
     np.savetxt(path, rows, fmt="%.9f", delimiter=",")
-    intake = taken_in(Intake(), path)
+    intake = taken_in(InputFiles(), path)
     assert intake.entry(path).role == "trajectory"
     order = ("latitude", "longitude", "height", "time", "roll", "pitch", "heading")
     for column, meaning in enumerate(order):
@@ -120,7 +120,7 @@ def test_a_trajectory_on_the_map_needs_its_coordinate_system(tmp_path: Path, lan
     rows = [f"{START + k},600000,5040000,10,0,0,90" for k in range(40)]
     path.write_text("\n".join(["time,easting,northing,height,roll,pitch,heading", *rows]))
     with in_language(language):
-        intake = taken_in(Intake(), path)
+        intake = taken_in(InputFiles(), path)
     entry = intake.entry(path)
     assert entry.error is not None
     assert entry.error.code == "trajectory.no_system"
@@ -129,7 +129,7 @@ def test_a_trajectory_on_the_map_needs_its_coordinate_system(tmp_path: Path, lan
 
 
 def test_a_line_on_the_map_needs_its_coordinate_system(
-    whole: Intake, files: Path, tmp_path: Path
+    whole: InputFiles, files: Path, tmp_path: Path
 ) -> None:
     raw = read_sbet(files / "pos.sbet")
     frame = raw.mean_frame()
@@ -155,7 +155,7 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     nonsense = taken_in(intake.with_option(bare, "crs", "EPSG:1"))
     assert "PROJ does not know this coordinate system" in said(nonsense, "bare.laz")
     right = taken_in(wrong.with_option(bare, "crs", "32618"))
-    assert right.files_problem() == ""
+    assert right.files_problem_text() == ""
     request = right.request(tmp_path / "p", Settings(lever_arm=LEVER))
     _, survey = new_project(
         request.folder, trajectory=request.trajectory, lines=request.lines,
@@ -164,7 +164,7 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     np.testing.assert_allclose(survey.scans["bare"].points_lidar, fan(1500), atol=1e-3)
 
 
-def test_an_option_that_is_stated_goes_with_the_request(whole: Intake, files: Path) -> None:
+def test_an_option_that_is_stated_goes_with_the_request(whole: InputFiles, files: Path) -> None:
     pos = files / "pos.sbet"
     usual = whole.request(Path("p"), Settings(lever_arm=LEVER)).trajectory_reading
     assert usual.format == ""
@@ -176,10 +176,10 @@ def test_an_option_that_is_stated_goes_with_the_request(whole: Intake, files: Pa
     np.testing.assert_allclose(turned.track.attitude[:, 1], -whole.track.attitude[:, 1])
 
 
-def test_an_accuracy_of_another_time_is_an_error(whole: Intake, files: Path, tmp_path: Path):
+def test_an_accuracy_of_another_time_is_an_error(whole: InputFiles, files: Path, tmp_path: Path):
     other = np.fromfile(files / "smrmsg.out").reshape(-1, 10)
     other[:, 0] += 5000
     write_records(tmp_path / "other.out", other)
     intake = taken_in(whole.without(files / "smrmsg.out"), tmp_path / "other.out")
     assert "import.accuracy_times" in codes_about(intake, "other.out")
-    assert replace(intake, entries=whole.entries).files_problem() == ""
+    assert replace(intake, entries=whole.entries).files_problem_text() == ""

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from lispac.adjustment import chunks
-from lispac.adjustment.averaging import averaged
+from lispac.adjustment import parallel_chunks
 from lispac.adjustment.observations import Observations
+from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
 from tests.test_robustness import PRIOR, shifted, survey, with_strays
 
 MODEL = StochasticModel(loss="tukey")
@@ -37,7 +37,7 @@ def test_order_does_not_change_the_answer(spacing) -> None:
     for seed in (None, 1, 2):
         points = given if seed is None else mixed(given, seed)
         if spacing:
-            points = averaged(points, PRIOR, spacing, strays_apart=True)
+            points = average_points_in_cells(points, PRIOR, spacing, strays_apart=True)
         answers.append(adjust(points, PRIOR, MODEL, diagnostics=True))
     for other in answers[1:]:
         assert set(other.suspects) == set(answers[0].suspects) != set()
@@ -47,12 +47,12 @@ def test_order_does_not_change_the_answer(spacing) -> None:
 
 def test_the_number_of_threads_does_not_change_the_answer(monkeypatch) -> None:
     points = survey(5, 0.025)
-    assert len(points) > chunks.FEW
+    assert len(points) > parallel_chunks.FEW
     answers = []
     for threads in (1, 2, 7):
-        monkeypatch.setattr(chunks.os, "cpu_count", lambda threads=threads: threads)
+        monkeypatch.setattr(parallel_chunks.os, "cpu_count", lambda threads=threads: threads)
         answers.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
-    monkeypatch.setattr(chunks, "FEW", 10**9)  # no threads at all
+    monkeypatch.setattr(parallel_chunks, "FEW", 10**9)  # no threads at all
     answers.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
     for other in answers[1:]:
         assert np.abs(other - answers[0]).max() < SAME

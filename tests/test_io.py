@@ -7,15 +7,15 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.files import message_about, written_whole
+from lispac.io.files import atomic_write, message_with_file_name
+from lispac.io.format_types import PointChunk
 from lispac.io.formats import format_of
 from lispac.io.las import read_scan, write_points
 from lispac.io.plane_file import read_plane_files, write_plane_file
 from lispac.io.project_file import read_project, write_project
-from lispac.io.registry import PointChunk
 from lispac.io.sbet import read_sbet, read_smrmsg, write_sbet, write_smrmsg
 from lispac.messages import error
-from lispac.survey.georeferencing import Mounting, Poses, place
+from lispac.survey.georeferencing import Mounting, Poses, place_points
 from lispac.survey.trajectory import TrajectoryAccuracy
 from tests.message_codes import codes
 from tests.report_sample import sample_project
@@ -260,7 +260,7 @@ def test_plane_file_round_trip(shared_data: Path, tmp_path: Path) -> None:
     path = shared_data / "prototype" / "c" / "plane2.txt"
     observations, planes = read_plane_files([path], 0.0031)
     mounting = Mounting(np.array([-0.597, 0.081, 0.356]), np.radians([0, 45, 0]))
-    local = place(
+    local = place_points(
         observations.points_lidar, Poses(observations.position, observations.attitude), mounting
     )
     stored = np.loadtxt(path)
@@ -293,7 +293,7 @@ def test_a_failed_write_leaves_the_old_file_and_nothing_else(tmp_path: Path) -> 
     path.write_text("old")
 
     def write_half() -> None:
-        with written_whole(path) as temporary:
+        with atomic_write(path) as temporary:
             temporary.write_text("half")
             raise ValueError("broken")
 
@@ -327,7 +327,7 @@ def test_what_a_killed_save_left_is_removed_and_nothing_else(tmp_path: Path) -> 
 
 def test_writing_where_no_folder_can_be_made_is_refused(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
-    with pytest.raises(InputError) as refused, written_whole(tmp_path / "file" / "a.txt"):
+    with pytest.raises(InputError) as refused, atomic_write(tmp_path / "file" / "a.txt"):
         pass
     assert refused.value.code == "file.not_writable"
 
@@ -338,9 +338,9 @@ def test_an_error_about_a_file_has_its_name_instead_of_its_path(tmp_path: Path) 
         read_sbet(path)
     assert refused.value.message is not None
     assert refused.value.message.params["file"] == str(path)
-    message = message_about(refused.value, path)
+    message = message_with_file_name(refused.value, path)
     assert (message.code, message.params["file"]) == (refused.value.code, "none.sbet")
     without = InputError(error("file.epoch", epoch="x"))
-    assert message_about(without, path) == without.message
-    named = message_about(InputError("A reason."), path)
+    assert message_with_file_name(without, path) == without.message
+    named = message_with_file_name(InputError("A reason."), path)
     assert named == error("file.refused", file="none.sbet", reason="A reason.")

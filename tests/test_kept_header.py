@@ -12,11 +12,11 @@ from lispac.cli.main import main
 from lispac.messages import Message
 from lispac.project import LineSource, Project
 from lispac.survey.store.layout import HEADER
-from lispac.survey.store.reading import StoredLine
+from lispac.survey.store.stored_line import StoredLine
 from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.importing import import_lines, kept_header, line_folder
+from lispac.workflow.line_import import import_lines, line_folder, stored_header
+from lispac.workflow.project_copy import save_project_as
 from lispac.workflow.projects import create_project
-from lispac.workflow.saving_as import save_project_as
 from lispac.workflow.survey import Survey, load_survey
 from tests.message_codes import codes
 
@@ -125,4 +125,4 @@ def test_a_text_line_has_no_header_to_keep(
     made = replace(source, folder=tmp_path / "p", lines=(line,), targets=(), result=None)
     (imported,) = import_lines(made)
     assert isinstance(imported.stored, StoredLine)
-    assert kept_header(imported.stored) is None
+    assert stored_header(imported.stored) is None

@@ -16,9 +16,9 @@ from lispac.cli.main import main
 from lispac.errors import ProjectError
 from lispac.io.project_file import read_project, write_project
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
-from lispac.survey.store import pieces, spool
-from lispac.survey.store.reading import open_store
-from lispac.survey.store.writing import write_store
+from lispac.survey.store import point_blocks, spool
+from lispac.survey.store.line_import import write_store
+from lispac.survey.store.stored_line import open_store
 from tests.store_lines import RECIPE, Line, place
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="no SIGKILL here")
@@ -31,8 +31,8 @@ import sys
 from pathlib import Path
 from lispac.survey.store import pieces, spool
 pieces.BLOCK = spool.BLOCK = {BLOCK}
-from lispac.survey.store.cells import octaves_near
-from lispac.survey.store.writing import write_store
+from lispac.survey.store.spatial_cells import octaves_near
+from lispac.survey.store.line_import import write_store
 from tests.store_lines import RECIPE, Line, place
 line = Line({POINTS})
 print("ready", flush=True)
@@ -96,7 +96,7 @@ def killed(code: str, argument: Path, seconds: float | None) -> float:
 
 @pytest.mark.parametrize("times", [2, pytest.param(20, marks=pytest.mark.long)])
 def test_kill_during_import(tmp_path: Path, monkeypatch, times: int) -> None:
-    for module in (pieces, spool):
+    for module in (point_blocks, spool):
         monkeypatch.setattr(module, "BLOCK", BLOCK)
     line = Line(POINTS)
     took = killed(IMPORT, tmp_path / "whole", None)
@@ -131,7 +131,7 @@ def test_kill_during_import(tmp_path: Path, monkeypatch, times: int) -> None:
 
 def test_kill_while_a_line_is_imported_anew(tmp_path: Path, monkeypatch) -> None:
     """The store that was there stays until the new one is complete."""
-    for module in (pieces, spool):
+    for module in (point_blocks, spool):
         monkeypatch.setattr(module, "BLOCK", BLOCK)
     folder = tmp_path / "L1"
     write_store(folder, RECIPE, Line(30_000, seed=8).pieces(30_000), place)

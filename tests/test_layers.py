@@ -7,10 +7,10 @@ import pytest
 
 from lispac.message_texts import english_text
 from lispac.project import Project
-from lispac.report.absolute_values import Absolute
-from lispac.simulation.survey import SimulatedSurvey, port_survey
-from lispac.validation.reference_places import on_surface
-from lispac.workflow.absolute import check_absolute
+from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
+from lispac.validation.reference_places import measure_to_surface
+from lispac.workflow.absolute_check import check_absolute
 from lispac.workflow.survey import Survey
 from tests.absolute_sample import true_offsets, with_truth
 from tests.report_sample import sample_project
@@ -49,7 +49,7 @@ def test_a_wall_behind_a_board_is_not_the_board(
         assert line.before.distances.rms < 0.2
     assert check.others
     assert all(0.2 < other.distance < 1.0 for other in check.others)
-    texts = map(english_text, Absolute.of(check).in_words)
+    texts = map(english_text, AbsoluteCheckValues.of(check).in_words)
     (said,) = (each for each in texts if "nother surface" in each)
     assert all(other.line in said for other in check.others)
 
@@ -65,7 +65,7 @@ def test_a_line_nearer_to_the_wall_than_to_the_board_before_is_found() -> None:
     reference = sheet(0.0, 0.5, 9000)
     cores = np.column_stack([*rng.uniform(-0.35, 0.35, (2, 60)), np.zeros(60)])
     for away in (0.0, 0.3, 0.7, 0.9):
-        found = on_surface(
+        found = measure_to_surface(
             scanned + (0.05, 0.0, away), scanned, reference, cores,
             facing=np.tile([0.0, 0.0, 1.0], (60, 1)), diameters=np.full(60, 0.15), reach=1.0,
             roughest=0.01,
@@ -85,7 +85,7 @@ def test_stray_points_before_a_surface_are_no_surface() -> None:
     reference = np.column_stack([rng.uniform(-1, 1, (20_000, 2)), np.zeros(20_000)])
     cores = np.concatenate([reference[:80] * 0.8, [[0.3, 0.3, 0.0]]])
     points = np.concatenate([wall, stray, bird])
-    found = on_surface(
+    found = measure_to_surface(
         points, points, reference, cores, facing=np.tile([0.0, 0.0, 1.0], (81, 1)),
         diameters=np.full(81, 0.15), reach=0.5, roughest=0.01,
     )  # fmt: skip

@@ -10,7 +10,7 @@ from lispac.messages import Message
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.time_base import GPS_EPOCH, WEEK
-from lispac.workflow.intake import Intake
+from lispac.workflow.input_files import InputFiles
 from lispac.workflow.projects import new_project
 from lispac.workflow.survey import Survey
 from tests.command_errors import codes_of
@@ -62,7 +62,7 @@ def test_accuracies_that_cover_half_the_trajectory_are_said(tmp_path: Path) -> N
     (too_short,) = too_short_of(survey)
     assert too_short.params["file"] == "half.out"
     assert (too_short.params["first"], too_short.params["last"]) == (START, START + 20)
-    assert too_short in (intake := taken_in(Intake(), track, tmp_path / "half.out")).remarks(
+    assert too_short in (intake := taken_in(InputFiles(), track, tmp_path / "half.out")).remarks(
         named(intake, "half.out")
     )
     _, survey = made(tmp_path / "q", track, line, accuracy=tmp_path / "whole.out")

@@ -9,10 +9,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import StepPatch
 
-from lispac.report.absolute_figure import absolute_figure
-from lispac.report.absolute_values import Absolute
+from lispac.report.absolute_figure import reference_distance_figure
+from lispac.report.absolute_values import AbsoluteCheckValues
 from lispac.report.histograms import histogram_figure
-from lispac.validation.results import PlaneComparison
+from lispac.validation.comparison_results import PlaneComparison
 from tests.report_sample import sample_project
 from tests.test_absolute_cautions import check
 
@@ -42,10 +42,10 @@ def test_against_a_reference(peak: int) -> None:
     counts = np.full(60, 20)
     counts[peak] = 4000
     found = replace(
-        Absolute.of(check({})), bin_edges_m=tuple(np.linspace(-0.4, 0.2, 61)),
+        AbsoluteCheckValues.of(check({})), bin_edges_m=tuple(np.linspace(-0.4, 0.2, 61)),
         counts_before=tuple(np.full(60, 300)), counts_after=tuple(counts),
     )  # fmt: skip
-    figure = absolute_figure(found)
+    figure = reference_distance_figure(found)
     FigureCanvasAgg(figure).draw()
     assert covered(figure.axes[0]) == []
 

@@ -2,9 +2,9 @@
 
 import pytest
 
-from lispac.causes import Cause
 from lispac.messages import Level
-from lispac.survey.lever_arm import lever_arm_doubts
+from lispac.survey.lever_arm_warnings import lever_arm_warnings
+from lispac.warning_causes import Cause
 
 ZERO, BELOW, LONG = (f"mounting.lever_arm_{what}" for what in ("zero", "below", "long"))
 
@@ -25,7 +25,7 @@ ZERO, BELOW, LONG = (f"mounting.lever_arm_{what}" for what in ("zero", "below", 
     ],
 )
 def test_a_lever_arm_is_checked_by_its_sign_and_its_length(lever_arm, expected) -> None:
-    found = lever_arm_doubts(lever_arm)
+    found = lever_arm_warnings(lever_arm)
     assert [(each.code, each.params) for each in found] == expected
     assert {(each.level, each.subject) for each in found} <= {
         (Level.NOTE, Cause.of_field("lever_arm"))

@@ -13,13 +13,13 @@ from lispac.io.formats import format_of
 from lispac.messages import Level, Message
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.audit_messages import line_messages
-from lispac.survey.line_audit import LineAudit, shared_fraction
-from lispac.survey.screening import PointScreen, PointSelection
+from lispac.survey.line_audit import LineAudit, shared_point_fraction
+from lispac.survey.point_screening import PointScreen, PointSelection
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.file_audit import file_audit
-from lispac.workflow.file_reading import looks
+from lispac.workflow.file_audit import audit_file
+from lispac.workflow.file_reading import check_file
 from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.importing import import_lines
+from lispac.workflow.line_import import import_lines
 from lispac.workflow.projects import new_project, open_project
 from lispac.workflow.survey import Survey, load_survey
 from tests.intake_files import LEVER, START, fan, write_line, write_survey
@@ -223,10 +223,10 @@ def test_the_share_of_common_points_is_estimated_well() -> None:
         screen = PointScreen(PointSelection(), ranged=True)
         screen(times[rows], points[rows], {})
         audits.append(screen.result())
-    assert shared_fraction(audits[0], audits[1]) == pytest.approx(1 / 3, abs=0.03)
-    assert shared_fraction(audits[0], audits[2]) == 0.0
-    assert shared_fraction(audits[1], audits[2]) == pytest.approx(1.0, abs=0.01)
-    assert shared_fraction(audits[0], LineAudit(0)) == 0.0
+    assert shared_point_fraction(audits[0], audits[1]) == pytest.approx(1 / 3, abs=0.03)
+    assert shared_point_fraction(audits[0], audits[2]) == 0.0
+    assert shared_point_fraction(audits[1], audits[2]) == pytest.approx(1.0, abs=0.01)
+    assert shared_point_fraction(audits[0], LineAudit(0)) == 0.0
 
 
 # -- points that cannot be used -------------------------------------------------------------------
@@ -261,7 +261,7 @@ def test_one_value_in_place_of_coordinates_is_no_point(
     points = fan(COUNT)
     points[::14] = value
     path = WRITERS[name](folder / name, TIMES, points)
-    (look, *_) = looks(path)
+    (look, *_) = check_file(path)
     assert look.finding is not None
     assert look.finding.choice["frame"] == "scanner"
     assert not look.finding.doubts
@@ -449,7 +449,7 @@ def test_a_restart_of_the_times_is_no_pause(
     later = after[-1] + pause + np.linspace(0.02, 15, 500)
     times = np.mod(np.concatenate([before, after, later]), period)
     path = las(folder / "L1.laz", times, fan(len(times)))
-    messages = file_audit(path, format_of("las"), {}).messages
+    messages = audit_file(path, format_of("las"), {}).messages
     counts = [each.params["count"] for each in messages if each.code == "audit.several_passes"]
     assert counts == [passes] * bool(passes)
 

@@ -10,8 +10,8 @@ import pytest
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.io.project_file import write_project
 from lispac.project import Project
-from lispac.validation.line_differences import line_difference
-from lispac.workflow.line_quality import Figures, line_quality
+from lispac.validation.line_differences import compare_lines
+from lispac.workflow.line_quality import DifferenceStatistics, line_quality
 from lispac.workflow.survey import Survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code
@@ -35,7 +35,7 @@ def scene(rng: np.random.Generator, shift: np.ndarray) -> np.ndarray:
 def test_a_shift_is_seen_along_each_normal() -> None:
     rng = np.random.default_rng(5)
     still, moved = scene(rng, np.zeros(3)), scene(rng, np.array([-0.05, 0.0, 0.03]))
-    found = line_difference(("L1", still), ("L2", moved), VESSEL, noise=0.003, reach=0.5)
+    found = compare_lines(("L1", still), ("L2", moved), VESSEL, noise=0.003, reach=0.5)
     wall, ground, ramp = (found.facing(way) for way in ("upright", "level", "sloped"))
     assert len(wall.distance) + len(ground.distance) + len(ramp.distance) == len(found.distance)
     # Nearer to the vessel: 5 cm to the south, and 3 cm up.
@@ -44,9 +44,9 @@ def test_a_shift_is_seen_along_each_normal() -> None:
     normal = np.array([-0.5, 0.0, 1.0]) / np.hypot(0.5, 1.0)  # the ramp rises to the north
     assert np.median(ramp.distance) == pytest.approx(normal @ [-0.05, 0.0, 0.03], abs=5e-4)
     assert np.median(np.abs(wall.normal[:, 2])) < 0.01
-    same = line_difference(("L1", still), ("L2", scene(rng, np.zeros(3))), VESSEL,
+    same = compare_lines(("L1", still), ("L2", scene(rng, np.zeros(3))), VESSEL,
                            noise=0.003, reach=0.5)  # fmt: skip
-    figures = Figures.of(same.distance, same.half_width)
+    figures = DifferenceStatistics.of(same.distance, same.half_width)
     assert abs(figures.median) < 3e-4
     assert figures.rmsd < 0.0015
     assert 0.02 < figures.significant < 0.10, "95 % intervals, where nothing differs"
@@ -54,7 +54,7 @@ def test_a_shift_is_seen_along_each_normal() -> None:
 
 def test_the_figures_are_those_of_the_differences() -> None:
     distance = np.array([-0.01, 0.0, 0.01, 0.02, 0.08])
-    found = Figures.of(distance, np.full(5, 0.015))
+    found = DifferenceStatistics.of(distance, np.full(5, 0.015))
     assert found.places == 5
     assert found.median == 0.01
     assert found.rmsd == pytest.approx(np.sqrt(np.mean(distance**2)))
@@ -88,10 +88,10 @@ def test_lines_that_share_nothing_are_told() -> None:
         NotComparable,
         check=has_code("validation.no_place_in_common", line="A", other="B", reach=0.5),
     ):
-        line_difference(("A", one), ("B", one + 100.0), VESSEL, noise=0.003, reach=0.5)
+        compare_lines(("A", one), ("B", one + 100.0), VESSEL, noise=0.003, reach=0.5)
     rubble = rng.uniform(0, 5, (50_000, 3))
     with pytest.raises(NotComparable, check=has_code("validation.no_flat_place")):
-        line_difference(("A", rubble), ("B", rubble), VESSEL, noise=0.003, reach=0.5)
+        compare_lines(("A", rubble), ("B", rubble), VESSEL, noise=0.003, reach=0.5)
 
 
 def test_the_command_prints_draws_and_lists(

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.line_shifts import AXES, Scores
-from lispac.adjustment.problem import Linearised
-from lispac.adjustment.solved import Solved
+from lispac.adjustment.adjustment_problem import LinearisedProblem
+from lispac.adjustment.line_shifts import AXES, LineShiftScores
+from lispac.adjustment.solved_equations import SolvedEquations
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.project import Project
 from lispac.workflow.calibration import observations_of
 from lispac.workflow.survey import load_survey
@@ -18,13 +18,13 @@ SIGMAS = 6.0
 """A shift, over the prior's sigma of it."""
 
 
-def seen(*shifts: float) -> Scores:
+def seen(*shifts: float) -> LineShiftScores:
     """Lines seen against each other without noise, shifted northwards by so many sigmas."""
     count = len(shifts)
     differences = np.kron(np.eye(count) - 1.0 / count, np.eye(AXES))
     off = np.zeros(count * AXES)
     off[::AXES] = shifts
-    return Scores(tuple("ABCDEF"[:count]), differences @ off, differences)
+    return LineShiftScores(tuple("ABCDEF"[:count]), differences @ off, differences)
 
 
 @pytest.mark.parametrize(
@@ -45,7 +45,7 @@ def seen(*shifts: float) -> Scores:
 def test_who_is_shifted_is_named_and_nobody_that_it_pushed(
     shifts: tuple[float, ...], named: str
 ) -> None:
-    assert "".join(seen(*shifts).shifted()) == named
+    assert "".join(seen(*shifts).shifted_lines()) == named
 
 
 def test_what_is_given_tells_nothing_more() -> None:
@@ -57,28 +57,30 @@ def test_what_is_given_tells_nothing_more() -> None:
 
 
 @pytest.fixture(scope="module")
-def here(sparse_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Linearised:
+def here(sparse_project: Project, tmp_path_factory: pytest.TempPathFactory) -> LinearisedProblem:
     survey = load_survey(sparse_project)
     found = few_surfaces((sparse_project, survey), tmp_path_factory).project
     prior, model = found.mounting("prior"), sparse_project.settings.stochastic_model
     observations = observations_of(found, survey, mounting=found.mounting("estimated"))
-    solved = Solved.of(adjust(observations, prior, model), observations, prior)
+    solved = SolvedEquations.of(adjust(observations, prior, model), observations, prior)
     assert solved is not None
     return solved.here
 
 
-def test_scores_are_those_of_dense_matrices(here: Linearised) -> None:
+def test_scores_are_those_of_dense_matrices(here: LinearisedProblem) -> None:
     _compare_with_dense_matrices(here)
 
 
 def test_scores_of_a_few_boards_are_those_of_dense_matrices() -> None:
     data = survey(1, 0.3)
-    solved = Solved.of(adjust(data, PRIOR, StochasticModel(), diagnostics=False), data, PRIOR)
+    solved = SolvedEquations.of(
+        adjust(data, PRIOR, StochasticModel(), diagnostics=False), data, PRIOR
+    )
     assert solved is not None
     _compare_with_dense_matrices(solved.here)
 
 
-def _compare_with_dense_matrices(here: Linearised) -> None:
+def _compare_with_dense_matrices(here: LinearisedProblem) -> None:
     normal, problem = here.normal, here.problem
     knots, observations = problem.groups.knots, problem.observations
     assert knots is not None
@@ -90,9 +92,10 @@ def _compare_with_dense_matrices(here: Linearised) -> None:
     whole = np.block([[normal.matrix, normal.mixed], [normal.mixed.T, own]])
     after = np.linalg.inv(whole)[len(normal.matrix) :, len(normal.matrix) :]
     weights = np.stack(
-        [knots.weighted(each.reshape(-1, 6)).reshape(-1) for each in np.eye(size)], axis=1
+        [knots.apply_prior_precision(each.reshape(-1, 6)).reshape(-1) for each in np.eye(size)],
+        axis=1,
     )
-    scores = Scores.of(here)
+    scores = LineShiftScores.of(here)
     lines = np.array([each.line for each in observations.sightings])[observations.sighting]
     shifts = []
     for line in scores.lines:

@@ -11,12 +11,12 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
-from lispac.io import las, las_chunks, line_times, records
+from lispac.io import las, las_chunks, line_times, point_records
+from lispac.io.format_types import PointChunk
 from lispac.io.formats import format_of
-from lispac.io.las_export import cloud_file, pattern_of_columns
-from lispac.io.las_guard import require_sound_header
+from lispac.io.las_export import layout_of_columns, open_cloud_writer
+from lispac.io.las_header_check import require_sound_header
 from lispac.io.point_counts import PointCounts
-from lispac.io.registry import PointChunk
 from lispac.messages import error
 from lispac.survey.georeferencing import Mounting
 from tests import point_files as files
@@ -95,9 +95,9 @@ def test_points_too_far_from_the_others_to_be_stored(tmp_path: Path) -> None:
     """LAS counts steps of its resolution in 32 bits from one place."""
     path = tmp_path / "a.las"
     points, time = np.zeros((2, 3)), np.arange(2.0)
-    pattern = pattern_of_columns(PointChunk(points, time, {}))
+    pattern = layout_of_columns(PointChunk(points, time, {}))
     mounting, frame = Mounting(np.zeros(3), np.zeros(3)), LocalFrame(0.8, -1.2, 0.0)
-    with cloud_file(
+    with open_cloud_writer(
         path, pattern, None, np.zeros(3), mounting=mounting, frame=frame, compressed=False
     ) as cloud:
         cloud.write(cloud.records(points, time, {}))
@@ -109,7 +109,7 @@ def test_points_too_far_from_the_others_to_be_stored(tmp_path: Path) -> None:
 
 
 def test_text_that_ends_where_a_block_does(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(records, "LARGEST", 32)  # one point of four numbers
+    monkeypatch.setattr(point_records, "LARGEST", 32)  # one point of four numbers
     path = tmp_path / "a.ply"
     fields = "".join(f"property double {name}\n" for name in ("x", "y", "z", "time"))
     path.write_text(
@@ -139,11 +139,11 @@ def test_times_of_a_line_on_the_map(
     monkeypatch.setattr(line_times, "BLOCK", 30)
     monkeypatch.setattr("lispac.io.las_chunks.CHUNK", 16)
     path, _, _ = written(tmp_path / "a.las", 60, [350_000, 5e6, 0])
-    found = line_times.line_times(path, LAS, {"frame": "georeferenced"})
+    found = line_times.read_line_times(path, LAS, {"frame": "georeferenced"})
     assert (found.start, found.end, found.count) == (400_000, 400_100, 60)
     assert found.whole == (most > 60)
     with pytest.raises(InputError, check=has_code("survey.not_scanner_frame")):
-        line_times.line_times(path, LAS, {"frame": "scanner"})
+        line_times.read_line_times(path, LAS, {"frame": "scanner"})
 
 
 def test_a_long_line_without_a_usable_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -154,12 +154,12 @@ def test_a_long_line_without_a_usable_time(tmp_path: Path, monkeypatch: pytest.M
     data.gps_time = np.full(files.COUNT, np.nan)
     data.write(path)
     with pytest.raises(InputError) as refused:
-        line_times.line_times(path, LAS, {})
+        line_times.read_line_times(path, LAS, {})
     assert refused.value.message == error("line.no_usable_time", file=str(path))
 
 
 def test_times_of_a_line_without_a_valid_point(tmp_path: Path) -> None:
     path = files.e57(tmp_path / "a.e57", invalid=True, none_valid_of=files.COUNT)
     with pytest.raises(InputError) as refused:
-        line_times.line_times(path, format_of("e57"), {})
+        line_times.read_line_times(path, format_of("e57"), {})
     assert refused.value.message == error("line.no_points", file=str(path))

@@ -14,8 +14,8 @@ from lispac.io.project_lock import LOCK_NAME
 from lispac.project import LineSource, Project
 from lispac.survey.store.layout import is_link
 from lispac.workflow.demo import MARKER, make_demo
-from lispac.workflow.importing import LINES, import_lines, line_folder
-from lispac.workflow.saving_as import MARK, save_project_as
+from lispac.workflow.line_import import LINES, import_lines, line_folder
+from lispac.workflow.project_copy import MARK, save_project_as
 from lispac.workflow.survey import Survey, load_survey
 from tests.error_codes import has_code
 

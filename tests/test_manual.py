@@ -12,7 +12,7 @@ import pytest
 
 from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, InputError
-from lispac.installed import resource
+from lispac.installation_paths import resource_path
 from lispac.progress import Step
 from lispac.workflow import manual
 
@@ -24,7 +24,7 @@ LOADED = {("script", "src"), ("link", "href"), ("img", "src"), ("iframe", "src")
 def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The whole manual; any warning of the builder fails."""
     folder = tmp_path_factory.mktemp("manual")
-    manual.build(resource("manual"), folder, strict=True)
+    manual.build_manual(resource_path("manual"), folder, strict=True)
     return folder
 
 
@@ -32,7 +32,9 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def small(tmp_path: Path) -> Path:
     """A manual of one page in each language."""
     sources = tmp_path / "sources"
-    shutil.copytree(resource("manual"), sources, ignore=shutil.ignore_patterns("*.md", "*.png"))
+    shutil.copytree(
+        resource_path("manual"), sources, ignore=shutil.ignore_patterns("*.md", "*.png")
+    )
     for language in ("en", "fr"):
         (sources / language).mkdir(exist_ok=True)
         (sources / language / "index.md").write_text("# One\n\nA page with $x^2$.\n")
@@ -64,8 +66,8 @@ class _Reader(HTMLParser):
 
 def test_every_link_leads_somewhere_and_nothing_comes_from_elsewhere(pages: Path) -> None:
     read = {file: _Reader(file) for file in pages.rglob("*.html")}
-    for source in resource("manual").glob("*/*.md"):
-        assert pages / source.relative_to(resource("manual")).with_suffix(".html") in read
+    for source in resource_path("manual").glob("*/*.md"):
+        assert pages / source.relative_to(resource_path("manual")).with_suffix(".html") in read
     for file, page in read.items():
         assert [each for each in page.loads if urlsplit(each).netloc] == [], file
         for link in [*page.loads, *page.links]:
@@ -102,14 +104,14 @@ def test_the_frame_of_a_french_page_is_french(pages: Path) -> None:
 
 def test_every_page_is_there_in_both_languages() -> None:
     names = {
-        language: {path.name for path in (resource("manual") / language).glob("*.md")}
+        language: {path.name for path in (resource_path("manual") / language).glob("*.md")}
         for language in ("en", "fr")
     }
     assert names["fr"] == names["en"]
 
 
 def test_a_page_has_as_many_headings_items_and_rows_in_both_languages() -> None:
-    for english in sorted((resource("manual") / "en").glob("*.md")):
+    for english in sorted((resource_path("manual") / "en").glob("*.md")):
         french = english.parents[1] / "fr" / english.name
         assert _parts(french) == _parts(english), english.name
 
@@ -128,7 +130,7 @@ def _parts(page: Path) -> Counter[str]:
 
 @pytest.mark.parametrize("language", ["en", "fr"])
 def test_the_page_of_the_command_line_names_every_command(language: str) -> None:
-    text = (resource("manual") / language / "commands.md").read_text("utf-8")
+    text = (resource_path("manual") / language / "commands.md").read_text("utf-8")
     commands = next(each.choices for each in build_parser()._actions if each.dest == "command")
     assert sorted(re.findall(r"^\| `([a-z]+)` \|", text, re.MULTILINE)) == sorted(commands or ())
 
@@ -176,7 +178,7 @@ def test_where_the_builder_is_missing_a_sentence_says_what_to_do(
 def test_what_the_builder_refuses_is_told_and_leaves_nothing(small: Path, tmp_path: Path) -> None:
     (small / "en" / "index.md").write_text("# One\n\n![gone](gone.png)\n")
     with pytest.raises(InputError, match=r"gone\.png"):
-        manual.build(small, tmp_path / "out", strict=True)
+        manual.build_manual(small, tmp_path / "out", strict=True)
     (small / "conf.py").write_text("raise RuntimeError('no way')\n")
     with pytest.raises(InputError, match="no way"):
         manual.manual_page("en", sources=small, place=tmp_path / "cache")

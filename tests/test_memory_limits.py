@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.las_guard import require_sound_header
+from lispac.io.las_header_check import require_sound_header
 from lispac.io.mesh_file import MeshReader, read_mesh
 from lispac.io.project_file import SIGHTINGS, read_project
 from lispac.project import Project

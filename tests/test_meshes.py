@@ -9,7 +9,7 @@ from lispac.errors import InputError
 from lispac.io.mesh_file import read_mesh
 from lispac.messages import error
 from lispac.simulation.meshes import Mesh, MeshCaster
-from lispac.simulation.scene import Rectangle, Scene, Sphere, tilted
+from lispac.simulation.scene import Rectangle, Scene, Sphere, tilted_rectangle
 
 FAR_OFF = np.array([4_000.0, -7_000.0, 60.0])
 """Where single precision steps by 0.5 mm."""
@@ -53,7 +53,7 @@ def rays(target: np.ndarray, count: int, seed: int = 5) -> tuple[np.ndarray, np.
 
 @pytest.mark.parametrize("middle", [np.zeros(3), FAR_OFF], ids=["near", "far"])
 def test_a_mesh_is_ranged_as_the_rectangle_it_is_made_of(middle: np.ndarray) -> None:
-    board = tilted("board", tuple(middle), 2.0, 2.0, 70, 30)
+    board = tilted_rectangle("board", tuple(middle), 2.0, 2.0, 70, 30)
     origins, directions = rays(middle, 40_000)
     exact, label, cosine = Scene.of([board]).intersect(origins, directions)
     ranges, mesh_label, mesh_cosine = Scene.of([as_mesh(board)]).intersect(origins, directions)
@@ -70,7 +70,7 @@ def test_a_mesh_is_ranged_as_the_rectangle_it_is_made_of(middle: np.ndarray) -> 
 
 def test_single_precision_alone_would_not_do() -> None:
     """What Open3D itself says is off by more than the 1e-6 m that are promised."""
-    board = tilted("board", (0.0, 60.0, 5.0), 2.0, 2.0, 90, 30)
+    board = tilted_rectangle("board", (0.0, 60.0, 5.0), 2.0, 2.0, 90, 30)
     origins, directions = rays(board.centre, 40_000)
     exact, label, cosine = Scene.of([board]).intersect(origins, directions)
     caster = MeshCaster.of([as_mesh(board)])
@@ -83,7 +83,8 @@ def test_single_precision_alone_would_not_do() -> None:
 
 def test_the_nearest_of_mesh_and_formula_wins() -> None:
     near, far = (
-        tilted(name, (0.0, west, 0.0), 4.0, 4.0, 90, 0) for name, west in (("a", 5), ("b", 9))
+        tilted_rectangle(name, (0.0, west, 0.0), 4.0, 4.0, 90, 0)
+        for name, west in (("a", 5), ("b", 9))
     )
     origins, directions = np.zeros((3, 3)), np.array([[0, 1, 0], [0.2, 1, 0], [0, -1, 0]], float)
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
@@ -102,7 +103,7 @@ def test_the_nearest_of_mesh_and_formula_wins() -> None:
 
 
 def test_distance_to_a_mesh() -> None:
-    board = tilted("board", (1.0, 6.0, 2.0), 3.0, 2.0, 90, 20)
+    board = tilted_rectangle("board", (1.0, 6.0, 2.0), 3.0, 2.0, 90, 20)
     points = board.centre + np.array([[0.3, 0, 0.1], [-0.5, 0.02, 0.2], [0, -0.04, 0]])
     np.testing.assert_allclose(
         np.abs(as_mesh(board).distance(points)), np.abs(board.distance(points)), atol=1e-9
@@ -111,7 +112,7 @@ def test_distance_to_a_mesh() -> None:
 
 @pytest.mark.parametrize("ending", [".ply", ".obj", ".stl"])
 def test_mesh_files(ending: str, tmp_path: Path) -> None:
-    board = as_mesh(tilted("board", (1.0, 6.0, 2.0), 3.0, 2.0, 90, 20))
+    board = as_mesh(tilted_rectangle("board", (1.0, 6.0, 2.0), 3.0, 2.0, 90, 20))
     path = tmp_path / f"board{ending}"
     write_mesh(path, board)
     mesh = read_mesh(path, "board", 0.5)

@@ -11,12 +11,11 @@ import catalogues
 import numpy as np
 import pytest
 
-from lispac.causes import Cause
-from lispac.doubles import data_warnings
+from lispac.duplicate_targets import data_warnings
 from lispac.errors import InputError
 from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.io.values import decoded, encoded
-from lispac.language import LANGUAGES, Plural, Template, in_language, text_of
+from lispac.io.value_conversion import decode_value, encode_value
+from lispac.language import LANGUAGES, Plural, Template, format_text, in_language
 from lispac.message_texts import ACTIONS, TEXTS, TOPICS, message_text
 from lispac.message_texts.former_codes import CODES, former_code
 from lispac.message_texts.occasions import OCCASIONS
@@ -25,13 +24,14 @@ from lispac.messages import (
     Action,
     Level,
     Message,
-    by_level,
     error,
     note,
     plain_params,
-    shortened,
+    shortened_list,
+    sort_by_level,
     warning,
 )
+from lispac.warning_causes import Cause
 from tests.message_calls import calls
 from tests.report_sample import sample_project
 
@@ -68,11 +68,11 @@ def test_si_values_are_formatted_in_the_units_and_signs_of_the_language() -> Non
         "name": "L1", "count": 12_345, "step": 0.01, "turn": 0.0349065850, "share": 0.25,
         "lines": ("L1", "L2", "L3"), "ways": ("a", "b"),
     }  # fmt: skip
-    assert text_of(text, values) == (
+    assert format_text(text, values) == (
         "L1: 12,345 points, 10.0 ms, +2.00 deg, 25.0 %, L1, L2 and L3, a or b"
     )
     with in_language("fr"):
-        assert text_of(text, values) == (
+        assert format_text(text, values) == (
             "L1: 12\u202f345 points, 10,0 ms, +2,00 deg, 25,0 %, L1, L2 et L3, a ou b"
         )
 
@@ -87,12 +87,12 @@ def test_si_values_are_formatted_in_the_units_and_signs_of_the_language() -> Non
     ],
 )  # fmt: skip
 def test_numbers_of_any_size_are_shown(value: float, spec: str, shown: str) -> None:
-    assert text_of(f"{{value:{spec}}}", {"value": value}) == shown
+    assert format_text(f"{{value:{spec}}}", {"value": value}) == shown
 
 
 def test_a_count_chooses_singular_or_plural_by_the_rules_of_the_language() -> None:
     text = Plural("{count:n} point", "{count:n} points")
-    shown = [text_of(text, {"count": count}) for count in (0, 1, 2)]
+    shown = [format_text(text, {"count": count}) for count in (0, 1, 2)]
     assert shown == ["0 points", "1 point", "2 points"]
 
 
@@ -100,7 +100,7 @@ def test_a_count_chooses_singular_or_plural_by_the_rules_of_the_language() -> No
 def test_every_message_can_be_shown_in_every_language(language: str) -> None:
     with in_language(language):
         for template in (*TEXTS.values(), *ACTIONS.values()):
-            text = text_of(template, sample_params(template))
+            text = format_text(template, sample_params(template))
             assert text
             assert not set("{}") & set(text)
             same = text == text_of_english(template)
@@ -109,7 +109,7 @@ def test_every_message_can_be_shown_in_every_language(language: str) -> None:
 
 def text_of_english(template: Template) -> str:
     with in_language("en"):
-        return text_of(template, sample_params(template))
+        return format_text(template, sample_params(template))
 
 
 def test_no_code_is_in_two_topics() -> None:
@@ -173,7 +173,7 @@ def test_messages_are_kept_with_the_project(tmp_path: Path) -> None:
         Cause.of_line("L1"),
         (Action("set_option", {"name": "withheld", "value": "keep"}),),
     )
-    assert decoded(json.loads(json.dumps(encoded(message))), Message) == message
+    assert decode_value(json.loads(json.dumps(encode_value(message))), Message) == message
     project = sample_project(tmp_path / "p").with_data_messages((message,))
     write_project(project)
     assert read_project(project.folder).data_messages == (message,)
@@ -204,9 +204,9 @@ def test_lines_with_the_same_warning_are_named_together(tmp_path: Path) -> None:
 
 def test_a_long_list_is_shortened_and_the_rest_counted() -> None:
     names = list("ABCDEFGH")
-    assert shortened(names[:MAX_LISTED]) == tuple(names[:MAX_LISTED])
-    assert shortened(names) == (*names[:MAX_LISTED], note("item.more", count=4))
-    found = note("adjustment.target_excluded", targets=shortened(names))
+    assert shortened_list(names[:MAX_LISTED]) == tuple(names[:MAX_LISTED])
+    assert shortened_list(names) == (*names[:MAX_LISTED], note("item.more", count=4))
+    found = note("adjustment.target_excluded", targets=shortened_list(names))
     assert "A, B, C, D and 4 more." in message_text(found)
     with in_language("fr"):
         assert "A, B, C, D et 4 autres." in message_text(found)
@@ -215,7 +215,7 @@ def test_a_long_list_is_shortened_and_the_rest_counted() -> None:
 def test_errors_come_before_warnings_and_these_before_notes() -> None:
     one, two = note("report.simulated"), note("report.not_validated")
     bad, worse = warning("report.not_calibrated"), error("project.refused", reason="So.")
-    assert by_level([one, bad, two, worse]) == (worse, bad, one, two)
+    assert sort_by_level([one, bad, two, worse]) == (worse, bad, one, two)
     assert [each.is_serious for each in (one, bad, worse)] == [False, True, True]
 
 
@@ -252,4 +252,4 @@ def test_numbers_of_numpy_become_those_of_python() -> None:
     )  # fmt: skip
     assert made.params == {"line": "L1", "count": 3, "classes": [7], "share": 0.5}
     assert [type(value) for value in made.params.values()] == [str, int, list, float]
-    assert decoded(json.loads(json.dumps(encoded(made))), Message).params["count"] == 3
+    assert decode_value(json.loads(json.dumps(encode_value(made))), Message).params["count"] == 3

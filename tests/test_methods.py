@@ -8,24 +8,26 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.message_parts import quantities
+from lispac.adjustment.message_parts import mounting_value_names
+from lispac.alternative_methods import AlternativeResult, Method
 from lispac.errors import AdjustmentError, ProjectError
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.messages import Message, error, note
-from lispac.methods import answers, missing, remarks_on
-from lispac.opinions import Method, Opinion
+from lispac.method_comparison import comparison_remarks, method_results, missing_methods
 from lispac.project import Project, Settings
 from lispac.workflow.calibration import estimate
-from lispac.workflow.opinions import natural_planes
+from lispac.workflow.method_runs import adjust_natural_planes
 from lispac.workflow.survey import Survey
 from tests.report_sample import sample_project
 from tests.test_cli import answer, refused, run
 
 
-def opinion(project: Project, method: Method, off_deg: tuple[float, float, float]) -> Opinion:
+def opinion(
+    project: Project, method: Method, off_deg: tuple[float, float, float]
+) -> AlternativeResult:
     """Off the targets' answer by so much, and as certain."""
     assert project.result is not None
-    return Opinion(
+    return AlternativeResult(
         method,
         project.result.boresight + np.radians(off_deg),
         np.array(project.result.covariance),
@@ -38,9 +40,9 @@ def opinion(project: Project, method: Method, off_deg: tuple[float, float, float
 def test_each_is_held_against_the_targets(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     assert project.result is not None
-    project = project.with_opinion(opinion(project, "targetless", (0.3, 0.0, 0.0)))
-    project = project.with_opinion(opinion(project, "natural planes", (0.0, 0.001, 0.0)))
-    found = answers(project)
+    project = project.with_alternative_result(opinion(project, "targetless", (0.3, 0.0, 0.0)))
+    project = project.with_alternative_result(opinion(project, "natural planes", (0.0, 0.001, 0.0)))
+    found = method_results(project)
     assert [each.method for each in found] == ["targets", "natural planes", "targetless"]
     assert (found[0].lines, found[0].surfaces, found[0].against) == (6, 2, None)
     assert (found[2].lines, found[2].surfaces) == (2, 30)
@@ -49,17 +51,20 @@ def test_each_is_held_against_the_targets(tmp_path: Path) -> None:
     assert np.degrees(far.angles) == pytest.approx([0.3, 0.0, 0.0])
     sigma = np.degrees(project.result.sigma[0])
     assert far.significance[0] == pytest.approx(0.3 / (np.sqrt(2) * sigma))
-    near, differs, shared = remarks_on(found)
+    near, differs, shared = comparison_remarks(found)
     assert near.code == "methods.agree"
     assert near.params["method"] == note("method.natural_planes")
-    assert (differs.code, differs.params["angles"]) == ("methods.differ", quantities(["roll"]))
+    assert (differs.code, differs.params["angles"]) == (
+        "methods.differ",
+        mounting_value_names(["roll"]),
+    )
     assert differs.params["method"] == note("method.targetless")
     assert differs.params["displacement"] == pytest.approx(0.262, abs=5e-4)
     assert shared == note("methods.same_lines")
-    assert missing(project) == ("patch test",)
-    assert remarks_on(found[:1]) == ()
+    assert missing_methods(project) == ("patch test",)
+    assert comparison_remarks(found[:1]) == ()
     # Without targets the first of the others takes their place.
-    alone = answers(replace(project, result=None))
+    alone = method_results(replace(project, result=None))
     assert [each.method for each in alone] == ["natural planes", "targetless"]
     assert alone[0].against is None
 
@@ -67,10 +72,10 @@ def test_each_is_held_against_the_targets(tmp_path: Path) -> None:
 def test_one_of_each_method_is_kept_and_dropped_with_what_it_rests_on(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     for method, off in (("targetless", 1.0), ("natural planes", 0.0), ("targetless", 0.0)):
-        project = project.with_opinion(opinion(project, method, (off, 0.0, 0.0)))  # type: ignore[arg-type]
+        project = project.with_alternative_result(opinion(project, method, (off, 0.0, 0.0)))  # type: ignore[arg-type]
     assert [each.method for each in project.opinions] == ["natural planes", "targetless"]
     assert project.result is not None
-    kept = project.opinion("targetless")
+    kept = project.alternative_result("targetless")
     assert kept is not None
     np.testing.assert_array_equal(kept.boresight, project.result.boresight)
     without = project.without_target("V1")
@@ -81,7 +86,7 @@ def test_one_of_each_method_is_kept_and_dropped_with_what_it_rests_on(tmp_path: 
 
 def test_they_come_back_as_they_were_and_what_cannot_be_one_is_refused(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
-    project = project.with_opinion(opinion(project, "patch test", (0.01, 0.02, 0.03)))
+    project = project.with_alternative_result(opinion(project, "patch test", (0.01, 0.02, 0.03)))
     write_project(project)
     (again,) = read_project(tmp_path).opinions
     (kept,) = project.opinions
@@ -113,12 +118,12 @@ def test_natural_planes_are_the_validation_planes(calibrated: tuple[Project, Sur
     """An answer without any target, as near the truth as it says."""
     project, survey = calibrated
     assert project.truth_deg is not None
-    found = natural_planes(project, survey)
-    assert found.surfaces == len(project.of_role("validation"))
+    found = adjust_natural_planes(project, survey)
+    assert found.surfaces == len(project.targets_of_role("validation"))
     assert found.lines == tuple(survey.scans)
     off = np.degrees(found.boresight) - project.truth_deg
     assert (np.abs(off) < 3 * np.degrees(found.sigma)).all(), off
-    planes = tuple(replace(each, role="target") for each in project.of_role("validation"))
+    planes = tuple(replace(each, role="target") for each in project.targets_of_role("validation"))
     alone = estimate(replace(project, targets=planes, result=None), survey, cross_check=False)
     assert alone.result is not None
     np.testing.assert_array_equal(found.boresight, alone.result.boresight)
@@ -126,10 +131,10 @@ def test_natural_planes_are_the_validation_planes(calibrated: tuple[Project, Sur
     assert np.degrees(alone.result.with_formal_sigmas.sigma).max() < 0.02
     assert np.degrees(found.sigma).max() < 0.025, "raised by what single lines show"
     few = project
-    for plane in project.of_role("validation")[1:]:
+    for plane in project.targets_of_role("validation")[1:]:
         few = few.without_target(plane.name)
     with pytest.raises(AdjustmentError) as raised:
-        natural_planes(few, survey)
+        adjust_natural_planes(few, survey)
     assert raised.value.code == "estimate.few_validation_planes"
 
 
@@ -142,7 +147,7 @@ def test_the_command_shows_them_side_by_side(
     assert code == 0
     assert out.count("\n") == 2, "the targets alone"
     assert err.count("has not been asked") == 3
-    project = project.with_opinion(opinion(project, "targetless", (0.3, 0.0, 0.0)))
+    project = project.with_alternative_result(opinion(project, "targetless", (0.3, 0.0, 0.0)))
     write_project(project)
     found = answer(capsys, "compare", tmp_path / "p")
     assert [each["method"] for each in found["methods"]] == ["targets", "targetless"]
@@ -169,7 +174,7 @@ def test_compute_asks_keeps_and_says_what_cannot_be_asked(
     monkeypatch.setattr(targetless.targetless, "__kwdefaults__", {
         **(targetless.targetless.__kwdefaults__ or {}), "count": 12,
     })  # fmt: skip
-    monkeypatch.setitem(patch_test.propose.__kwdefaults__, "count", 8)
+    monkeypatch.setitem(patch_test.propose_objects.__kwdefaults__, "count", 8)
     found = answer(capsys, "compare", project.folder, "--compute")
     assert [each["method"] for each in found["methods"]] == ["targetless", "patch test"]
     assert "two validation planes" in found["refused"]["natural planes"]

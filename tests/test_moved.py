@@ -10,11 +10,21 @@ import pytest
 import lispac
 from lispac.cli.main import main
 from lispac.errors import InputError
-from lispac.io.project_file import keep_unsaved, read_project
+from lispac.io.project_file import read_project, write_unsaved
 from lispac.project import Project
-from lispac.workflow import demo, moved
-from lispac.workflow.moved import missing, with_files_beside, with_files_in, with_files_of
-from lispac.workflow.projects import create_project, open_project, opened_with_notes, unsaved_work
+from lispac.workflow import demo, moved_files
+from lispac.workflow.moved_files import (
+    missing_files,
+    with_files_beside,
+    with_files_in,
+    with_files_of,
+)
+from lispac.workflow.projects import (
+    create_project,
+    open_project,
+    open_project_with_notes,
+    read_unsaved_project,
+)
 from lispac.workflow.survey import load_survey
 from tests.command_errors import command_error
 
@@ -57,8 +67,8 @@ def files(project: Project) -> set[Path]:
 
 def test_moved_together_nothing_is_missing(disk: Path) -> None:
     moved = disk.rename(disk.with_name("other"))
-    project, notes = opened_with_notes(moved / "projects" / "quay")
-    assert (missing(project), notes) == ((), ())
+    project, notes = open_project_with_notes(moved / "projects" / "quay")
+    assert (missing_files(project), notes) == ((), ())
 
 
 @pytest.mark.parametrize("place", [".", "raw", "..", "../survey"])
@@ -74,13 +84,13 @@ def test_files_in_the_projects_folder_and_beside_it_are_found(disk: Path, place:
             shutil.move(path, other / path.name)
         shutil.rmtree(disk / "survey")
     if place == "../survey":
-        assert missing(open_project(home))  # beside it, and in a folder it was not in
+        assert missing_files(open_project(home))  # beside it, and in a folder it was not in
         project = with_files_in(open_project(home), home.parent)
     else:
-        project, notes = opened_with_notes(home)
+        project, notes = open_project_with_notes(home)
         assert len(notes) == len(files(project))
         assert {each.code for each in notes} == {"project_files.moved"}
-    assert missing(project) == ()
+    assert missing_files(project) == ()
     assert {path.parent.resolve() for path in files(project)} <= {
         other.resolve(), other.resolve() / "nav", other.resolve() / "lines",
     }  # fmt: skip
@@ -91,9 +101,9 @@ def test_a_folder_above_them_is_enough(disk: Path, tmp_path: Path) -> None:
     project = read_project(disk / "projects" / "quay")
     (tmp_path / "usb" / "2026").mkdir(parents=True)
     shutil.move(disk / "survey", tmp_path / "usb" / "2026" / "harbour")
-    assert set(missing(project)) == files(project)
+    assert set(missing_files(project)) == files(project)
     found = with_files_in(project, tmp_path / "usb")
-    assert missing(found) == ()
+    assert missing_files(found) == ()
     assert with_files_in(found, tmp_path) is found
     assert files(with_files_of(project, found)) == files(found)
 
@@ -105,9 +115,9 @@ def test_of_two_files_of_one_name_none_is_taken(disk: Path, tmp_path: Path) -> N
     shutil.copytree(disk / "survey" / "nav", tmp_path / "usb" / "day")
     shutil.rmtree(disk / "survey")
     found = with_files_in(project, tmp_path / "usb")
-    assert set(missing(found)) == {line.path for line in project.lines}
+    assert set(missing_files(found)) == {line.path for line in project.lines}
     again = with_files_in(found, tmp_path / "usb" / "tuesday")
-    assert missing(again) == ()
+    assert missing_files(again) == ()
     assert {line.path.parent.name for line in again.lines} == {"tuesday"}
 
 
@@ -126,11 +136,11 @@ def test_a_folder_without_them_is_refused(disk: Path, tmp_path: Path) -> None:
 def test_unsaved_work_is_found_its_files_too(disk: Path) -> None:
     home = disk / "projects" / "quay"
     project = read_project(home)
-    keep_unsaved(replace(project, settings=replace(project.settings, subsample=0.2)))
+    write_unsaved(replace(project, settings=replace(project.settings, subsample=0.2)))
     shutil.move(disk / "survey", home / "survey")
-    found = unsaved_work(home)
+    found = read_unsaved_project(home)
     assert found is not None
-    assert missing(found.project) == ()
+    assert missing_files(found.project) == ()
     assert with_files_beside(found.project) == (found.project, ())
 
 
@@ -140,7 +150,7 @@ def test_at_the_command_line_and_in_a_script(
     home, usb = disk / "projects" / "quay", tmp_path / "usb"
     shutil.move(disk / "survey", usb / "quay")
     assert command_error("warnings", home).code == "project_files.many_missing"
-    assert missing(lispac.open(home, files=usb).project) == ()
+    assert missing_files(lispac.open(home, files=usb).project) == ()
     assert main(["locate", str(home), str(usb / "nowhere")]) == 1
     assert "nowhere: the folder does not exist" in capsys.readouterr().err
     assert main(["locate", str(home), str(usb / "quay" / "nav")]) == 1
@@ -161,12 +171,12 @@ def test_another_state_of_a_project_takes_the_files_that_were_found(disk: Path) 
     bare = replace(opened, accuracy=None)
     shutil.move(disk / "survey", disk / "elsewhere")
     found = with_files_in(bare, disk / "elsewhere")
-    assert missing(found) == ()
+    assert missing_files(found) == ()
     again = with_files_of(bare, found)
     assert (again.trajectory, again.lines) == (found.trajectory, found.lines)
     assert again.accuracy is None
     fewer = replace(found, lines=found.lines[1:])
-    assert missing(with_files_of(bare, fewer)) == (bare.lines[0].path,)
+    assert missing_files(with_files_of(bare, fewer)) == (bare.lines[0].path,)
 
 
 def test_a_whole_disk_is_not_looked_through(
@@ -178,6 +188,8 @@ def test_a_whole_disk_is_not_looked_through(
     for k, path in enumerate(files(opened)):
         (usb / f"{k}").mkdir(parents=True)
         shutil.move(path, usb / f"{k}" / path.name)
-    assert missing(with_files_in(opened, usb)) == ()
-    monkeypatch.setattr(moved, "MOST_LOOKED_AT", len(files(opened)) + 1)  # the folders, and two
-    assert len(missing(with_files_in(opened, usb))) == len(files(opened)) - 2
+    assert missing_files(with_files_in(opened, usb)) == ()
+    monkeypatch.setattr(
+        moved_files, "MOST_LOOKED_AT", len(files(opened)) + 1
+    )  # the folders, and two
+    assert len(missing_files(with_files_in(opened, usb))) == len(files(opened)) - 2

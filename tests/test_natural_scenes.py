@@ -6,10 +6,10 @@ from itertools import combinations, product
 import numpy as np
 import pytest
 
-from lispac.adjustment.warnings import doubts
+from lispac.adjustment.warnings import result_warnings
 from lispac.errors import TargetNotFound
 from lispac.workflow.calibration import estimate
-from lispac.workflow.proposals import UNCHECKED, propose
+from lispac.workflow.proposals import UNCHECKED, propose_targets
 from lispac.workflow.target_choice import LEAST_TARGETS
 from tests.natural_scenes import natural_site, opened, study
 
@@ -20,7 +20,7 @@ GOOD, TENT, TWO = 5, 7, 59
 def test_the_proposal_is_checked_and_says_its_sigmas() -> None:
     seen = natural_site(GOOD)
     project, survey = opened(seen, np.array([1.0, -1.0, 1.0]))
-    proposal = propose(project, survey)
+    proposal = propose_targets(project, survey)
     targets = [target for target in proposal.targets if target.role == "target"]
     planes = [target for target in proposal.targets if target.role == "validation"]
     assert len(targets) >= LEAST_TARGETS
@@ -45,13 +45,13 @@ def test_the_proposal_is_checked_and_says_its_sigmas() -> None:
 def test_a_scene_without_flat_surfaces_is_refused() -> None:
     project, survey = opened(natural_site(TENT), np.zeros(3))
     with pytest.raises(TargetNotFound, match="targetless"):
-        propose(project, survey)
+        propose_targets(project, survey)
 
 
 def test_targets_that_do_not_check_each_other_are_named() -> None:
     """The scene has two flat surfaces only, and one of them alone does not give the angles."""
     project, survey = opened(natural_site(TWO), np.zeros(3))
-    proposal = propose(project, survey)
+    proposal = propose_targets(project, survey)
     assert [target.role for target in proposal.targets].count("target") == 2
     codes = [warning.code for warning in proposal.warnings]
     assert UNCHECKED & set(codes)
@@ -64,11 +64,11 @@ def test_only_true_form_errors_are_called_so(scene: int, bent: tuple[str, ...]) 
     project, survey = opened(
         natural_site(scene), np.random.default_rng([35, scene]).normal(0, 1.0, 3)
     )
-    solved = estimate(replace(project, targets=propose(project, survey).targets), survey)
+    solved = estimate(replace(project, targets=propose_targets(project, survey).targets), survey)
     assert solved.result is not None
     assert any(target.noise > 2 for target in solved.result.targets)
     found = [
-        message for message in doubts(solved.result, solved.cross_checks)
+        message for message in result_warnings(solved.result, solved.cross_checks)
         if message.code == "adjustment.not_flat"
     ]  # fmt: skip
     assert [message.params["targets"] for message in found] == ([bent] if bent else [])

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
 from lispac.geometry.rotations import rotation_matrix
-from lispac.io.values import decoded, encoded
+from lispac.io.value_conversion import decode_value, encode_value
 from lispac.validation.normal_distance import FEWEST, NormalDistances, distances_along_normal
 from lispac.validation.plane_offset import PlaneOffset, plane_offset
 from tests.error_codes import has_code
@@ -171,4 +171,4 @@ def test_too_few_points_make_no_plane() -> None:
 def test_round_trip_through_json() -> None:
     rng = np.random.default_rng(1)
     found = plane_offset(wall(rng, 100), wall(rng, 100), EAST)
-    assert decoded(encoded(found), PlaneOffset) == found
+    assert decode_value(encode_value(found), PlaneOffset) == found

@@ -5,26 +5,26 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.averaging import averaged
 from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.normal import inverse
+from lispac.adjustment.normal_equations import scaled_inverse
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Parameter
-from lispac.adjustment.result import Unchecked
-from lispac.adjustment.shapes import points_local
+from lispac.adjustment.point_averaging import average_points_in_cells
+from lispac.adjustment.result import UncheckedPart
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
-from lispac.design.advice import advice, further_lines
+from lispac.adjustment.stochastic_model import POS_ERRORS, StochasticModel
+from lispac.adjustment.target_shapes import points_local
+from lispac.design.further_line_advice import further_line_advice, further_lines
 from lispac.errors import RankDeficient
 from lispac.message_texts import english_text
 from lispac.messages import Message, note
-from lispac.simulation.closed_form import (
+from lispac.simulation.closed_form_survey import (
     BOARDS,
     Ball,
     Board,
     Course,
-    exact_survey,
-    observed,
+    add_errors,
+    error_free_survey,
     six_courses,
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
@@ -40,12 +40,12 @@ UPRIGHT, LEANING = BOARDS
 
 def survey(targets=BOARDS, courses=None, seed: int = 0, still: bool = False) -> Observations:
     generator = np.random.default_rng([4, seed])
-    exact = exact_survey(TRUTH, targets, courses or six_courses(), 0.05, generator)
+    exact = error_free_survey(TRUTH, targets, courses or six_courses(), 0.05, generator)
     if still:
         attitude = exact.mean_by_sighting(exact.attitude)[exact.sighting] * [0, 0, 1]
         scan = to_lidar(points_local(exact, TRUTH), Poses(exact.position, attitude), TRUTH)
         exact = replace(exact, attitude=attitude, points_lidar=scan)
-    return averaged(observed(exact, HYDROGRAPHIC_INS, generator), PRIOR, 0.1)
+    return average_points_in_cells(add_errors(exact, HYDROGRAPHIC_INS, generator), PRIOR, 0.1)
 
 
 @pytest.mark.parametrize("accepted", [False, True])
@@ -204,7 +204,7 @@ def test_a_line_that_alone_sees_an_angle_is_named() -> None:
     courses = six_courses()[:2] + six_courses()[4:5]
     seen = adjust(survey(courses=courses), PRIOR, StochasticModel()).observability
     assert seen is not None
-    assert Unchecked("line", line="L5") in seen.unchecked
+    assert UncheckedPart("line", line="L5") in seen.unchecked
 
 
 def test_a_further_line_brings_what_was_foretold() -> None:
@@ -218,7 +218,7 @@ def test_a_further_line_brings_what_was_foretold() -> None:
     sailed = adjust(survey(courses=more), PRIOR, model)
     np.testing.assert_allclose(lines[45].sigma, sailed.sigma, rtol=0.25)
     assert (lines[45].sigma < result.sigma).all()
-    (found,) = advice(data, result)
+    (found,) = further_line_advice(data, result)
     assert found.code in ("further_line.port_of_face", "further_line.starboard_of_face")
     assert found.params["target"] == "T1"
 
@@ -256,7 +256,7 @@ def test_where_no_line_helps_the_advice_says_so() -> None:
         replace(c, name=f"{c.name}b", time=c.time + 600) for c in six_courses()
     )
     data = survey((UPRIGHT, LEANING, Board("T3", (0.0, -15.0, 5.0), (0.0, 1.0, 0.3))), twice)
-    (found,) = advice(data, adjust(data, PRIOR, StochasticModel()))
+    (found,) = further_line_advice(data, adjust(data, PRIOR, StochasticModel()))
     assert found.code == "further_line.insufficient"
 
 
@@ -267,7 +267,7 @@ def test_no_line_is_promised_to_bring_what_no_line_can() -> None:
     assert result.sigma[0] > 0.9 * np.radians(0.5)
     best = min(line.sigma[0] for line in further_lines(points, result))
     assert best > 0.95 * result.sigma[0]
-    found = advice(points, result)
+    found = further_line_advice(points, result)
     assert found[0] == note(
         "further_line.prior",
         angle=note("quantity.roll"), parameters=(note("quantity.scan_angle_offset"),),
@@ -280,8 +280,8 @@ def test_the_advice_goes_on_to_the_angle_that_data_can_help() -> None:
     courses = six_courses()[:2] + six_courses()[4:5]
     points, model = survey(courses=courses), StochasticModel(surface=0.0)
     held = Parameter("scan_angle_offset", np.radians(0.5))
-    plain = advice(points, adjust(points, PRIOR, model))
-    first, *rest = advice(points, adjust(points, PRIOR, model, parameters=(held,)))
+    plain = further_line_advice(points, adjust(points, PRIOR, model))
+    first, *rest = further_line_advice(points, adjust(points, PRIOR, model, parameters=(held,)))
     assert len(plain) == 1
     assert plain[0].params.keys() >= {"heading", "then"}
     assert first.code == "further_line.prior"
@@ -292,14 +292,16 @@ def test_a_stated_value_that_matters_little_leaves_the_advice_as_it_is() -> None
     points, held = survey(), Parameter("scan_angle_offset", np.radians(0.002))
     result = adjust(points, PRIOR, StochasticModel(), parameters=(held,))
     assert [each.value for each in result.parameters] == [None]
-    assert "further_line.prior" not in [each.code for each in advice(points, result)]
+    assert "further_line.prior" not in [each.code for each in further_line_advice(points, result)]
 
 
 def test_thesis_mode_is_advised_without_what_it_does_not_estimate() -> None:
     points, held = survey(), Parameter("scan_angle_offset", np.radians(0.5))
     model = StochasticModel("independent")
     plain = adjust(points, PRIOR, model)
-    assert advice(points, adjust(points, PRIOR, model, parameters=(held,))) == advice(points, plain)
+    assert further_line_advice(
+        points, adjust(points, PRIOR, model, parameters=(held,))
+    ) == further_line_advice(points, plain)
 
 
 def test_a_further_line_says_on_which_side_and_how_far_off_the_targets_are() -> None:
@@ -311,7 +313,7 @@ def test_a_further_line_says_on_which_side_and_how_far_off_the_targets_are() -> 
     assert not lines[0].to_starboard  # northward, west is to port
     assert lines[180].to_starboard
     assert all(10.5 < line.distance < 15.5 for line in lines.values())
-    (found,) = advice(points, result)
+    (found,) = further_line_advice(points, result)
     best = lines[round(np.degrees(found.params["heading"]))]
     side = "starboard" if best.to_starboard else "port"
     assert found.code == f"further_line.{side}_of_face"
@@ -332,4 +334,4 @@ def test_parts_are_compared_without_what_none_of_them_sees() -> None:
 def test_an_unknown_without_weight_is_refused(weight: float) -> None:
     """Also one whose weight rounding has made negative, beside large ones that it goes with."""
     with pytest.raises(RankDeficient, check=has_code("adjustment.singular")):
-        inverse(np.array([[weight, 1e3], [1e3, 1e10]]))
+        scaled_inverse(np.array([[weight, 1e3], [1e3, 1e10]]))

@@ -7,9 +7,9 @@ import pytest
 
 from lispac.messages import Message, note
 from lispac.project import LineSource, Reading
-from lispac.survey.source import USUAL
+from lispac.survey.line_source import USUAL
 from lispac.survey.time_base import DAY
-from lispac.workflow.offers import gain_note, outside
+from lispac.workflow.time_shift_advice import outside_trajectory_message, shift_gain_note
 
 ROUND_MIDNIGHT = np.r_[np.linspace(DAY - 40, DAY - 1, 40), np.linspace(0, 39, 40)]
 """Seconds of the day as a file has them that was begun before midnight."""
@@ -24,22 +24,22 @@ def line(reading: Reading = USUAL) -> LineSource:
 
 
 def test_nothing_is_offered_for_a_line_without_points() -> None:
-    assert gain_note(line(), np.zeros(0), track(0, 100)) is None
+    assert shift_gain_note(line(), np.zeros(0), track(0, 100)) is None
 
 
 def test_times_that_restart_are_offered_to_be_counted_on_once() -> None:
     counted = track(DAY - 50, DAY + 50)
-    assert gain_note(line(), ROUND_MIDNIGHT, counted) == note(
+    assert shift_gain_note(line(), ROUND_MIDNIGHT, counted) == note(
         "import.restart_found", file="L1.las", place=note("rollover.midnight"),
         option="restart=midnight",
     )  # fmt: skip
     reading = Reading(options=(("restart", "midnight"),))
-    assert gain_note(line(reading), reading.moved(ROUND_MIDNIGHT), counted) is None
+    assert shift_gain_note(line(reading), reading.moved(ROUND_MIDNIGHT), counted) is None
 
 
 def test_a_line_counted_on_beside_a_sorted_trajectory_is_offered_as_it_was_written() -> None:
     reading = Reading(options=(("restart", "midnight"),))
-    assert gain_note(line(reading), reading.moved(ROUND_MIDNIGHT), track(0, DAY)) == note(
+    assert shift_gain_note(line(reading), reading.moved(ROUND_MIDNIGHT), track(0, DAY)) == note(
         "import.restart_not_needed", file="L1.las", share=1.0, option="restart=none"
     )
 
@@ -47,10 +47,10 @@ def test_a_line_counted_on_beside_a_sorted_trajectory_is_offered_as_it_was_writt
 def test_beside_a_typed_shift_no_other_is_offered() -> None:
     """A base that fits is offered where nothing is typed, and the shift that was typed is kept."""
     times, known = 400_000.0 + np.linspace(-15, 15, 300), track(400_000, 400_100)
-    found = gain_note(line(), times, known)
+    found = shift_gain_note(line(), times, known)
     assert found is not None
     assert (found.code, found.params["shift"]) == ("import.shift_possible", 18.0)
-    assert gain_note(line(Reading(time_shift=3.0)), times, known) is None
+    assert shift_gain_note(line(Reading(time_shift=3.0)), times, known) is None
 
 
 @pytest.mark.parametrize(
@@ -59,7 +59,7 @@ def test_beside_a_typed_shift_no_other_is_offered() -> None:
 def test_a_shift_that_leads_outside_is_named_with_what_helps(shift: float, code: str) -> None:
     written = np.linspace(400_010, 400_020, 50) + (0 if shift > 0 else 4_000)
     times, known = written + shift, track(400_000, 400_100)
-    refusal = outside(Reading(time_shift=shift), times, known, Path("L1.las"))
+    refusal = outside_trajectory_message(Reading(time_shift=shift), times, known, Path("L1.las"))
     assert isinstance(refusal, Message)
     assert refusal.code == code
     assert refusal.params == {

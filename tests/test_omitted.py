@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy.stats import norm
 
-from lispac.adjustment.omitted_parameters import CRITICAL, contradictions
+from lispac.adjustment.omitted_parameters import CRITICAL, find_contradicted_parameters
 from lispac.adjustment.parameters import SWITCHED
-from lispac.adjustment.solved import Solved
+from lispac.adjustment.solved_equations import SolvedEquations
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
 from tests.test_parameters import INSERTED, KNOWN, MODEL, PRIOR, survey
 
 
@@ -104,9 +104,9 @@ def test_by_chance_one_survey_in_a_hundred_contradicts_a_value() -> None:
     told = 0
     for seed in range(30):
         data = survey(KNOWN, 2000 + seed)
-        solved = Solved.of(adjust(data, PRIOR, MODEL, diagnostics=False), data, PRIOR)
+        solved = SolvedEquations.of(adjust(data, PRIOR, MODEL, diagnostics=False), data, PRIOR)
         assert solved is not None
-        told += bool(contradictions(solved.here, least=0.0))
+        told += bool(find_contradicted_parameters(solved.here, least=0.0))
     assert told <= 1
 
 

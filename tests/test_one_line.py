@@ -7,20 +7,20 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.result import ANGLES
-from lispac.design.choices import thesis_plan
+from lispac.design.plan_choices import thesis_plan
 from lispac.design.site import Site, Wall
 from lispac.errors import AdjustmentError, NotComparable, ProjectError
 from lispac.io.plan_file import TitledPlan
 from lispac.messages import note
-from lispac.targets.expected import ExpectedTarget
-from lispac.workflow.calibration import check
-from lispac.workflow.patch_test import propose
-from lispac.workflow.picking import find, pick
-from lispac.workflow.proposal_acceptance import not_picked, with_accepted
+from lispac.targets.expected_target import ExpectedTarget
+from lispac.workflow.calibration import complete_result
+from lispac.workflow.patch_test import propose_objects
+from lispac.workflow.picking import find_target, pick_target
+from lispac.workflow.plan_comparison import compare_with_plan
+from lispac.workflow.proposal_acceptance import with_accepted, without_picked
 from lispac.workflow.proposals import Proposal
-from lispac.workflow.replay import replay
-from lispac.workflow.sections import cut_target
 from lispac.workflow.survey import Survey
+from lispac.workflow.survey_sections import section_at_target
 from lispac.workflow.validation import validate
 from tests.few_passes import answered, on_board, picked
 
@@ -40,7 +40,7 @@ def test_what_is_expected_of_a_target_is_kept_with_its_other_lines() -> None:
     before = project.target("T2")
     seed = survey.clouds["L2"][before.sightings[1].indices].mean(axis=0)
     expected = ExpectedTarget(1.23, 1.0, radians(45.0))
-    edited = pick(project, survey, seed, name="T2", line="L2", expected=expected)
+    edited = pick_target(project, survey, seed, name="T2", line="L2", expected=expected)
     after = edited.target("T2")
     assert after.expected == expected
     assert after.seed == before.seed
@@ -48,7 +48,7 @@ def test_what_is_expected_of_a_target_is_kept_with_its_other_lines() -> None:
     assert after.sightings[0] is before.sightings[0]
     assert after.sightings[2] is before.sightings[2]
     # Where nothing is said of it the next time, it is kept.
-    assert pick(edited, survey, seed, name="T2", line="L2").target("T2").expected == expected
+    assert pick_target(edited, survey, seed, name="T2", line="L2").target("T2").expected == expected
 
 
 def test_of_radii_that_no_second_line_answers_to_the_smallest_is_kept() -> None:
@@ -56,7 +56,7 @@ def test_of_radii_that_no_second_line_answers_to_the_smallest_is_kept() -> None:
     project, survey = picked()
     alone = only(survey, "L1")
     place = on_board("T1", 0.0, 0.0)
-    found = find(replace(project, targets=()), alone, place, name="V1", role="validation")
+    found = find_target(replace(project, targets=()), alone, place, name="V1", role="validation")
     assert found.radius == 4.0
     assert [each.line for each in found.sightings] == ["L1"]
 
@@ -64,11 +64,11 @@ def test_of_radii_that_no_second_line_answers_to_the_smallest_is_kept() -> None:
 def test_a_section_of_a_ball_does_not_say_how_far_lines_are_apart() -> None:
     """Along which direction that would be is not known of it, as it is of a plane."""
     project, survey = answered()
-    for cut in cut_target(project, survey, "T1", level=True, size=2.0, thickness=0.2):
+    for cut in section_at_target(project, survey, "T1", level=True, size=2.0, thickness=0.2):
         assert cut.apart is not None
     ball = replace(project.target("T1"), shape="sphere")
     round_one = replace(project, targets=(ball,))
-    for cut in cut_target(round_one, survey, "T1", level=True, size=2.0, thickness=0.2):
+    for cut in section_at_target(round_one, survey, "T1", level=True, size=2.0, thickness=0.2):
         assert cut.apart is None
 
 
@@ -86,7 +86,7 @@ def test_planes_on_single_lines_are_each_refused_with_their_reason() -> None:
 def test_one_line_shares_no_objects() -> None:
     project, survey = picked()
     with pytest.raises(AdjustmentError) as caught:
-        propose(project, only(survey, "L2"))
+        propose_objects(project, only(survey, "L2"))
     assert caught.value.code == "patch_test.single_line"
 
 
@@ -103,7 +103,7 @@ def test_lines_in_the_clouds_share_no_objects() -> None:
         for name, cloud in survey.clouds.items()
     }
     with pytest.raises(AdjustmentError) as caught:
-        propose(project, replace(survey, scans=scans, clouds=clouds))
+        propose_objects(project, replace(survey, scans=scans, clouds=clouds))
     assert caught.value.code == "patch_test.nothing_shared"
 
 
@@ -111,9 +111,9 @@ def test_an_answer_that_says_nothing_of_what_is_seen_gets_no_advice() -> None:
     project, survey = answered()
     assert project.result is not None
     bare = project.with_result(replace(project.result, observability=None))
-    advised = check(bare, bare, survey, cross_check=False)
+    advised = complete_result(bare, bare, survey, cross_check=False)
     assert advised.result is bare.result
-    told = check(project, project, survey, cross_check=False)
+    told = complete_result(project, project, survey, cross_check=False)
     assert told.result is not None
     assert told.result.observability is not None
     assert project.result.observability is not None
@@ -126,16 +126,16 @@ def test_what_is_picked_already_is_not_proposed_again() -> None:
     project, survey = picked()
     seeds = {each.name: on_board(each.name, 0.0, 0.0) for each in project.targets}
     found = tuple(
-        find(project, survey, seed, name=f"{name[0]}{9 - k}")
+        find_target(project, survey, seed, name=f"{name[0]}{9 - k}")
         for k, (name, seed) in enumerate(seeds.items())
     )
     plane = replace(found[1], role="validation")
     reasons = {each.name: note("propose.target_needed", lines=3) for each in found}
     proposal = Proposal((found[0], plane), reasons, np.zeros(3))
-    left = not_picked(project, proposal)
+    left = without_picked(project, proposal)
     assert (left.targets, left.picked) == ((), ("T1",))
     bare = replace(project, targets=project.targets[:1])
-    left = not_picked(bare, proposal)
+    left = without_picked(bare, proposal)
     assert [(each.name, each.role) for each in left.targets] == [("V1", "validation")]
     assert left.reasons == {"V1": note("propose.target_needed", lines=3)}
     accepted, names = with_accepted(bare, left, ["V1", "no such name"])
@@ -154,7 +154,7 @@ def planned() -> TitledPlan:
 
 def test_a_plan_is_compared_with_an_answer_only(planned: TitledPlan) -> None:
     with pytest.raises(ProjectError) as caught:
-        replay(*picked(), planned)
+        compare_with_plan(*picked(), planned)
     assert caught.value.code == "estimate.needed"
 
 
@@ -163,7 +163,7 @@ def test_what_was_sailed_of_a_plan_may_leave_the_boresight_open(planned: TitledP
     project, survey = answered()
     one = project.target("T1")
     few = replace(project, targets=(replace(one, sightings=one.sightings[:2]),))
-    found = replay(few, only(survey, "L1", "L2"), planned)
+    found = compare_with_plan(few, only(survey, "L1", "L2"), planned)
     assert not np.isfinite(found.sailed).all()
     assert "does not determine" in found.words[0]
     assert found.missing_targets == ("T2",)

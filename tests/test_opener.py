@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from lispac.errors import ProjectError
-from lispac.installed import window_command
+from lispac.installation_paths import window_command
 from lispac.io.project_file import OPENER, OPENER_TEXT, read_project, write_project
 from lispac.project import Project
-from lispac.workflow.intake import project_among
+from lispac.workflow.input_files import find_project
 
 
 @pytest.fixture
@@ -38,7 +38,7 @@ def test_a_file_of_that_name_stays_as_it_is(saved: Project) -> None:
 
 def test_the_file_is_a_project_when_it_is_dropped(saved: Project, tmp_path: Path) -> None:
     write_project(saved)
-    assert project_among([tmp_path / "a.las", saved.folder / OPENER]) == saved.folder / OPENER
+    assert find_project([tmp_path / "a.las", saved.folder / OPENER]) == saved.folder / OPENER
 
 
 def test_the_file_alone_is_refused(tmp_path: Path) -> None:

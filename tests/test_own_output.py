@@ -13,9 +13,9 @@ from lispac.io.sbet import write_sbet
 from lispac.io.text_export import write_trajectory_text
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow.export_request import system_of
-from lispac.workflow.exported_files import export_planes, export_targets, export_trajectory
-from lispac.workflow.file_reading import looks, read_trajectory, usual_or_settled
+from lispac.workflow.data_export import export_planes, export_targets, export_trajectory
+from lispac.workflow.export_request import output_system_of
+from lispac.workflow.file_reading import check_file, read_trajectory, usual_or_detected_reading
 from lispac.workflow.line_points import read_chunks
 from lispac.workflow.projects import new_project
 from lispac.workflow.survey import Survey
@@ -54,11 +54,11 @@ def test_targets_come_back(
 ) -> None:
     """As a line: the points of all sightings, with the line they are from."""
     project, survey = calibrated
-    from lispac.workflow.export_request import system_of
+    from lispac.workflow.export_request import output_system_of
 
     (path,) = export_targets(
         project, survey, tmp_path / "out", "estimated", ending=ending, names=["T1"],
-        system=system_of(project, survey.trajectory, system),
+        system=output_system_of(project, survey.trajectory, system),
     )  # fmt: skip
     parts = [survey.scans[s.line].take(s.indices) for s in project.target("T1").used_sightings]
     points, time = (np.concatenate([part[k] for part in parts]) for k in (0, 1))
@@ -78,11 +78,11 @@ def test_targets_come_back_from_csv(
     project, survey = calibrated
     (path,) = export_targets(
         project, survey, tmp_path / "out", "estimated", ending="csv", names=["T1"],
-        system=system_of(project, survey.trajectory, system),
+        system=output_system_of(project, survey.trajectory, system),
     )  # fmt: skip
     sightings = project.target("T1").used_sightings
     parts = [survey.scans[s.line].take(s.indices) for s in sightings]
-    (look, *_) = looks(path)
+    (look, *_) = check_file(path)
     assert (look.format.key, look.sureness) == ("target", 1.0)
     _, found = read_back(project, path, tmp_path / "new")
     require_same_points(found, *(np.concatenate([part[k] for part in parts]) for k in (0, 1)))
@@ -101,7 +101,7 @@ def test_a_target_that_is_cut_is_refused_with_its_row(
     rows = path.read_text().splitlines()[:10]
     path.write_text("\n".join([*rows[:-1], rows[-1][:20]]))
     with pytest.raises(InputError, match="row 10: the row has 2 columns"):
-        looks(path)[0].format.look(path, {})
+        check_file(path)[0].format.look(path, {})
 
 
 @pytest.mark.parametrize("which", ["prior", "estimated"])
@@ -110,7 +110,7 @@ def test_plane_files_come_back_as_a_line(
 ) -> None:
     project, survey = calibrated
     (path,) = export_planes(project, survey, tmp_path / "out", which, names=["T1"])
-    (look, *_) = looks(path)
+    (look, *_) = check_file(path)
     assert (look.format.key, look.sureness) == ("planes", 1.0)
     parts = [survey.scans[s.line].take(s.indices) for s in project.target("T1").used_sightings]
     _, found = read_back(project, path, tmp_path / "new")
@@ -128,13 +128,13 @@ def test_trajectories_come_back(tmp_path: Path, form: Any, place_deg: tuple[floa
     project = replace(two_lines(tmp_path), trajectory=tmp_path / "sbet.out")
     write_sbet(tmp_path / "sbet.out", known)
     path = export_trajectory(project, tmp_path / f"trajectory.{form}", form)
-    (look, *_) = looks(path)
+    (look, *_) = check_file(path)
     assert (look.format.kind, look.sureness) == ("trajectory", 1.0)
     assert look.finding is not None
     assert look.finding.choice["time"] == "gps-week"
     if form == "text":
         assert not any("_down" in code or "_up" in code for code in codes(look.finding.doubts))
-    reading, _ = usual_or_settled(path, "trajectory", Reading())
+    reading, _ = usual_or_detected_reading(path, "trajectory", Reading())
     found = read_trajectory(path, reading)
     np.testing.assert_allclose(found.time, known.time, rtol=0, atol=1e-8)
     for name, limit in (("latitude", 1e-12), ("longitude", 1e-12), ("height", 1e-5)):
@@ -147,5 +147,5 @@ def test_trajectories_come_back(tmp_path: Path, form: Any, place_deg: tuple[floa
 
 def test_a_text_trajectory_names_its_time_base(tmp_path: Path) -> None:
     write_trajectory_text(tmp_path / "t.txt", states(), "utc-day")
-    reading, _ = usual_or_settled(tmp_path / "t.txt", "trajectory", Reading())
+    reading, _ = usual_or_detected_reading(tmp_path / "t.txt", "trajectory", Reading())
     assert dict(reading.options)["time"] == "utc-day"

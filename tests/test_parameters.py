@@ -5,16 +5,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.averaging import averaged
-from lispac.adjustment.message_parts import quantity
+from lispac.adjustment.message_parts import mounting_value_name
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.errors import InputError
 from lispac.messages import note
 from lispac.project import Settings
-from lispac.simulation.closed_form import BOARDS, exact_survey, observed, six_courses
+from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 
@@ -31,9 +31,9 @@ INSERTED = {
 
 def survey(truth: Mounting, seed: int, **changes: object) -> Observations:
     generator = np.random.default_rng([9, seed])
-    exact = exact_survey(truth, BOARDS, six_courses(), 0.05, generator)
-    noisy = observed(exact, HYDROGRAPHIC_INS, generator)
-    return averaged(noisy, PRIOR, 0.1)
+    exact = error_free_survey(truth, BOARDS, six_courses(), 0.05, generator)
+    noisy = add_errors(exact, HYDROGRAPHIC_INS, generator)
+    return average_points_in_cells(noisy, PRIOR, 0.1)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -86,11 +86,11 @@ def test_a_scan_angle_offset_cannot_be_told_from_roll(sigma) -> None:
 
 def test_the_height_of_the_lever_arm_is_not_seen_on_level_lines() -> None:
     """Thesis C.2.5: it lifts all lines alike, and the targets with them."""
-    exact = exact_survey(KNOWN, BOARDS, six_courses(), 0.1, np.random.default_rng(1))
+    exact = error_free_survey(KNOWN, BOARDS, six_courses(), 0.1, np.random.default_rng(1))
     attitude = exact.attitude.copy()
     middle = exact.mean_by_sighting(attitude)
     attitude[:] = middle[exact.sighting] * [0, 0, 1]
-    from lispac.adjustment.shapes import points_local
+    from lispac.adjustment.target_shapes import points_local
     from lispac.survey.georeferencing import to_lidar
     from lispac.survey.trajectory import Poses
 
@@ -154,7 +154,7 @@ def test_thesis_mode_estimates_the_boresight_alone(name, sigma) -> None:
     (found,) = result.parameters
     assert found.value is None
     assert found.significant is None
-    assert found.reason == note("parameter.not_classical", parameter=quantity(name))
+    assert found.reason == note("parameter.not_classical", parameter=mounting_value_name(name))
     plain = adjust(points, PRIOR, model)
     np.testing.assert_array_equal(result.boresight, plain.boresight)
     np.testing.assert_array_equal(result.mounting.values[3:], PRIOR.values[3:])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.chunks import CHUNKS, FEW, in_chunks
+from lispac.adjustment.parallel_chunks import CHUNKS, FEW, run_in_chunks
 
 
 @pytest.mark.parametrize(
@@ -13,7 +13,9 @@ from lispac.adjustment.chunks import CHUNKS, FEW, in_chunks
 )
 def test_each_element_is_dealt_with_once_and_in_one_part(counts: list[int]) -> None:
     taken: list[tuple[int, int]] = []
-    in_chunks(lambda first, last: taken.append((first, last)), np.cumsum(counts, dtype=np.int64))
+    run_in_chunks(
+        lambda first, last: taken.append((first, last)), np.cumsum(counts, dtype=np.int64)
+    )
     assert len(taken) <= CHUNKS
     elements = [k for first, last in sorted(taken) for k in range(first, last)]
     assert elements == list(range(len(counts)))

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.message_parts import quantity
+from lispac.adjustment.message_parts import mounting_value_name
 from lispac.messages import Message, note
-from lispac.patchtest.answer import PatchTest
-from lispac.patchtest.mismatch import SCALE
-from lispac.patchtest.sigmas import FEWEST
+from lispac.patchtest.line_mismatch import SCALE
+from lispac.patchtest.minimum_precision import FEWEST
+from lispac.patchtest.patch_test_result import PatchTestResult
 
-SOUND = PatchTest(
+SOUND = PatchTestResult(
     boresight=np.radians([1.0, 2.0, -1.0]),
     one_by_one=np.radians([1.0, 2.0, -1.0]),
     covariance=np.diag([1e-8, 4e-8, 9e-8]),
@@ -41,7 +41,7 @@ def test_a_sound_result_has_no_further_remarks() -> None:
             {"one_by_one": np.radians([1.005, 2.0, -1.05])},
             note(
                 "patch_test.order_matters",
-                angle=quantity("yaw"), difference=pytest.approx(np.radians(0.05)),
+                angle=mounting_value_name("yaw"), difference=pytest.approx(np.radians(0.05)),
             ),
         ),
         ({"unmet": ("mast", "wall")}, note("patch_test.not_met", objects=("mast", "wall"))),

@@ -5,16 +5,16 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from lispac.patchtest.sigmas import ObjectFound, _judged, _Part
+from lispac.patchtest.minimum_precision import ObjectAgreement, _object_agreement, _ObjectEquations
 
 
-def judged(stiff: float, gradient: float) -> ObjectFound:
+def judged(stiff: float, gradient: float) -> ObjectAgreement:
     """An object that one pair of lines sees, with so much to say of every angle."""
-    part = _Part(
+    part = _ObjectEquations(
         "deck", [0], stiff * np.eye(3), np.full(3, gradient), {0: np.zeros((3, 6))}, np.full(3, 1.0)
     )
     mismatch = SimpleNamespace(blocks=[SimpleNamespace(pair=SimpleNamespace(name="1-2"))])
-    found: ObjectFound = _judged(
+    found: ObjectAgreement = _object_agreement(
         part, mismatch, {0: 0}, np.ones((6, 1, 1)), np.array([0.04]), np.array([2.0])
     )  # type: ignore[arg-type]
     return found

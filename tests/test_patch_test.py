@@ -11,23 +11,30 @@ import pytest
 from lispac.cli.main import main
 from lispac.errors import AdjustmentError, InputError
 from lispac.message_texts import english_text
-from lispac.patchtest.answer import PatchTest
-from lispac.patchtest.boxes import Box, PatchObject, checked
-from lispac.patchtest.mismatch import Mismatch, blocks_of, lowest
-from lispac.patchtest.optimise import minimise
-from lispac.patchtest.pairs import kind_of, pairs_of
-from lispac.patchtest.sample import Sample
-from lispac.patchtest.steps import equations
+from lispac.patchtest.block_equations import linearise_blocks
+from lispac.patchtest.line_mismatch import Mismatch, curve_minimum, pair_blocks
+from lispac.patchtest.line_pairs import pair_kind, pairs_of_lines
+from lispac.patchtest.mismatch_minimisation import minimise_mismatch
+from lispac.patchtest.object_boxes import ObjectBox, PatchObject, object_of_box
+from lispac.patchtest.object_sample import ObjectSample
+from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.project import Project
-from lispac.simulation.survey import port_survey
+from lispac.simulation.simulated_survey import port_survey
 from lispac.survey.cloud import CloudInMemory
-from lispac.survey.georeferencing import place, to_lidar
+from lispac.survey.georeferencing import place_points, to_lidar
 from lispac.survey.scan import Scan
 from lispac.survey.trajectory import Poses
-from lispac.workflow.opinions import of_the_patch_test
-from lispac.workflow.patch_test import PlacedObjects, find, find_angle, lay, line_pairs, propose
+from lispac.workflow.method_runs import patch_test_result
+from lispac.workflow.patch_test import (
+    PlacedObjects,
+    find_angle,
+    find_boresight,
+    line_pairs,
+    place_objects,
+    propose_objects,
+)
 from lispac.workflow.projects import create_project, open_project
-from lispac.workflow.simulate import RAW, triple, write_lines, write_trajectory
+from lispac.workflow.simulate import RAW, as_triple, write_lines, write_trajectory
 from lispac.workflow.survey import Survey, load_survey
 from tests.error_codes import has_code
 from tests.message_codes import codes
@@ -38,7 +45,7 @@ Opened = tuple[Project, Survey]
 
 FEW = 12
 """Objects, of which each takes its time; the usual number tells a tenth more."""
-MAST = PatchObject("mast", Box(np.array([9.0, -17.0, 15.5]), np.array([1.6, 1.6, 10.0])))
+MAST = PatchObject("mast", ObjectBox(np.array([9.0, -17.0, 15.5]), np.array([1.6, 1.6, 10.0])))
 """Of the built-in scene: a pole 12 cm thick that stands on the pier."""
 
 
@@ -50,25 +57,27 @@ def thinned(demo_project: Project) -> Opened:
 
 @pytest.fixture(scope="module")
 def laid(thinned: Opened) -> PlacedObjects:
-    return propose(*thinned, count=FEW)
+    return propose_objects(*thinned, count=FEW)
 
 
 @pytest.fixture(scope="module")
-def clean(thinned: Opened, laid: PlacedObjects) -> PatchTest:
-    return find(*thinned, laid)
+def clean(thinned: Opened, laid: PlacedObjects) -> PatchTestResult:
+    return find_boresight(*thinned, laid)
 
 
 def truth(project: Project) -> np.ndarray:
     return np.radians(project.truth_deg)
 
 
-def error(found: PatchTest, project: Project) -> np.ndarray:
+def error(found: PatchTestResult, project: Project) -> np.ndarray:
     """Over the stated sigma."""
     assert found.sigma is not None
     return np.abs(found.boresight - truth(project)) / found.sigma
 
 
-def test_each_angle_is_within_three_sigma_of_the_truth(thinned: Opened, clean: PatchTest) -> None:
+def test_each_angle_is_within_three_sigma_of_the_truth(
+    thinned: Opened, clean: PatchTestResult
+) -> None:
     assert (error(clean, thinned[0]) < 3).all()
     assert clean.sigma is not None
     assert np.degrees(clean.sigma).max() < 0.03
@@ -81,12 +90,14 @@ def test_each_angle_is_within_three_sigma_of_the_truth(thinned: Opened, clean: P
 
 
 @pytest.mark.long
-def test_a_prior_two_degrees_off_gives_the_same_answer(thinned: Opened, clean: PatchTest) -> None:
+def test_a_prior_two_degrees_off_gives_the_same_answer(
+    thinned: Opened, clean: PatchTestResult
+) -> None:
     project, survey = thinned
     wrong = tuple(float(v) for v in np.array(project.truth_deg) + [2.0, -2.0, 2.0])
     project = project.with_settings(replace(project.settings, boresight_deg=wrong))
     survey = survey.with_prior(project.mounting("prior"))
-    found = find(project, survey, propose(project, survey, count=FEW))
+    found = find_boresight(project, survey, propose_objects(project, survey, count=FEW))
     assert (error(found, project) < 3).all()
     assert clean.sigma is not None
     assert (np.abs(found.boresight - clean.boresight) < clean.sigma).all()
@@ -94,10 +105,10 @@ def test_a_prior_two_degrees_off_gives_the_same_answer(thinned: Opened, clean: P
 
 @pytest.mark.long  # with a prior two degrees off they are cut again as well
 def test_objects_laid_with_lines_apart_are_cut_again(
-    thinned: Opened, laid: PlacedObjects, clean: PatchTest
+    thinned: Opened, laid: PlacedObjects, clean: PatchTestResult
 ) -> None:
     off = laid.boresight + np.radians([0.3, -0.3, 0.3])
-    found = find(*thinned, lay(*thinned, laid.objects, off))
+    found = find_boresight(*thinned, place_objects(*thinned, laid.objects, off))
     assert clean.sigma is not None
     assert (np.abs(found.boresight - clean.boresight) < clean.sigma).all()
 
@@ -107,19 +118,19 @@ def test_a_box_about_what_one_line_saw_goes_with_it(thinned: Opened, laid: Place
     project, survey = thinned
     right = truth(project)
     off = right + np.radians([2.0, -2.0, 2.0])
-    sample = lay(project, survey, [MAST], right).sample
+    sample = place_objects(project, survey, [MAST], right).sample
     best = max(sample.seen, key=lambda each: np.count_nonzero(each.inside))
     inside = np.arange(best.begin, best.end)[best.inside]
     move = (sample.placed(off) - sample.placed(right))[inside].mean(axis=0)
     assert np.linalg.norm(move) > 0.8
     there = replace(MAST, box=replace(MAST.box, centre=MAST.box.centre + move))
-    both = laid.joined(lay(project, survey, [there], off))
+    both = laid.joined(place_objects(project, survey, [there], off))
     assert np.isnan(both.boresight).all()
     *others, mast = both.moved(right)
     assert np.linalg.norm(mast.box.centre - MAST.box.centre) < 0.1
     for each, before in zip(others, laid.objects, strict=True):
         assert np.linalg.norm(each.box.centre - before.box.centre) < 0.1
-    found = find(project, survey, both, start=laid.boresight)
+    found = find_boresight(project, survey, both, start=laid.boresight)
     assert MAST.name not in found.unmet
     assert (error(found, project) < 3).all()
 
@@ -127,7 +138,7 @@ def test_a_box_about_what_one_line_saw_goes_with_it(thinned: Opened, laid: Place
 def test_one_pole_tells_the_pitch_of_reciprocal_lines(thinned: Opened) -> None:
     project, survey = thinned
     start = truth(project) + np.radians([0.0, 0.4, 0.0])
-    pole = lay(project, survey, [MAST], start)
+    pole = place_objects(project, survey, [MAST], start)
     pairs = line_pairs(survey, {"reciprocal"})
     found = find_angle(pole, pole.blocks({"mast"}, pairs), start, 1)
     # Three pairs of lines of 12 mm each, 14 m below what they see of the mast
@@ -139,7 +150,7 @@ def test_one_pole_tells_the_pitch_of_reciprocal_lines(thinned: Opened) -> None:
 def test_reciprocal_lines_do_not_show_the_yaw_of_a_pole(thinned: Opened) -> None:
     """Both see it on the same side from as far off: a yaw turns it the same way for both."""
     project, survey = thinned
-    pole = lay(project, survey, [MAST], truth(project))
+    pole = place_objects(project, survey, [MAST], truth(project))
     pairs = line_pairs(survey, {"reciprocal"})
     with pytest.raises(AdjustmentError, match="do not determine yaw"):
         find_angle(pole, pole.blocks({"mast"}, pairs), truth(project), 2)
@@ -155,7 +166,7 @@ def flat(tilt: np.ndarray, off: float, place_: np.ndarray) -> np.ndarray:
     return place_ + along + off * normal
 
 
-def sample_of(thinned: Opened, groups: dict[str, np.ndarray], box: Box) -> Sample:
+def sample_of(thinned: Opened, groups: dict[str, np.ndarray], box: ObjectBox) -> ObjectSample:
     """Points given in the local frame, as if lines had scanned them with the true boresight."""
     project, survey = thinned
     mounting = project.mounting("prior").with_boresight(truth(project))
@@ -166,7 +177,7 @@ def sample_of(thinned: Opened, groups: dict[str, np.ndarray], box: Box) -> Sampl
         lidar = to_lidar(points, survey.trajectory.at(time), mounting)
         scans[name] = Scan(np.ascontiguousarray(lidar), time, None, ())
         clouds[name] = CloudInMemory.of(scans[name], survey.trajectory, mounting)
-    return Sample.of([PatchObject("plane", box)], clouds, scans)
+    return ObjectSample.of([PatchObject("plane", box)], clouds, scans)
 
 
 LEANING = np.array([0.2, 1.0, 0.3])
@@ -176,8 +187,10 @@ def two_planes(thinned: Opened, off: float, tilt: np.ndarray = LEANING) -> Misma
     names = list(thinned[1].scans)[:2]
     middle = np.array([5.0, -16.0, 6.0])
     groups = {n: flat(tilt, k * off, middle) for k, n in enumerate(names)}
-    sample = sample_of(thinned, groups, Box(middle, np.array([3.0, 3.0, 3.0])))
-    return Mismatch(sample, blocks_of(sample, pairs_of({n: 0.0 for n in names})), scale=100.0)
+    sample = sample_of(thinned, groups, ObjectBox(middle, np.array([3.0, 3.0, 3.0])))
+    return Mismatch(
+        sample, pair_blocks(sample, pairs_of_lines({n: 0.0 for n in names})), scale=100.0
+    )
 
 
 @pytest.mark.parametrize("off", [0.0, 0.004, 0.05])
@@ -193,9 +206,9 @@ def test_far_apart_counts_as_much_as_the_scale(thinned: Opened) -> None:
 def test_the_gradient_is_that_of_the_mean_square(thinned: Opened) -> None:
     mismatch = two_planes(thinned, 0.02).with_scale(0.05)
     at, step = truth(thinned[0]), 1e-5
-    found = equations(mismatch, at)
+    found = linearise_blocks(mismatch, at)
     for k, axis in enumerate(np.eye(3)):
-        ends = [0.5 * mismatch.squares(at + sign * step * axis)[0] for sign in (1, -1)]
+        ends = [0.5 * mismatch.mean_squares(at + sign * step * axis)[0] for sign in (1, -1)]
         central = (ends[0] - ends[1]) / (2 * step)
         assert found.gradient[0, k] == pytest.approx(central, rel=0.02, abs=1e-6)
 
@@ -203,7 +216,7 @@ def test_the_gradient_is_that_of_the_mean_square(thinned: Opened) -> None:
 def test_pos_errors_change_the_gradient_as_foretold(thinned: Opened) -> None:
     mismatch = two_planes(thinned, 0.02).with_scale(100.0)
     at, sample = truth(thinned[0]), mismatch.sample
-    found = equations(mismatch, at, pos_errors=True)
+    found = linearise_blocks(mismatch, at, pos_errors=True)
     error = np.array([0.003, -0.002, 0.004, 2e-4, -1e-4, 1e-4])
     rows = mismatch.blocks[0].second.points
     position, attitude = sample.poses.position.copy(), sample.poses.attitude.copy()
@@ -211,13 +224,13 @@ def test_pos_errors_change_the_gradient_as_foretold(thinned: Opened) -> None:
     attitude[rows] += error[3:]
     moved = replace(sample, poses=Poses(position, attitude))
     other = Mismatch(moved, mismatch.blocks, 100.0)
-    change = equations(other, at).gradient[0] - found.gradient[0]
+    change = linearise_blocks(other, at).gradient[0] - found.gradient[0]
     # Beyond first order, the derivatives turn with the attitude a little.
     np.testing.assert_allclose(change, found.sways[0, 1] @ error, rtol=0.05, atol=2e-4)
 
 
 def test_an_object_that_one_line_sees_elsewhere_is_named(
-    thinned: Opened, laid: PlacedObjects, clean: PatchTest
+    thinned: Opened, laid: PlacedObjects, clean: PatchTestResult
 ) -> None:
     project, survey = thinned
     sample = laid.sample
@@ -226,9 +239,11 @@ def test_an_object_that_one_line_sees_elsewhere_is_named(
     rows = moved.points
     poses = Poses(sample.poses.position[rows], sample.poses.attitude[rows])
     points = sample.points_lidar.copy()
-    shifted = place(points[rows], poses, mounting) + [0.2, 0.2, 0.2]
+    shifted = place_points(points[rows], poses, mounting) + [0.2, 0.2, 0.2]
     points[rows] = to_lidar(shifted, poses, mounting)
-    found = find(project, survey, replace(laid, sample=replace(sample, points_lidar=points)))
+    found = find_boresight(
+        project, survey, replace(laid, sample=replace(sample, points_lidar=points))
+    )
     assert [each.name for each in found.disagreeing] == [moved.object.name]
     (remark,) = (each for each in found.remarks if each.code == "patch_test.object_disagrees")
     assert remark.params["object"] == moved.object.name
@@ -236,8 +251,8 @@ def test_an_object_that_one_line_sees_elsewhere_is_named(
 
 
 def test_few_objects_have_no_sigma(thinned: Opened, laid: PlacedObjects) -> None:
-    few = lay(*thinned, laid.objects[:4], laid.boresight)
-    found = find(*thinned, few)
+    few = place_objects(*thinned, laid.objects[:4], laid.boresight)
+    found = find_boresight(*thinned, few)
     assert found.sigma is None
     assert "patch_test.no_sigma" in codes(found.remarks)
 
@@ -245,25 +260,25 @@ def test_few_objects_have_no_sigma(thinned: Opened, laid: PlacedObjects) -> None
 def test_level_ground_alone_leaves_the_yaw_open(thinned: Opened) -> None:
     ground = two_planes(thinned, 0.02, np.array([0.0, 0.0, 1.0]))
     with pytest.raises(AdjustmentError, match="do not determine yaw"):
-        minimise(ground.sample, ground.blocks, truth(thinned[0]), (2,))
+        minimise_mismatch(ground.sample, ground.blocks, truth(thinned[0]), (2,))
 
 
 def test_a_curve_has_a_minimum_where_it_dips_and_none_where_it_ripples() -> None:
     values = np.radians(np.linspace(-0.5, 0.5, 21))
     dip = 0.02 + 5.0 * np.abs(values - 0.002) ** 2 * 1e3
-    assert lowest(values, dip) == pytest.approx(0.002, abs=1e-5)
-    assert lowest(values, dip[::-1]) == pytest.approx(-0.002, abs=1e-5)
+    assert curve_minimum(values, dip) == pytest.approx(0.002, abs=1e-5)
+    assert curve_minimum(values, dip[::-1]) == pytest.approx(-0.002, abs=1e-5)
     level = 0.093 + 0.001 * np.cos(40 * values * 57)
-    assert lowest(values, level) is None
-    assert lowest(values, 0.05 + values) is None, "it falls towards an end"
-    assert lowest(values[:2], dip[:2]) is None
-    assert lowest(values, np.where(values > 0.004, np.nan, dip)) is None
+    assert curve_minimum(values, level) is None
+    assert curve_minimum(values, 0.05 + values) is None, "it falls towards an end"
+    assert curve_minimum(values[:2], dip[:2]) is None
+    assert curve_minimum(values, np.where(values > 0.004, np.nan, dip)) is None
 
 
 def test_lines_that_do_not_meet_are_refused(thinned: Opened) -> None:
-    nowhere = PatchObject("air", Box(np.array([0.0, 0.0, 100.0]), np.array([2.0, 2.0, 2.0])))
+    nowhere = PatchObject("air", ObjectBox(np.array([0.0, 0.0, 100.0]), np.array([2.0, 2.0, 2.0])))
     with pytest.raises(AdjustmentError, check=has_code("patch_test.no_pairs")):
-        find(*thinned, lay(*thinned, [nowhere], truth(thinned[0])))
+        find_boresight(*thinned, place_objects(*thinned, [nowhere], truth(thinned[0])))
 
 
 @pytest.mark.parametrize(
@@ -275,12 +290,12 @@ def test_lines_that_do_not_meet_are_refused(thinned: Opened) -> None:
     ],
 )  # fmt: skip
 def test_kinds_of_pairs(first: float, second: float, kind: str) -> None:
-    assert kind_of(np.radians(first), np.radians(second)) == kind
-    assert kind_of(np.radians(second), np.radians(first)) == kind
+    assert pair_kind(np.radians(first), np.radians(second)) == kind
+    assert pair_kind(np.radians(second), np.radians(first)) == kind
 
 
 def test_a_box_turns_clockwise() -> None:
-    box = Box(np.zeros(3), np.array([4.0, 1.0, 2.0]), np.radians(30.0))
+    box = ObjectBox(np.zeros(3), np.array([4.0, 1.0, 2.0]), np.radians(30.0))
     ahead = np.array([np.cos(np.radians(30.0)), -np.sin(np.radians(30.0)), 0.0])  # east is -west
     points = np.array([1.9 * ahead, 1.9 * ahead * [1, -1, 1], [0, 0, 1.1], 2.1 * ahead])
     assert box.inside(points).tolist() == [True, False, False, False]
@@ -289,13 +304,13 @@ def test_a_box_turns_clockwise() -> None:
 
 def test_a_box_without_a_size_is_refused() -> None:
     with pytest.raises(InputError, check=has_code("patch_test.box_size", name="pole")):
-        checked("pole", Box(np.zeros(3), np.array([1.0, 0.0, 1.0])))
+        object_of_box("pole", ObjectBox(np.zeros(3), np.array([1.0, 0.0, 1.0])))
     with pytest.raises(InputError, check=has_code("patch_test.box_not_finite")):
-        checked("pole", Box(np.array([np.nan, 0, 0]), np.ones(3)))
+        object_of_box("pole", ObjectBox(np.array([np.nan, 0, 0]), np.ones(3)))
 
 
 def test_the_command_line_says_the_same(
-    capsys: pytest.CaptureFixture[str], thinned: Opened, clean: PatchTest
+    capsys: pytest.CaptureFixture[str], thinned: Opened, clean: PatchTestResult
 ) -> None:
     folder = thinned[0].folder
     numbers = answer(capsys, "patchtest", folder, "--count", FEW)
@@ -319,15 +334,15 @@ def test_the_answer_is_kept_where_it_has_a_sigma(
     folder = tmp_path / "copy"
     shutil.copytree(thinned[0].folder, folder)
     numbers = answer(capsys, "patchtest", folder, "--count", 8, "--keep")
-    kept = open_project(folder).opinion("patch test")
+    kept = open_project(folder).alternative_result("patch test")
     assert kept is not None
     np.testing.assert_allclose(np.degrees(kept.boresight), angles(numbers, "boresight_deg"))
     np.testing.assert_allclose(np.degrees(kept.sigma), angles(numbers, "sigma_deg"))
     assert kept.surfaces == len(numbers["objects"])
     assert list(map(english_text, kept.remarks)) == numbers["remarks"]
-    few = find(*thinned, laid.only({each.name for each in laid.objects[:4]}))
+    few = find_boresight(*thinned, laid.only({each.name for each in laid.objects[:4]}))
     with pytest.raises(AdjustmentError) as raised:
-        of_the_patch_test(few)
+        patch_test_result(few)
     assert raised.value.code == "estimate.patch_test_without_sigma"
 
 
@@ -344,10 +359,10 @@ def test_sigmas_hold_over_simulated_surveys(tmp_path: Path) -> None:
         base = port_settings(simulated.lever_arm, latitude, longitude, height)
         project = create_project(
             folder, trajectory=trajectory, lines=lines, accuracy=accuracy, settings=base,
-            truth_deg=triple(np.degrees(simulated.boresight)),
+            truth_deg=as_triple(np.degrees(simulated.boresight)),
         )  # fmt: skip
         survey = load_survey(project)
-        result = find(project, survey, propose(project, survey))
+        result = find_boresight(project, survey, propose_objects(project, survey))
         found.append((result.boresight - truth(project)) / result.sigma)
     rms = np.sqrt((np.array(found) ** 2).mean(axis=0))
     # 48 numbers of unit variance, in the square mean: the interval of 99.9 % for 16 of them
@@ -358,7 +373,7 @@ def port_settings(lever_arm: np.ndarray, latitude: float, longitude: float, heig
     from lispac.project import Settings
 
     origin = (float(np.degrees(latitude)), float(np.degrees(longitude)), height)
-    return Settings(lever_arm=triple(lever_arm), origin_deg_m=origin, lidar_sigma=0.0019)
+    return Settings(lever_arm=as_triple(lever_arm), origin_deg_m=origin, lidar_sigma=0.0019)
 
 
 @pytest.mark.long

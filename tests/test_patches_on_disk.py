@@ -6,12 +6,12 @@ from pathlib import Path
 import numpy as np
 
 from lispac.geometry.frames import LocalFrame
-from lispac.natural.patches import Patches, patches_of
+from lispac.natural.patches import Patches, find_patches
 from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk
 from lispac.survey.georeferencing import Georeferencer, Mounting, to_lidar
 from lispac.survey.scan import Scan
-from lispac.survey.store.reading import open_store
-from lispac.survey.store.writing import write_store
+from lispac.survey.store.line_import import write_store
+from lispac.survey.store.stored_line import open_store
 from lispac.survey.trajectory import LocalTrajectory
 from tests.store_lines import RECIPE, Line
 
@@ -55,7 +55,7 @@ def test_a_line_on_disk_has_the_points_of_the_same_line_in_memory(tmp_path: Path
         write_store(tmp_path / name, recipe, source, where)
         disk[name] = CloudOnDisk(open_store(tmp_path / name, "L1"), where)
     kept, read = (
-        _points(patches_of(clouds, 0.003, 0.02), clouds) for clouds in (memory, disk)
+        _points(find_patches(clouds, 0.003, 0.02), clouds) for clouds in (memory, disk)
     )  # fmt: skip
     wall = set(range(4000)) - set(range(0, 4000, 4))
     for one, other in ((kept[name], read[name]) for name in scans):

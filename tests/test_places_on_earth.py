@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from lispac.geometry.frames import LocalFrame
-from lispac.geometry.rotations import angles_of, rotation_matrix
-from lispac.io.formats import recognised
+from lispac.geometry.rotations import rotation_angles, rotation_matrix
+from lispac.io.formats import recognise_formats
 from lispac.io.sbet import read_sbet, write_sbet
 from lispac.survey.trajectory import LONGEST_GAP, LocalTrajectory, Trajectory
 
@@ -35,7 +35,7 @@ def at_place(latitude: float, longitude: float, turn: float = 0.0) -> Trajectory
     level = frame.rotation_local_level(lat, lon)
     body = np.swapaxes(level, -1, -2) @ rotation_matrix(*attitude.T)
     lon = np.mod(lon + np.pi, 2 * np.pi) - np.pi if not turn else np.mod(lon, turn)
-    return Trajectory(TIME, lat, lon, height, angles_of(body))
+    return Trajectory(TIME, lat, lon, height, rotation_angles(body))
 
 
 @pytest.mark.parametrize("turn", [0.0, 2 * np.pi])
@@ -83,7 +83,7 @@ def test_text_with_longitudes_across_the_antimeridian_or_from_0_to_360(
     path = tmp_path / "track.txt"
     names = "Time,Latitude,Longitude,Height,Roll,Pitch,Heading"
     np.savetxt(path, rows, delimiter=",", header=names, comments="", fmt="%.12f")
-    format = recognised(path, "trajectory")[0][0]
+    format = recognise_formats(path, "trajectory")[0][0]
     read = format.read(path, format.look(path, {}).choice)
     assert isinstance(read, Trajectory)
     np.testing.assert_allclose(

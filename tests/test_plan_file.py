@@ -6,13 +6,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.design.choices import thesis_plan
 from lispac.design.plan import Line, System
+from lispac.design.plan_choices import thesis_plan
 from lispac.design.prediction import predict
 from lispac.design.site import Site, Wall
 from lispac.errors import InputError
 from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
-from lispac.simulation.closed_form import Ball, Board
+from lispac.simulation.closed_form_survey import Ball, Board
 from lispac.simulation.pos_errors import PosErrorModel
 
 SITES = Path(__file__).parents[1] / "resources" / "sites"

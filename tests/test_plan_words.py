@@ -5,11 +5,16 @@ from dataclasses import replace
 import pytest
 
 from lispac.adjustment.observability import RankDeficient
-from lispac.design.choices import thesis_plan
 from lispac.design.plan import Line, Plan
+from lispac.design.plan_choices import thesis_plan
 from lispac.design.site import Site, Wall
 from lispac.io.plan_file import TitledPlan
-from lispac.workflow.plan_checks import ONE_WAY, cautions, many_surveys, remarks_on
+from lispac.workflow.plan_checks import (
+    ONE_WAY,
+    observability_remarks,
+    plan_warnings,
+    simulate_surveys,
+)
 
 WALL = Wall((0.0, 0.0, 0.0), 270.0)
 
@@ -20,7 +25,7 @@ def plan() -> Plan:
 
 
 def test_the_usual_plan_can_be_done(plan: Plan) -> None:
-    assert cautions(TitledPlan("Quay", plan, WALL)) == ()
+    assert plan_warnings(TitledPlan("Quay", plan, WALL)) == ()
 
 
 @pytest.mark.parametrize(
@@ -34,7 +39,7 @@ def test_the_usual_plan_can_be_done(plan: Plan) -> None:
 def test_lines_that_a_vessel_cannot_sail(
     plan: Plan, line: Line, code: str, distance: float | None
 ) -> None:
-    (found,) = cautions(TitledPlan("Quay", replace(plan, lines=(line,)), WALL))
+    (found,) = plan_warnings(TitledPlan("Quay", replace(plan, lines=(line,)), WALL))
     assert (found.code, found.params["line"]) == (code, 1)
     assert found.params["distance"] > 0
     if distance is not None:
@@ -44,7 +49,7 @@ def test_lines_that_a_vessel_cannot_sail(
 def test_boards_in_one_place_are_told(plan: Plan) -> None:
     one = plan.targets[0]
     twins = replace(plan, targets=(one, replace(one, name="twin"), *plan.targets[1:]))
-    found = cautions(TitledPlan("Quay", twins, WALL))
+    found = plan_warnings(TitledPlan("Quay", twins, WALL))
     assert found[0].code == "plan.targets_overlap"
     assert dict(found[0].params) == {"first": one.name, "second": "twin"}
 
@@ -52,7 +57,7 @@ def test_boards_in_one_place_are_told(plan: Plan) -> None:
 def test_boards_that_face_one_way_are_not_simulated(plan: Plan) -> None:
     one = plan.targets[0]
     alike = replace(plan, targets=(one, replace(one, name="twin")))
-    assert remarks_on(alike) == (ONE_WAY,)
+    assert observability_remarks(alike) == (ONE_WAY,)
     with pytest.raises(RankDeficient) as caught:
-        many_surveys(alike, 3, seed=1)
+        simulate_surveys(alike, 3, seed=1)
     assert caught.value.message == ONE_WAY

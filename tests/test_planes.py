@@ -4,17 +4,17 @@ import numpy as np
 import pytest
 
 from lispac.errors import PlaneNotFound
-from lispac.geometry.neighbours import PointGrid, nearest_point, points_within
 from lispac.geometry.planes import (
     LINE_SHARE,
     Plane,
     extent_in_plane,
     fit_plane,
-    fit_plane_resisting,
-    in_plane_axes,
+    fit_plane_robustly,
+    plane_axes,
     plane_through,
     rms_distance,
 )
+from lispac.geometry.radius_search import PointGrid, nearest_point, points_within
 from tests.error_codes import has_code
 
 NORMALS = [(0, -1, 0), (0, -1, 1), (0.3, 0.2, 1), (1, 0, 0), (0, 0, 1), (0, 0, -1), (-1, 2, -3)]
@@ -25,7 +25,7 @@ NORMALS = [(0, -1, 0), (0, -1, 1), (0.3, 0.2, 1), (1, 0, 0), (0, 0, 1), (0, 0, -
 def test_fit_recovers_a_plane_also_at_large_coordinates(normal, origin):
     rng = np.random.default_rng(3)
     true = plane_through(np.array(origin, float), np.array(normal, float))
-    points = np.array(origin) + rng.uniform(-1, 1, (200, 2)) @ in_plane_axes(true.normal)
+    points = np.array(origin) + rng.uniform(-1, 1, (200, 2)) @ plane_axes(true.normal)
     plane = fit_plane(points)
     assert plane.tilt_to(true) < 1e-8
     assert np.abs(plane.distances(points)).max() < 2e-9
@@ -81,7 +81,7 @@ def test_fit_refuses_what_determines_no_plane(points, code):
 @pytest.mark.parametrize("normal", NORMALS)
 def test_axes_are_level_and_up_the_slope(normal):
     unit = np.array(normal, float) / np.linalg.norm(normal)
-    level, slope = in_plane_axes(unit)
+    level, slope = plane_axes(unit)
     np.testing.assert_allclose(
         np.stack([level, slope, unit]) @ np.stack([level, slope, unit]).T, np.eye(3), atol=1e-12
     )
@@ -93,7 +93,7 @@ def test_axes_are_level_and_up_the_slope(normal):
 @pytest.mark.parametrize("tilt", [(0, 0), (9e-4, 0), (-9e-4, 0), (0, 9e-4), (6e-4, -6e-4)])
 def test_axes_of_a_flat_plane_are_west_and_north(up, tilt):
     normal = np.array([*tilt, up]) / np.linalg.norm([*tilt, up])
-    level, slope = in_plane_axes(normal)
+    level, slope = plane_axes(normal)
     np.testing.assert_allclose(level, [0, 1, 0], rtol=0, atol=1e-3)
     np.testing.assert_allclose(slope, [1, 0, 0], rtol=0, atol=1e-3)
     np.testing.assert_allclose([level @ normal, slope @ normal], 0, atol=1e-15)
@@ -102,7 +102,7 @@ def test_axes_of_a_flat_plane_are_west_and_north(up, tilt):
 def test_extent_gives_width_and_height_of_an_inclined_board():
     normal = np.array([0.0, -1.0, 1.0]) / np.sqrt(2)
     u, v = np.meshgrid(np.linspace(0, 1.23, 30), np.linspace(0, 0.76, 20))
-    points = np.stack([u.ravel(), v.ravel()], 1) @ in_plane_axes(normal)
+    points = np.stack([u.ravel(), v.ravel()], 1) @ plane_axes(normal)
     np.testing.assert_allclose(extent_in_plane(fit_plane(points), points), [1.23, 0.76], atol=1e-9)
 
 
@@ -112,7 +112,7 @@ def test_strays_on_one_side_hardly_move_the_resisting_plane():
     points[:270, 0] = np.abs(points[:270, 0])  # all on one half, where they also turn it
     points[:270, 2] += 0.3
     level = np.array([0.0, 0.0, 1.0])
-    usual, resisting = fit_plane(points), fit_plane_resisting(points, 0.003)
+    usual, resisting = fit_plane(points), fit_plane_robustly(points, 0.003)
     assert abs(usual.d) > 0.05
     assert abs(resisting.d) < 0.01
     assert np.degrees(np.arccos(resisting.facing(level).normal @ level)) < 1.0

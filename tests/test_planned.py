@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.simulation.scene import Sphere
-from lispac.workflow.planned import is_plan, simulation_of_plan
+from lispac.workflow.plan_simulation import is_plan, simulation_of_plan
 from lispac.workflow.projects import open_project
 from tests.test_cli import answer, refused, run
 

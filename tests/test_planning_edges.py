@@ -6,22 +6,22 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from lispac.design.choices import Choice, DesignSpace
-from lispac.design.monte_carlo import surveyed
-from lispac.design.objective import Objective
+from lispac.design.monte_carlo import run_monte_carlo
+from lispac.design.objective import PlanObjective
 from lispac.design.plan import Line, Plan
-from lispac.design.simulated_plan import simulated
-from lispac.design.site import least_off, steps
+from lispac.design.plan_choices import DesignSpace, PlanChoice
+from lispac.design.plan_simulation import simulate_plan
+from lispac.design.site import clearance_from_wall, evenly_spaced
 from lispac.errors import LispacError, RankDeficient
-from lispac.simulation.closed_form import Ball, Board
-from lispac.simulation.scene import Cylinder, Sphere, upright
-from lispac.simulation.survey import _seeds
+from lispac.simulation.closed_form_survey import Ball, Board
+from lispac.simulation.scene import Cylinder, Sphere, upright_rectangle
+from lispac.simulation.simulated_survey import _surface_seeds
 from tests.error_codes import has_code
 from tests.prediction_study import BOARDS, PLAN
 from tests.test_design import SMALL
 
-SPACE = DesignSpace(SMALL, Objective())
-CHOICE = Choice((0, 5), (0, 1, 2))
+SPACE = DesignSpace(SMALL, PlanObjective())
+CHOICE = PlanChoice((0, 5), (0, 1, 2))
 MADE = SPACE.plan(CHOICE)
 AWAY = Board("away", (0.0, -15.0, 5.0), (0.0, -1.0, 0.0))
 
@@ -46,8 +46,8 @@ def test_a_plan_that_the_site_does_not_allow_is_no_choice(other: Plan) -> None:
 
 
 def test_lines_past_nothing_come_near_no_wall() -> None:
-    assert least_off(replace(MADE, targets=()), SMALL.wall) == ()
-    assert len(least_off(MADE, SMALL.wall)) == 3
+    assert clearance_from_wall(replace(MADE, targets=()), SMALL.wall) == ()
+    assert len(clearance_from_wall(MADE, SMALL.wall)) == 3
 
 
 @pytest.mark.parametrize(
@@ -59,16 +59,16 @@ def test_lines_past_nothing_come_near_no_wall() -> None:
     ],
 )
 def test_steps_end_where_they_are_told(given: tuple, values: tuple) -> None:
-    assert steps(*given) == pytest.approx(values)
+    assert evenly_spaced(*given) == pytest.approx(values)
 
 
 def test_what_no_line_sees_is_no_sighting() -> None:
     """A board that looks away from all lines beside those that do not."""
-    both = simulated(replace(PLAN, targets=(*BOARDS, AWAY)), np.random.default_rng(1))
+    both = simulate_plan(replace(PLAN, targets=(*BOARDS, AWAY)), np.random.default_rng(1))
     assert set(both.targets) == {"T1", "T2"}
     assert len(both.sightings) == 2 * len(PLAN.lines)
     with pytest.raises(RankDeficient, check=has_code("design.no_sightings")):
-        simulated(replace(PLAN, targets=(AWAY,)), np.random.default_rng(1))
+        simulate_plan(replace(PLAN, targets=(AWAY,)), np.random.default_rng(1))
 
 
 def test_where_no_survey_can_be_adjusted_there_is_no_scatter() -> None:
@@ -76,7 +76,7 @@ def test_where_no_survey_can_be_adjusted_there_is_no_scatter() -> None:
         return (np.full((2, 3), np.nan) for _ in numbers)
 
     with pytest.raises(LispacError, check=has_code("design.none_adjusted")):
-        surveyed(PLAN, 3, mapper=failing)
+        run_monte_carlo(PLAN, 3, mapper=failing)
 
 
 def test_surveys_that_could_not_be_adjusted_are_counted() -> None:
@@ -85,7 +85,7 @@ def test_surveys_that_could_not_be_adjusted_are_counted() -> None:
     def made(trial, numbers):
         return (np.full((2, 3), next(errors)) for _ in numbers)
 
-    found = surveyed(PLAN, 3, mapper=made)
+    found = run_monte_carlo(PLAN, 3, mapper=made)
     assert found.failed == 1
     np.testing.assert_array_equal(found.errors, [[1.0] * 3, [-1.0] * 3])
     assert "1 survey could not be adjusted and is excluded." in found.words
@@ -93,12 +93,12 @@ def test_surveys_that_could_not_be_adjusted_are_counted() -> None:
 
 def test_seeds_lie_on_what_can_be_picked() -> None:
     """In the middle of a board, on the ball where it faces the vessel, and on no mast."""
-    board = upright("T1", (0.0, -12.0), 4.0, 5.0, 1.0, 270)
+    board = upright_rectangle("T1", (0.0, -12.0), 4.0, 5.0, 1.0, 270)
     ball = Sphere("S1", np.array([3.0, -10.0, 2.0]), 0.5)
     mast = Cylinder("mast", 6.0, -10.0, 0.0, 9.0, 0.3)
     scene = {each.name: each for each in (board, ball, mast)}
     motion = SimpleNamespace(position=np.array([[3.0, -2.0, 1.0], [3.0, 2.0, 3.0]]))
-    found = _seeds(SimpleNamespace(scene=scene), tuple(scene), motion)
+    found = _surface_seeds(SimpleNamespace(scene=scene), tuple(scene), motion)
     assert set(found) == {"T1", "S1"}
     np.testing.assert_allclose(found["T1"], [0.0, -12.0, 4.5])
     np.testing.assert_allclose(found["S1"], [3.0, -9.5, 2.0])

@@ -13,7 +13,7 @@ from lispac.errors import InputError
 from lispac.io import las_chunks
 from lispac.io.formats import format_of
 from lispac.io.las import read_scan
-from lispac.io.line_times import line_times
+from lispac.io.line_times import read_line_times
 from lispac.messages import Level, Message, error
 from tests import point_files as files
 from tests.test_points_damaged_headers import crc32c
@@ -84,7 +84,7 @@ def all_are_read(path: Path, count: int) -> None:
     np.testing.assert_array_equal(scan.time, time)
     assert las_chunks.point_count(path) == count
     assert format_of("las").look(path, {}).facts["points"] == count
-    found = line_times(path, format_of("las"), {})
+    found = read_line_times(path, format_of("las"), {})
     assert (found.count, found.end) == (count, times(count)[-1])
 
 
@@ -223,7 +223,7 @@ def test_a_reference_without_time_has_all_its_points(tmp_path: Path) -> None:
     for ending in ("las", "laz"):
         path = counting(las(tmp_path / f"a.{ending}", 600, 0, "1.2"), 200)
         np.testing.assert_allclose(
-            np.concatenate(list(las_chunks.places(path))), places(600), atol=1e-6
+            np.concatenate(list(las_chunks.read_coordinates(path))), places(600), atol=1e-6
         )
 
 

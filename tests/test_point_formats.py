@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io import las_chunks, pcd, records, text_chunks
+from lispac.io import las_chunks, pcd, point_records, text_chunks
+from lispac.io.format_types import FileFormat, FilePreview, PointChunk
 from lispac.io.las import read_scan
 from lispac.io.point_formats import POINTS
-from lispac.io.points import system_of
-from lispac.io.registry import Finding, Format, PointChunk
+from lispac.io.point_reading import crs_of_options
 from lispac.message_texts import fact_text
 from tests import point_files as files
 from tests.error_codes import has_code
@@ -23,7 +23,7 @@ FORMATS = {format_.key: format_ for format_ in POINTS}
 RNG = np.random.default_rng(8)
 
 
-def whole(format_: Format, path: Path, choice: dict[str, Any] | None = None) -> PointChunk:
+def whole(format_: FileFormat, path: Path, choice: dict[str, Any] | None = None) -> PointChunk:
     """All chunks of a file, with the options that a look proposes."""
     found = format_.look(path, choice or {})
     chunks = list(format_.read(path, {**found.choice, **(choice or {})}))
@@ -37,7 +37,7 @@ def whole(format_: Format, path: Path, choice: dict[str, Any] | None = None) -> 
 
 
 @pytest.fixture(params=files.VALID)
-def valid(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[Format, Path]:
+def valid(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[FileFormat, Path]:
     key, write = files.VALID[request.param]
     return FORMATS[key], write(tmp_path / request.param)
 
@@ -57,7 +57,7 @@ def expected(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return files.XYZ[kept], time[kept], files.RING[kept]
 
 
-def test_points_come_as_written(valid: tuple[Format, Path]) -> None:
+def test_points_come_as_written(valid: tuple[FileFormat, Path]) -> None:
     format_, path = valid
     read = whole(format_, path)
     xyz, time, ring = expected(path)
@@ -73,17 +73,17 @@ def test_points_come_as_written(valid: tuple[Format, Path]) -> None:
     assert read.total in (None, files.COUNT)
 
 
-def test_every_format_knows_its_own(valid: tuple[Format, Path]) -> None:
+def test_every_format_knows_its_own(valid: tuple[FileFormat, Path]) -> None:
     format_, path = valid
     scores = {other.key: other.sniff(path) for other in POINTS}
     assert max(scores, key=lambda key: scores[key]) == format_.key
     assert sorted(scores.values())[-2] <= 0.3 < scores[format_.key]
 
 
-def test_a_look_states_frame_unit_time_base_and_assumptions(valid: tuple[Format, Path]) -> None:
+def test_a_look_states_frame_unit_time_base_and_assumptions(valid: tuple[FileFormat, Path]) -> None:
     format_, path = valid
     found = format_.look(path, {})
-    assert isinstance(found, Finding)
+    assert isinstance(found, FilePreview)
     assert {"frame", "unit", "time base", "format"} <= set(found.facts)
     assert found.assumptions
     assert len(found.rows) == 11
@@ -205,9 +205,9 @@ def test_las_states_its_time_base_and_system(tmp_path: Path) -> None:
     assert "times.base_contradicted" in codes(found.doubts)  # they are of the week
     assert "points.small_coordinates" in codes(found.doubts)
     with pytest.raises(InputError, check=has_code("crs.grid_missing_geoid")):  # its geoid
-        system_of(FORMATS["las"].settled(found.choice))
+        crs_of_options(FORMATS["las"].settled(found.choice))
     settled = FORMATS["las"].settled({**found.choice, "height": "ellipsoid"})
-    system = system_of(settled)
+    system = crs_of_options(settled)
     assert system is not None
     assert "MTM" in system.name
 
@@ -231,7 +231,7 @@ def test_chunks_are_bounded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
         np.testing.assert_allclose(np.concatenate([c.xyz for c in chunks]), files.XYZ, atol=1e-7)
 
 
-def test_other_units_of_a_scanner_become_metres(valid: tuple[Format, Path]) -> None:
+def test_other_units_of_a_scanner_become_metres(valid: tuple[FileFormat, Path]) -> None:
     format_, path = valid
     scanner = {"frame": "scanner"}
     metres, feet = whole(format_, path, scanner), whole(format_, path, scanner | {"unit": "foot"})
@@ -335,7 +335,7 @@ def test_gzip_is_seen_by_its_bytes(tmp_path: Path) -> None:
 def test_records_are_read_in_bounded_pieces(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(records, "LARGEST", 100)
+    monkeypatch.setattr(point_records, "LARGEST", 100)
     sizes = [len(c.time) for c in FORMATS["ply"].read(files.cloud(tmp_path / "a.ply"), {})]
     assert sum(sizes) == files.COUNT
     assert max(sizes) < 10

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from lispac.io.formats import format_of
-from lispac.io.points import system_of
+from lispac.io.point_reading import crs_of_options
 from tests.message_codes import codes
 
 TEXT = format_of("text")
@@ -32,7 +32,7 @@ def test_names_state_units(
     path.write_text("\n".join([f"time,Easting{across},Northing{across},Height{up}", *rows]))
     finding = TEXT.look(path, {"crs": crs, "frame": "georeferenced"})
     settled = TEXT.settled({**finding.choice, "crs": crs, "frame": "georeferenced"})
-    system = system_of(settled)
+    system = crs_of_options(settled)
     assert system is not None
     assert system.metres[2] == pytest.approx(height, rel=1e-12)
     assert ("points.unit_of_column" in codes(finding.doubts)) == doubted

@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 from pyproj import CRS
 
 from lispac.errors import InputError
-from lispac.io.line_times import line_times
+from lispac.io.line_times import read_line_times
 from lispac.io.point_formats import POINTS
-from lispac.io.points import system_of
+from lispac.io.point_reading import crs_of_options
 from lispac.messages import error
-from lispac.survey.screening import PointScreen, PointSelection
+from lispac.survey.point_screening import PointScreen, PointSelection
 from tests import point_files as files
 from tests.error_codes import has_code
 from tests.message_codes import codes
@@ -153,7 +153,7 @@ def test_times_never_written(tmp_path: Path) -> None:
     las.x = np.arange(2000.0)
     las.write(tmp_path / "a.las")
     with pytest.raises(InputError) as refused:
-        line_times(tmp_path / "a.las", FORMATS["las"], {})
+        read_line_times(tmp_path / "a.las", FORMATS["las"], {})
     assert refused.value.message == error(
         "file.one_time", file=str(tmp_path / "a.las"), count=2000, time=0.0
     )
@@ -209,7 +209,7 @@ def test_unknown_coordinate_system(tmp_path: Path) -> None:
     found = las.look(tmp_path / "a.las", {})
     assert found.choice["frame"] == "georeferenced"
     with pytest.raises(InputError, check=has_code("crs.none_given")):
-        system_of(las.settled(found.choice))
+        crs_of_options(las.settled(found.choice))
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.vlrs.append(laspy.vlrs.known.WktCoordinateSystemVlr("PROJCS[damaged"))
     data = laspy.LasData(header)

@@ -11,7 +11,7 @@ from lispac.errors import InputError, LispacError
 from lispac.io.formats import format_of
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import DAY
-from lispac.workflow.intake import Intake
+from lispac.workflow.input_files import InputFiles
 from lispac.workflow.projects import new_project
 from tests.intake_files import LEVER, START, codes_about, taken_in
 from tests.message_codes import codes
@@ -64,7 +64,7 @@ def test_a_project_takes_them(named, times, track, tmp_path, capsys) -> None:
     )  # fmt: skip
     assert survey.scans["L"].time == pytest.approx(times, abs=1e-6)
     assert "times.clock_without_base" in codes_about(
-        taken_in(Intake(), track, tmp_path / "L.csv"), "L.csv"
+        taken_in(InputFiles(), track, tmp_path / "L.csv"), "L.csv"
     )
 
 

@@ -221,7 +221,7 @@ def test_e57_poses_of_which_parts_are_left_out(
     path = files.e57(
         tmp_path / "a.e57", quaternion=(half, 0, 0, half), translation=(1, 2, 3), pose_parts=parts
     )
-    read = np.concatenate(list(e57.places(path)))
+    read = np.concatenate(list(e57.read_coordinates(path)))
     np.testing.assert_allclose(read, expected(files.XYZ), atol=1e-12)
 
 

@@ -8,13 +8,13 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.io import text_chunks
+from lispac.io.first_points import check_first_points
 from lispac.io.formats import format_of
-from lispac.io.points import system_of
-from lispac.io.sight import sight
+from lispac.io.point_reading import crs_of_options
 from lispac.io.text_export import write_table
-from lispac.io.text_layout import Layout, layout_of
-from lispac.io.text_table import clock, coordinates_in, last_lines
-from lispac.io.text_units import height_unit_of, unit_doubts
+from lispac.io.text_layout import RowLayout, guess_layout
+from lispac.io.text_table import clock_seconds, find_coordinates, last_lines
+from lispac.io.text_units import height_unit_of, unit_warnings
 from lispac.messages import Message, error, note, warning
 from lispac.survey.crs import coordinate_system
 from tests import point_files as files
@@ -89,16 +89,16 @@ def test_a_packed_file_whose_checksum_is_wrong(tmp_path: Path) -> None:
 def test_an_epoch_that_is_no_year() -> None:
     choice = TEXT.settled({"frame": "georeferenced", "crs": "EPSG:32619", "epoch": "May"})
     with pytest.raises(InputError) as told:
-        system_of(choice)
+        crs_of_options(choice)
     assert told.value.message == error("file.epoch", epoch="May")
 
 
 def test_units_in_the_names_of_columns() -> None:
     lines = ["Quay of May [m]", "time,Easting[ftUS],Northing[ftUS],Height[m],ring[x]", "1,2,3,4,5"]
-    units = layout_of(lines).units()
+    units = guess_layout(lines).units()
     assert {axis: units[axis] for axis in "xyz"} == {"x": "us-ft", "y": "us-ft", "z": "m"}
-    assert layout_of(lines[2:]).units() == {}  # the names lie above what was looked at
-    assert Layout("comma", False).units() == {}
+    assert guess_layout(lines[2:]).units() == {}  # the names lie above what was looked at
+    assert RowLayout("comma", False).units() == {}
     assert height_unit_of(units, "EPSG:2229") == "metre"
     assert height_unit_of({"z": "ft"}, "EPSG:2229") == ""
 
@@ -118,7 +118,7 @@ def test_units_in_the_names_of_columns() -> None:
 def test_eastings_in_another_unit_than_the_systems(
     units: dict[str, str], crs: str, doubted: bool
 ) -> None:
-    doubts = unit_doubts(units, crs, "a.txt")
+    doubts = unit_warnings(units, crs, "a.txt")
     assert bool(doubts) == doubted
     if doubted:
         unit, system = note("unit.metres"), coordinate_system(crs)
@@ -146,13 +146,13 @@ SECONDS = 5000 + np.arange(200) / 100
 )  # fmt: skip
 def test_doubts_about_times(time: np.ndarray, doubts: tuple[Message, ...]) -> None:
     """Near 5,000 a float of 32 bits has steps of 2**-11."""
-    assert sight(NEAR, time, file="a", crs="").doubts == doubts
+    assert check_first_points(NEAR, time, file="a", crs="").doubts == doubts
 
 
 @pytest.mark.parametrize(("crs", "doubted"), [("EPSG:4326", False), ("EPSG:999999", True)])
 def test_small_coordinates_of_a_named_system(crs: str, doubted: bool) -> None:
     """Degrees are small as a scanner's coordinates are; of an unknown system nothing is known."""
-    found = sight(NEAR, SECONDS, file="a", crs=crs)
+    found = check_first_points(NEAR, SECONDS, file="a", crs=crs)
     assert found.frame == "georeferenced"
     assert codes(found.doubts) == (["points.small_coordinates"] if doubted else [])
 
@@ -168,14 +168,14 @@ def test_small_coordinates_of_a_named_system(crs: str, doubted: bool) -> None:
     ],
 )
 def test_three_numbers_in_one_text(text: str, found: tuple[str, str, str] | None) -> None:
-    assert coordinates_in(text) == found
+    assert find_coordinates(text) == found
 
 
 @pytest.mark.parametrize("text", ["14h03", "25:00:00", "14:60:00", "14:03:61", ""])
 def test_what_is_no_time_of_day(text: str) -> None:
-    assert clock("14:03:07.250") == 14 * 3600 + 3 * 60 + 7.25
+    assert clock_seconds("14:03:07.250") == 14 * 3600 + 3 * 60 + 7.25
     with pytest.raises(ValueError, match="is not a time as hh:mm:ss"):
-        clock(text)
+        clock_seconds(text)
 
 
 def test_the_last_lines_of_a_file_that_is_gone(tmp_path: Path) -> None:

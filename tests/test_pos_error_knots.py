@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.stochastic import PosErrorKnots, StochasticModel
-from lispac.simulation.closed_form import BOARDS, exact_survey, six_courses
+from lispac.adjustment.stochastic_model import PosErrorKnots, StochasticModel
+from lispac.simulation.closed_form_survey import BOARDS, error_free_survey, six_courses
 from lispac.survey.georeferencing import Mounting
 
 MODEL = StochasticModel()
@@ -17,7 +17,7 @@ KNOTS = MODEL.knot_interval
 def observations():
     """Points of two stretches with nothing between, sigmas that grow evenly."""
     truth = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.2, -1.2, 0.15]))
-    data = exact_survey(truth, BOARDS, six_courses(), 0.4, np.random.default_rng(2))
+    data = error_free_survey(truth, BOARDS, six_courses(), 0.4, np.random.default_rng(2))
     half = len(data) // 2
     time = 7.0 * KNOTS + np.linspace(0.0, 9.9 * KNOTS, len(data))
     time[half:] += 40.3 * KNOTS
@@ -56,7 +56,7 @@ def test_the_precision_is_the_inverse_of_an_exponential_covariance(observations)
         effects = np.zeros((len(sigma), 6))
         effects[:, k] = np.sin(np.arange(len(sigma)))
         expected = precision @ effects[:, k]
-        np.testing.assert_allclose(knots.weighted(effects)[:, k], expected, rtol=1e-12)
+        np.testing.assert_allclose(knots.apply_prior_precision(effects)[:, k], expected, rtol=1e-12)
 
 
 def test_between_two_knots_the_process_strays_from_their_chord(observations) -> None:

@@ -9,7 +9,7 @@ from lispac.simulation.pos_error_models import (
     Jumps,
     PosErrors,
     WhiteNoise,
-    together,
+    combine_models,
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 
@@ -95,8 +95,8 @@ def test_together_is_the_sum_of_independent_parts() -> None:
     both = CombinedModel((NOISE, Jumps(POSITION, ATTITUDE, at=(0.0,))))
     errors = drawn(both, draws=1000)
     np.testing.assert_allclose((errors**2).mean(axis=(0, 1)), 2.0, rtol=0.12)
-    assert together([HYDROGRAPHIC_INS]) is HYDROGRAPHIC_INS
-    assert together([NOISE, OUTAGE]) == CombinedModel((NOISE, OUTAGE))
+    assert combine_models([HYDROGRAPHIC_INS]) is HYDROGRAPHIC_INS
+    assert combine_models([NOISE, OUTAGE]) == CombinedModel((NOISE, OUTAGE))
 
 
 @pytest.mark.parametrize("model", [NOISE, SMOOTHED, Jumps(POSITION, ATTITUDE, per_hour=60.0)])

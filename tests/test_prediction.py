@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from lispac.adjustment.normal import FEW_SURFACES
+from lispac.adjustment.normal_equations import FEW_SURFACES
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import PosErrors, StochasticModel
-from lispac.cli.campaign import table
-from lispac.design.plan import Line, Plan, System, pattern
-from lispac.design.prediction import count_of_points, foretold, predict
-from lispac.design.simulated_plan import simulated
+from lispac.adjustment.stochastic_model import PosErrors, StochasticModel
+from lispac.cli.campaign import scatter_table
+from lispac.design.plan import Line, Plan, System, line_pattern
+from lispac.design.plan_simulation import simulate_plan
+from lispac.design.prediction import expected_point_count, predict, predicted_equations
 from lispac.errors import RankDeficient
-from lispac.simulation.closed_form import Ball, Board, abeam
-from lispac.simulation.scanner import Scanner, scan
-from lispac.simulation.scene import Scene, upright
+from lispac.simulation.closed_form_survey import Ball, Board, scanner_position_abeam
+from lispac.simulation.scanner import Scanner, scan_scene
+from lispac.simulation.scene import Scene, upright_rectangle
 from tests.error_codes import has_code
 from tests.prediction_study import PLAN, compared
 
@@ -28,7 +28,7 @@ def test_the_adjustment_states_what_was_foretold(model: PosErrors, perfect: bool
     With errors thesis mode states up to 3 % less, for its derivatives share the noise of the
     points; without them the correlated model takes the noise of the points for nothing.
     """
-    observations = simulated(PLAN, np.random.default_rng(5), perfect=perfect, calm=True)
+    observations = simulate_plan(PLAN, np.random.default_rng(5), perfect=perfect, calm=True)
     pos = PLAN.system.pos
     plan = replace(PLAN, system=System(pos_errors=model))
     told = StochasticModel(model, pos.time_position, pos.time_attitude, surface=plan.flatness)
@@ -39,20 +39,22 @@ def test_the_adjustment_states_what_was_foretold(model: PosErrors, perfect: bool
 def test_as_many_points_as_the_scanner_measures() -> None:
     """The beams of a profiler that passes on a calm sea, against the count."""
     system = System(scanner=Scanner(60_000.0))
-    surface = upright("T1", (0.0, -12.0), 4.0, 5.5, 1.8, 270)
+    surface = upright_rectangle("T1", (0.0, -12.0), 4.0, 5.5, 1.8, 270)
     board = Board("T1", (0.0, -12.0, 4.75), (0.0, 1.0, 0.0), 1.8, 1.5)
-    for line in pattern((0, 45, 135), 12.0):
+    for line in line_pattern((0, 45, 135), 12.0):
         plan = Plan((board,), (line,), board.centre, system)
         (course,) = plan.courses
         time = course.time + np.linspace(-20, 20, 4001)
         position = (time - course.time)[:, None] * course.speed * course.direction
         position[:, :2] += course.abeam
         attitude = np.tile([0.0, 0.0, course.heading], (len(time), 1))
-        echoes = scan(
+        echoes = scan_scene(
             system.scanner, Scene.of([surface]), (time, position, attitude),
             (float(time[0]), float(time[-1])), line.starboard, system.mounting, None,
         )  # fmt: skip
-        count = count_of_points(system, board, course, abeam(system.mounting, board, course))
+        count = expected_point_count(
+            system, board, course, scanner_position_abeam(system.mounting, board, course)
+        )
         profiles = len(np.unique(np.round(echoes.time * system.scanner.turns_per_second)))
         # Every profile meets the board with the same pulses: one more or less in each of them
         assert abs(count - len(echoes.time)) <= profiles + len(echoes.time) / profiles
@@ -64,7 +66,7 @@ def test_what_looks_away_or_is_too_far_is_not_seen() -> None:
     assert predict(PLAN.with_targets([away])).points == {}
     assert not predict(PLAN.with_targets([away])).determined
     with pytest.raises(RankDeficient, check=has_code("design.no_sightings")):
-        foretold(PLAN.with_targets([away]))
+        predicted_equations(PLAN.with_targets([away]))
     near = replace(PLAN, system=System(scanner=Scanner(150_000.0, max_range=20.0)))
     far = near.with_lines((Line(0.0, 30.0), *near.lines))
     assert {line for _, line in predict(far).points} == {f"L{k}" for k in range(2, 8)}
@@ -113,9 +115,9 @@ def test_many_sightings_are_eliminated_like_few(lines: int) -> None:
     """All unknowns in one matrix, and its inverse: the order of elimination changes nothing."""
     ball = Ball("S1", (0.0, -13.0, 6.0), 0.2, radius_known=False)
     plan = PLAN.with_targets((*PLAN.targets, ball)).with_lines(PLAN.lines * lines)
-    normal = foretold(plan).normal
+    normal = predicted_equations(plan).normal
     surfaces, knots = len(normal.layout.surfaces), len(normal.pull)
-    assert (len(normal.without_surfaces.matrix) < len(normal.matrix)) == (surfaces > FEW_SURFACES)
+    assert (len(normal.eliminate_surfaces.matrix) < len(normal.matrix)) == (surfaces > FEW_SURFACES)
     below = np.zeros((knots, knots))
     for k, diagonal in enumerate(normal.band):
         below += np.diag(diagonal[: knots - k], -k)
@@ -127,12 +129,12 @@ def test_many_sightings_are_eliminated_like_few(lines: int) -> None:
     size = np.sqrt(np.outer(np.diag(expected), np.diag(expected)))
     assert np.abs((normal.information(3) - expected) / size).max() < 1e-9
     assert np.sqrt(np.diag(covariance)[:3]) == pytest.approx(predict(plan).sigma, rel=1e-9)
-    kept = len(normal.without_surfaces.matrix)
+    kept = len(normal.eliminate_surfaces.matrix)
     answer = np.linalg.solve(whole * np.outer(scale, scale), scale * np.append(
         np.ones(len(normal.matrix)), np.arange(knots)
     ))[:kept] * scale[:kept]  # fmt: skip
     pushed = replace(normal, right=np.ones(len(normal.matrix)), pull=np.arange(knots) * 1.0)
-    correction, _ = pushed.without_surfaces.solve()
+    correction, _ = pushed.eliminate_surfaces.solve()
     assert correction == pytest.approx(answer, rel=1e-6)
 
 
@@ -151,8 +153,8 @@ def test_forty_surveys_scatter_as_foretold() -> None:
     count = 40
     found = compared(PLAN, count, stated=True, workers=1)
     lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
-    ratio = found.empirical / found.foretold
-    assert ((ratio > lower) & (ratio < upper)).all(), table(found)
+    ratio = found.empirical_sigma / found.foretold
+    assert ((ratio > lower) & (ratio < upper)).all(), scatter_table(found)
     assert found.stated == pytest.approx(found.foretold, rel=0.02)
 
 
@@ -161,5 +163,5 @@ def test_forty_surveys_scatter_as_foretold() -> None:
 @pytest.mark.parametrize("stated", [True, False])
 def test_a_thousand_surveys_scatter_as_foretold(stated: bool) -> None:
     found = compared(PLAN, 1000, stated=stated)
-    print(table(found))
-    assert found.empirical == pytest.approx(found.foretold, rel=0.08), table(found)
+    print(scatter_table(found))
+    assert found.empirical_sigma == pytest.approx(found.foretold, rel=0.08), scatter_table(found)

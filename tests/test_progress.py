@@ -4,7 +4,7 @@ import pytest
 
 from lispac import progress
 from lispac.language import duration_text, gettext_lazy, in_language
-from lispac.progress import Pace, count_text
+from lispac.progress import PointRate, count_text
 
 
 @pytest.fixture
@@ -36,13 +36,13 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
 def test_the_pace_tells_what_is_known(
     clock: list[float], total: int | None, done_before: int, done: int, seconds: float, words: str
 ) -> None:
-    pace = Pace(gettext_lazy("Reading {line}", line="L1"), total, done_before)
+    pace = PointRate(gettext_lazy("Reading {line}", line="L1"), total, done_before)
     clock[0] += seconds
     assert str(pace.step(done)) == words
 
 
 def test_a_step_is_translated_where_it_is_shown(clock: list[float]) -> None:
-    pace = Pace(gettext_lazy("Reading {line}", line="L1"), 4_000_000)
+    pace = PointRate(gettext_lazy("Reading {line}", line="L1"), 4_000_000)
     clock[0] += 2.0
     step = pace.step(1_000_000)
     with in_language("fr"):

@@ -11,22 +11,22 @@ from typing import cast
 import numpy as np
 import pytest
 
-from lispac.adjustment.message_parts import quantity
+from lispac.adjustment.message_parts import mounting_value_name
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.cli.main import main
 from lispac.errors import AdjustmentError, RankDeficient, TargetNotFound
 from lispac.project import Project, Target
-from lispac.simulation.scene import tilted, upright
-from lispac.simulation.survey import SimulatedSurvey
+from lispac.simulation.scene import tilted_rectangle, upright_rectangle
+from lispac.simulation.simulated_survey import SimulatedSurvey
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.scan import Scan
-from lispac.targets.detection import DetectedPlane
-from lispac.targets.quality import SightingQuality, undetermined
+from lispac.targets.plane_detection import DetectedPlane
+from lispac.targets.sighting_quality import SightingQuality, undetermined_quality
 from lispac.workflow import proposals
 from lispac.workflow.calibration import estimate
 from lispac.workflow.projects import open_project
-from lispac.workflow.proposals import propose
-from lispac.workflow.qualities import lidar_noise, qualities
+from lispac.workflow.proposals import propose_targets
+from lispac.workflow.sighting_assessment import lidar_noise, sighting_qualities
 from lispac.workflow.survey import Survey, load_survey
 from tests.few_passes import passes
 from tests.finder_scenes import WALL, Site, rippled, site
@@ -54,7 +54,7 @@ def with_sheet() -> Site:
     return site(
         [
             board(),
-            tilted("T2", (-2.6, WALL, 7.5), 1.23, 1.0, 270, 45),
+            tilted_rectangle("T2", (-2.6, WALL, 7.5), 1.23, 1.0, 270, 45),
             *rippled("sheet", (2.6, WALL, 8.0), 1.4, 1.2),
             wall(0.5),
         ]
@@ -67,8 +67,8 @@ def with_deck() -> Site:
     return site(
         [
             board(),
-            tilted("T2", (-2.6, WALL, 7.5), 1.23, 1.0, 270, 45),
-            tilted("deck", (2.6, WALL, 6.5), 1.6, 1.6, 270, 88),
+            tilted_rectangle("T2", (-2.6, WALL, 7.5), 1.23, 1.0, 270, 45),
+            tilted_rectangle("deck", (2.6, WALL, 6.5), 1.6, 1.6, 270, 88),
             wall(0.5),
         ]
     )
@@ -85,7 +85,7 @@ def test_a_rippled_sheet_is_detected_and_not_proposed(
     """The RMS is within three noises of the second, for the threshold cuts it."""
     seen = with_sheet()
     project, survey = seen.opened((1, -1, 1), noise=noise)
-    proposal = propose(project, survey)
+    proposal = propose_targets(project, survey)
     shown = {
         name: [
             mostly_on(seen, name, {line: patch.indices for line, patch in plane.found.items()})
@@ -116,13 +116,13 @@ def test_what_is_seen_poorly_on_most_lines_is_not_proposed(
     judged: list[Mapping[tuple[str, str], SightingQuality]] = []
 
     def kept(project: Project, survey: Survey) -> Mapping[tuple[str, str], SightingQuality]:
-        judged.append(qualities(project, survey))
+        judged.append(sighting_qualities(project, survey))
         return judged[-1]
 
-    monkeypatch.setattr(proposals, "qualities", kept)
+    monkeypatch.setattr(proposals, "sighting_qualities", kept)
     seen = with_deck()
     project, survey = seen.opened((1, -1, 1))
-    proposal = propose(project, survey)
+    proposal = propose_targets(project, survey)
     (deck,) = [
         k
         for k, plane in enumerate(detected)
@@ -143,7 +143,7 @@ def test_what_is_seen_poorly_on_most_lines_is_not_proposed(
      (4, 0, "poor")],
 )  # fmt: skip
 def test_what_a_plane_is_good_for(poor: int, rough: int, use: str) -> None:
-    usual = replace(undetermined(500, 0.002, "The beams meet it aslant."), flatness="good")
+    usual = replace(undetermined_quality(500, 0.002, "The beams meet it aslant."), flatness="good")
     lines = {
         f"L{k + 1}": replace(
             usual,
@@ -152,7 +152,7 @@ def test_what_a_plane_is_good_for(poor: int, rough: int, use: str) -> None:
         )
         for k in range(4)
     }
-    judged = proposals._judged_by(lines)
+    judged = proposals._assess_plane(lines)
     assert judged.use == use
     assert judged.poor == tuple(lines)[:poor]
     assert judged.reason == ("The beams meet it aslant." if poor else "")
@@ -162,7 +162,7 @@ def test_with_ripples_alone_it_is_said_why_nothing_is_proposed() -> None:
     seen = site([*rippled("T1", (0.0, WALL, 8.0), 1.4, 1.2), wall(0.5)])
     project, survey = seen.opened()
     with pytest.raises(TargetNotFound) as raised:
-        propose(project, survey)
+        propose_targets(project, survey)
     assert raised.value.code == "propose.few_flat_surfaces"
     assert raised.value.message is not None
     assert raised.value.message.params["count"] == raised.value.message.params["uneven"] == 1
@@ -186,14 +186,14 @@ def test_boards_that_leave_an_angle_open_are_not_kept_to() -> None:
     seen = site(
         [
             board(),
-            tilted("T2", (-2.0, WALL, 8.0), 1.23, 1.2, 270, 15),
-            tilted("roof", (3.4, WALL + 0.2, 8.5), 4.0, 4.5, 270, 50),
+            tilted_rectangle("T2", (-2.0, WALL, 8.0), 1.23, 1.2, 270, 15),
+            tilted_rectangle("roof", (3.4, WALL + 0.2, 8.5), 4.0, 4.5, 270, 50),
             wall(0.5),
         ],
         lines=2,
     )
     project, survey = seen.opened((1, -1, 1))
-    proposal = propose(project, survey)
+    proposal = propose_targets(project, survey)
     shown = {
         target: name
         for target in proposal.targets
@@ -212,15 +212,17 @@ def test_boards_that_leave_an_angle_open_are_not_kept_to() -> None:
 
 def test_planes_that_all_face_one_way_are_proposed_where_that_is_accepted() -> None:
     """Two upright boards, one a little behind the other; else that no board leans is said."""
-    boards = [upright(f"T{k}", (k - 1.5, WALL - k / 2), 7.0, 8.2, 1.2, 270) for k in (1, 2)]
+    boards = [
+        upright_rectangle(f"T{k}", (k - 1.5, WALL - k / 2), 7.0, 8.2, 1.2, 270) for k in (1, 2)
+    ]
     seen = site(boards, lines=3, pulses_per_second=50_000.0)
     project, survey = seen.opened((1, -1, 1))
     with pytest.raises(AdjustmentError) as caught:
-        propose(project, survey)
+        propose_targets(project, survey)
     assert caught.value.code == "propose.one_orientation"
     accepted = replace(project.settings, accept_one_facing=True)
     project = project.with_settings(accepted)
-    proposal = propose(project, survey)
+    proposal = propose_targets(project, survey)
     assert [target.name for target in proposal.targets] == ["T1", "T2"]
     result = estimate(replace(project, targets=proposal.targets), survey, cross_check=False).result
     assert result is not None
@@ -230,7 +232,7 @@ def test_planes_that_all_face_one_way_are_proposed_where_that_is_accepted() -> N
 def test_in_thesis_mode_the_same_boards_are_proposed() -> None:
     project, survey = passes().opened((1, -1, 1))
     thesis = project.with_settings(replace(project.settings, pos_errors="independent"))
-    usual, proposal = propose(project, survey), propose(thesis, survey)
+    usual, proposal = propose_targets(project, survey), propose_targets(thesis, survey)
     for one, other in zip(usual.targets, proposal.targets, strict=True):
         assert (one.name, one.seed) == (other.name, other.seed)
     # A POS error of its own for each point averages out over many: roll seems far too precise.
@@ -241,18 +243,24 @@ def test_boards_are_added_as_long_as_each_tells_clearly_more() -> None:
     """Of eight that hardly differ, four are left for validation."""
     facing = [(0, 3), (0, 6), (3, 0), (-3, 0), (6, 3), (-6, 3), (3, 6), (35, 0)]
     boards = [
-        tilted(f"T{k}", (2.0 * (k % 4) - 3, WALL, 6.0 + 2 * (k // 4)), 1.1, 1.0, 270 + across, lean)
+        tilted_rectangle(
+            f"T{k}", (2.0 * (k % 4) - 3, WALL, 6.0 + 2 * (k // 4)), 1.1, 1.0, 270 + across, lean
+        )
         for k, (across, lean) in enumerate(facing)
     ]
     project, survey = site(boards, lines=4, pulses_per_second=40_000.0).opened((1, -1, 1))
-    proposal = propose(project, survey)
+    proposal = propose_targets(project, survey)
     assert [target.name for target in proposal.targets] == [
         "T1", "T2", "T3", "T4", "V1", "V2", "V3", "V4",
     ]  # fmt: skip
     for name in ("T1", "T2", "T3", "T4"):
         reason = proposal.reasons[name]
         assert reason.code == "propose.target"
-        (k,) = (k for k, angle in enumerate(ANGLES) if reason.params["angle"] == quantity(angle))
+        (k,) = (
+            k
+            for k, angle in enumerate(ANGLES)
+            if reason.params["angle"] == mounting_value_name(angle)
+        )
         assert reason.params["sigma"] == proposal.sigma[k] < cast(float, reason.params["without"])
 
 
@@ -276,7 +284,7 @@ def test_natural_planes_alone_answer_as_the_boards_do(
             scans[line.name], survey.trajectory, project.mounting("prior")
         )
     bare = replace(survey, scans=scans, clouds=clouds)
-    proposal = propose(replace(project, targets=(), result=None), bare)
+    proposal = propose_targets(replace(project, targets=(), result=None), bare)
     roles = [target.role for target in proposal.targets]
     assert roles.count("target") >= 2
     assert roles.count("validation") >= 4
@@ -309,10 +317,10 @@ def test_a_drones_planes_are_proposed_in_one_action(shared_data: Path, tmp_path:
     assert main(["propose", str(folder), "--accept"]) == 0
     project = open_project(folder)
     survey = load_survey(project)
-    targets, validation = project.of_role("target"), project.of_role("validation")
+    targets, validation = project.targets_of_role("target"), project.targets_of_role("validation")
     assert len(targets) >= 3
     assert len(validation) >= 1
-    judged = qualities(project, survey)
+    judged = sighting_qualities(project, survey)
     assert all(judged[target.name, s.line].flatness != "poor" for target in targets
                for s in target.sightings)  # fmt: skip
     for plane, target in product(validation, targets):
@@ -331,4 +339,4 @@ def test_a_tent_is_no_target(shared_data: Path, tmp_path: Path) -> None:
     """Its cloth is not flat to the noise; the answers from it are 0.2 deg off."""
     project = open_project(drone_project(shared_data / "lanl_tent", tmp_path / "tent"))
     with pytest.raises(TargetNotFound, match="targetless"):
-        propose(project, load_survey(project))
+        propose_targets(project, load_survey(project))

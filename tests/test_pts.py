@@ -11,14 +11,14 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.io import pts
-from lispac.io.static_scan import static_scan
-from lispac.workflow.file_reading import looks
+from lispac.io.static_scan import open_static_scan
+from lispac.workflow.file_reading import check_file
 from tests.point_files import RING, XYZ
 from tests.static_scans import write_pts
 
 
 def places(path: Path) -> np.ndarray:
-    return np.concatenate(list(static_scan(path).chunks(local=True)))
+    return np.concatenate(list(open_static_scan(path).coordinate_chunks(local=True)))
 
 
 @pytest.fixture
@@ -77,7 +77,7 @@ def test_blocks_of_any_size_one_after_another(
 ) -> None:
     monkeypatch.setattr(pts, "CHUNK", 7)
     path = write_pts(tmp_path / "SCAN.PTS", [XYZ[:14], XYZ[:0], XYZ[14:15], XYZ[15:]])
-    chunks = list(static_scan(path).chunks(local=True))
+    chunks = list(open_static_scan(path).coordinate_chunks(local=True))
     assert max(map(len, chunks)) == 7
     np.testing.assert_allclose(np.concatenate(chunks), XYZ, atol=1e-9)
 
@@ -101,7 +101,7 @@ def test_without_its_number_of_points(tmp_path: Path, monkeypatch: pytest.Monkey
 def test_it_is_looked_at_as_a_cloud_without_time(tmp_path: Path) -> None:
     path = write_pts(tmp_path / "scan.pts", [XYZ], more=4)
     with pytest.raises(InputError) as raised:
-        looks(path)
+        check_file(path)
     assert raised.value.code == "import.points_without_time"
 
 

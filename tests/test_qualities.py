@@ -9,9 +9,9 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.project import Project
-from lispac.targets.quality import plane_quality
-from lispac.targets.smear import PRIOR_OFF, smear_taken_off
-from lispac.workflow.qualities import judge, qualities
+from lispac.targets.boresight_smear import PRIOR_OFF, remove_smear
+from lispac.targets.sighting_quality import plane_quality
+from lispac.workflow.sighting_assessment import assess_sightings, sighting_qualities
 from lispac.workflow.survey import Survey
 from tests.message_codes import codes
 from tests.test_quality import NOISE, board, fit_plane
@@ -29,11 +29,11 @@ def with_fewer(project: Project, name: str, line: str, kept: int) -> Project:
 
 def test_every_sighting_of_the_demo_is_judged(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
-    after = qualities(project, survey)
-    before = qualities(replace(project, result=None), survey)
+    after = sighting_qualities(project, survey)
+    before = sighting_qualities(replace(project, result=None), survey)
     keys = {(t.name, s.line) for t in project.targets for s in t.sightings}
     assert set(before) == set(after) == keys
-    targets = {target.name for target in project.of_role("target")}
+    targets = {target.name for target in project.targets_of_role("target")}
     # Nothing selects validation planes again: they are judged as picked, before and after.
     assert all((after[key].smear is None) == (key[0] in targets) for key in keys)
     assert all(quality.smear < 0.004 for quality in before.values())
@@ -46,15 +46,17 @@ def test_every_sighting_of_the_demo_is_judged(calibrated: tuple[Project, Survey]
 
 def test_what_still_holds_is_not_judged_again(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
-    known = judge(project, survey)
+    known = assess_sightings(project, survey)
     first = project.targets[0]
     line = first.sightings[0].line
-    again = judge(with_fewer(project, first.name, line, 40), survey, known=known)
+    again = assess_sightings(with_fewer(project, first.name, line, 40), survey, known=known)
     assert {key[0] for key, each in again.items() if each is not known[key]} == {first.name}
-    assert judge(replace(project, result=None), survey, known=known).keys() == known.keys()
+    assert (
+        assess_sightings(replace(project, result=None), survey, known=known).keys() == known.keys()
+    )
     moved = replace(project, result=None)
-    targets = {target.name for target in project.of_role("target")}
-    for key, each in judge(moved, survey, known=known).items():
+    targets = {target.name for target in project.targets_of_role("target")}
+    for key, each in assess_sightings(moved, survey, known=known).items():
         # Another mounting, other points; validation planes keep theirs.
         assert (each is not known[key]) == (key[0] in targets)
 
@@ -64,7 +66,7 @@ def test_points_on_a_row_are_poor_with_the_reason(calibrated: tuple[Project, Sur
     target = project.targets[0]
     line = target.sightings[0].line
     few = with_fewer(replace(project, result=None), target.name, line, 2)
-    quality = qualities(few, survey)[target.name, line]
+    quality = sighting_qualities(few, survey)[target.name, line]
     assert quality.light == "poor"
     assert codes(quality.reasons) == ["target.plane_few_points"]
 
@@ -101,7 +103,7 @@ def test_a_plane_seen_in_no_time_keeps_its_distances():
     off = 0.02 * placed[:, 0] ** 2
     off -= off.mean()
     moves = np.column_stack([placed @ [3.0, 1.0], placed @ [0.5, 9.0], np.full(2000, 20.0)])
-    left = smear_taken_off(placed, off, moves, NOISE, PRIOR_OFF)
+    left = remove_smear(placed, off, moves, NOISE, PRIOR_OFF)
     np.testing.assert_allclose(np.sqrt(np.mean(left**2)), np.std(off), rtol=0.02)
 
 

@@ -8,12 +8,12 @@ import pytest
 from lispac.errors import InputError
 from lispac.geometry.planes import Plane, fit_plane
 from lispac.geometry.spheres import Sphere
-from lispac.targets.alignment import Alignment
-from lispac.targets.expected import ExpectedTarget, deviations
-from lispac.targets.finder import patch_of
-from lispac.targets.quality import SightingQuality, plane_quality, sphere_quality
-from lispac.workflow.picking import find
-from lispac.workflow.qualities import judge_target
+from lispac.targets.expected_target import ExpectedTarget, deviations_from_expected
+from lispac.targets.plane_finder import patch_of
+from lispac.targets.rough_alignment import Alignment
+from lispac.targets.sighting_quality import SightingQuality, plane_quality, sphere_quality
+from lispac.workflow.picking import find_target
+from lispac.workflow.sighting_assessment import assess_target
 from tests.message_codes import codes, texts
 from tests.test_finder_sites import click, scenery
 
@@ -138,8 +138,8 @@ def test_on_simulated_sites(name, expected, off_deg):
     """Picked and judged as in the window, the prior boresight right or off by two degrees."""
     seen = scenery(name)
     project, survey = seen.opened(off_deg)
-    target = find(project, survey, click(seen, survey.clouds), name="T1")
-    found = judge_target(project, survey, target)
+    target = find_target(project, survey, click(seen, survey.clouds), name="T1")
+    found = assess_target(project, survey, target)
     assert set(found) == set(LINES)
     for line, (light, words) in expected.items():
         quality = found[line]
@@ -158,8 +158,8 @@ def test_ripples_are_not_taken_for_the_work_of_the_boresight(off_deg):
     project, survey = seen.opened(off_deg)
     clouds = survey.clouds
     survey.__dict__["aligned"] = Alignment(clouds, clouds, 0.0, 0.0)
-    target = find(project, survey, click(seen, clouds), name="T1")
-    for line, quality in judge_target(project, survey, target).items():
+    target = find_target(project, survey, click(seen, clouds), name="T1")
+    for line, quality in assess_target(project, survey, target).items():
         assert quality.share_shown is None
         assert quality.light == "poor", line
         assert "beyond the threshold of 10 mm" in texts(quality.reasons)
@@ -174,9 +174,14 @@ def test_the_expected_target_is_compared_in_words():
     cloud = seen.clouds()["L1"]
     patch = patch_of(cloud, np.flatnonzero(seen.on("L1", "T1")), np.array([0.0, 1.0, 0.0]))
     upright = np.pi / 2
-    assert deviations(ExpectedTarget(1.23, 1.22, upright), patch.extent, patch.plane.normal) == ()
+    assert (
+        deviations_from_expected(
+            ExpectedTarget(1.23, 1.22, upright), patch.extent, patch.plane.normal
+        )
+        == ()
+    )
     expected = ExpectedTarget(2.0, 1.22, np.radians(45))
-    narrower, steeper = deviations(expected, patch.extent, patch.plane.normal)
+    narrower, steeper = deviations_from_expected(expected, patch.extent, patch.plane.normal)
     assert (narrower.code, narrower.params["expected"]) == ("quality.narrower", 2.0)
     assert narrower.params["off"] == pytest.approx(0.77, abs=0.03)
     assert steeper.code == "quality.steeper"

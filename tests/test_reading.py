@@ -16,7 +16,7 @@ from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.file_reading import looks
+from lispac.workflow.file_reading import check_file
 from lispac.workflow.projects import new_project, open_project
 from lispac.workflow.survey import Survey, load_survey
 from tests.command_errors import command_error, is_refusal
@@ -96,7 +96,7 @@ def test_a_trajectory_as_text_gives_the_same_poses(calibrated, tmp_path) -> None
     ])  # fmt: skip
     head = "time latitude longitude height roll pitch heading"
     np.savetxt(path, rows, fmt="%.12f", header=head, comments="")
-    found = looks(path, ("trajectory",))[0]
+    found = check_file(path, ("trajectory",))[0]
     assert found.format.key == "ascii-trajectory"
     made, read = new_project(
         tmp_path / "text", trajectory=path, lines=project.lines[:1],

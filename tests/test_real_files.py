@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.formats import format_of, recognised
-from lispac.io.registry import SURE, Finding, PointChunk
+from lispac.io.format_types import SURE, FilePreview, PointChunk
+from lispac.io.formats import format_of, recognise_formats
 from tests.message_codes import codes
 
 FOLDER = Path(__file__).parent / "data" / "laspy"
@@ -20,7 +20,7 @@ POINTS = {
 }  # fmt: skip
 
 
-def read(name: str) -> tuple[Finding, PointChunk]:
+def read(name: str) -> tuple[FilePreview, PointChunk]:
     found = LAS.look(FOLDER / name, {})
     (chunk,) = LAS.read(FOLDER / name, found.choice)  # type: ignore[misc]
     return found, chunk
@@ -28,7 +28,7 @@ def read(name: str) -> tuple[Finding, PointChunk]:
 
 @pytest.mark.parametrize("name", POINTS)
 def test_it_is_recognised_and_read_to_its_end(name: str) -> None:
-    assert recognised(FOLDER / name, "points")[0] == (LAS, SURE)
+    assert recognise_formats(FOLDER / name, "points")[0] == (LAS, SURE)
     found, chunk = read(name)
     assert found.choice["frame"] == "georeferenced"
     assert len(chunk.time) == chunk.total == POINTS[name]
@@ -88,7 +88,7 @@ def test_systems_and_waveforms_are_said() -> None:
 def test_meshes_without_times_are_refused_in_a_sentence(name: str) -> None:
     """PLY as modelling programs write it, from the examples of pyvista: faces, and no times."""
     path = Path(find_spec("pyvista").origin).parent / "examples" / name  # type: ignore[union-attr,arg-type]
-    assert recognised(path, "points")[0][0].key == "ply"
+    assert recognise_formats(path, "points")[0][0].key == "ply"
     for task in (PLY.look, lambda path, choice: list(PLY.read(path, choice))):  # type: ignore[call-overload]
         with pytest.raises(InputError) as refused:
             task(path, {})

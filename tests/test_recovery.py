@@ -12,15 +12,19 @@ from pyproj import CRS
 
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
+from lispac.io.format_types import PointChunk
 from lispac.io.las import read_scan
 from lispac.io.las_chunks import LAS
-from lispac.io.points import system_of
-from lispac.io.registry import PointChunk
+from lispac.io.point_reading import crs_of_options
 from lispac.io.sbet import read_sbet
-from lispac.simulation.survey import SimulatedSurvey, port_survey
+from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
-from lispac.survey.recovery import Recovery, recovered, require_scanner_frame
+from lispac.survey.scanner_frame_recovery import (
+    RecoverySetup,
+    recover_chunks,
+    require_scanner_frame,
+)
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from tests.error_codes import has_code
 from tests.message_codes import codes
@@ -34,7 +38,7 @@ class Cloud:
 
     path: Path
     points_lidar: np.ndarray
-    recovery: Recovery
+    recovery: RecoverySetup
 
 
 @pytest.fixture(scope="module")
@@ -69,7 +73,7 @@ def written(
 
 def system_in(path: Path) -> CoordinateSystem:
     """By what the header states alone."""
-    system = system_of(LAS.settled(LAS.look(path, {}).choice))
+    system = crs_of_options(LAS.settled(LAS.look(path, {}).choice))
     assert system is not None
     return system
 
@@ -98,8 +102,8 @@ def test_simulated_lines_come_back(
         local = georeference(line.points_lidar, line.time, trajectory, mounting)
         cloud = system.from_local(local, trajectory.frame)
         path = written(tmp_path / f"{line.name}.laz", cloud, line.time, code, scales)
-        recovery = Recovery(system_in(path), trajectory, mounting)
-        chunks = list(recovered(LAS.read(path, LAS.look(path, {}).choice), recovery))
+        recovery = RecoverySetup(system_in(path), trajectory, mounting)
+        chunks = list(recover_chunks(LAS.read(path, LAS.look(path, {}).choice), recovery))
         back = np.concatenate([chunk.xyz for chunk, _ in chunks])
         worst = max(worst, float(np.linalg.norm(back - line.points_lidar, axis=1).max()))
         assert sum(lost for _, lost in chunks) == 0
@@ -117,7 +121,7 @@ def test_without_files_the_inverse_is_exact(port: SimulatedSurvey) -> None:
     line = port.lines[3]
     local = georeference(line.points_lidar, line.time, trajectory, mounting)
     cloud = system.from_local(local, trajectory.frame)
-    back = Recovery(system, trajectory, mounting).points_lidar(cloud, line.time)
+    back = RecoverySetup(system, trajectory, mounting).points_lidar(cloud, line.time)
     np.testing.assert_allclose(back, line.points_lidar, rtol=0, atol=1e-7)
 
 
@@ -137,11 +141,11 @@ def test_real_drone_survey_comes_back(
         local = georeference(scan.points_lidar, scan.time, trajectory, mounting)
         cloud = system.from_local(local, frame)
         path = written(tmp_path / f"{name}.las", cloud, scan.time, 32614, METRES)
-        recovery = Recovery(system_in(path), trajectory, mounting)
+        recovery = RecoverySetup(system_in(path), trajectory, mounting)
         back = np.concatenate(
             [
                 chunk.xyz
-                for chunk, _ in recovered(LAS.read(path, {"frame": "georeferenced"}), recovery)
+                for chunk, _ in recover_chunks(LAS.read(path, {"frame": "georeferenced"}), recovery)
             ]
         )
         apart = np.linalg.norm(back - scan.points_lidar, axis=1)
@@ -151,7 +155,7 @@ def test_real_drone_survey_comes_back(
         assert apart.max() < np.sqrt(3) * 0.5e-4 * 1.001
 
 
-def small(port: SimulatedSurvey) -> tuple[Recovery, np.ndarray, np.ndarray]:
+def small(port: SimulatedSurvey) -> tuple[RecoverySetup, np.ndarray, np.ndarray]:
     trajectory = port_trajectory(port)
     mounting = Mounting(port.lever_arm, port.boresight)
     system = coordinate_system("EPSG:32619")
@@ -159,7 +163,7 @@ def small(port: SimulatedSurvey) -> tuple[Recovery, np.ndarray, np.ndarray]:
     some = slice(0, 2000)
     local = georeference(line.points_lidar[some], line.time[some], trajectory, mounting)
     cloud = system.from_local(local, trajectory.frame)
-    return Recovery(system, trajectory, mounting), cloud, line.time[some]
+    return RecoverySetup(system, trajectory, mounting), cloud, line.time[some]
 
 
 def test_points_without_a_pose_are_left_out_and_counted(port: SimulatedSurvey) -> None:
@@ -167,7 +171,7 @@ def test_points_without_a_pose_are_left_out_and_counted(port: SimulatedSurvey) -
     outside = time.copy()
     outside[:30] = recovery.trajectory.time[0] - 1.0
     chunk = PointChunk(cloud, outside, {"mark": np.arange(len(time))}, None)
-    ((kept, lost),) = recovered([chunk], recovery)
+    ((kept, lost),) = recover_chunks([chunk], recovery)
     assert lost == 30
     assert len(kept.xyz) == len(kept.time) == len(time) - 30
     np.testing.assert_array_equal(kept.extra["mark"], np.arange(30, len(time)))
@@ -182,7 +186,7 @@ def test_points_in_a_gap_are_left_out(port: SimulatedSurvey) -> None:
         whole, time=whole.time[kept], position=whole.position[kept], attitude=whole.attitude[kept]
     )
     chunk = PointChunk(cloud, time, {}, None)
-    ((_, lost),) = recovered([chunk], replace(recovery, trajectory=torn))
+    ((_, lost),) = recover_chunks([chunk], replace(recovery, trajectory=torn))
     last, first = torn.time[torn.time < middle].max(), torn.time[torn.time > middle].min()
     assert lost == np.count_nonzero((time > last) & (time < first)) > 0
 
@@ -201,7 +205,7 @@ def test_a_wrong_coordinate_system_is_refused(port: SimulatedSurvey, wrong: str)
         InputError,
         check=lambda error: error.code in ("survey.points_too_far", "crs.points_outside"),
     ):
-        list(recovered([PointChunk(cloud, time, {}, None)], recovery))
+        list(recover_chunks([PointChunk(cloud, time, {}, None)], recovery))
 
 
 def test_what_has_to_hold_is_said(port: SimulatedSurvey) -> None:
@@ -218,7 +222,7 @@ def test_a_point_has_the_pose_of_when_it_was_measured(port: SimulatedSurvey) -> 
         trajectory=trajectory, mounting=Mounting(np.zeros(3), np.zeros(3), latency=0.5)
     )
     times = np.array([first - 0.6, first - 0.4, first + 0.1, last - 0.6, last - 0.4])
-    assert Recovery.usable(late, times).tolist() == [False, True, True, True, False]
+    assert RecoverySetup.usable(late, times).tolist() == [False, True, True, True, False]
 
 
 @pytest.mark.parametrize(("near", "taken"), [(40, False), (60, True)])

@@ -11,9 +11,9 @@ from lispac.geometry.rotations import rotation_matrix
 from lispac.messages import Level, Message
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.georeferencing import Mounting
-from lispac.survey.mapping import PointMapper
-from lispac.survey.recovery import Recovery
-from lispac.survey.recovery_check import Sample, recovery_messages
+from lispac.survey.point_mapping import PointMapper
+from lispac.survey.scanner_frame_recovery import RecoverySetup
+from lispac.survey.scanner_frame_recovery_check import LineSample, recovery_messages
 from lispac.survey.trajectory import LocalTrajectory
 from tests.message_codes import codes
 
@@ -52,10 +52,12 @@ def profiler(seed: int, turn: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def cloud(
     seed: int, system: str = UTM, turn: np.ndarray | None = None
-) -> tuple[np.ndarray, np.ndarray, Recovery]:
+) -> tuple[np.ndarray, np.ndarray, RecoverySetup]:
     """A cloud on the map, rounded to 1 mm, its times, and how it was made."""
     own = coordinate_system(system)
-    made = Recovery(own, trajectory(seed, system), Mounting(LEVER, np.radians([0.3, -0.4, 0.6])))
+    made = RecoverySetup(
+        own, trajectory(seed, system), Mounting(LEVER, np.radians([0.3, -0.4, 0.6]))
+    )
     points, time = profiler(seed, np.eye(3) if turn is None else turn)
     placed = PointMapper(own, made.trajectory, made.mounting).to_map(points, time)
     step = 0.001 / np.array(own.metres)
@@ -63,9 +65,9 @@ def cloud(
 
 
 def found(
-    points: np.ndarray, time: np.ndarray, recovery: Recovery, ring: np.ndarray | None = None
+    points: np.ndarray, time: np.ndarray, recovery: RecoverySetup, ring: np.ndarray | None = None
 ) -> Message | None:
-    messages = recovery_messages("L1", Sample(points, time, ring), recovery)
+    messages = recovery_messages("L1", LineSample(points, time, ring), recovery)
     assert len(messages) <= 1
     return messages[0] if messages else None
 
@@ -177,7 +179,7 @@ def test_a_scanner_that_is_no_profiler_has_no_message(
 
 def other_scanner(
     seed: int, kind: str
-) -> tuple[np.ndarray, np.ndarray, Recovery, np.ndarray | None]:
+) -> tuple[np.ndarray, np.ndarray, RecoverySetup, np.ndarray | None]:
     """A cloud of a conical or a spinning scanner on the map, its times, and how it was made."""
     _, time, made = cloud(seed)
     rng = np.random.default_rng(seed + 50)
@@ -220,12 +222,12 @@ def test_errors_of_other_scanners_are_named(seed: int, kind: str) -> None:
 
 def test_lasers_are_numbered_over_all_parts_of_a_line() -> None:
     parts = [
-        Sample(np.zeros((3, 3)), np.zeros(3), np.array(own)) for own in ([7, 9, 9], [12, 7, 9])
+        LineSample(np.zeros((3, 3)), np.zeros(3), np.array(own)) for own in ([7, 9, 9], [12, 7, 9])
     ]
-    joined = Sample.joined(parts)
+    joined = LineSample.joined(parts)
     assert joined.ring is not None
     assert joined.ring.tolist() == [0, 1, 1, 2, 0, 1]
-    assert Sample.joined([parts[0], replace(parts[1], ring=None)]).ring is None
+    assert LineSample.joined([parts[0], replace(parts[1], ring=None)]).ring is None
 
 
 def test_a_profiler_in_any_mounting_is_known() -> None:

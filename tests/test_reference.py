@@ -36,8 +36,10 @@ def scripts(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_what_scripts_use_is_there_with_an_example(scripts: Path) -> None:
     there = inventory(scripts)
     assert {f"lispac.{name}" for name in lispac.__all__ if name != "__version__"} <= there
-    steps = below("lispac.scripting.open_project") | below("lispac.scripting.held")
-    own = {name.replace("lispac.scripting.held.Held", "lispac.OpenProject") for name in steps}
+    steps = below("lispac.scripting.open_project") | below("lispac.scripting.loaded_project")
+    own = {
+        name.replace("lispac.scripting.loaded_project.Held", "lispac.OpenProject") for name in steps
+    }
     assert {"lispac.OpenProject.seed", "lispac.OpenProject.boresight_deg"} < own
     assert own <= there
     text = (scripts / "scripts_api.html").read_text("utf-8")

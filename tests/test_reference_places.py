@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.sensitivity import sensitivity
+from lispac.adjustment.point_sensitivity import sensitivity
 from lispac.errors import NotComparable
 from lispac.geometry.rotations import rotation_matrix
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import Poses
-from lispac.validation.reference_places import at_points, on_surface
+from lispac.validation.reference_places import measure_to_points, measure_to_surface
 from tests.error_codes import has_code
 
 
@@ -27,7 +27,7 @@ def test_what_is_far_off_before_is_kept_beside_what_is_not() -> None:
     reference, line = np.concatenate([near, far]), np.concatenate([line_near, line_far])
     cores = np.array([(x, w, z) for w, n in ((10.0, 40), (60.0, 4))
                       for x in np.arange(0.5, n, 0.5) for z in (0.5, 1.0, 1.5)])  # fmt: skip
-    found = on_surface(
+    found = measure_to_surface(
         line, line, reference, cores, facing=np.tile((0.0, -1.0, 0.0), (len(cores), 1)),
         diameters=np.full(len(cores), 0.4), reach=1.0, roughest=0.015,
     ).before  # fmt: skip
@@ -50,7 +50,7 @@ def test_the_interval_at_a_surveyed_point_holds_what_it_says() -> None:
             ]
         )
         how = {"diameters": np.array([0.3]), "reach": 1.0, "roughest": 0.015}
-        found = at_points(wall, wall, place, facing=facing, **how).after
+        found = measure_to_points(wall, wall, place, facing=facing, **how).after
         held.append(abs(found.distance[0] - offset) <= found.half_width[0])
     assert abs(np.mean(held) - 0.95) <= 0.02
 
@@ -66,14 +66,14 @@ def _wall(east_of: float = 0.0, north: tuple[float, float] = (0.0, 2.0)) -> np.n
 
 
 def _on_surface(before: np.ndarray, after: np.ndarray) -> np.ndarray:
-    return on_surface(
+    return measure_to_surface(
         before, after, _wall(), WALL, facing=np.tile((0.0, -1.0, 0.0), (3, 1)),
         diameters=np.full(3, 0.3), reach=1.0, roughest=0.015,
     ).after.at  # fmt: skip
 
 
 def _at_points(before: np.ndarray, after: np.ndarray) -> np.ndarray:
-    return at_points(
+    return measure_to_points(
         before, after, WALL, facing=-WALL, diameters=np.full(3, 0.3), reach=0.3, roughest=0.015
     ).after.at
 

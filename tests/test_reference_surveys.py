@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lispac.adjustment.averaging import averaged
 from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.robust import LossName
+from lispac.adjustment.point_averaging import average_points_in_cells
+from lispac.adjustment.robust_loss import LossName
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
+from lispac.adjustment.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
 from lispac.geometry.planes import fit_plane
 from lispac.io.las import read_scan
 from lispac.io.sbet import read_sbet
@@ -22,8 +22,8 @@ from lispac.project import LineSource, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.file_reading import settled
-from lispac.workflow.picking import pick
+from lispac.workflow.file_reading import detect_reading
+from lispac.workflow.picking import pick_target
 from lispac.workflow.projects import create_project, open_project, save_project
 from lispac.workflow.survey import load_survey
 from lispac.workflow.validation import validate
@@ -80,7 +80,7 @@ def test_harbour(capsys: pytest.CaptureFixture[str], shared_data: Path, tmp_path
     opened = open_project(project)
     survey = load_survey(opened)
     for name, plane in site["validation_nwu"].items():
-        opened = pick(opened, survey, tuple(plane["centre"]), name=name, role="validation")
+        opened = pick_target(opened, survey, tuple(plane["centre"]), name=name, role="validation")
     validated = validate(replace(opened, truth_deg=tuple(truth)), survey)
     assert {plane.name for plane in validated.validation} == set(site["validation_nwu"])
     with capsys.disabled():
@@ -149,7 +149,7 @@ def test_drone_from_labelled_points(
     reference = json.loads((data / "reference.json").read_text())
     observations, prior = labelled_points(data)
     if pos_errors == "correlated":
-        observations = averaged(observations, prior, 0.10)
+        observations = average_points_in_cells(observations, prior, 0.10)
     model = StochasticModel(pos_errors, loss=loss)
     result = adjust(observations, prior, model, diagnostics=False)
     error = np.degrees(result.boresight) - reference["boresight_deg"]
@@ -186,15 +186,21 @@ def test_a_drones_clouds_on_the_map_give_the_answer_of_its_raw_lines(
             tmp_path / path.name, system.from_local(points, local.frame), scan.time[inside],
             32600 + zone,
         )  # fmt: skip
-        lines.append(LineSource(path.stem, cloud, reading=settled(cloud, "points", Reading())[0]))
+        lines.append(
+            LineSource(path.stem, cloud, reading=detect_reading(cloud, "points", Reading())[0])
+        )
     brought, start = labelled(data, tmp_path, lines, wrong)
     assert np.abs(brought.points_lidar - raw.points_lidar).max() < 2e-4
     start = start.with_boresight(prior.boresight)
     answers = [
-        adjust(averaged(observations, start, 0.10), start, StochasticModel(loss="tukey"),
-               diagnostics=False).boresight
+        adjust(
+            average_points_in_cells(observations, start, 0.10),
+            start,
+            StochasticModel(loss="tukey"),
+            diagnostics=False,
+        ).boresight
         for observations in (raw, brought)
-    ]  # fmt: skip
+    ]
     assert np.degrees(np.abs(answers[0] - answers[1])).max() < 0.001
 
 

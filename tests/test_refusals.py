@@ -15,8 +15,7 @@ import laspy
 import numpy as np
 import pytest
 
-from lispac.causes import Cause
-from lispac.doubles import doubts_of
+from lispac.duplicate_targets import all_warnings
 from lispac.errors import AdjustmentError, InputError, PlaneNotFound, ProjectError
 from lispac.io.files import require_file
 from lispac.io.project_file import read_project
@@ -24,11 +23,12 @@ from lispac.message_texts import message_text
 from lispac.messages import Level, Message, error, note
 from lispac.project import LineSource, PickedSighting, Project, Settings
 from lispac.report.content import report_content
+from lispac.warning_causes import Cause
 from lispac.workflow import calibration, picking, projects
 from lispac.workflow.demo import make_demo
-from lispac.workflow.history import histories, projects_in
+from lispac.workflow.history import find_projects, read_histories
+from lispac.workflow.project_copy import save_project_as
 from lispac.workflow.projects import open_project
-from lispac.workflow.saving_as import save_project_as
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.validation import validate
 from tests.message_codes import codes
@@ -38,14 +38,14 @@ def test_seed_in_empty_space_changes_nothing(copy: Project) -> None:
     survey = load_survey(copy)
     before = (copy.folder / "project.json").read_bytes()
     with pytest.raises(PlaneNotFound):
-        picking.pick(copy, survey, (500.0, 500.0, 500.0), name="T9")
+        picking.pick_target(copy, survey, (500.0, 500.0, 500.0), name="T9")
     assert (copy.folder / "project.json").read_bytes() == before
 
 
 def test_unknown_line_is_named(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     with pytest.raises(ProjectError, match="there is no line L9"):
-        picking.pick(project, survey, (0, 0, 0), name="T9", line="L9")
+        picking.pick_target(project, survey, (0, 0, 0), name="T9", line="L9")
 
 
 def test_a_target_on_one_line_only_takes_no_part(
@@ -54,7 +54,7 @@ def test_a_target_on_one_line_only_takes_no_part(
     """The others are adjusted as if it were left out; warnings and report name it."""
     project, survey = calibrated
     target = project.target("T1")
-    for plane in project.of_role("validation"):
+    for plane in project.targets_of_role("validation"):
         project = project.with_target(replace(plane, role="target"))
     single = project.with_target(replace(target, sightings=target.sightings[:1]))
     found = calibration.estimate(single, survey)
@@ -63,10 +63,10 @@ def test_a_target_on_one_line_only_takes_no_part(
     assert without.result is not None
     np.testing.assert_array_equal(found.result.boresight, without.result.boresight)
     assert "T1" not in {each.target for each in found.result.targets}
-    for told in (doubts_of(found), doubts_of(replace(single, result=None))):
+    for told in (all_warnings(found), all_warnings(replace(single, result=None))):
         (doubt,) = (each for each in told if each.code == "targets.single_line_targets")
         assert doubt.subject == Cause.of_target("T1")
-    assert not any(each.code == "targets.single_line_targets" for each in doubts_of(without))
+    assert not any(each.code == "targets.single_line_targets" for each in all_warnings(without))
     report = report_content(
         found, headings_deg=dict.fromkeys(survey.lines, 0.0), counts={}, track_local={}, notes=(),
         generated=datetime(2026, 1, 1, tzinfo=UTC), digests=False,
@@ -76,7 +76,7 @@ def test_a_target_on_one_line_only_takes_no_part(
 
 def test_targets_on_one_line_each_are_refused(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
-    for k, target in enumerate(project.of_role("target")):
+    for k, target in enumerate(project.targets_of_role("target")):
         project = project.with_target(
             replace(target, sightings=target.sightings[k % 2 : k % 2 + 1])
         )
@@ -102,7 +102,7 @@ def test_nothing_picked_is_refused(calibrated: tuple[Project, Survey]) -> None:
     assert raised.value.code == "estimate.no_target"
     with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
         validate(replace(project, result=None), survey)
-    only_targets = replace(project, targets=project.of_role("target"))
+    only_targets = replace(project, targets=project.targets_of_role("target"))
     with pytest.raises(ProjectError) as raised:
         validate(only_targets, survey)
     assert raised.value.code == "validate.no_planes"
@@ -163,7 +163,7 @@ def test_a_folder_without_permission_is_named(
     with monkeypatch.context() as patched:
         patched.setattr(os, "access", lambda *_: False)
         with pytest.raises(ProjectError) as refused:
-            projects_in([copy.folder])
+            find_projects([copy.folder])
         assert refused.value.code == "history.no_permission"
 
 
@@ -180,11 +180,11 @@ def test_folders_that_cannot_be_read_are_named(
         return scan(path)
 
     monkeypatch.setattr(os, "scandir", scandir)
-    found, unreadable = projects_in([tmp_path])
+    found, unreadable = find_projects([tmp_path])
     assert found == [copy.folder]
     assert unreadable == [note("history.no_permission", folder=str(closed))]
     with pytest.raises(ProjectError) as nothing:  # the other project has no date
-        histories([tmp_path])
+        read_histories([tmp_path])
     assert str(closed) in str(nothing.value)
 
 
@@ -282,7 +282,7 @@ def test_one_line_is_not_picked_in_another_role(calibrated: tuple[Project, Surve
     project, survey = calibrated
     line = survey.lines[0]
     with pytest.raises(ProjectError) as raised:
-        picking.pick(
+        picking.pick_target(
             project, survey, project.target("T1").seed, name="T1", line=line, role="validation"
         )
     assert raised.value.code == "pick.is_target"

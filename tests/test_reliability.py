@@ -6,26 +6,26 @@ import numpy as np
 import pytest
 from scipy.special import ndtri
 
-from lispac.adjustment.averaging import averaged
+from lispac.adjustment.adjustment_problem import AdjustmentProblem
 from lispac.adjustment.blunders import Blunder
-from lispac.adjustment.components import variance_components
-from lispac.adjustment.conditions import lidar_variance
+from lispac.adjustment.condition_equations import lidar_variance
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.iteration import iterate
-from lispac.adjustment.problem import Problem
+from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.reliability import (
     CRITICAL,
     POWER,
-    _local,
-    _points,
-    reliability,
+    _group_covariances,
+    _point_reliability,
+    compute_reliability,
     sighting_tests,
 )
-from lispac.adjustment.shapes import about, fit_shapes, middles
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.target_shapes import fit_shapes, relative_to_origins, target_centroids
+from lispac.adjustment.variance_components import estimate_variance_components
 from lispac.progress import no_progress
-from lispac.simulation.closed_form import BOARDS, exact_survey, observed, six_courses
+from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 from tests.test_robustness import shifted, survey
@@ -38,8 +38,8 @@ FIXED = StochasticModel(surface=0.002)
 @pytest.fixture(scope="module")
 def linearised():
     data = survey(1, 0.3)
-    data = about(data, middles(data, PRIOR))
-    problem = Problem.of(data, PRIOR, FIXED)
+    data = relative_to_origins(data, target_centroids(data, PRIOR))
+    problem = AdjustmentProblem.of(data, PRIOR, FIXED)
     return iterate(problem, problem.start(PRIOR, fit_shapes(data, PRIOR)), no_progress).linearised
 
 
@@ -71,7 +71,9 @@ def test_redundancy_numbers_add_up(linearised) -> None:
     from lispac.adjustment.reliability import _knot_covariance
 
     normal, problem = linearised.normal, linearised.problem
-    redundancy, w, _, _ = _points(linearised, _local(linearised, _knot_covariance(normal)))
+    redundancy, w, _, _ = _point_reliability(
+        linearised, _group_covariances(linearised, _knot_covariance(normal))
+    )
     inverse = dense(linearised)
     size = normal.layout.size
     prior = np.zeros_like(inverse)
@@ -79,7 +81,7 @@ def test_redundancy_numbers_add_up(linearised) -> None:
     prior[range(first, size), range(first, size)] = 0.002**-2
     knots = problem.groups.knots
     flat = np.eye(len(normal.pull)).reshape(len(normal.pull), -1, 6)
-    prior[size:, size:] = np.stack([knots.weighted(unit).reshape(-1) for unit in flat])
+    prior[size:, size:] = np.stack([knots.apply_prior_precision(unit).reshape(-1) for unit in flat])
     explained_by_data = np.trace(inverse @ (np.linalg.inv(inverse) - prior))
     assert redundancy.sum() == pytest.approx(len(redundancy) - explained_by_data, rel=1e-3)
     assert (redundancy > 0.3).all()
@@ -90,7 +92,7 @@ def test_redundancy_numbers_add_up(linearised) -> None:
 def test_a_shift_is_what_the_adjustment_without_the_sightings_prior_finds(linearised) -> None:
     tests = sighting_tests(linearised)
     for s in (0, 5, 9):
-        problem = Blunder("surface", (s,)).out_of(linearised.problem)
+        problem = Blunder("surface", (s,)).reject_in(linearised.problem)
         free = iterate(problem, linearised.state, no_progress).linearised
         # Released with its tilts too, so nearly the same only
         offset = free.departures[s, 2]
@@ -123,7 +125,7 @@ def test_the_pos_error_told_of_a_sighting_is_that_of_the_nearest_knot(linearised
     size = linearised.normal.layout.size
     variance = np.diag(dense(linearised))[size:].reshape(-1, 6)
     sigma = np.hstack([observations.sigma_position, observations.sigma_attitude])
-    for s, item in enumerate(reliability(linearised)):
+    for s, item in enumerate(compute_reliability(linearised)):
         own = observations.sighting == s
         nearest = np.argmin(np.abs(knots.time - observations.time[own].mean()))
         np.testing.assert_array_equal(item.pos_error, linearised.state.effects[nearest])
@@ -134,7 +136,7 @@ def test_the_pos_error_told_of_a_sighting_is_that_of_the_nearest_knot(linearised
 def test_what_is_detectable_is_four_sigmas_and_what_it_does(linearised) -> None:
     """Power 80 % at 0.1 %: Baarda's 4.13 (two normal quantiles, 3.29 and 0.84)."""
     tests = sighting_tests(linearised)
-    for s, item in enumerate(reliability(linearised)):
+    for s, item in enumerate(compute_reliability(linearised)):
         assert item.detectable == pytest.approx(4.13 * tests.sigma[s])
         np.testing.assert_allclose(item.effect, tests.effect[s] * item.detectable)
         assert (item.shift, item.w) == (tests.shift[s], tests.w[s])
@@ -147,8 +149,10 @@ def test_test_values_of_sightings_are_unit_normal() -> None:
     values = []
     for seed in range(30):
         generator = np.random.default_rng([12, seed])
-        data = observed(
-            exact_survey(TRUTH, BOARDS, six_courses(), 0.15, generator), HYDROGRAPHIC_INS, generator
+        data = add_errors(
+            error_free_survey(TRUTH, BOARDS, six_courses(), 0.15, generator),
+            HYDROGRAPHIC_INS,
+            generator,
         )
         result = adjust(data, PRIOR, StochasticModel(surface=0.0005))
         values += [item.w for item in result.reliability]
@@ -173,7 +177,7 @@ def test_the_effect_of_a_shift_is_what_it_does_to_the_angles() -> None:
 
 
 def test_detectable_biases_of_points_follow_from_noise_and_redundancy(linearised) -> None:
-    for item in reliability(linearised):
+    for item in compute_reliability(linearised):
         assert item.point_detectable == pytest.approx(
             4.13 * 0.003 / np.sqrt(item.redundancy), rel=0.1
         )
@@ -261,9 +265,9 @@ def test_positions_worse_than_stated_are_found_with_surfaces_unknown_too() -> No
 
 def test_the_likelihood_is_that_of_dense_matrices(linearised) -> None:
     """Restricted likelihood by one dense covariance of all misclosures."""
-    from lispac.adjustment.components import _Likelihood
+    from lispac.adjustment.variance_components import _RestrictedLikelihood
 
-    likelihood = _Likelihood(linearised)
+    likelihood = _RestrictedLikelihood(linearised)
     steps = [np.ones(4), [1.3, 1, 1, 1], [1, 0.7, 1, 1], [1, 1, 1.5, 1], [1, 1, 1, 0.6]]
     factors = [np.log(step) for step in steps]
     found = np.array([likelihood(f) for f in factors])
@@ -276,7 +280,7 @@ def test_the_likelihood_is_that_of_dense_matrices(linearised) -> None:
     prior[range(fixed, size), range(fixed, size)] = 0.002**-2
     knots = problem.groups.knots
     flat = np.eye(e).reshape(e, -1, 6)
-    pos = np.stack([knots.weighted(unit).reshape(-1) for unit in flat])
+    pos = np.stack([knots.apply_prior_precision(unit).reshape(-1) for unit in flat])
     right = np.concatenate([normal.right, normal.pull])
     state = np.concatenate(
         [np.zeros(fixed), linearised.departures.reshape(-1), linearised.state.effects.reshape(-1)]
@@ -303,12 +307,12 @@ def test_the_likelihood_is_that_of_dense_matrices(linearised) -> None:
         counts = np.array([count, 3 * len(knots.time), 3 * len(knots.time), size - fixed])
         expected.append(2 * counts @ log + determinant + least)
     np.testing.assert_allclose(np.diff(found), np.diff(expected), rtol=1e-4, atol=1e-3)
-    assert len(variance_components(linearised).components) == 3
+    assert len(estimate_variance_components(linearised).components) == 3
 
 
 def test_cross_checks_agree_on_a_clean_survey_and_name_what_is_odd() -> None:
     model = StochasticModel(loss="tukey", surface=0.0)
-    clean = averaged(survey(40), PRIOR, 0.1)
+    clean = average_points_in_cells(survey(40), PRIOR, 0.1)
     checks = cross_checks(clean, PRIOR, adjust(clean, PRIOR, model))
     assert [c.kind for c in checks.parts].count("line") == 6
     assert [c.kind for c in checks.parts].count("target") == 2
@@ -321,7 +325,7 @@ def test_cross_checks_agree_on_a_clean_survey_and_name_what_is_odd() -> None:
     halves = [c for c in checks.parts if c.kind == "half"]
     np.testing.assert_allclose(halves[0].difference, -halves[1].difference)
     # A board that hangs on one half and leans on the other is one no model knows.
-    odd = averaged(shifted(shifted(survey(40), 0, 0.08), 1, -0.08), PRIOR, 0.1)
+    odd = average_points_in_cells(shifted(shifted(survey(40), 0, 0.08), 1, -0.08), PRIOR, 0.1)
     plain = replace(model, loss="none")
     said = cross_checks(odd, PRIOR, adjust(odd, PRIOR, plain))
     assert {"L1", "L2"} & {c.without for c in said.disagreements}
@@ -329,8 +333,8 @@ def test_cross_checks_agree_on_a_clean_survey_and_name_what_is_odd() -> None:
 
 def test_parts_that_determine_nothing_say_why() -> None:
     generator = np.random.default_rng(5)
-    exact = exact_survey(TRUTH, BOARDS[1:], six_courses()[:3], 0.1, generator)
-    data = observed(exact, HYDROGRAPHIC_INS, generator)
+    exact = error_free_survey(TRUTH, BOARDS[1:], six_courses()[:3], 0.1, generator)
+    data = add_errors(exact, HYDROGRAPHIC_INS, generator)
     result = adjust(data, PRIOR, StochasticModel(surface=0.0), accept_one_facing=True)
     checks = cross_checks(data, PRIOR, result)
     alone = next(c for c in checks.parts if c.kind == "target")

@@ -5,7 +5,7 @@ import pytest
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.validation.repeatability import Calibration, difference, repeated
+from lispac.validation.repeatability import Calibration, combine_calibrations, compare_calibrations
 from tests.error_codes import has_code
 
 Array = NDArray[np.float64]
@@ -30,17 +30,17 @@ def test_the_two_surveys_of_the_thesis() -> None:
         "October", np.radians([0.341, -0.805, 0.032]),
         np.diag(np.radians([0.0014, 0.0110, 0.0006]) ** 2),
     )  # fmt: skip
-    found = difference(july, october)
+    found = compare_calibrations(july, october)
     np.testing.assert_allclose(np.degrees(found.angles), [0.133, 0.440, -0.117], atol=1e-9)
     assert np.degrees(found.turn) == pytest.approx(0.47, abs=0.005)
-    assert found.displacement(50.0) == pytest.approx(0.41, abs=0.005)
+    assert found.largest_displacement(50.0) == pytest.approx(0.41, abs=0.005)
     assert found.differ
     assert found.significant == (True, True, True)
 
 
 def test_chance_alone_is_significant_one_time_in_twenty() -> None:
     rng = np.random.default_rng(3)
-    pairs = [difference(drawn(rng), drawn(rng)) for _ in range(2000)]
+    pairs = [compare_calibrations(drawn(rng), drawn(rng)) for _ in range(2000)]
     assert np.mean([pair.differ for pair in pairs]) == pytest.approx(0.05, abs=0.015)
     by_angle = np.mean([pair.significant for pair in pairs], axis=0)
     assert by_angle == pytest.approx(0.05, abs=0.015)
@@ -49,7 +49,7 @@ def test_chance_alone_is_significant_one_time_in_twenty() -> None:
 def test_a_bumped_scanner_is_found() -> None:
     rng = np.random.default_rng(4)
     bump = np.radians([0.0, 0.08, 0.0])
-    found = [difference(drawn(rng), drawn(rng, off=bump)) for _ in range(200)]
+    found = [compare_calibrations(drawn(rng), drawn(rng, off=bump)) for _ in range(200)]
     assert np.mean([pair.differ for pair in found]) > 0.99
     assert np.degrees(np.mean([pair.angles[1] for pair in found])) == pytest.approx(0.08, abs=0.005)
 
@@ -63,20 +63,22 @@ def test_the_displacement_is_that_of_points() -> None:
     points = 50.0 * directions / np.linalg.norm(directions, axis=1)[:, None]
     placed = [points @ rotation_matrix(*each.boresight).T for each in (first, second)]
     farthest = np.linalg.norm(placed[0] - placed[1], axis=1).max()
-    assert difference(first, second).displacement(50.0) == pytest.approx(farthest, rel=1e-3)
+    assert compare_calibrations(first, second).largest_displacement(50.0) == pytest.approx(
+        farthest, rel=1e-3
+    )
 
 
 def test_yaw_is_compared_the_short_way_round() -> None:
     almost = [Calibration("a", np.radians([0, 0, yaw]), COVARIANCE) for yaw in (179.99, -179.99)]
-    found = difference(*almost)
+    found = compare_calibrations(*almost)
     assert np.degrees(found.angles[2]) == pytest.approx(0.02)
     assert np.degrees(found.turn) == pytest.approx(0.02)
-    assert abs(np.degrees(repeated(almost).boresight[2])) == pytest.approx(180.0)
+    assert abs(np.degrees(combine_calibrations(almost).boresight[2])) == pytest.approx(180.0)
 
 
 def test_several_together_are_as_sure_as_their_number_says() -> None:
     rng = np.random.default_rng(6)
-    groups = [repeated([drawn(rng) for _ in range(4)]) for _ in range(1000)]
+    groups = [combine_calibrations([drawn(rng) for _ in range(4)]) for _ in range(1000)]
     assert np.mean([group.differ for group in groups]) == pytest.approx(0.05, abs=0.02)
     np.testing.assert_allclose(groups[0].sigma, SIGMA / 2)
     off = np.array([group.boresight for group in groups]) - TRUE
@@ -87,7 +89,7 @@ def test_several_together_are_as_sure_as_their_number_says() -> None:
 
 def test_what_cannot_be_compared_is_refused() -> None:
     with pytest.raises(InputError, check=has_code("validation.repeatability_few")):
-        repeated([Calibration("only", TRUE, COVARIANCE)])
+        combine_calibrations([Calibration("only", TRUE, COVARIANCE)])
     with pytest.raises(
         InputError, check=has_code("validation.repeatability_covariance", name="old")
     ):

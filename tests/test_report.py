@@ -17,18 +17,18 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.errors import InputError, LispacError
 from lispac.message_texts import message_text
 from lispac.messages import Level, note
 from lispac.project import Project
 from lispac.report import figures
 from lispac.report.content import ReportContent
+from lispac.report.csv_tables import write_tables
 from lispac.report.histograms import histogram_figure
 from lispac.report.html import html_text, write_html
 from lispac.report.json_report import write_json
 from lispac.report.pdf import write_pdf
-from lispac.report.tables import write_tables
 from tests.report_sample import sample_content, sample_project
 
 ODD = "<script>alert(1)</script> #pagebreak() $x^2$ *b* _u_ \\n \"q\" 'a' & @ref `c` Québec Ωμ"

@@ -31,7 +31,7 @@ from lispac.report.json_report import write_json
 from lispac.report.html import write_html
 from lispac.report.json_report import write_json
 from lispac.report.pdf import write_pdf
-from lispac.report.tables import write_tables
+from lispac.report.csv_tables import write_tables
 from lispac.workflow.report_options import report_options
 from tests.report_sample import sample_content, sample_project
 from tests.test_identity import FULL

@@ -5,16 +5,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.design.monte_carlo import Scatter
+from lispac.design.monte_carlo import MonteCarloResult
 from lispac.project import Project
 from lispac.report import boresight_section, checks_section, sections, settings_section
-from lispac.report.blocks import Block, Drawing, Paragraph, Table
 from lispac.report.content import ReportContent
-from lispac.report.design_figures import errors_figure
-from lispac.report.figures import correlation_figure_of, pictures_of, site_figure, svg_of
-from lispac.report.profiles import profile_figure
-from lispac.report.validation_section import validation
-from lispac.validation.results import PairState
+from lispac.report.design_figures import simulated_errors_figure
+from lispac.report.distance_profiles import profile_figure
+from lispac.report.document_blocks import Block, Paragraph, Table, UndrawnPictures
+from lispac.report.figures import correlation_figure_of, site_figure, svg_of, svg_pictures
+from lispac.report.validation_section import validation_blocks
+from lispac.validation.comparison_results import PairState
 from tests.report_sample import sample_content, sample_project
 
 
@@ -30,7 +30,7 @@ def content(project: Project) -> ReportContent:
 
 def _titles(blocks: list[Block]) -> list[str]:
     return [b.title if isinstance(b, Table) else b.caption
-            for b in blocks if isinstance(b, Table | Drawing)]  # fmt: skip
+            for b in blocks if isinstance(b, Table | UndrawnPictures)]  # fmt: skip
 
 
 def _text(blocks: list[Block]) -> str:
@@ -65,7 +65,7 @@ def test_a_line_of_one_place_has_no_direction() -> None:
 
 def test_a_picture_is_the_figure_as_it_is_drawn() -> None:
     names, matrix = ("roll", "pitch", "yaw"), np.eye(3)
-    (picture,) = pictures_of(correlation_figure_of, names, matrix)
+    (picture,) = svg_pictures(correlation_figure_of, names, matrix)
     assert picture == svg_of(correlation_figure_of(names, matrix))
 
 
@@ -73,11 +73,11 @@ def test_errors_of_surveys_are_drawn_over_what_was_foretold() -> None:
     rng = np.random.default_rng(1)
     foretold = np.radians([0.01, 0.02, 0.03])
     errors = rng.normal(size=(400, 3)) * foretold * [1.0, 2.0, 0.5]
-    found = Scatter(errors, np.tile(foretold, (400, 1)), foretold, np.eye(3), 0)
-    figure = errors_figure(found)
+    found = MonteCarloResult(errors, np.tile(foretold, (400, 1)), foretold, np.eye(3), 0)
+    figure = simulated_errors_figure(found)
     titles = [axes.get_title(loc="left") for axes in figure.axes]
     assert titles == [
-        f"{angle}: {ratio:.2f} \u00b1 {ratio * found.by_chance:.2f}"
+        f"{angle}: {ratio:.2f} \u00b1 {ratio * found.ratio_sigma:.2f}"
         for angle, ratio in zip(("roll", "pitch", "yaw"), found.ratio, strict=True)
     ]
     np.testing.assert_allclose(found.ratio, [1.0, 2.0, 0.5], rtol=0.15)
@@ -108,8 +108,8 @@ def test_planes_without_profiles_maps_and_signs_have_no_such_block(project: Proj
             for p in first.pairs
         ),
     )  # fmt: skip
-    whole = validation(sample_content(replace(project, validation=(first,))))
-    less = validation(sample_content(replace(project, validation=(bare,))))
+    whole = validation_blocks(sample_content(replace(project, validation=(first,))))
+    less = validation_blocks(sample_content(replace(project, validation=(bare,))))
     gone = set(_titles(whole)) - set(_titles(less))
     assert len(gone) == 4
     assert set(_titles(less)) < set(_titles(whole))
@@ -129,7 +129,7 @@ def test_what_the_lines_see_is_left_out_where_it_was_not_worked_out(project: Pro
     cases = ((seen, True, True), (without, True, False), (None, False, False))
     for observability, told, has_table in cases:
         result = replace(project.result, observability=observability)
-        blocks = boresight_section.boresight(sample_content(replace(project, result=result)))
+        blocks = boresight_section.boresight_blocks(sample_content(replace(project, result=result)))
         assert ("Observability of the angles on these lines:" in _text(blocks)) == told
         assert (head in _titles(blocks)) == has_table
 
@@ -140,14 +140,14 @@ def test_spreads_that_are_known_need_no_excuse(project: Project) -> None:
     known = replace(project.cross_checks, spread_targets=project.cross_checks.spread_lines)
     for checks, said in ((project.cross_checks, True), (known, False)):
         content = sample_content(replace(project, cross_checks=checks))
-        assert (excuse in _text(checks_section.cross_checks(content))) == said
+        assert (excuse in _text(checks_section.cross_check_blocks(content))) == said
 
 
 def test_a_site_that_nothing_is_known_of_is_not_drawn(content: ReportContent) -> None:
     tracks = tuple(replace(line, track_local_m=()) for line in content.lines)
-    drawn = sections.site(content)
+    drawn = sections.site_blocks(content)
     assert "Site plan in the local frame." in _titles(drawn)
-    bare = sections.site(replace(content, lines=tracks, planes=()))
+    bare = sections.site_blocks(replace(content, lines=tracks, planes=()))
     assert "Site plan in the local frame." not in _titles(bare)
     assert "Lines" in _titles(bare)
 
@@ -157,7 +157,9 @@ def test_sightings_held_to_one_shape_are_said_to_be(project: Project) -> None:
     for made, said in ((held, True), (project, False)):
         cells = [
             cell
-            for block in settings_section.settings(sample_content(replace(made, result=None)))
+            for block in settings_section.settings_blocks(
+                sample_content(replace(made, result=None))
+            )
             if isinstance(block, Table)
             for row in block.rows
             for cell in row

@@ -16,24 +16,24 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from lispac.adjustment.error_budget import error_budget
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.alternative_methods import METHODS, AlternativeResult
 from lispac.language import in_language
 from lispac.messages import error, note
-from lispac.opinions import METHODS, Opinion
 from lispac.project import Project
-from lispac.report.blocks import Bullets, Drawing, Paragraph, Signature, Table
-from lispac.report.budget_values import Budget
+from lispac.report.budget_values import ErrorBudgetValues
 from lispac.report.content import ReportContent, report_content
-from lispac.report.document import document_of, drawn_document, undrawn_document
+from lispac.report.csv_tables import write_tables
+from lispac.report.document import drawn_document, report_document, undrawn_document
+from lispac.report.document_blocks import Bullets, Paragraph, Signature, Table, UndrawnPictures
 from lispac.report.html import html_text
 from lispac.report.options import USUAL, ReportOptions
 from lispac.report.pdf import write_pdf
-from lispac.report.tables import write_tables
-from lispac.report.wording import with_minus
+from lispac.report.text_format import with_minus_signs
 from lispac.survey.conventions.systems import SYSTEMS
-from lispac.targets.hidden import Shown
-from lispac.targets.quality import SightingQuality
-from lispac.validation.absolute import (
+from lispac.targets.occlusion import ObservedExtent
+from lispac.targets.sighting_quality import SightingQuality
+from lispac.validation.absolute_check import (
     ALL_LINES,
     AbsoluteCheck,
     AbsoluteState,
@@ -42,7 +42,7 @@ from lispac.validation.absolute import (
     PointCheck,
     SigmaSources,
 )
-from lispac.validation.results import DistanceStatistics, SignedStatistics
+from lispac.validation.comparison_results import DistanceStatistics, SignedStatistics
 from tests.report_sample import MADE, sample_project
 from tests.report_variants import VARIANTS, content_of_sample, with_result, with_settings
 from tests.test_doubts import CASES
@@ -85,8 +85,8 @@ def _qualities() -> Iterator[SightingQuality]:
     some = board()
     yield judged(some[(some[:, 0] < -0.3) | (some[:, 2] < -0.3)])
     hidden, alone = (
-        Shown(np.array([0.3, 0.5]), np.array([0.6, 1.0]), 0.25, False),
-        Shown(np.array([0.6, 1.0]), np.array([0.3, 0.5]), 1.0, True),
+        ObservedExtent(np.array([0.3, 0.5]), np.array([0.6, 1.0]), 0.25, False),
+        ObservedExtent(np.array([0.6, 1.0]), np.array([0.3, 0.5]), 1.0, True),
     )
     yield judged(board(), shown=hidden)
     yield judged(board(), shown=alone)
@@ -160,10 +160,10 @@ def test_second_opinions_are_told_in_french(project: Project) -> None:
     for k, (method, off) in enumerate(zip(METHODS, (0.0, 0.3, 0.004), strict=True)):
         angles = project.result.boresight + np.radians([off, off, 0.0])
         remarks = (note("targetless.basis", used=30, total=99, rounds=3),) * (k == 1)
-        said = Opinion(
+        said = AlternativeResult(
             method, angles, np.array(project.result.covariance), ("L1", "L2"), 30, remarks
         )
-        project = project.with_opinion(said)
+        project = project.with_alternative_result(said)
     content = content_of_sample(project)
     assert [each.method for each in content.methods[1:]] == list(METHODS)
     assert "report.methods_differ" in {each.code for each in content.cautions}
@@ -192,14 +192,14 @@ def test_absolute_checks_are_told_in_french(
     ],
 )
 def test_error_budgets_are_told_in_french(project: Project, known: dict[str, Any]) -> None:
-    budget = Budget.of(error_budget(system(**known), (10, 1_000)))
+    budget = ErrorBudgetValues.of(error_budget(system(**known), (10, 1_000)))
     assert _english_left(replace(content_of_sample(project), budget=budget)) == ()
 
 
 def test_what_the_user_typed_stays(project: Project) -> None:
     typed = replace(project.identity, vessel="Points", remarks="Roll. Pitch.", company="up")
     options = ReportOptions(language="fr", heading="Good.", closing="yes", company="no")
-    document = document_of(content_of_sample(replace(project, identity=typed)), {}, options)
+    document = report_document(content_of_sample(replace(project, identity=typed)), {}, options)
     said = dict(document.identity.rows)  # type: ignore[arg-type]
     assert (said["Navire"], said["Remarques"]) == ("Points", "Roll. Pitch.")
     assert document.letterhead.company == "no"
@@ -213,17 +213,17 @@ def test_what_the_user_typed_stays(project: Project) -> None:
 
 def test_report_in_french_says_so_and_counts_what_is_not(project: Project) -> None:
     content = content_of_sample(project)
-    document = document_of(content, {}, FRENCH)
+    document = report_document(content, {}, FRENCH)
     assert document.language == "fr"
     assert document.title == "Rapport d’étalonnage des angles de visée"
     assert document.cautions == ()
-    assert document_of(content, {}) == drawn_document(undrawn_document(content, {}))
+    assert report_document(content, {}) == drawn_document(undrawn_document(content, {}))
 
 
 def test_numbers_and_names_are_those_of_the_english_report(project: Project) -> None:
     content = content_of_sample(project)
     english, french = (
-        [b for s in document_of(content, {}, options).sections for b in s.blocks]
+        [b for s in report_document(content, {}, options).sections for b in s.blocks]
         for options in (USUAL, FRENCH)
     )
     for block, said in zip(english, french, strict=True):
@@ -253,7 +253,7 @@ def test_texts_tables_and_figures_have_one_decimal_sign(project: Project, varian
         blocks = [*document.summary, *(b for section in document.sections for b in section.blocks)]
         figures: list[Figure] = []
         for block in blocks:
-            if isinstance(block, Drawing):
+            if isinstance(block, UndrawnPictures):
                 drawn = block.draw(*block.values)
                 figures += [drawn] if isinstance(drawn, Figure) else drawn
         assert len(figures) > 4
@@ -277,13 +277,15 @@ def test_texts_tables_and_figures_have_one_decimal_sign(project: Project, varian
 
 
 def test_minus_signs_of_messages_are_true_ones_and_names_stay() -> None:
-    text = with_minus("After, L1 -3 (-50.0 mm ± 7.7 mm) is off by -2 mm: 2025-06-04.", ["L1 -3"])
+    text = with_minus_signs(
+        "After, L1 -3 (-50.0 mm ± 7.7 mm) is off by -2 mm: 2025-06-04.", ["L1 -3"]
+    )
     assert text == "After, L1 -3 (\u221250.0 mm ± 7.7 mm) is off by \u22122 mm: 2025-06-04."
 
 
 def test_names_that_are_words_stay(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "before", target="Points")
-    document = document_of(content_of_sample(project), {}, FRENCH)
+    document = report_document(content_of_sample(project), {}, FRENCH)
     tables = {b.title: b for s in document.sections for b in s.blocks if b.kind == "table"}
     fits = tables["Ajustement de chaque observation à la surface de sa cible"]
     assert fits.rows[0][0] == "Points"

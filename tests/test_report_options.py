@@ -20,13 +20,17 @@ from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
 from lispac.report.content import ReportContent
+from lispac.report.csv_tables import write_tables
 from lispac.report.html import html_text
 from lispac.report.options import USUAL, Page, ReportOptions
 from lispac.report.pdf import write_pdf
-from lispac.report.tables import write_tables
-from lispac.survey.conventions.conversion import Setup, mounting_of, mounting_of_angles
-from lispac.survey.conventions.systems import SYSTEMS, system
-from lispac.survey.conventions.words import CHECK_FIRST, THESIS_MODE
+from lispac.survey.conventions.conversion import (
+    ConventionSetup,
+    convert_from_system,
+    mounting_of_angles,
+)
+from lispac.survey.conventions.mounting_texts import CHECK_FIRST, THESIS_MODE
+from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.report_options import KEYS, report_options
 from tests.command_errors import codes_of, is_refusal
@@ -259,7 +263,9 @@ def test_angles_of_a_convention_lead_back_to_the_boresight(project: Project, key
     assert found is not None
     assert project.result is not None
     angles = np.radians([angle.value_deg for angle in found.angles])
-    back = mounting_of_angles(Setup(system(key)), angles, np.array(found.lever_arm_m))
+    back = mounting_of_angles(
+        ConventionSetup(convention_of_key(key)), angles, np.array(found.lever_arm_m)
+    )
     np.testing.assert_allclose(
         back.rotation_body_lidar, project.result.mounting.rotation_body_lidar, atol=1e-12
     )
@@ -296,7 +302,7 @@ def test_report_tells_values_and_how_sure_they_are(
         assert str(found.status_in_words) in text
         assert (message_text(CHECK_FIRST) in text) == (found.status != "verified")
         assert found.assumption is None or str(found.assumption)[:40] in text
-    assert bool(found.angles) == system(key).has_angles
+    assert bool(found.angles) == convention_of_key(key).has_angles
 
 
 def test_thesis_mode_says_that_its_sigmas_are_too_small(tmp_path: Path) -> None:
@@ -314,7 +320,9 @@ def test_the_matrix_is_that_of_the_boresight(project: Project, tmp_path: Path) -
     assert project.result is not None
     transform = np.array(content.matrix.transform)
     np.testing.assert_array_equal(content.matrix.rotation, transform[:3, :3])
-    back = mounting_of(Setup(system("pdal")), transform[:3, :3], transform[:3, 3])
+    back = convert_from_system(
+        ConventionSetup(convention_of_key("pdal")), transform[:3, :3], transform[:3, 3]
+    )
     np.testing.assert_allclose(back.boresight, project.result.mounting.boresight, atol=1e-14)
     np.testing.assert_allclose(back.lever_arm, LEVER_ARM, atol=1e-15)
     # By hand: PDAL's body is forward, starboard, down, so Y and Z are turned round.

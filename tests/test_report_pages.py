@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from lispac.project import Project
 from lispac.report import pdf
-from lispac.report.blocks import Bullets, Document, Paragraph, Section, Table
+from lispac.report.document_blocks import Bullets, Document, Paragraph, Section, Table
 from lispac.report.options import ReportOptions
 from lispac.report.pdf import write_pdf
 from tests.report_sample import sample_content, sample_project
@@ -38,7 +38,7 @@ def test_what_announces_something_stays_with_it(
 ) -> None:
     content, ends = sample_content(project), set()
     for lines in range(40, 60):
-        monkeypatch.setattr(pdf, "document_of", lambda *_, lines=lines: _document(lines))
+        monkeypatch.setattr(pdf, "report_document", lambda *_, lines=lines: _document(lines))
         write_pdf(content, tmp_path / "r.pdf", {})
         pages = _pdf_text(tmp_path / "r.pdf").split("\f")
         (announced,) = (k for k, page in enumerate(pages) if "Announced:" in page)

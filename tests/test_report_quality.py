@@ -9,20 +9,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.result import AdjustmentResult, Component
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.result import AdjustmentResult, VarianceComponent
+from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.message_texts import message_text
 from lispac.messages import Level, note
 from lispac.project import Project
 from lispac.report import figures
-from lispac.report.blocks import Bullets, Document, Paragraph, Table
 from lispac.report.content import ReportContent, report_content
-from lispac.report.document import document_of
+from lispac.report.document import report_document
+from lispac.report.document_blocks import Bullets, Document, Paragraph, Table
 from lispac.report.json_report import json_text
 from lispac.report.options import ReportOptions
 from lispac.report.pdf import write_pdf
-from lispac.targets.quality import SightingQuality
+from lispac.targets.sighting_quality import SightingQuality
 from tests.report_sample import MADE, sample_content, sample_project
 from tests.test_quality import board, judged
 
@@ -75,7 +75,7 @@ def _words(document: Document, title: str) -> str:
 
 
 def _settings(content: ReportContent) -> dict[str, str]:
-    return dict(_tables(document_of(content, {}))["Stochastic model"].rows)  # type: ignore[arg-type]
+    return dict(_tables(report_document(content, {}))["Stochastic model"].rows)  # type: ignore[arg-type]
 
 
 def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
@@ -122,17 +122,17 @@ def test_points_are_averaged_or_selected(project: Project, tmp_path: Path) -> No
         (sample_content(project), "averaged"),
         (sample_content(sample_project(tmp_path / "p", model="independent")), "thinned"),
     ):
-        facts = dict(_tables(document_of(content, {}))["System and points"].rows)  # type: ignore[arg-type]
+        facts = dict(_tables(report_document(content, {}))["System and points"].rows)  # type: ignore[arg-type]
         assert facts["Point spacing"].startswith(word)
 
 
 def test_variance_components_with_their_intervals(changed: Changed) -> None:
     found = (
-        Component("LiDAR", 0.82, 0.78, 0.87, applied=True),
-        Component("POS position", 1.3, 0.6, 2.9, applied=True),
-        Component("POS attitude", 1.3, 0.6, 2.9),
+        VarianceComponent("LiDAR", 0.82, 0.78, 0.87, applied=True),
+        VarianceComponent("POS position", 1.3, 0.6, 2.9, applied=True),
+        VarianceComponent("POS attitude", 1.3, 0.6, 2.9),
     )
-    table = _tables(document_of(changed(components=found), {}))[
+    table = _tables(report_document(changed(components=found), {}))[
         "Variance components: ratio of estimated to given sigmas"
     ]
     assert table.rows[0] == (
@@ -149,7 +149,7 @@ def test_variance_components_with_their_intervals(changed: Changed) -> None:
 
 
 def test_extra_parameters(project: Project, changed: Changed) -> None:
-    document = document_of(sample_content(project), {})
+    document = report_document(sample_content(project), {})
     row = _tables(document)["Parameters estimated together with the boresight"].rows[0]
     assert row == (
         "Lever arm X", "\u22120.1856\u00a0m", "not given", "\u22120.2017\u00a0m", "0.0048\u00a0m",
@@ -157,8 +157,8 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
     )  # fmt: skip
     first_page = [block.text for block in document.summary if isinstance(block, Paragraph)]
     assert any("lever arm X \u22120.2017" in text for text in first_page)
-    late = Estimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
-    turned = Estimate("scan_angle_offset", 0.0, None, reason=note("parameter.kept"))
+    late = ParameterEstimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
+    turned = ParameterEstimate("scan_angle_offset", 0.0, None, reason=note("parameter.kept"))
     content = changed(parameters=(*_result(project).parameters, turned, late))
     assert "The estimated change of the latency (+1.10 ms) is not significant." in _caution(
         content, "report.parameter_not_significant"
@@ -166,7 +166,7 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
     assert "not estimated. The given value is used. Do not" in _caution(
         content, "report.parameter_not_seen"
     )
-    rows = _tables(document_of(content, {}))[
+    rows = _tables(report_document(content, {}))[
         "Parameters estimated together with the boresight"
     ].rows
     assert rows[1][-1] == "not estimated, given value used"
@@ -175,7 +175,7 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
 
 def test_heat_map_only_beside_extra_parameters(project: Project, tmp_path: Path) -> None:
     def captions(content: ReportContent) -> list[str]:
-        blocks = document_of(content, {}).sections[0].blocks
+        blocks = report_document(content, {}).sections[0].blocks
         return [block.caption for block in blocks if block.kind == "picture"]
 
     assert captions(sample_content(project)) == ["Correlations of all estimated parameters."]
@@ -189,13 +189,13 @@ def test_released_sighting_is_named_on_page_one(project: Project, changed: Chang
     text = _caution(content, "adjustment.released")
     assert "was rejected: T1 on line L1 (displaced by 48.3 mm, test value w = +9.3)" in text
     assert "T1 on line L2" in _caution(content, "adjustment.sighting_disagrees")
-    rows = _tables(document_of(content, {}))["Agreement of the sightings"].rows
+    rows = _tables(report_document(content, {}))["Agreement of the sightings"].rows
     assert [row[-1] for row in rows[:3]] == ["rejected", "disagrees", "agrees"]
 
 
 def test_sighting_that_nothing_checks_shows_no_number(project: Project, changed: Changed) -> None:
     first, *rest = _result(project).reliability
-    document = document_of(changed(reliability=(replace(first, detectable=1e5), *rest)), {})
+    document = report_document(changed(reliability=(replace(first, detectable=1e5), *rest)), {})
     row = _tables(document)["Agreement of the sightings"].rows[0]
     assert row[2:8] == ("\u2013",) * 6
     assert row[-1] == "not checked"
@@ -219,13 +219,13 @@ def test_strays_beyond_what_chance_explains(project: Project, changed: Changed) 
 def test_cross_checks_that_disagree(project: Project) -> None:
     checks = project.cross_checks
     assert checks is not None
-    plain = _tables(document_of(sample_content(project), {}))
+    plain = _tables(report_document(sample_content(project), {}))
     rows = plain["Results of subsets of the data: differences from the full adjustment"].rows
     assert [row[0] for row in rows[-3:]] == [
         "Without target T1", "Without target T2", "First half minus second half",
     ]  # fmt: skip
     assert rows[-3][-1] == "no result"
-    words = _words(document_of(sample_content(project), {}), "Cross-checks")
+    words = _words(report_document(sample_content(project), {}), "Cross-checks")
     assert "Without target T1: All targets are planes of the same orientation" in words
     assert "The spread with one target omitted requires at least three targets" in words
     sigma = np.array([-0.2, 4.1, 1.0])
@@ -260,11 +260,11 @@ def test_spheres_are_called_spheres(project: Project, changed: Changed) -> None:
         for target in project.targets
     )
     picked = sample_content(replace(project, targets=targets))
-    shown = _tables(document_of(content, {}))[
+    shown = _tables(report_document(content, {}))[
         "Fit of each target to one surface, all lines together"
     ]
     assert shown.rows[1][1] == "sphere, radius\u00a0100.4\u00a0mm"
-    shown = _tables(document_of(picked, {}))[
+    shown = _tables(report_document(picked, {}))[
         "Targets and validation planes (coordinates of the seed in the local frame)"
     ]
     assert shown.rows[1][2] == "sphere, radius\u00a0100.0\u00a0mm"
@@ -273,7 +273,7 @@ def test_spheres_are_called_spheres(project: Project, changed: Changed) -> None:
 def test_thesis_mode_has_no_reliability(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p", model="independent")
     content = sample_content(replace(project, cross_checks=None))
-    document = document_of(content, {})
+    document = report_document(content, {})
     assert "Sightings are not tested: in this stochastic model" in _words(
         document, "Reliability of the sightings"
     )
@@ -290,7 +290,7 @@ def test_thesis_mode_has_no_reliability(tmp_path: Path) -> None:
 
 def test_no_result_has_no_sections_on_checks(project: Project) -> None:
     content = sample_content(replace(project, result=None, cross_checks=None))
-    titles = {section.title for section in document_of(content, {}).sections}
+    titles = {section.title for section in report_document(content, {}).sections}
     assert titles.isdisjoint({"Reliability of the sightings", "Cross-checks"})
     assert _settings(content)["Surface sigma"].startswith("to be estimated from the data")
 
@@ -314,7 +314,7 @@ def test_a_large_sigma_is_serious_and_its_cause_named(project: Project, changed:
     large = result.covariance_all.copy()
     large[0, 0] = np.radians(0.5) ** 2
     reason = note("parameter.kept_uncertain")
-    unseen = Estimate("scan_angle_offset", 0.0, np.radians(0.5), reason=reason)
+    unseen = ParameterEstimate("scan_angle_offset", 0.0, np.radians(0.5), reason=reason)
     content = changed(covariance_all=large, parameters=(unseen,))
     said = _caution(content, "adjustment.large_sigma_unseen")
     assert "roll 0.50 deg" in said
@@ -356,7 +356,7 @@ def test_accepting_one_facing_is_shown_where_it_is_on(project: Project) -> None:
     for accepted in (False, True):
         other = replace(project, settings=replace(project.settings, accept_one_facing=accepted))
         content = sample_content(other)
-        shown = dict(_tables(document_of(content, {}))["System and points"].rows)  # type: ignore[arg-type]
+        shown = dict(_tables(report_document(content, {}))["System and points"].rows)  # type: ignore[arg-type]
         assert ("Targets that all face the same way" in shown) == accepted
         assert json.loads(json_text(content))["settings"]["accept_one_facing"] == accepted
 
@@ -371,7 +371,7 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
         qualities={(target.name, line): quality for line in (first.line, second.line)},
         generated=MADE,
     )  # fmt: skip
-    table = _tables(document_of(content, {}))["Quality of each sighting"]
+    table = _tables(report_document(content, {}))["Quality of each sighting"]
     assert [row[-1].endswith("were edited manually.") for row in table.rows] == [
         False, True,
     ]  # fmt: skip
@@ -416,7 +416,7 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
         f"{second.name} on {one}: The sighting has only 7 points. The surface is curved, by 4.0 "
         "mm over its extent. See" in said
     )
-    french = document_of(worse, {}, ReportOptions(language="fr")).cautions
+    french = report_document(worse, {}, ReportOptions(language="fr")).cautions
     assert any("4 observations sont utilisées" in t and "que 7 points" in t for t in french)
     # One that is left out is none of the answer's.
     left = replace(first, sightings=tuple(replace(s, used=False) for s in first.sightings))

@@ -8,13 +8,13 @@ import laspy
 import numpy as np
 import pytest
 
-from lispac.io.las_crs_written import OWN_ID
+from lispac.io.las_crs_writer import OWN_ID
 from lispac.messages import Level
 from lispac.project import LineSource, Project, Reading
 from lispac.workflow.georeferencing import georeference_project
 from lispac.workflow.projects import new_project
 from lispac.workflow.simulate import simulate
-from lispac.workflow.simulated_setup import simulation
+from lispac.workflow.simulated_setup import read_simulation
 from lispac.workflow.survey import Survey, load_survey
 
 SURVEYS = list(
@@ -33,7 +33,7 @@ def simulated(folder: Path, seed: int) -> Project:
     """A survey with a boresight of its own, as far off as a rough mounting."""
     scene, vessel, scanner = SURVEYS[seed % len(SURVEYS)]
     boresight = np.random.default_rng(seed).uniform(-3, 3, 3)
-    made = simulation(
+    made = read_simulation(
         scene, vessel=vessel, scanner=scanner, points_per_second=POINTS_PER_SECOND,
         errors={"boresight_deg": tuple(boresight)},
     )  # fmt: skip

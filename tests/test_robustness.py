@@ -9,11 +9,11 @@ from lispac.adjustment import iteration, solver
 from lispac.adjustment.blunders import Blunder
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.robust import LOSSES, Loss, robust_scale, weight
-from lispac.adjustment.shapes import fit_shapes
+from lispac.adjustment.robust_loss import LOSSES, Loss, loss_weight, robust_scale
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.simulation.closed_form import BOARDS, exact_survey, observed, six_courses
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.target_shapes import fit_shapes
+from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 
@@ -23,8 +23,8 @@ PRIOR = TRUTH.with_boresight(np.zeros(3))
 
 def survey(seed: int, spacing: float = 0.06) -> Observations:
     generator = np.random.default_rng([7, seed])
-    exact = exact_survey(TRUTH, BOARDS, six_courses(), spacing, generator)
-    return observed(exact, HYDROGRAPHIC_INS, generator)
+    exact = error_free_survey(TRUTH, BOARDS, six_courses(), spacing, generator)
+    return add_errors(exact, HYDROGRAPHIC_INS, generator)
 
 
 def with_strays(clean: Observations, seed: int) -> tuple[Observations, np.ndarray]:
@@ -83,8 +83,8 @@ def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, Adjustme
     with pytest.MonkeyPatch.context() as patch:
         todo = [Blunder("shift", (s,)) for s in gone]
         patch.setattr(solver, "worst_blunder", lambda *_: todo.pop() if todo else None)
-        patch.setattr(solver, "belonging", lambda *_: None)
-        patch.setattr(solver, "astray", lambda *_: np.zeros(0, dtype=np.int64))
+        patch.setattr(solver, "find_restorable_blunder", lambda *_: None)
+        patch.setattr(solver, "find_displaced_sightings", lambda *_: np.zeros(0, dtype=np.int64))
         same = adjust(clean, PRIOR, model, diagnostics=False)
     return np.abs(found.boresight - same.boresight) / same.sigma, found
 
@@ -208,7 +208,7 @@ def test_clean_surveys_have_no_suspects() -> None:
 def test_weights_fall_from_one_and_never_rise(name) -> None:
     loss = Loss(name)
     sizes = np.linspace(0, 10, 200)
-    weights = np.array([weight(loss.code, loss.tuning, z) for z in sizes])
+    weights = np.array([loss_weight(loss.code, loss.tuning, z) for z in sizes])
     assert weights[0] == 1
     assert (np.diff(weights) <= 0).all()
     assert weights[-1] == (0 if name == "tukey" else pytest.approx(loss.tuning / 10))

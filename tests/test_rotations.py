@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from lispac.geometry.rotations import angles_of, rotation_derivatives, rotation_matrix
+from lispac.geometry.rotations import rotation_angles, rotation_derivatives, rotation_matrix
 
 angle = st.floats(-3.1, 3.1)
 tilt = st.floats(-1.5, 1.5)
@@ -18,7 +18,7 @@ def test_is_the_product_of_three_right_handed_turns(roll: float, pitch: float, y
 
 @given(angle, tilt, angle)
 def test_angles_come_back(roll: float, pitch: float, yaw: float) -> None:
-    back = angles_of(rotation_matrix(roll, pitch, yaw))
+    back = rotation_angles(rotation_matrix(roll, pitch, yaw))
     np.testing.assert_allclose(back, [roll, pitch, yaw], rtol=0, atol=1e-12)
 
 
@@ -52,4 +52,4 @@ def test_many_at_once_equal_one_by_one() -> None:
 @pytest.mark.parametrize("pitch", [np.pi / 2, -np.pi / 2])
 def test_angles_at_the_pole_still_give_the_rotation(pitch: float) -> None:
     rotation = rotation_matrix(0.3, pitch, 0.2)
-    np.testing.assert_allclose(rotation_matrix(*angles_of(rotation)), rotation, atol=1e-7)
+    np.testing.assert_allclose(rotation_matrix(*rotation_angles(rotation)), rotation, atol=1e-7)

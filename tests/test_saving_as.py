@@ -16,11 +16,11 @@ from lispac.io.las import write_points
 from lispac.io.project_file import write_project
 from lispac.progress import Progress
 from lispac.project import LineSource, Project
-from lispac.survey.store.lock import locked
-from lispac.survey.store.reading import StoredLine
-from lispac.workflow.importing import LINES, import_lines, line_folder
+from lispac.survey.store.import_lock import lock_folder
+from lispac.survey.store.stored_line import StoredLine
+from lispac.workflow.line_import import LINES, import_lines, line_folder
+from lispac.workflow.project_copy import MARK, save_project_as
 from lispac.workflow.projects import open_project
-from lispac.workflow.saving_as import MARK, save_project_as
 from lispac.workflow.survey import Survey, load_survey
 from tests.few_passes import picked
 
@@ -98,7 +98,7 @@ def test_what_a_killed_save_leaves_is_replaced(project: Project, tmp_path: Path,
 def test_a_save_under_way_is_left_alone(project: Project, tmp_path: Path) -> None:
     lines = tmp_path / "office" / LINES
     lines.mkdir(parents=True)
-    with locked(lines), pytest.raises(ProjectError) as raised:
+    with lock_folder(lines), pytest.raises(ProjectError) as raised:
         save_project_as(project, load_survey(project), tmp_path / "office")
     assert raised.value.code == "project_folder.being_saved"
 
@@ -160,7 +160,7 @@ def test_what_could_not_be_saved_leaves_its_folder_free(
 ) -> None:
     """Once there is room on the disk the same folder can be chosen again."""
     project, survey = calibrated
-    real = project_file.written_whole
+    real = project_file.atomic_write
 
     @contextmanager
     def full(path: Path) -> Iterator[Path]:
@@ -170,7 +170,7 @@ def test_what_could_not_be_saved_leaves_its_folder_free(
             yield temporary
 
     with monkeypatch.context() as patched:
-        patched.setattr(project_file, "written_whole", full)
+        patched.setattr(project_file, "atomic_write", full)
         with pytest.raises(InputError, match="No space left"):
             save_project_as(project, survey, tmp_path / "kept")
     assert list(tmp_path.iterdir()) == []
@@ -212,7 +212,7 @@ def test_points_that_were_there_before_stay_where_a_save_fails(
         raise InputError(f"{path}: cannot be written (No space left on device).")
         yield path
 
-    monkeypatch.setattr(project_file, "written_whole", full)
+    monkeypatch.setattr(project_file, "atomic_write", full)
     with pytest.raises(InputError, match="No space left"):
         save_project_as(project, survey, tmp_path / "kept")
     assert (kept / "theirs.npz").read_bytes() == b"points"

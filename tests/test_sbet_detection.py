@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.formats import format_of, recognised
-from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Finding
-from lispac.io.sbet_detection import blocks_of, detect_sbet
-from lispac.io.sbet_motion import in_frame
+from lispac.io.format_types import LIKELY, NOT, POSSIBLE, SURE, FilePreview
+from lispac.io.formats import format_of, recognise_formats
+from lispac.io.sbet_detection import detect_sbet, sample_blocks
+from lispac.io.sbet_motion import velocity_in_axes
 from lispac.message_texts import message_text
 from lispac.messages import error, note, warning
 from tests.message_codes import codes
@@ -16,18 +16,18 @@ from tests.trajectory_files import truth, vessel, write_records
 SBET = format_of("sbet")
 
 
-def looked(path: Path) -> Finding:
+def looked(path: Path) -> FilePreview:
     return SBET.look(path, {})
 
 
-def has(finding: Finding, code: str) -> bool:
+def has(finding: FilePreview, code: str) -> bool:
     return code in codes(finding.doubts)
 
 
 def test_leeward_is_recognised_as_conventions_say(shared_data: Path) -> None:
     path = shared_data / "leeward" / "sbet.out"
-    assert recognised(path, "trajectory")[0][0].key == "sbet"
-    assert recognised(path, "trajectory")[0][1] == SURE
+    assert recognise_formats(path, "trajectory")[0][0].key == "sbet"
+    assert recognise_formats(path, "trajectory")[0][1] == SURE
     finding = looked(path)
     assert finding.choice["axes"] == "wander-nwu"
     assert finding.choice["heading"] == "minus-wander"
@@ -41,11 +41,11 @@ def test_leeward_is_recognised_as_conventions_say(shared_data: Path) -> None:
 def test_leeward_course_agrees_to_a_hundredth_of_a_degree(shared_data: Path) -> None:
     """Computed here, not by the detection: azimuth of the velocities less wander is the course."""
     records = np.fromfile(shared_data / "leeward" / "sbet.out").reshape(-1, 17)
-    north, east, _ = in_frame("wander-nwu", records[:, 4:7], records[:, 10]).T
+    north, east, _ = velocity_in_axes("wander-nwu", records[:, 4:7], records[:, 10]).T
     step = records[-1] - records[0]
     course = np.arctan2(step[2] * np.cos(records[0, 1]) * 6388837, step[1] * 6358089)
     assert np.degrees(abs(np.median(np.arctan2(east, north)) - course)) < 0.02
-    other = in_frame("ned", records[:, 4:7], records[:, 10])
+    other = velocity_in_axes("ned", records[:, 4:7], records[:, 10])
     assert np.degrees(abs(np.median(np.arctan2(other[:, 1], other[:, 0])) - course)) > 0.5
 
 
@@ -195,12 +195,12 @@ def test_degrees_are_found_and_read(tmp_path: Path) -> None:
     assert has(finding, "sbet.degrees_assumed")
     trajectory = SBET.read(path, finding.choice)
     np.testing.assert_allclose(trajectory.latitude, vessel()[:, 1], rtol=1e-15)
-    assert recognised(path, "trajectory")[0][0].key == "sbet"
+    assert recognise_formats(path, "trajectory")[0][0].key == "sbet"
 
 
 def test_big_endian_is_found_and_read(tmp_path: Path) -> None:
     path = write_records(tmp_path / "a.sbet", vessel(), order=">")
-    assert recognised(path, "trajectory")[0] == (SBET, LIKELY)
+    assert recognise_formats(path, "trajectory")[0] == (SBET, LIKELY)
     finding = looked(path)
     assert finding.choice["byte_order"] == "big-endian"
     assert has(finding, "sbet.big_endian")
@@ -337,8 +337,8 @@ def test_a_file_that_is_lost_while_it_is_looked_at(
 ) -> None:
     """As by a network drive that goes between two readings."""
     path = write_records(tmp_path / "a.sbet", vessel(200))
-    assert len(blocks_of(path)[0][0]) == blocks_of(path)[1] == 200
-    assert blocks_of(tmp_path / "absent") == ([], 0)
+    assert len(sample_blocks(path)[0][0]) == sample_blocks(path)[1] == 200
+    assert sample_blocks(tmp_path / "absent") == ([], 0)
     monkeypatch.setattr("lispac.io.sbet_detection.np.memmap", lost)
     with pytest.raises(InputError) as refused:
         detect_sbet(path)

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.simulation.scanner import Echoes, Scanner, scan
-from lispac.simulation.scene import Scene, Sphere, upright
+from lispac.simulation.scanner import Echoes, Scanner, scan_scene
+from lispac.simulation.scene import Scene, Sphere, upright_rectangle
 from lispac.survey.georeferencing import Mounting
 
 ELEVATIONS_DEG = (-30.67, -9.33, 0.0, 10.67)
@@ -15,7 +15,7 @@ TURNING = Scanner(
     elevations=tuple(np.radians(ELEVATIONS_DEG)), range_sigma=0.02, angle_sigma=0.0,
 )  # fmt: skip
 ROUND = Scene.of([Sphere("dome", np.zeros(3), 20.0)])
-WALL = Scene.of([upright("wall", (0.0, 4.0), -50.0, 50.0, 200.0, 90)])
+WALL = Scene.of([upright_rectangle("wall", (0.0, 4.0), -50.0, 50.0, 200.0, 90)])
 KNOTS = np.arange(0.0, 5.0, 0.05)
 STILL = (KNOTS, np.zeros((len(KNOTS), 3)), np.zeros((len(KNOTS), 3)))
 NOTHING = Mounting(np.zeros(3), np.zeros(3))
@@ -23,7 +23,7 @@ NOTHING = Mounting(np.zeros(3), np.zeros(3))
 
 def seen(scanner: Scanner, scene: Scene, *, starboard: bool = False, noise: bool = False) -> Echoes:
     generator = np.random.default_rng(3) if noise else None
-    return scan(scanner, scene, STILL, (1.0, 3.0), starboard, NOTHING, generator)
+    return scan_scene(scanner, scene, STILL, (1.0, 3.0), starboard, NOTHING, generator)
 
 
 def test_beams_keep_their_elevations_and_turn_all_the_way_round() -> None:
@@ -115,7 +115,7 @@ def test_nothing_is_recorded_out_of_reach() -> None:
 
 
 def test_beams_are_smeared_at_edges_only() -> None:
-    scene = Scene.of([upright("board", (0.0, 3.7), -1.0, 1.0, 4.0, 90), *WALL.surfaces])
+    scene = Scene.of([upright_rectangle("board", (0.0, 3.7), -1.0, 1.0, 4.0, 90), *WALL.surfaces])
     echoes = seen(Scanner(50_000.0, 20.0, window=(-0.5, 0.5), divergence=0.01), scene, noise=True)
     mixed = echoes.label < 0
     assert mixed.any()

@@ -5,21 +5,21 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from lispac.adjustment.adjustment_problem import LinearisedProblem
+from lispac.adjustment.excess_scatter import excess_variance, raise_sigmas_by_scatter
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.problem import Linearised
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.scatter import excess_variance, with_scatter
-from lispac.adjustment.solved import Solved
+from lispac.adjustment.solved_equations import SolvedEquations
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.adjustment.warnings import doubts
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.warnings import result_warnings
 from lispac.geometry.rotations import rotation_matrix
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.scan import Scan
 from lispac.workflow.calibration import observations_of
 from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.targetless import Targetless, targetless
+from lispac.workflow.targetless import TargetlessResult, targetless
 from tests.test_targetless import FEW, error, few_surfaces, with_scans
 
 Opened = tuple[Project, Survey]
@@ -31,12 +31,12 @@ def thinned(sparse_project: Project) -> Opened:
 
 
 @pytest.fixture(scope="module")
-def clean(thinned: Opened, tmp_path_factory: pytest.TempPathFactory) -> Targetless:
+def clean(thinned: Opened, tmp_path_factory: pytest.TempPathFactory) -> TargetlessResult:
     return few_surfaces(thinned, tmp_path_factory)
 
 
 def adjusted(
-    found: Targetless, survey: Survey, model: StochasticModel
+    found: TargetlessResult, survey: Survey, model: StochasticModel
 ) -> tuple[AdjustmentResult, Observations, Mounting]:
     """The scene's surfaces adjusted again, with the sigmas that the model gives."""
     project = found.project
@@ -45,21 +45,23 @@ def adjusted(
     return adjust(observations, prior, model), observations, prior
 
 
-def solved(result: AdjustmentResult, observations: Observations, prior: Mounting) -> Solved:
-    found = Solved.of(result, observations, prior)
+def solved(
+    result: AdjustmentResult, observations: Observations, prior: Mounting
+) -> SolvedEquations:
+    found = SolvedEquations.of(result, observations, prior)
     assert found is not None
     return found
 
 
-def parts_of(found: Solved) -> tuple[Linearised, np.ndarray]:
+def parts_of(found: SolvedEquations) -> tuple[LinearisedProblem, np.ndarray]:
     return found.here, found.origins
 
 
-def test_where_the_model_holds_the_sigmas_stay(thinned: Opened, clean: Targetless) -> None:
+def test_where_the_model_holds_the_sigmas_stay(thinned: Opened, clean: TargetlessResult) -> None:
     """On 26 simulated quays they rose by 5 % in the mean and 19 % at most."""
     model = thinned[0].settings.stochastic_model
     plain, observations, prior = adjusted(clean, thinned[1], model)
-    raised = with_scatter(plain, *parts_of(solved(plain, observations, prior)))
+    raised = raise_sigmas_by_scatter(plain, *parts_of(solved(plain, observations, prior)))
     factors = raised.sigma / plain.sigma
     assert (factors >= 1).all()
     assert factors.max() < 1.25, factors
@@ -68,7 +70,7 @@ def test_where_the_model_holds_the_sigmas_stay(thinned: Opened, clean: Targetles
     np.testing.assert_array_equal(raised.boresight, plain.boresight)
 
 
-def test_what_the_model_does_not_know_raises_them(thinned: Opened, clean: Targetless) -> None:
+def test_what_the_model_does_not_know_raises_them(thinned: Opened, clean: TargetlessResult) -> None:
     """Beams that look elsewhere than stated for half a second, and rightly for the next half."""
     project, _ = thinned
 
@@ -80,8 +82,10 @@ def test_what_the_model_does_not_know_raises_them(thinned: Opened, clean: Target
 
     found = targetless(*with_scans(thinned, change), count=FEW)
     assert found.raised > 1.5
-    assert "adjustment.sigmas_raised" in {each.code for each in doubts(found.result, None)}
-    assert "adjustment.sigmas_raised" not in {each.code for each in doubts(clean.result, None)}
+    assert "adjustment.sigmas_raised" in {each.code for each in result_warnings(found.result, None)}
+    assert "adjustment.sigmas_raised" not in {
+        each.code for each in result_warnings(clean.result, None)
+    }
     assert (found.result.sigma > clean.result.sigma).all()
     # In the mean all are turned by half of it, which goes to roll and to roll alone.
     off = error(found, project) + [0.075, 0.0, 0.0]
@@ -89,14 +93,14 @@ def test_what_the_model_does_not_know_raises_them(thinned: Opened, clean: Target
 
 
 def test_without_a_model_of_common_errors_nothing_is_raised(
-    thinned: Opened, clean: Targetless
+    thinned: Opened, clean: TargetlessResult
 ) -> None:
     model = replace(thinned[0].settings.stochastic_model, pos_errors="independent")
     plain, observations, prior = adjusted(clean, thinned[1], model)
-    assert Solved.of(plain, observations, prior) is None
+    assert SolvedEquations.of(plain, observations, prior) is None
 
 
-def test_two_surfaces_tell_nothing_of_surfaces(thinned: Opened, clean: Targetless) -> None:
+def test_two_surfaces_tell_nothing_of_surfaces(thinned: Opened, clean: TargetlessResult) -> None:
     """What hangs on few parts says so by its sigma; what is told of the lines stays finite."""
     model = thinned[0].settings.stochastic_model
     few = replace(clean.project, targets=clean.project.targets[:4], result=None)

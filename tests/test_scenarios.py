@@ -10,8 +10,8 @@ from lispac.design.scenarios import (
     DISTANCES,
     GRADES,
     SCENARIOS,
-    Outcome,
-    outcomes,
+    ScenarioOutcome,
+    predict_scenarios,
     thesis_setting,
 )
 from lispac.errors import Cancelled
@@ -19,8 +19,8 @@ from lispac.progress import Step
 
 
 @cache
-def everything() -> tuple[Outcome, ...]:
-    return outcomes(thesis_setting())
+def everything() -> tuple[ScenarioOutcome, ...]:
+    return predict_scenarios(thesis_setting())
 
 
 def sigmas(scenario: str, model: str) -> dict[str, np.ndarray]:
@@ -135,7 +135,7 @@ def test_thesis_mode_is_many_times_too_sure() -> None:
 
 def test_some_scenarios_and_cancelling() -> None:
     told: list[str] = []
-    found = outcomes(
+    found = predict_scenarios(
         thesis_setting(), ("size",), progress=lambda done, step=None: told.append(str(step or ""))
     )
     assert {each.scenario for each in found} == {"size"}
@@ -146,4 +146,4 @@ def test_some_scenarios_and_cancelling() -> None:
         raise Cancelled
 
     with pytest.raises(Cancelled):
-        outcomes(thesis_setting(), ("size",), progress=stop)
+        predict_scenarios(thesis_setting(), ("size",), progress=stop)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError, ProjectError
-from lispac.installed import resource
+from lispac.installation_paths import resource_path
 from lispac.io.scanner_file import read_scanner
 from lispac.io.scene_file import read_scene
 from lispac.io.vessel_file import read_vessel
@@ -20,18 +20,18 @@ from lispac.simulation.pos_error_models import (
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
 from lispac.simulation.scanner import Scanner
-from lispac.simulation.scene import Cylinder, Rectangle, tilted
-from lispac.simulation.survey import (
+from lispac.simulation.scene import Cylinder, Rectangle, tilted_rectangle
+from lispac.simulation.simulated_survey import (
     BORESIGHT_DEG,
     LEVER_ARM,
     POINTS_PER_SECOND,
     POS_HEIGHT,
     SimulatedSurvey,
-    simulated,
+    simulate_survey,
 )
-from lispac.simulation.vessel import LAUNCH
-from lispac.workflow.simulate import _settings, require_replaceable
-from lispac.workflow.simulated_setup import KINDS, simulation, supplied
+from lispac.simulation.vessel_motion import LAUNCH
+from lispac.workflow.simulate import _surveyor_settings, require_replaceable
+from lispac.workflow.simulated_setup import KINDS, read_simulation, supplied_titles
 from tests.test_meshes import as_mesh, write_mesh
 
 SCENE = """
@@ -60,8 +60,8 @@ facing_deg = 270
 """
 LINE = SCENE[SCENE.index("[[lines]]") : SCENE.index("[[surfaces]]")]
 WHITE = WhiteNoise((0.01, 0.01, 0.01), (0.001, 0.001, 0.001))
-VESSEL = resource("vessels") / "launch.toml"
-SCANNER = resource("scanners") / "profiler.toml"
+VESSEL = resource_path("vessels") / "launch.toml"
+SCANNER = resource_path("scanners") / "profiler.toml"
 
 
 def edited(folder: Path, text: str, old: str, new: str) -> Path:
@@ -73,19 +73,19 @@ def edited(folder: Path, text: str, old: str, new: str) -> Path:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_everything_supplied_is_sound(kind: str) -> None:
-    titles = supplied(kind)
+    titles = supplied_titles(kind)
     assert len(titles) >= 3
     assert len(set(titles.values())) == len(titles)
     for name in titles:
-        path = resource(f"{kind}s") / f"{name}.toml"
+        path = resource_path(f"{kind}s") / f"{name}.toml"
         {"scene": read_scene, "vessel": read_vessel, "scanner": read_scanner}[kind](path)
     for name in titles if kind == "scene" else ():
-        assert len(simulation(name).setup.targets) >= 2
+        assert len(read_simulation(name).setup.targets) >= 2
 
 
 def test_the_port_is_that_of_the_built_in_survey(port: SimulatedSurvey) -> None:
     """To the last bit: scene, vessel and scanner from their files against those in the code."""
-    made = simulated(simulation("port").setup, seed=2019)
+    made = simulate_survey(read_simulation("port").setup, seed=2019)
     for ours, theirs in zip(made.scene.surfaces, port.scene.surfaces, strict=True):
         assert (ours.name, ours.reflectance) == (theirs.name, theirs.reflectance)
         assert isinstance(ours, Rectangle | Cylinder)
@@ -117,7 +117,7 @@ def test_a_survey_of_days_is_refused(tmp_path: Path) -> None:
     """Before anything is sailed: a million metres at 2.2 m/s are 126 hours."""
     path = edited(tmp_path, SCENE, "run_in_m = 5", "run_in_m = 1_000_000")
     with pytest.raises(InputError) as raised:
-        simulation(str(path))
+        read_simulation(str(path))
     assert raised.value.code == "simulate.too_long"
     assert raised.value.message is not None
     assert raised.value.message.params["duration"] == pytest.approx(126 * 3600, rel=0.01)
@@ -125,7 +125,7 @@ def test_a_survey_of_days_is_refused(tmp_path: Path) -> None:
 
 
 def test_a_pos_with_many_errors() -> None:
-    pos = read_vessel(resource("vessels") / "launch-outage.toml").pos
+    pos = read_vessel(resource_path("vessels") / "launch-outage.toml").pos
     assert isinstance(pos, CombinedModel)
     assert [type(part) for part in pos.parts] == [
         type(HYDROGRAPHIC_INS), WhiteNoise, GnssOutage, Jumps,
@@ -136,7 +136,7 @@ def test_a_pos_with_many_errors() -> None:
 
 
 def test_scanners_have_their_beams() -> None:
-    beams = {name: read_scanner(resource("scanners") / f"{name}.toml")[1] for name in (
+    beams = {name: read_scanner(resource_path("scanners") / f"{name}.toml")[1] for name in (
         "velodyne-hdl-32e", "ouster-os1-128", "hesai-pandar-xt32", "zf-9012",
     )}  # fmt: skip
     assert [len(each.elevations) for each in beams.values()] == [32, 128, 32, 1]
@@ -149,7 +149,9 @@ def test_scanners_have_their_beams() -> None:
 
 
 def test_a_mesh_lies_beside_its_scene_and_hides_the_board(tmp_path: Path) -> None:
-    write_mesh(tmp_path / "hut.stl", as_mesh(tilted("hut", (0.0, -8.0, 5.0), 3.0, 3.0, 270, 0)))
+    write_mesh(
+        tmp_path / "hut.stl", as_mesh(tilted_rectangle("hut", (0.0, -8.0, 5.0), 3.0, 3.0, 270, 0))
+    )
     path = edited(
         tmp_path, SCENE, "[[surfaces]]",
         '[[surfaces]]\nkind = "mesh"\nname = "hut"\nfile = "hut.stl"\n[[surfaces]]',
@@ -315,7 +317,7 @@ def test_mistakes_in_a_scanner_are_told(
 def test_a_scene_that_cannot_be_sailed_is_refused(text: str, said: str, tmp_path: Path) -> None:
     path = edited(tmp_path, text, "title", "title")
     with pytest.raises(InputError) as told:
-        simulation(str(path))
+        read_simulation(str(path))
     assert told.value.code == said
     assert str(told.value).startswith(f"{path}: ")
 
@@ -333,8 +335,8 @@ def test_the_surveyor_knows_the_correlation_times_where_there_are_any(
     pos: PosErrors, times: tuple[float, float], tmp_path: Path
 ) -> None:
     """Of errors that are not correlated in time the usual ones are stated."""
-    made = simulation(str(edited(tmp_path, SCENE, "title", "title")))
-    settings = _settings(replace(made, setup=replace(made.setup, pos=pos)))
+    made = read_simulation(str(edited(tmp_path, SCENE, "title", "title")))
+    settings = _surveyor_settings(replace(made, setup=replace(made.setup, pos=pos)))
     assert (settings.position_time, settings.attitude_time) == times
     assert settings.lever_arm == LEVER_ARM
 

@@ -20,7 +20,7 @@ from lispac.workflow.demo import demo_seeds
 from lispac.workflow.point_edits import without_points
 from lispac.workflow.point_numbers import numbers_text, point_numbers
 from lispac.workflow.script import Script, script_of
-from lispac.workflow.script_text import SHORT, call, in_pieces, written
+from lispac.workflow.script_text import SHORT, call_text, python_literal, split_text_code
 from tests.script_runs import run, run_here, same_part
 
 
@@ -28,8 +28,8 @@ from tests.script_runs import run, run_here, same_part
 def test_numbers_of_points_come_back_in_their_order(numbers: list[int]) -> None:
     text = numbers_text(np.array(numbers, dtype=np.int64))
     assert point_numbers(text).tolist() == numbers
-    assert "".join(map(eval, in_pieces(text).split("\n"))) == text
-    assert all(len(piece) <= SHORT + 24 for piece in in_pieces(text).split("\n"))
+    assert "".join(map(eval, split_text_code(text).split("\n"))) == text
+    assert all(len(piece) <= SHORT + 24 for piece in split_text_code(text).split("\n"))
 
 
 def test_runs_of_numbers_are_short() -> None:
@@ -48,9 +48,9 @@ def test_what_is_no_number_of_a_point_is_refused(text: str) -> None:
 @given(st.text(), st.floats(allow_nan=False, allow_infinity=False), st.integers())
 def test_values_are_written_as_python_reads_them(text: str, number: float, whole: int) -> None:
     values = (text, number, np.float64(number), whole, None, True, (text,), [number], {text: whole})
-    assert eval(written(values)) == values
+    assert eval(python_literal(values)) == values
     reading = lispac.Reading("las", ((text, text),), number)
-    assert eval(call("lispac.LineSource", text, Path(text or "a"), reading=reading)) == (
+    assert eval(call_text("lispac.LineSource", text, Path(text or "a"), reading=reading)) == (
         lispac.LineSource(text, Path(text or "a"), reading=reading)
     )
 

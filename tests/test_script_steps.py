@@ -11,12 +11,12 @@ import lispac
 from lispac.messages import error, note
 from lispac.progress import no_progress
 from lispac.project import LineSource, PickedSighting, Project, Reading, Target
-from lispac.targets.expected import ExpectedTarget
-from lispac.targets.settings import FinderChoices
-from lispac.workflow.absolute import check_absolute
+from lispac.targets.expected_target import ExpectedTarget
+from lispac.targets.finder_settings import FinderChoices
+from lispac.workflow.absolute_check import check_absolute
 from lispac.workflow.script import script_of
-from lispac.workflow.script_targets import steps_to
-from lispac.workflow.script_text import call
+from lispac.workflow.script_targets import target_steps
+from lispac.workflow.script_text import call_text
 from lispac.workflow.survey import Survey
 from tests.few_passes import answered, on_board, picked
 
@@ -60,7 +60,7 @@ def test_a_target_edited_by_hand_is_put_with_all_it_has(target: Target) -> None:
     """Read as Python reads it, and nothing of the survey is asked for."""
     project, survey = picked()
     steps = Steps()
-    for step in steps_to(project, survey, target, no_progress):
+    for step in target_steps(project, survey, target, no_progress):
         exec(step, {"lispac": lispac, "project": steps})
     (again,) = steps.put_there
     for name in (
@@ -147,7 +147,7 @@ def test_a_check_is_repeated_with_the_very_file_of_that_name(
     other = path.read_text().replace("B0", "C0") if beside else "another list"
     (project.trajectory.parent / "board.csv").write_text(other)
     script = script_of(project, survey)
-    assert call("project.check", path, reach=0.8) in script.text
+    assert call_text("project.check", path, reach=0.8) in script.text
     assert not any(remark.params.get("file") == "board.csv" for remark in script.remarks)
 
 

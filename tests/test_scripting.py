@@ -13,7 +13,7 @@ import pytest
 
 import lispac
 from lispac.cli.main import main
-from lispac.io.values import encoded
+from lispac.io.value_conversion import encode_value
 from lispac.project import Project
 from lispac.workflow.demo import demo_seeds
 from tests.command_errors import is_refusal
@@ -80,7 +80,7 @@ def test_the_steps_are_those_of_the_command_line(
 
     assert quay.result.boresight.tolist() == typed.result.boresight.tolist()
     assert quay.result.covariance.tolist() == typed.result.covariance.tolist()
-    assert encoded(plane) == encoded(typed.project.validation[0])
+    assert encode_value(plane) == encode_value(typed.project.validation[0])
     assert (np.abs(np.array(quay.boresight_deg) - TRUTH) < 3 * np.array(quay.sigma_deg)).all()
 
 

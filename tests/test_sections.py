@@ -8,12 +8,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lispac.errors import InputError, ProjectError
-from lispac.geometry.measuring import angle, distance
+from lispac.geometry.point_measurements import measure_angle, measure_distance
 from lispac.geometry.rotations import rotation_matrix
 from lispac.project import Project
-from lispac.targets.section import Section, across_target, between, common_normal
-from lispac.workflow.sections import cut_between, cut_target
+from lispac.targets.cross_section import (
+    Section,
+    common_normal,
+    section_across_target,
+    section_between,
+)
 from lispac.workflow.survey import Survey
+from lispac.workflow.survey_sections import cut_between_points, section_at_target
 
 numbers = st.floats(-100, 100)
 places = st.tuples(numbers, numbers, numbers).map(np.array)
@@ -29,7 +34,7 @@ def test_a_long_strip_is_read_piece_by_piece_and_no_point_is_lost_or_doubled(
     _, survey = calibrated
     cloud = survey.clouds[survey.lines[0]]
     middle = np.median(cloud.sample, axis=0)
-    section = between(
+    section = section_between(
         middle - [6.0, 0.5, 0.0], middle + [6.0, 0.5, 0.0], height=1.5, thickness=0.6
     )  # fmt: skip
     whole = section.flat(cloud.sample)
@@ -53,12 +58,12 @@ def test_across_a_board_the_vessel_is_on_the_left_or_below(level: bool) -> None:
     centre, eye = np.array([10.0, 20.0, 3.0]), np.array([0.0, 0.0, 5.0])
     for sign in (-1, 1):
         normal = sign * np.array([0.6, 0.8, 0.0])
-        section = across_target(centre, normal, eye, level=level)
+        section = section_across_target(centre, normal, eye, level=level)
         ahead = section.up if level else section.right
         np.testing.assert_allclose(ahead, [0.6, 0.8, 0.0], atol=1e-15)
         np.testing.assert_allclose(np.cross(section.right, section.up), section.across)
     # A flat target has no direction of its own: the strip runs away from the vessel.
-    flat = across_target(centre, np.array([0.02, 0.0, 1.0]), eye)
+    flat = section_across_target(centre, np.array([0.02, 0.0, 1.0]), eye)
     np.testing.assert_allclose(flat.right, np.array([1, 2, 0]) / np.sqrt(5), atol=1e-15)
 
 
@@ -73,7 +78,7 @@ def test_the_common_normal_is_that_of_each_group_though_they_stand_apart() -> No
 def test_misalignment_is_seen_before_and_gone_after(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     for level in (False, True):
-        before, after = cut_target(project, survey, "T1", level=level)
+        before, after = section_at_target(project, survey, "T1", level=level)
         assert (before.which, after.which) == ("prior", "estimated")
         assert after.apart < 0.04 < 0.15 < before.apart
         for cut in (before, after):
@@ -96,9 +101,9 @@ def test_misalignment_is_seen_before_and_gone_after(calibrated: tuple[Project, S
 def test_without_a_result_there_is_only_before(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     alone = replace(project, result=None)
-    assert [cut.which for cut in cut_target(alone, survey, "T1")] == ["prior"]
+    assert [cut.which for cut in section_at_target(alone, survey, "T1")] == ["prior"]
     middle = np.median(survey.clouds[survey.lines[0]].sample, axis=0)
-    (cut,) = cut_between(alone, survey, middle, middle + [3.0, 0.0, 0.5])
+    (cut,) = cut_between_points(alone, survey, middle, middle + [3.0, 0.0, 0.5])
     assert cut.apart is None
     assert cut.section.width == pytest.approx(3.0)
     assert cut.section.height == pytest.approx(3.0)
@@ -107,18 +112,18 @@ def test_without_a_result_there_is_only_before(calibrated: tuple[Project, Survey
 def test_what_cannot_be_cut_is_said(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     with pytest.raises(InputError, match="above each other"):
-        between(np.zeros(3), np.array([0.0, 0.0, 4.0]))
+        section_between(np.zeros(3), np.array([0.0, 0.0, 4.0]))
     with pytest.raises(ProjectError, match="no target"):
-        cut_target(project, survey, "T9")
+        section_at_target(project, survey, "T9")
     bare = project.with_target(replace(project.target("T1"), sightings=()))
     with pytest.raises(ProjectError) as raised:
-        cut_target(bare, survey, "T1")
+        section_at_target(bare, survey, "T1")
     assert raised.value.code == "section.no_points"
 
 
 @given(places, places)
 def test_a_distance_has_its_parts_and_a_way_back(first: np.ndarray, second: np.ndarray) -> None:
-    there, back = distance(first, second), distance(second, first)
+    there, back = measure_distance(first, second), measure_distance(second, first)
     assert there.slope == pytest.approx(np.linalg.norm(second - first))
     assert there.slope == pytest.approx(np.hypot(there.horizontal, there.vertical))
     assert there.vertical == -back.vertical
@@ -135,7 +140,7 @@ def test_a_distance_has_its_parts_and_a_way_back(first: np.ndarray, second: np.n
 def test_azimuths_go_from_north_by_east_and_straight_up_there_is_none(
     way: tuple[int, ...], azimuth_deg: float
 ) -> None:
-    found = distance(np.ones(3), np.ones(3) + way)
+    found = measure_distance(np.ones(3), np.ones(3) + way)
     assert np.degrees(found.azimuth) == pytest.approx(azimuth_deg)
     assert (found.slope, found.vertical) == (2.0, way[2])
 
@@ -147,6 +152,6 @@ def test_an_angle_is_the_same_however_it_lies(
     rotation = rotation_matrix(roll, pitch, heading)
     sides = np.array([[2.0, 0.0, 0.0], [3.0 * np.cos(turned), 3.0 * np.sin(turned), 0.0]])
     first, second = corner + sides @ rotation.T
-    assert angle(first, corner, second) == pytest.approx(turned, abs=1e-6)
+    assert measure_angle(first, corner, second) == pytest.approx(turned, abs=1e-6)
     with pytest.raises(InputError, match="three"):
-        angle(corner, corner, second)
+        measure_angle(corner, corner, second)

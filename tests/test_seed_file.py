@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.seed_file import PointList, looks_like_a_list, read_point_list
+from lispac.io.seed_file import PointList, is_point_list, read_point_list
 
 THREE = [("T1", (12.5, -3.25, 1.0)), ("V1", (40.0, 18.5, 22.0)), ("T2", (15.9, -3.0, 1.1))]
 
@@ -41,7 +41,7 @@ def test_read_as_it_was_meant(tmp_path: Path, text: str) -> None:
     for encoding in ("utf-8", "utf-8-sig", "utf-16"):
         path = written(tmp_path, text, encoding=encoding)
         assert named(read_point_list(path)) == THREE
-        assert looks_like_a_list(path)
+        assert is_point_list(path)
 
 
 def test_roles_and_points_without_names(tmp_path: Path) -> None:
@@ -51,7 +51,7 @@ def test_roles_and_points_without_names(tmp_path: Path) -> None:
     assert named(found) == [("", (1.5, 2.0, 3.0)), ("", (4.0, 5.0, 6.0))]
     assert found.columns == ("x", "y", "z")
     assert not found.stated
-    assert not looks_like_a_list(found.path)
+    assert not is_point_list(found.path)
     found = read_point_list(written(tmp_path, "101 1.5 2 3\n102 4 5 6 note\n"))
     assert [point.name for point in found.points] == ["101", "102"]
 
@@ -123,7 +123,7 @@ def test_refused_with_file_and_row(
     text = str(refused.value)
     assert text.startswith(f"{path}, {row}: " if row else f"{path}: ")
     assert "\n" not in text
-    assert not looks_like_a_list(path)
+    assert not is_point_list(path)
 
 
 def test_a_cloud_is_no_list(tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ from lispac.progress import Step
 from lispac.project import Project
 from lispac.survey.crs import coordinate_system
 from lispac.workflow.demo import demo_seeds
-from lispac.workflow.picking import find
+from lispac.workflow.picking import find_target
 from lispac.workflow.seed_lists import pick_seeds, read_seeds, role_by_name
 from lispac.workflow.survey import Survey, load_survey
 from tests.command_errors import command_error
@@ -78,7 +78,7 @@ def test_a_list_gives_what_single_picks_give(
     assert [t.name for t in project.targets] == ["T1", "T2", "V1"]
     assert [t.role for t in project.targets] == ["target", "target", "validation"]
     x, y, z = (float(f"{value:.4f}") for value in SEEDS["T2"][1])
-    alone = find(demo_project, survey, (x, y, z), name="T2")
+    alone = find_target(demo_project, survey, (x, y, z), name="T2")
     for sighting, other in zip(project.target("T2").sightings, alone.sightings, strict=True):
         np.testing.assert_array_equal(sighting.indices, other.indices)
 

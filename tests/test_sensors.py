@@ -8,14 +8,14 @@ import pytest
 from PySide6.QtCore import QStandardPaths
 
 from lispac.errors import InputError
-from lispac.installed import resource, user_folder
+from lispac.installation_paths import resource_path, user_folder
 from lispac.io.scanner_file import read_scanner
 from lispac.io.sensor_file import (
     STATES,
-    PosFigures,
-    PosState,
-    ScannerFigures,
-    read_pos_figures,
+    PosAccuracy,
+    PosSpecification,
+    ScannerSpecification,
+    read_pos_specification,
 )
 from lispac.language import in_language
 from lispac.message_texts import english_text
@@ -25,10 +25,10 @@ from lispac.workflow.projects import open_project
 from tests.command_errors import command_error
 from tests.test_cli import answer, new_words, run
 
-MINE = ScannerFigures('Maker\'s "new" one\\2', 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
-INS = PosFigures(
+MINE = ScannerSpecification('Maker\'s "new" one\\2', 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
+INS = PosSpecification(
     "My INS",
-    (PosState("ppk", (0.01, 0.011, 0.02), (0.004, 0.005, 0.009), "Certificate 12", True),),
+    (PosAccuracy("ppk", (0.01, 0.011, 0.02), (0.004, 0.005, 0.009), "Certificate 12", True),),
 )
 NOT_VERIFIED = "not verified: check the data sheet"
 FIGURES = {
@@ -39,7 +39,7 @@ FIGURES = {
 
 
 def test_every_sensor_of_the_program_has_sigmas_and_a_source(tmp_path: Path) -> None:
-    found = sensors.library(tmp_path)
+    found = sensors.read_library(tmp_path)
     assert found.remarks == ()
     assert {s.name for s in found.scanners} >= {
         "zf-9012", "riegl-vux-1", "riegl-vux-1ha", "velodyne-hdl-32e", "ouster-os1-128",
@@ -60,28 +60,28 @@ def test_every_sensor_of_the_program_has_sigmas_and_a_source(tmp_path: Path) -> 
 
 
 def test_what_the_program_says_of_its_own_sensors_is_translated(tmp_path: Path) -> None:
-    found = sensors.library(tmp_path)
+    found = sensors.read_library(tmp_path)
     for figures in (
         *(scanner.figures for scanner in found.scanners),
         *(state for pos in found.pos for state in pos.figures.states),
     ):
         with in_language("fr"):
-            french = sensors.origin_of(figures)
+            french = sensors.source_text(figures)
         assert figures.source in sensors.SOURCES
-        assert french != sensors.origin_of(figures)
+        assert french != sensors.source_text(figures)
 
 
 @pytest.mark.parametrize("name", FIGURES)
 def test_figures_are_those_of_the_source(tmp_path: Path, name: str) -> None:
-    found = sensors.library(tmp_path).scanner(name)
+    found = sensors.read_library(tmp_path).scanner(name)
     assert (found.range_sigma, found.angle_sigma_deg, found.divergence_mrad) == FIGURES[name]
 
 
 def test_what_cannot_be_seen_says_so(tmp_path: Path) -> None:
-    found = sensors.library(tmp_path)
-    assert NOT_VERIFIED in sensors.origin_of(found.scanner("riegl-vux-1"))
-    assert NOT_VERIFIED not in sensors.origin_of(found.scanner("zf-9012"))
-    hydrins, state = found.pos_state("hydrins")
+    found = sensors.read_library(tmp_path)
+    assert NOT_VERIFIED in sensors.source_text(found.scanner("riegl-vux-1"))
+    assert NOT_VERIFIED not in sensors.source_text(found.scanner("zf-9012"))
+    hydrins, state = found.find_pos("hydrins")
     assert hydrins.title.endswith("Hydrins")
     # thesis, table 1.2: 0.006 m + 0.5 ppm and 0.01 m + 1 ppm at 10 km
     assert state.position_sigma == pytest.approx((0.006 + 5e-3, 0.006 + 5e-3, 0.01 + 1e-2))
@@ -89,39 +89,39 @@ def test_what_cannot_be_seen_says_so(tmp_path: Path) -> None:
 
 
 def test_the_simulator_reads_the_same_scanners(tmp_path: Path) -> None:
-    for sensor in sensors.library(tmp_path).scanners:
-        title, scanner = read_scanner(resource("scanners") / f"{sensor.name}.toml")
+    for sensor in sensors.read_library(tmp_path).scanners:
+        title, scanner = read_scanner(resource_path("scanners") / f"{sensor.name}.toml")
         assert (title, scanner.range_sigma) == (sensor.figures.title, sensor.figures.range_sigma)
 
 
 def test_own_sensors_come_back_and_go(tmp_path: Path) -> None:
     for figures in (MINE, INS):
-        name = sensors.keep(tmp_path, figures)
-        found = sensors.library(tmp_path)
+        name = sensors.store_sensor(tmp_path, figures)
+        found = sensors.read_library(tmp_path)
         (own,) = [s for s in (*found.scanners, *found.pos) if s.own]
         assert (own.name, own.figures) == (name, figures)
         changed = replace(figures, title="Renamed")
-        assert sensors.keep(tmp_path, changed, name) == name
-        found = sensors.library(tmp_path)
+        assert sensors.store_sensor(tmp_path, changed, name) == name
+        found = sensors.read_library(tmp_path)
         (own,) = [s for s in (*found.scanners, *found.pos) if s.own]
         assert own.figures == changed
-        sensors.remove(tmp_path, own)
-        assert sensors.library(tmp_path) == sensors.library(tmp_path / "none")
+        sensors.remove_sensor(tmp_path, own)
+        assert sensors.read_library(tmp_path) == sensors.read_library(tmp_path / "none")
 
 
 def test_an_own_file_takes_the_place_of_one_of_the_program(tmp_path: Path) -> None:
-    sensors.write_figures(tmp_path / "scanners" / "zf-9012.toml", MINE)
-    found = sensors.library(tmp_path)
+    sensors.write_specification(tmp_path / "scanners" / "zf-9012.toml", MINE)
+    found = sensors.read_library(tmp_path)
     assert found.scanner("zf-9012") == MINE
-    assert len(found.scanners) == len(sensors.library(tmp_path / "none").scanners)
+    assert len(found.scanners) == len(sensors.read_library(tmp_path / "none").scanners)
 
 
 def test_a_broken_own_file_is_named_and_the_rest_is_there(tmp_path: Path) -> None:
     path = tmp_path / "pos" / "mine.toml"
     path.parent.mkdir()
     path.write_text('title = "INS"\n[rtk]\nposition_m = [0.01, 0, 0.02]\n')
-    found = sensors.library(tmp_path)
-    assert found.pos == sensors.library(tmp_path / "none").pos
+    found = sensors.read_library(tmp_path)
+    assert found.pos == sensors.read_library(tmp_path / "none").pos
     (remark,) = found.remarks
     assert english_text(remark).startswith(f"{path}: rtk.position_m contains zero")
 
@@ -132,26 +132,26 @@ def test_a_broken_own_file_is_named_and_the_rest_is_there(tmp_path: Path) -> Non
         (replace(MINE, title=" "), "sensor.no_title"),
         (replace(MINE, source=""), "sensor.no_source"),
         (replace(MINE, source="a\nb"), "sensor.long_text"),
-        (PosFigures("INS", ()), "sensor.no_sigmas"),
+        (PosSpecification("INS", ()), "sensor.no_sigmas"),
     ],
 )
 def test_what_cannot_be_kept_is_refused(
-    tmp_path: Path, figures: ScannerFigures | PosFigures, code: str
+    tmp_path: Path, figures: ScannerSpecification | PosSpecification, code: str
 ) -> None:
     with pytest.raises(InputError) as raised:
-        sensors.keep(tmp_path, figures)
+        sensors.store_sensor(tmp_path, figures)
     assert raised.value.code == code
     assert list(tmp_path.iterdir()) == []
 
 
 def test_names_are_used_once_and_the_programs_own_stay(tmp_path: Path) -> None:
-    sensors.keep(tmp_path, MINE)
+    sensors.store_sensor(tmp_path, MINE)
     with pytest.raises(InputError) as raised:
-        sensors.keep(tmp_path, MINE)
+        sensors.store_sensor(tmp_path, MINE)
     assert raised.value.code == "sensor.title_taken"
-    supplied = next(s for s in sensors.library(tmp_path).scanners if not s.own)
+    supplied = next(s for s in sensors.read_library(tmp_path).scanners if not s.own)
     with pytest.raises(InputError) as raised:
-        sensors.remove(tmp_path, supplied)
+        sensors.remove_sensor(tmp_path, supplied)
     assert raised.value.code == "sensor.supplied"
 
 
@@ -173,7 +173,7 @@ def own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_the_list_has_every_sensor_with_its_source(
     capsys: pytest.CaptureFixture[str], own: Path
 ) -> None:
-    sensors.keep(own, MINE)
+    sensors.store_sensor(own, MINE)
     listed = answer(capsys, "sensors")
     assert listed["folder"] == str(own)
     assert listed["scanners"]["maker-s-new-one-2"]["own"]
@@ -202,7 +202,7 @@ def test_a_new_project_takes_sigmas_and_names_from_the_library(
     assert project.settings.position_sigma == (0.1, 0.1, 0.2)  # what is stated goes before
     assert project.identity.scanner == "Z+F PROFILER 9012"
     assert project.identity.pos == "SBG Systems Apogee"
-    with (resource("scanners") / "zf-9012.toml").open("rb") as file:
+    with (resource_path("scanners") / "zf-9012.toml").open("rb") as file:
         assert tomllib.load(file)["range_sigma_m"] == project.settings.lidar_sigma
 
 
@@ -232,6 +232,6 @@ def test_a_pos_without_sigmas(tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     path.write_text('title = "My INS"\n')
     with pytest.raises(InputError) as told:
-        read_pos_figures(path)
+        read_pos_specification(path)
     assert told.value.code == "sensor.no_accuracies"
     assert told.value.message.params == {"file": str(path), "tables": STATES}

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from lispac.adjustment.shapes import orthogonal, plane_tangents
+from lispac.adjustment.target_shapes import orthogonal_vectors, plane_tangents
 
 
 def normals() -> np.ndarray:
@@ -12,10 +12,12 @@ def normals() -> np.ndarray:
 
 
 def test_two_unit_vectors_and_the_normal_are_at_right_angles() -> None:
-    frames = np.concatenate([orthogonal(normals()), normals()[:, :, None]], axis=2)
+    frames = np.concatenate([orthogonal_vectors(normals()), normals()[:, :, None]], axis=2)
     unit = np.broadcast_to(np.eye(3), frames.shape)
     np.testing.assert_allclose(np.swapaxes(frames, 1, 2) @ frames, unit, rtol=0, atol=1e-14)
-    np.testing.assert_array_equal(orthogonal(normals()[7]), orthogonal(normals())[7])
+    np.testing.assert_array_equal(
+        orthogonal_vectors(normals()[7]), orthogonal_vectors(normals())[7]
+    )
 
 
 def test_turns_leave_the_centre_on_the_plane_and_the_shift_moves_it_by_its_length() -> None:

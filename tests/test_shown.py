@@ -6,11 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.critical import critical_w
-from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.result import AdjustmentResult, Component, CrossChecks
-from lispac.adjustment.shown import QUANTITIES, STATED, component_finding
-from lispac.cli.estimate import numbers, print_result
+from lispac.adjustment.critical_values import critical_test_value
+from lispac.adjustment.display_text import QUANTITIES, STATED, variance_component_finding
+from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.result import AdjustmentResult, CrossChecks, VarianceComponent
+from lispac.cli.estimate import print_result, result_values
 from lispac.gui.panels import result_words
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_rows import (
@@ -18,13 +18,13 @@ from lispac.gui.panels.diagnostics_rows import (
     parameter_rows,
     sighting_columns,
     sighting_rows,
-    spread_words,
+    spread_text,
 )
-from lispac.gui.panels.result_words import component_texts
+from lispac.gui.panels.result_words import variance_component_texts
 from lispac.message_texts import english_text
 from lispac.messages import note
-from lispac.report.document import document_of
-from lispac.report.wording import quantity
+from lispac.report.document import report_document
+from lispac.report.text_format import quantity_text
 from tests.report_sample import sample_content, sample_project
 
 Sample = tuple[AdjustmentResult, CrossChecks]
@@ -50,13 +50,13 @@ def sample(tmp_path: Path) -> Sample:
 def test_a_value_is_shown_alike_everywhere(
     capsys: pytest.CaptureFixture[str], sample: Sample, name: str, value: float, words: str
 ) -> None:
-    result = replace(sample[0], parameters=(Estimate(name, 0.0, None, value, 0.1, 3.0),))
+    result = replace(sample[0], parameters=(ParameterEstimate(name, 0.0, None, value, 0.1, 3.0),))
     print_result(result, None)
     assert f"{QUANTITIES[name].title} {words}, sigma " in capsys.readouterr().out
     printed = words.replace("-", "−")
     in_window = printed.replace(" deg", "°").replace(" ", "\u00a0")
     assert KINDS[name].amount(value) == in_window
-    said = quantity(name, value * STATED[name][0], sign=True)
+    said = quantity_text(name, value * STATED[name][0], sign=True)
     assert said == printed.replace(" ", "\u00a0")
 
 
@@ -68,25 +68,25 @@ def test_two_surface_sigmas_are_told_where_there_are_two(sample: Sample, tmp_pat
         (0.0032, "offsets 3.2\u00a0mm, tilts 0.4\u00a0mm"),
     ):
         result = replace(project.result, offset=offset)
-        assert result_words.surface_words(result) == words
-        said = numbers(result, None)
+        assert result_words.roughness_text(result) == words
+        said = result_values(result, None)
         assert (said["surface_sigma_m"], said["offset_sigma_m"]) == (0.0004, offset)
         content = sample_content(replace(project, result=result))
         assert content.settings.offset_sigma_m == offset
-        blocks = [block for s in document_of(content, {}).sections for block in s.blocks]
+        blocks = [block for s in report_document(content, {}).sections for block in s.blocks]
         cells = [cell for b in blocks if b.kind == "table" for row in b.rows for cell in row]
         assert any(str(cell).startswith(f"{words}, estimated from the data") for cell in cells)
 
 
 def test_json_keeps_metres_degrees_and_seconds(sample: Sample) -> None:
-    latency = Estimate("latency", 0.0, None, 0.0021, 0.0001, 21.0)
-    said = numbers(replace(sample[0], parameters=(latency,)), None)["parameters"]["latency"]
+    latency = ParameterEstimate("latency", 0.0, None, 0.0021, 0.0001, 21.0)
+    said = result_values(replace(sample[0], parameters=(latency,)), None)["parameters"]["latency"]
     assert (said["unit"], said["value"], said["sigma"]) == ("s", 0.0021, 0.0001)
 
 
 def test_a_sighting_is_marked_where_the_report_says_that_it_disagrees(sample: Sample) -> None:
     result = sample[0]
-    critical = critical_w(result)
+    critical = critical_test_value(result)
     assert critical is not None
     assert critical > 3.1
     first, second, *rest = result.reliability
@@ -114,11 +114,13 @@ def test_the_spread_has_one_name_and_the_halves_are_told_once(
     assert "\nSpread, one line omitted " in printed
     assert printed.count("half") == 1
     assert "first minus second half of the data (roll " in printed
-    assert "Spread,<br>one line omitted" in spread_words(checks)
+    assert "Spread,<br>one line omitted" in spread_text(checks)
     names = [row.cells[0].text for row in check_rows(checks)]
     assert [name for name in names if "half" in name] == ["First half minus second half"]
     content = sample_content(sample_project(tmp_path / "report"))
-    tables = [b for s in document_of(content, {}).sections for b in s.blocks if b.kind == "table"]
+    tables = [
+        b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"
+    ]
     assert any("Spread, one line omitted" in row[0] for t in tables for row in t.rows)
 
 
@@ -152,32 +154,34 @@ def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> 
     ("component", "code"),
     [
         # Raised where the data say more, though the stated sigma is within the interval
-        (Component("POS position", 2.4, 0.9, 7.2, applied=True), "component.larger"),
-        (Component("POS attitude", 2.4, 0.2, 29.0, applied=True), "component.larger"),
-        (Component("LiDAR", 0.5, 0.4, 0.6, applied=True), "component.smaller"),
-        (Component("LiDAR", 1.0, 0.01, 100.0), "component.not_determined"),
-        (Component("LiDAR", 0.9, 0.7, 1.2), "component.as_given"),
-        (Component("LiDAR", 1.04, 1.01, 1.07), "component.too_small"),
+        (VarianceComponent("POS position", 2.4, 0.9, 7.2, applied=True), "component.larger"),
+        (VarianceComponent("POS attitude", 2.4, 0.2, 29.0, applied=True), "component.larger"),
+        (VarianceComponent("LiDAR", 0.5, 0.4, 0.6, applied=True), "component.smaller"),
+        (VarianceComponent("LiDAR", 1.0, 0.01, 100.0), "component.not_determined"),
+        (VarianceComponent("LiDAR", 0.9, 0.7, 1.2), "component.as_given"),
+        (VarianceComponent("LiDAR", 1.04, 1.01, 1.07), "component.too_small"),
     ],
 )
 def test_a_variance_component_is_told_alike_everywhere(
-    capsys: pytest.CaptureFixture[str], tmp_path: Path, component: Component, code: str
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, component: VarianceComponent, code: str
 ) -> None:
     project = sample_project(tmp_path)
     assert project.result is not None
     result = replace(project.result, components=(component,))
-    finding = component_finding(component)
+    finding = variance_component_finding(component)
     assert finding == note(code)
     print_result(result, None)
     assert f"), {english_text(finding)}\n" in capsys.readouterr().out
-    (shown,) = component_texts(result)
+    (shown,) = variance_component_texts(result)
     assert shown.endswith(english_text(finding))
     content = sample_content(replace(project, result=result))
     assert content.adjustment is not None
     (told,) = content.adjustment.components
     assert told.applied == component.applied
     assert told.in_words == finding
-    tables = [b for s in document_of(content, {}).sections for b in s.blocks if b.kind == "table"]
+    tables = [
+        b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"
+    ]
     (row,) = [row for table in tables for row in table.rows if english_text(finding) in row]
     assert f"{row[0]}: factor {row[1]} (95 %: {row[2]}), {row[3]}" == shown
 
@@ -190,22 +194,24 @@ def test_a_value_is_significant_beyond_one_limit_everywhere(
 ) -> None:
     project = sample_project(tmp_path)
     assert project.result is not None
-    estimate = Estimate("lever_x", 0.0, None, 0.1, 0.05, units)
+    estimate = ParameterEstimate("lever_x", 0.0, None, 0.1, 0.05, units)
     result = replace(project.result, parameters=(estimate,))
     words = "significant" if significant else "not significant"
     assert estimate.significant is significant
     print_result(result, None)
     assert f"prior +0.0000: {words}\n" in capsys.readouterr().out
-    assert numbers(result, None)["parameters"]["lever_x"]["significant"] is significant
+    assert result_values(result, None)["parameters"]["lever_x"]["significant"] is significant
     assert parameter_rows(result)[-1].cells[-1].text.startswith(f"{words}: ")
-    assert f"prior +0.0000\u00a0m, {words}<" in result_words.parameter_rows(result)
+    assert f"prior +0.0000\u00a0m, {words}<" in result_words.parameters_html(result)
     content = sample_content(replace(project, result=result))
     assert content.adjustment is not None
     assert content.adjustment.parameters[0].significant is significant
 
 
 def test_a_value_without_a_number_is_neither() -> None:
-    assert Estimate("lever_z", 0.0, None, reason=note("parameter.kept")).significant is None
+    assert (
+        ParameterEstimate("lever_z", 0.0, None, reason=note("parameter.kept")).significant is None
+    )
 
 
 def test_the_point_farthest_off_is_told_with_its_time_everywhere(
@@ -216,7 +222,7 @@ def test_the_point_farthest_off_is_told_with_its_time_everywhere(
     far = replace(first, largest_w=12.34, largest_at=416012.5)
     old = replace(second, largest_at=None)  # a result of an earlier version
     result = replace(result, reliability=(far, old, *rest))
-    told = numbers(result, None)["reliability"]
+    told = result_values(result, None)["reliability"]
     assert (told[0]["largest_w"], told[0]["largest_w_time_s"]) == (12.34, 416012.5)
     assert told[1]["largest_w_time_s"] is None
     place = [column.title for column in sighting_columns()].index("Largest point w")
@@ -224,7 +230,9 @@ def test_the_point_farthest_off_is_told_with_its_time_everywhere(
     assert (cells[0].text, cells[0].value) == ("12.3 at 416012.500 s", 12.34)
     assert cells[1].text == "2.9"
     content = sample_content(replace(sample_project(tmp_path / "report"), result=result))
-    tables = [b for s in document_of(content, {}).sections for b in s.blocks if b.kind == "table"]
+    tables = [
+        b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"
+    ]
     (points,) = [table for table in tables if table.title == "Tests of single points"]
     assert points.rows[0][-2:] == ("12.3", "416012.500")
     assert points.rows[1][-2:] == ("2.9", "\u2013")

@@ -10,13 +10,13 @@ import pytest
 from lispac.adjustment.result import ANGLES
 from lispac.cli.main import main
 from lispac.geometry.frames import LocalFrame
-from lispac.installed import resource
+from lispac.installation_paths import resource_path
 from lispac.io.las import read_scan
 from lispac.io.sbet import read_sbet, read_smrmsg
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from lispac.workflow.projects import open_project
-from lispac.workflow.simulated_setup import simulation
+from lispac.workflow.simulated_setup import read_simulation
 from tests.command_errors import command_error
 
 BORESIGHT_DEG = (0.8, -0.5, 1.1)
@@ -88,12 +88,12 @@ def test_files_and_truth_close_with_all_errors(
         "--range-offset", -0.05, "--scan-angle-offset", 0.4, "--latency", 0.02,
     )  # fmt: skip
     mounting, project = true_mounting(folder), open_project(folder)
-    written_down = np.array(simulation("marine").lever_arm)
+    written_down = np.array(read_simulation("marine").lever_arm)
     np.testing.assert_allclose(project.settings.lever_arm, written_down)
     np.testing.assert_allclose(mounting.lever_arm - written_down, [0.1, -0.2, 0.3])
     assert (mounting.range_offset, mounting.latency) == (-0.05, 0.02)
     assert np.degrees(mounting.scan_angle_offset) == pytest.approx(0.4)
-    setup = simulation("marine").setup
+    setup = read_simulation("marine").setup
     trajectory = LocalTrajectory.of(read_sbet(project.trajectory), LocalFrame(*setup.origin))
     labels = np.load(folder / "truth" / "labels.npz")
     assert tuple(labels["surfaces"]) == setup.scene.names
@@ -130,7 +130,7 @@ reflectance = 0.85
 @pytest.mark.long
 def test_balls_take_part_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     scene, folder = tmp_path / "balls.toml", tmp_path / "balls"
-    text = (resource("scenes") / "marine.toml").read_text()
+    text = (resource_path("scenes") / "marine.toml").read_text()
     for k, (north, up) in enumerate(((-2.5, 6.0), (3.0, 7.5), (0.2, 10.5))):
         text += BALL.format(k=k + 1, north=north, up=up)
     scene.write_text(text)
@@ -154,7 +154,7 @@ def test_balls_of_a_scene_get_a_list_of_seeds_of_their_own(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     scene, folder = tmp_path / "balls.toml", tmp_path / "balls"
-    text = (resource("scenes") / "marine.toml").read_text()
+    text = (resource_path("scenes") / "marine.toml").read_text()
     scene.write_text(text + BALL.format(k=1, north=-2.5, up=6.0))
     rows = done(
         capsys, "simulate", scene, "--output", folder, "--points-per-second", 2_000
@@ -216,7 +216,7 @@ def test_a_recorded_trajectory_is_replayed(
     np.testing.assert_array_equal(again.time, states.time)
     np.testing.assert_allclose(again.height, states.height, atol=2e-9)
     np.testing.assert_allclose(again.attitude, states.attitude, atol=1e-11)
-    setup = simulation(str(tmp_path / "wall.toml")).setup
+    setup = read_simulation(str(tmp_path / "wall.toml")).setup
     trajectory = LocalTrajectory.of(again, setup.voyage.trajectory.frame)
     (line,) = project.lines
     assert line.name == "L1_000"
@@ -274,7 +274,7 @@ def test_mistakes_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
         assert told in said
     hurried = tmp_path / "hurried.toml"
     hurried.write_text(
-        (resource("vessels") / "van.toml")
+        (resource_path("vessels") / "van.toml")
         .read_text()
         .replace("ramp_s = 4", "ramp_s = 1\nwait_s = 1")
     )
@@ -291,7 +291,7 @@ def test_mistakes_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert [path.name for path in full.iterdir()] == ["thesis.doc"]
     assert run(capsys, "simulate", "--output", tmp_path / "a")[0] == 2
     blind = tmp_path / "blind.toml"
-    text = (resource("scenes") / "marine.toml").read_text()
+    text = (resource_path("scenes") / "marine.toml").read_text()
     blind.write_text(text.replace("distance_m = 15", "distance_m = 400"))
     refusal = command_error("simulate", blind, "--output", tmp_path / "a")
     assert refusal.code == "simulate.line_without_points"
@@ -361,7 +361,7 @@ def test_a_simulation_that_cannot_be_written_leaves_the_earlier_one(
 def test_vessels_with_impossible_pos_errors_are_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str
 ) -> None:
-    sound = resource("vessels/launch-outage.toml").read_text(encoding="utf-8")
+    sound = resource_path("vessels/launch-outage.toml").read_text(encoding="utf-8")
     assert old in sound
     vessel = tmp_path / "vessel.toml"
     vessel.write_text(sound.replace(old, new, 1), encoding="utf-8")

@@ -12,9 +12,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from lispac.geometry.frames import LocalFrame
-from lispac.simulation.ranges import range_to_plane, range_to_sphere
-from lispac.simulation.scanner import Echoes, Scanner, scan
-from lispac.simulation.scene import Cylinder, Rectangle, Scene, Sphere, tilted, upright
+from lispac.simulation.closed_form_ranges import range_to_plane, range_to_sphere
+from lispac.simulation.scanner import Echoes, Scanner, scan_scene
+from lispac.simulation.scene import (
+    Cylinder,
+    Rectangle,
+    Scene,
+    Sphere,
+    tilted_rectangle,
+    upright_rectangle,
+)
 from lispac.survey.georeferencing import CALIBRATION, Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
 
@@ -23,8 +30,8 @@ LARGEST = np.array([*np.radians([3, 3, 3]), 1.0, 1.0, 1.0, 0.2, np.radians(2.0),
 NOMINAL = np.array([0, 0, 0, -0.24, 0.06, 2.17, 0, 0, 0])
 SCENE = Scene.of(
     [
-        upright("wall", (0.0, 15.0), 0.0, 14.0, 30.0, 90),
-        tilted("board", (0.5, 13.5, 5.0), 1.0, 1.0, 90, 45),
+        upright_rectangle("wall", (0.0, 15.0), 0.0, 14.0, 30.0, 90),
+        tilted_rectangle("board", (0.5, 13.5, 5.0), 1.0, 1.0, 90, 45),
         Sphere("ball", np.array([-1.5, 12.5, 4.0]), 0.5),
         Cylinder("mast", 2.5, 12.0, -3.0, 9.0, 0.5),
     ]
@@ -46,7 +53,7 @@ SPINNING = Scanner(
 
 
 def scanned(mounting: Mounting, scanner: Scanner = PROFILER) -> Echoes:
-    return scan(scanner, SCENE, STATES, (1.0, 11.0), False, mounting, None)
+    return scan_scene(scanner, SCENE, STATES, (1.0, 11.0), False, mounting, None)
 
 
 def farthest_off(echoes: Echoes, mounting: Mounting) -> float:
@@ -127,13 +134,13 @@ def test_signs_of_offsets() -> None:
     """A range offset is what has to be added to readings, a latency to times."""
     still = (KNOTS, np.zeros((len(KNOTS), 3)), np.zeros((len(KNOTS), 3)))
     plain, long = (
-        scan(PROFILER, SCENE, still, (1.0, 3.0), False, mounting, None)
+        scan_scene(PROFILER, SCENE, still, (1.0, 3.0), False, mounting, None)
         for mounting in (Mounting(np.zeros(3), np.zeros(3), offset) for offset in (0.0, 0.1))
     )
     np.testing.assert_allclose(read_ranges(plain)[0] - read_ranges(long)[0], 0.1, atol=1e-12)
     late = scanned(Mounting.of_values(NOMINAL + [0, 0, 0, 0, 0, 0, 0, 0, 0.25]))
     shifted = (STATES[0] - 0.25, *STATES[1:])
-    early = scan(
+    early = scan_scene(
         PROFILER, SCENE, shifted, (1.0, 11.0), False, Mounting.of_values(NOMINAL), None
     )  # fmt: skip
     np.testing.assert_allclose(late.time, early.time, atol=1e-12)

@@ -10,14 +10,14 @@ import pytest
 from lispac.adjustment.result import ANGLES
 from lispac.cli.main import main
 from lispac.geometry.frames import LocalFrame
-from lispac.installed import resource
+from lispac.installation_paths import resource_path
 from lispac.simulation.pos_error_models import WhiteNoise
-from lispac.simulation.scene import tilted
-from lispac.simulation.survey import simulated
-from lispac.simulation.voyage import RecordedTrajectory, Stretch
+from lispac.simulation.scene import tilted_rectangle
+from lispac.simulation.simulated_survey import simulate_survey
+from lispac.simulation.voyage import RecordedTrajectory, TrajectoryStretch
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.projects import open_project
-from lispac.workflow.simulated_setup import simulation
+from lispac.workflow.simulated_setup import read_simulation
 from tests.test_meshes import as_mesh, write_mesh
 
 SITE = """
@@ -71,8 +71,8 @@ def test_a_real_flight_over_boards_and_a_mesh(
     shared_data: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The states of a drone survey, an HDL-32E on its side, two lines: the boresight put in."""
-    write_mesh(tmp_path / "hut.ply", as_mesh(tilted("hut", (-6, 26, -16), 4, 4, 180, 80)))
-    spinning = (resource("scanners") / "velodyne-hdl-32e.toml").read_text()
+    write_mesh(tmp_path / "hut.ply", as_mesh(tilted_rectangle("hut", (-6, 26, -16), 4, 4, 180, 80)))
+    spinning = (resource_path("scanners") / "velodyne-hdl-32e.toml").read_text()
     (tmp_path / "scanner.toml").write_text(spinning.replace('axis = "z"', 'axis = "x"'))
     text = SITE.format(trajectory=shared_data / "lanl_truck" / "trajectory.sbet")
     for name, centre, facing, elevation in BOARDS:
@@ -105,12 +105,12 @@ def test_errors_on_a_trajectory_with_gaps_and_bursts_have_their_sigmas() -> None
     position = np.stack([0.5 * time, np.zeros(len(time)), np.full(len(time), 2.0)], axis=1)
     states = LocalTrajectory(LocalFrame(0.8, -1.2, 0.0), time, position, np.zeros((len(time), 3)))
     noise = WhiteNoise((0.1, 0.2, 0.3), (0.001, 0.002, 0.003))
-    stretches = (Stretch(1.0, 1.5, True),)
+    stretches = (TrajectoryStretch(1.0, 1.5, True),)
     setup = replace(
-        simulation("marine").setup, voyage=RecordedTrajectory(states, stretches), pos=noise,
+        read_simulation("marine").setup, voyage=RecordedTrajectory(states, stretches), pos=noise,
         origin=(0.8, -1.2, 0.0),
     )  # fmt: skip
-    found = simulated(setup, seed=4).trajectory
+    found = simulate_survey(setup, seed=4).trajectory
     local = LocalFrame(*setup.origin).to_local(found.latitude, found.longitude, found.height)
     even = (time < 60) | (time >= 100)
     off = (local - position)[even]

@@ -6,10 +6,10 @@ import pytest
 from lispac.errors import Cancelled
 from lispac.geometry.frames import LocalFrame
 from lispac.progress import Step
-from lispac.simulation.port import TARGETS, VALIDATION
+from lispac.simulation.port_scene import TARGETS, VALIDATION
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, gauss_markov
-from lispac.simulation.scene import Cylinder, Scene, tilted, upright
-from lispac.simulation.survey import SimulatedLine, SimulatedSurvey, port_survey
+from lispac.simulation.scene import Cylinder, Scene, tilted_rectangle, upright_rectangle
+from lispac.simulation.simulated_survey import SimulatedLine, SimulatedSurvey, port_survey
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 
@@ -152,8 +152,8 @@ def test_heading_is_against_north_at_the_vessel():
 def test_the_nearest_surface_hides_the_others():
     scene = Scene.of(
         [
-            upright("wall", (10.0, 0.0), 0.0, 5.0, 6.0, 180),
-            upright("board", (8.0, 0.0), 1.0, 2.0, 1.0, 180),
+            upright_rectangle("wall", (10.0, 0.0), 0.0, 5.0, 6.0, 180),
+            upright_rectangle("board", (8.0, 0.0), 1.0, 2.0, 1.0, 180),
             Cylinder("post", 9.0, 2.0, 0.0, 4.0, 0.5),
         ]
     )
@@ -168,7 +168,7 @@ def test_the_nearest_surface_hides_the_others():
 
 
 def test_rays_end_at_their_range_and_behind_is_nothing():
-    scene = Scene.of([tilted("roof", (0.0, 0.0, 3.0), 2.0, 2.0, 0, 45)])
+    scene = Scene.of([tilted_rectangle("roof", (0.0, 0.0, 3.0), 2.0, 2.0, 0, 45)])
     up = np.array([[0.0, 0.0, 1.0]])
     ranges, labels, cosines = scene.intersect(np.zeros((1, 3)), up)
     assert (ranges[0], labels[0], cosines[0]) == pytest.approx((3, 0, np.sqrt(0.5)))

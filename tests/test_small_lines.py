@@ -10,15 +10,15 @@ import pytest
 from lispac.errors import InputError, ProjectError
 from lispac.progress import Step
 from lispac.project import LineSource, Project, Reading, Settings
-from lispac.survey.store.original import original_of
-from lispac.workflow.file_reading import local_trajectory, settled, usual_or_settled
+from lispac.survey.store.original_file import source_file_of
+from lispac.workflow.file_reading import detect_reading, local_trajectory, usual_or_detected_reading
 from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.importing import _Source, import_line
+from lispac.workflow.line_import import _LineFileReader, import_line
 from lispac.workflow.line_points import LinePoints
 from lispac.workflow.projects import (
     create_project,
+    read_unsaved_project,
     require_folder,
-    unsaved_work,
     with_lines_added,
 )
 from lispac.workflow.survey import load_survey
@@ -71,7 +71,7 @@ def test_an_import_taken_up_again_has_the_rest_with_its_places(
     (line,) = project.lines
     trajectory, _ = local_trajectory(project)
     points = LinePoints(line, trajectory, project.mounting("prior"))
-    source = _Source(points, original_of(line.path))
+    source = _LineFileReader(points, source_file_of(line.path))
     index = np.concatenate([piece.index for piece in source.pieces(first)])
     assert index.tolist() == list(range(first, points.audit.read))
 
@@ -105,7 +105,7 @@ def test_a_file_that_is_a_line_already_is_not_added_again(project: Project, fold
 
 
 def test_where_nothing_is_unsaved_nothing_is_found(project: Project) -> None:
-    assert unsaved_work(project.folder) is None
+    assert read_unsaved_project(project.folder) is None
 
 
 def test_a_folder_that_went_away_is_not_made_anew(project: Project) -> None:
@@ -124,10 +124,10 @@ def test_a_folder_that_went_away_is_not_made_anew(project: Project) -> None:
 def test_a_file_that_no_format_of_its_kind_knows_is_refused(folder: Path) -> None:
     path = folder / "letter.md"
     with pytest.raises(InputError) as caught:
-        settled(path, "trajectory", Reading())
+        detect_reading(path, "trajectory", Reading())
     assert caught.value.code == "import.unknown_trajectory_format"
     assert str(path) in str(caught.value)
-    assert usual_or_settled(path, "trajectory", Reading()) == (Reading(), ())
+    assert usual_or_detected_reading(path, "trajectory", Reading()) == (Reading(), ())
 
 
 def test_an_accuracy_of_another_day_is_refused(project: Project, folder: Path) -> None:
@@ -149,9 +149,9 @@ def test_named_columns_are_kept_to_for_a_text_and_for_no_other_file(folder: Path
     """What a user names of a table is not looked for in it; a LAS file has no columns to name."""
     table = folder / "L3.txt"
     np.savetxt(table, [[START + 1, 1.0, 2.0, 3.0], [START + 2, 1.0, 2.0, 3.0]], fmt="%.4f")
-    assert usual_or_settled(table, "points", Reading(), columns=True) == (Reading(), ())
-    found = usual_or_settled(folder / "L1.laz", "points", Reading(), columns=True)
-    assert found == usual_or_settled(folder / "L1.laz", "points", Reading())
+    assert usual_or_detected_reading(table, "points", Reading(), columns=True) == (Reading(), ())
+    found = usual_or_detected_reading(folder / "L1.laz", "points", Reading(), columns=True)
+    assert found == usual_or_detected_reading(folder / "L1.laz", "points", Reading())
 
 
 def test_what_is_shown_is_what_is_placed_with_a_picture_at_hand(project: Project) -> None:

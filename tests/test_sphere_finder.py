@@ -4,17 +4,17 @@ import numpy as np
 import pytest
 
 from lispac.errors import Cancelled, InputError, SphereNotFound
-from lispac.geometry.neighbours import PointGrid
+from lispac.geometry.radius_search import PointGrid
 from lispac.geometry.rotations import rotation_matrix
 from lispac.geometry.spheres import Sphere
-from lispac.targets.finder import FinderSettings
-from lispac.targets.sphere_finder import RadiusSought, find_sphere
+from lispac.targets.plane_finder import FinderSettings
+from lispac.targets.sphere_finder import RadiusRange, find_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
 from tests.balls import BALL, CENTRE, cast, front
 from tests.error_codes import has_code
 
 SETTINGS = FinderSettings()
-ANY = RadiusSought()
+ANY = RadiusRange()
 FOOT = CENTRE - [0.0, 0.0, 0.099]
 SCENES = {
     "alone": {},
@@ -25,7 +25,7 @@ SCENES = {
 
 
 @pytest.mark.parametrize("scene", SCENES)
-@pytest.mark.parametrize("sought", [RadiusSought.exactly(0.1), ANY])
+@pytest.mark.parametrize("sought", [RadiusRange.of_known_radius(0.1), ANY])
 @pytest.mark.parametrize("noise", [0.0, 0.002, 0.004])
 def test_a_ball_is_cut_from_what_is_around_it(scene, sought, noise):
     rng = np.random.default_rng(1)
@@ -54,7 +54,7 @@ def test_balls_of_other_radii_are_found_without_knowing_it(radius):
     assert (label[patch.indices] == 0).mean() > 0.98
 
 
-@pytest.mark.parametrize("sought", [RadiusSought.exactly(0.1), ANY])
+@pytest.mark.parametrize("sought", [RadiusRange.of_known_radius(0.1), ANY])
 @pytest.mark.parametrize("turn_deg", range(0, 360, 45))
 def test_a_seed_on_the_edge_or_a_little_off_the_ball_will_do(sought, turn_deg):
     points, label = cast(np.random.default_rng(3), [BALL], mast=(FOOT, 0.02), wall=20.6)
@@ -66,7 +66,7 @@ def test_a_seed_on_the_edge_or_a_little_off_the_ball_will_do(sought, turn_deg):
         assert (label[patch.indices] == 0).mean() > 0.98
 
 
-@pytest.mark.parametrize("sought", [RadiusSought.exactly(0.1), ANY])
+@pytest.mark.parametrize("sought", [RadiusRange.of_known_radius(0.1), ANY])
 def test_beside_another_ball_the_one_clicked_is_found(sought):
     balls = [BALL, Sphere(CENTRE + [0.21, 0.02, 0.0], 0.1)]
     points, label = cast(np.random.default_rng(4), balls, wall=20.6)
@@ -127,7 +127,7 @@ def post(radius):
 @pytest.mark.parametrize(
     "make", [wall, plate, box, bush, post(0.03), post(0.06), post(0.1), post(0.2)]
 )
-@pytest.mark.parametrize("sought", [RadiusSought.exactly(0.1), ANY])
+@pytest.mark.parametrize("sought", [RadiusRange.of_known_radius(0.1), ANY])
 @pytest.mark.parametrize("draw", range(4))
 def test_what_is_no_ball_is_refused(make, sought, draw):
     points = make(np.random.default_rng(draw))
@@ -155,7 +155,9 @@ def test_an_uneven_plate_within_a_wide_threshold_is_said_to_be_flat():
     points = plate(rng)
     points += rng.normal(0.0, 0.01, (len(points), 1)) * np.array([0.0, 1.0, 0.0])
     with pytest.raises(SphereNotFound, check=has_code("finder.sphere_flat")):
-        find_sphere(points, CENTRE, RadiusSought.exactly(0.1), FinderSettings(threshold=0.03))
+        find_sphere(
+            points, CENTRE, RadiusRange.of_known_radius(0.1), FinderSettings(threshold=0.03)
+        )
 
 
 def test_a_small_ball_before_a_large_one_is_found_where_it_was_clicked():
@@ -190,9 +192,9 @@ def test_without_points_the_reason_is_said(points, seed, code, params):
 @pytest.mark.parametrize(
     ("aside", "sought", "words"),
     [
-        (0.9, RadiusSought.exactly(0.1), "Set the seed on the sphere"),
-        (0.0, RadiusSought(0.3, 0.5), r"sphere with a radius from 0\.300 to 0\.500 m"),
-        (0.0, RadiusSought.exactly(0.14), r"sphere of radius 0\.140 m"),
+        (0.9, RadiusRange.of_known_radius(0.1), "Set the seed on the sphere"),
+        (0.0, RadiusRange(0.3, 0.5), r"sphere with a radius from 0\.300 to 0\.500 m"),
+        (0.0, RadiusRange.of_known_radius(0.14), r"sphere of radius 0\.140 m"),
     ],
 )
 def test_a_ball_elsewhere_or_of_another_radius_is_refused(aside, sought, words):
@@ -204,7 +206,7 @@ def test_a_ball_elsewhere_or_of_another_radius_is_refused(aside, sought, words):
 @pytest.mark.parametrize("span", [(0.0, 0.1), (0.2, 0.1), (0.1, np.nan), (0.1, np.inf)])
 def test_radii_that_cannot_be_are_refused(span):
     with pytest.raises(InputError, check=has_code("finder.radii")):
-        RadiusSought(*span)
+        RadiusRange(*span)
 
 
 def moved_lines(balls, count=4, *, shift=1.5, tilt_deg=3.0, seed=8):
@@ -222,7 +224,7 @@ def moved_lines(balls, count=4, *, shift=1.5, tilt_deg=3.0, seed=8):
     return clouds, labels, centres
 
 
-@pytest.mark.parametrize("sought", [RadiusSought.exactly(0.1), ANY])
+@pytest.mark.parametrize("sought", [RadiusRange.of_known_radius(0.1), ANY])
 @pytest.mark.parametrize("first_line", ["L1", None])
 def test_a_ball_is_found_where_each_line_puts_it(sought, first_line):
     clouds, labels, centres = moved_lines([BALL])
@@ -240,7 +242,7 @@ def test_equal_balls_near_each_other_are_not_swapped():
     clouds, _, centres = moved_lines(balls, 6, shift=0.5)
     for k, ball in enumerate(balls):
         found, missing = find_spheres_in_lines(
-            clouds, front(ball), RadiusSought.exactly(0.1), SETTINGS, first_line="L1"
+            clouds, front(ball), RadiusRange.of_known_radius(0.1), SETTINGS, first_line="L1"
         )
         assert missing == {}
         for name, patch in found.items():

@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.averaging import averaged
 from lispac.adjustment.observations import Observations
+from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.sphere_radii import radius_discrepancies
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.adjustment.warnings import doubts
-from lispac.simulation.closed_form import Ball, exact_survey, observed, six_courses
+from lispac.adjustment.sphere_radii import find_radius_discrepancies
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.warnings import result_warnings
+from lispac.simulation.closed_form_survey import Ball, add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 
@@ -24,8 +24,8 @@ BALLS = tuple(
 
 def survey(seed: int, mounting: Mounting = TRUTH) -> Observations:
     generator = np.random.default_rng([7, seed])
-    exact = exact_survey(mounting, BALLS, six_courses(), 0.01, generator)
-    return observed(exact, HYDROGRAPHIC_INS, generator)
+    exact = error_free_survey(mounting, BALLS, six_courses(), 0.01, generator)
+    return add_errors(exact, HYDROGRAPHIC_INS, generator)
 
 
 def changed(data: Observations, cause: str) -> Observations:
@@ -39,13 +39,13 @@ def changed(data: Observations, cause: str) -> Observations:
 
 @pytest.mark.parametrize("seed", range(10))
 def test_radii_of_a_right_survey_agree(seed: int) -> None:
-    assert radius_discrepancies(survey(seed), TRUTH) == ()
+    assert find_radius_discrepancies(survey(seed), TRUTH) == ()
 
 
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("cause", ["roll_sign", "pitch_sign"])
 def test_a_wrong_sign_of_the_attitude_is_named(seed: int, cause: str) -> None:
-    found = radius_discrepancies(changed(survey(seed), cause), TRUTH)
+    found = find_radius_discrepancies(changed(survey(seed), cause), TRUTH)
     assert {each.cause for each in found} == {cause}
     for each in found:
         assert each.largest - each.smallest > 0.01
@@ -55,15 +55,17 @@ def test_an_error_of_one_line_is_not_blamed_on_a_sign() -> None:
     data = survey(0)
     own = np.array([each.line == "L2" for each in data.sightings])[data.sighting]
     points = np.where(own[:, None], data.points_lidar * [1.3, 1.0, 1.0], data.points_lidar)
-    found = radius_discrepancies(replace(data, points_lidar=points), TRUTH)
+    found = find_radius_discrepancies(replace(data, points_lidar=points), TRUTH)
     assert all(each.cause == "" for each in found)
 
 
 def test_the_result_of_an_adjustment_has_them() -> None:
-    data = averaged(changed(survey(1), "pitch_sign"), TRUTH, 0.02)
+    data = average_points_in_cells(changed(survey(1), "pitch_sign"), TRUTH, 0.02)
     result = adjust(data, TRUTH, StochasticModel(loss="tukey"))
     assert {each.cause for each in result.radius_discrepancies} == {"pitch_sign"}
-    told = [each for each in doubts(result, None) if each.code.startswith("adjustment.radii_")]
+    told = [
+        each for each in result_warnings(result, None) if each.code.startswith("adjustment.radii_")
+    ]
     assert all(each.is_serious for each in told)
     assert told
     assert adjust(data, TRUTH, StochasticModel(), diagnostics=False).radius_discrepancies == ()

@@ -7,14 +7,20 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import POS_ERRORS, StochasticModel
+from lispac.adjustment.stochastic_model import POS_ERRORS, StochasticModel
 from lispac.cli.main import main
 from lispac.errors import ProjectError, SphereNotFound
-from lispac.geometry.spheres import share_seen
+from lispac.geometry.spheres import seen_surface_share
 from lispac.io.project_file import FILE_NAME
 from lispac.messages import note
 from lispac.project import Project
-from lispac.simulation.closed_form import BOARDS, Ball, exact_survey, observed, six_courses
+from lispac.simulation.closed_form_survey import (
+    BOARDS,
+    Ball,
+    add_errors,
+    error_free_survey,
+    six_courses,
+)
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow import calibration, picking
@@ -58,7 +64,7 @@ def test_the_cap_of_a_ball_faces_the_scanner(scanner):
 )
 def test_closed_loop_without_noise(model, known, with_board, start_deg):
     targets = [*three_balls(known), *(BOARDS[1:] if with_board else ())]
-    exact = exact_survey(TRUTH, targets, six_courses(), 0.03, np.random.default_rng(1))
+    exact = error_free_survey(TRUTH, targets, six_courses(), 0.03, np.random.default_rng(1))
     assert set(exact.radii.values()) == {0.1 if known else None}
     result = adjust(exact, prior(start_deg), StochasticModel(model))
     np.testing.assert_allclose(np.degrees(result.boresight), 2.0, rtol=0, atol=1e-6)
@@ -76,8 +82,8 @@ def test_closed_loop_without_noise(model, known, with_board, start_deg):
 def test_error_is_within_the_stated_sigma(seed, known, with_board, start_deg):
     """POS errors drift and the LiDAR is noisy, as the model says."""
     targets = [*three_balls(known), *(BOARDS[1:] if with_board else ())]
-    exact = exact_survey(TRUTH, targets, six_courses(), 0.03, np.random.default_rng(seed))
-    noisy = observed(exact, HYDROGRAPHIC_INS, np.random.default_rng(100 + seed))
+    exact = error_free_survey(TRUTH, targets, six_courses(), 0.03, np.random.default_rng(seed))
+    noisy = add_errors(exact, HYDROGRAPHIC_INS, np.random.default_rng(100 + seed))
     result = adjust(noisy, prior(start_deg), StochasticModel())
     error = result.boresight - TRUTH.boresight
     assert (np.abs(error) < 4.0 * result.sigma).all(), error / result.sigma
@@ -98,10 +104,10 @@ def picked(balls) -> Project:
     """Three balls, the radius of the second not known, and the board."""
     project = balls.project
     for name, radius in (("S1", 0.15), ("S2", None), ("S3", 0.2)):
-        project = picking.pick(
+        project = picking.pick_target(
             project, balls.survey, balls.seed(name), name=name, shape="sphere", sphere_radius=radius
         )
-    return picking.pick(project, balls.survey, balls.seed("board"), name="T1")
+    return picking.pick_target(project, balls.survey, balls.seed("board"), name="T1")
 
 
 def test_a_ball_is_picked_in_every_line(balls, picked):
@@ -118,7 +124,7 @@ def test_a_ball_is_picked_in_every_line(balls, picked):
             patch = spheres[sighting.line]
             assert patch.sphere.radius == pytest.approx(radius, abs=0.003)
             points = balls.survey.clouds[sighting.line][sighting.indices]
-            assert patch.share == share_seen(patch.sphere, points)
+            assert patch.share == seen_surface_share(patch.sphere, points)
 
 
 @pytest.mark.parametrize("board", [False, True])
@@ -153,20 +159,22 @@ def test_one_line_can_have_a_seed_of_its_own(balls, picked):
     project = picked.with_target(lost)
     how = {"name": "S1", "line": "L3", "shape": "sphere"}
     seed = balls.seed("S1", "L3")
-    found = picking.find(project, balls.survey, seed, sphere_radius=0.15, **how)
+    found = picking.find_target(project, balls.survey, seed, sphere_radius=0.15, **how)
     assert [s.line for s in found.sightings] == list(balls.survey.lines)
     assert found.missing == {}
     with pytest.raises(ProjectError) as raised:
-        picking.find(project, balls.survey, seed, **how)
+        picking.find_target(project, balls.survey, seed, **how)
     assert raised.value.code == "pick.other_radius"
     with pytest.raises(ProjectError) as raised:
-        picking.find(project, balls.survey, seed, name="S1", line="L3")
+        picking.find_target(project, balls.survey, seed, name="S1", line="L3")
     assert raised.value.code == "pick.is_sphere"
 
 
 def test_a_wall_is_no_ball(balls):
     with pytest.raises(SphereNotFound):
-        picking.pick(balls.project, balls.survey, balls.seed("wall"), name="S9", shape="sphere")
+        picking.pick_target(
+            balls.project, balls.survey, balls.seed("wall"), name="S9", shape="sphere"
+        )
 
 
 @pytest.mark.parametrize(
@@ -180,7 +188,7 @@ def test_a_wall_is_no_ball(balls):
 )
 def test_what_makes_no_sense_is_refused(balls, asked, code):
     with pytest.raises(ProjectError, check=lambda e: e.code == code):
-        picking.pick(balls.project, balls.survey, balls.seed("S1"), name="S1", **asked)
+        picking.pick_target(balls.project, balls.survey, balls.seed("S1"), name="S1", **asked)
 
 
 @pytest.mark.parametrize("wrong", [-0.1, 0.0, "plane"])

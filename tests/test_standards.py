@@ -8,11 +8,11 @@ import pytest
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.geometry.rotations import rotation_matrix
-from lispac.report.displacement import EFFECT_DISTANCES_M, in_words_of_s44
+from lispac.report.displacement import EFFECT_DISTANCES_M, s44_contributions
 from lispac.report.html import html_text
 from lispac.report.validation_values import swath_overlap
 from lispac.survey.georeferencing import Mounting
-from lispac.validation.signed import signed_distances
+from lispac.validation.signed_comparison import signed_distance_statistics
 from tests.report_sample import sample_content, sample_project
 from tests.test_report import _page
 
@@ -37,7 +37,7 @@ def test_no_beam_moves_farther_than_stated_and_one_does_that_far(
     beams[:400, 2] = 0
     beams /= np.linalg.norm(beams, axis=1)[:, None]
     distance = EFFECT_DISTANCES_M[1]
-    (at,) = (each for each in in_words_of_s44(result) if each.distance_m == distance)
+    (at,) = (each for each in s44_contributions(result) if each.distance_m == distance)
     worst_height, worst_plane = 0.0, 0.0
     for beam in beams:
         moved = distance * turns @ beam
@@ -56,7 +56,7 @@ def test_roll_alone_moves_a_level_beam_up_and_down(tmp_path: Path) -> None:
         result, estimated=("roll", "pitch", "yaw"),
         covariance_all=np.diag([np.radians(0.02) ** 2, 0, 0]), parameters=(),
     )  # fmt: skip
-    for at in in_words_of_s44(only_roll):
+    for at in s44_contributions(only_roll):
         # A beam to the side goes up, one straight up to the side: both by distance times angle.
         assert at.tvu95_m == pytest.approx(1.96 * np.radians(0.02) * at.distance_m, rel=1e-9)
         assert at.thu95_m == pytest.approx(2.45 * np.radians(0.02) * at.distance_m, rel=1e-9)
@@ -69,7 +69,9 @@ def test_rms_of_planes_a_known_way_apart(offset: float) -> None:
     a, b = (np.column_stack([rng.uniform(0, 2, (6000, 2)), np.zeros(6000)]) for _ in range(2))
     a[:, 2] = offset + rng.normal(0, noise, len(a))
     b[:, 2] = rng.normal(0, noise, len(b))
-    found = signed_distances(a, b, facing=np.array([0.0, 0, 1]), spacing=0.025, reach=0.05)
+    found = signed_distance_statistics(
+        a, b, facing=np.array([0.0, 0, 1]), spacing=0.025, reach=0.05
+    )
     assert found is not None
     assert found.rms is not None
     assert found.rms**2 == pytest.approx(found.mean**2 + _variance(found, a, b), rel=0.2)

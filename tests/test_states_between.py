@@ -7,10 +7,10 @@ import pytest
 
 from lispac.geometry.frames import LocalFrame
 from lispac.io.sbet import SbetOptions, read_sbet
-from lispac.survey.georeferencing import Mounting, place, to_lidar
-from lispac.survey.states_between import LIMIT, attitude_rates, hermite
+from lispac.survey.georeferencing import Mounting, place_points, to_lidar
+from lispac.survey.state_densification import LIMIT, attitude_rates, hermite_cubic
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
-from lispac.survey.trajectory_rate import interpolation_error
+from lispac.survey.trajectory_sampling import interpolation_error
 
 PLACES = {"north": (48.0, -69.0), "antimeridian": (-17.0, 180.0), "south": (-33.8, 18.4)}
 DURATION = 60.0
@@ -172,7 +172,7 @@ def test_raw_points_come_back(tmp_path: Path) -> None:
     mounting = Mounting(np.array([-0.2, 0.05, 2.0]), np.radians([0.3, -0.4, 0.6]))
     points = rng.uniform(-20, 20, (2000, 3))
     poses = local.at(np.sort(300_000 + rng.uniform(1, 58, 2000)))
-    back = to_lidar(place(points, poses, mounting), poses, mounting)
+    back = to_lidar(place_points(points, poses, mounting), poses, mounting)
     np.testing.assert_allclose(back, points, rtol=0, atol=1e-9)
 
 
@@ -199,7 +199,7 @@ def test_a_cubic_is_met_exactly() -> None:
         return c[1] + 2 * c[2] * t + 3 * c[3] * t**2
 
     zero, one = np.zeros((50, 1)), span
-    found = hermite(u, span, (value(zero), value(one)), (slope(zero), slope(one)))
+    found = hermite_cubic(u, span, (value(zero), value(one)), (slope(zero), slope(one)))
     np.testing.assert_allclose(found, value(u * span), rtol=0, atol=1e-12)
 
 

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.static_scan import static_scan
+from lispac.io.static_scan import open_static_scan
 from tests import point_files
 from tests.point_files import XYZ
 
 
 def places(path: Path, *, local: bool = True) -> np.ndarray:
-    return np.concatenate(list(static_scan(path).chunks(local=local)))
+    return np.concatenate(list(open_static_scan(path).coordinate_chunks(local=local)))
 
 
 def test_e57_without_time_has_its_poses_applied(tmp_path: Path) -> None:

@@ -12,12 +12,12 @@ from hypothesis import strategies as st
 from lispac.errors import Cancelled, ProjectError
 from lispac.geometry.rotations import rotation_matrix
 from lispac.survey.scan import Scan
-from lispac.survey.store import cells, merging, ordering, pieces, spool
-from lispac.survey.store.fingerprint import joined_crc32
+from lispac.survey.store import block_merge, column_writer, point_blocks, spatial_cells, spool
+from lispac.survey.store.fingerprint import combine_crc32
 from lispac.survey.store.layout import Manifest, SourceFile, write_manifest
-from lispac.survey.store.reading import StoredLine, open_store
-from lispac.survey.store.runs import rows_of
-from lispac.survey.store.writing import Recipe, write_store
+from lispac.survey.store.line_import import ImportRecipe, write_store
+from lispac.survey.store.row_runs import rows_of_runs
+from lispac.survey.store.stored_line import StoredLine, open_store
 from tests.store_lines import LINE, ORIGINAL, RECIPE, Line, files_of, place, small, stop_at, stored
 
 __all__ = ["small"]
@@ -118,7 +118,7 @@ def test_order_is_by_cell_and_cells_are_few_runs(tmp_path: Path) -> None:
     found = stored(tmp_path)
     local = place(found.points_lidar.astype(float), found.time)
     side = found.manifest.side
-    keys = cells.order_keys(local, found.numbers(np.arange(len(found))), side)
+    keys = spatial_cells.order_keys(local, found.numbers(np.arange(len(found))), side)
     # A coordinate rounded to float32 may fall into the neighbouring cell.
     assert np.count_nonzero(np.diff(keys.astype(np.int64)) < 0) <= 3
 
@@ -172,7 +172,7 @@ def test_coarse_level_is_a_fair_sample(tmp_path: Path) -> None:
     line = Line(30_000)
     found = stored(tmp_path, line)
     coarse = found.coarse
-    assert 0.85 * ordering.COARSE < len(coarse.rows) <= ordering.COARSE
+    assert 0.85 * column_writer.COARSE < len(coarse.rows) <= column_writer.COARSE
     np.testing.assert_array_equal(coarse.points_lidar, found.points_lidar[coarse.rows])
     np.testing.assert_array_equal(coarse.time, found.time[coarse.rows])
     np.testing.assert_array_equal(coarse.intensity, found.intensity[coarse.rows])
@@ -187,7 +187,7 @@ def test_beginning_of_every_cell_is_a_fair_sample(tmp_path: Path, halvings: int)
     line = Line(30_000)
     found = stored(tmp_path, line)
     runs = found.near(np.zeros(3), 1e6, halvings=halvings)
-    rows = rows_of(runs)
+    rows = rows_of_runs(runs)
     assert abs(len(rows) / len(line) - 0.5**halvings) < 0.01
     assert is_fair(found.time[rows], line.time)
     assert is_fair(found.points_lidar[rows, 1], line.xyz[:, 1])
@@ -211,19 +211,19 @@ def test_points_on_one_spot_are_never_in_memory_together(tmp_path: Path, monkeyp
     line.xyz[:] = [1.2, 2.2, 3.2] + np.random.default_rng(0).normal(0, 1e-3, line.xyz.shape)
     line.time[:] = np.linspace(0, 1e-3, len(line))
     sizes = []
-    merged = merging.merged
+    merged = block_merge.merge_blocks
 
     def watched(source: spool.Spool) -> Iterator:
         for keys, values in merged(source):
             sizes.append(len(keys))
             yield keys, values
 
-    monkeypatch.setattr(ordering, "merged", watched)
+    monkeypatch.setattr(column_writer, "merge_blocks", watched)
     found = stored(tmp_path, line)
-    assert max(sizes) <= merging.BUCKET + pieces.BLOCK
+    assert max(sizes) <= block_merge.BUCKET + point_blocks.BLOCK
     assert len(np.unique(found._octaves >> np.uint64(4))) == 1
     np.testing.assert_array_equal(np.sort(found.numbers(np.arange(9_000))), np.arange(9_000))
-    rows = rows_of(found.near(np.zeros(3), 100.0, halvings=3))
+    rows = rows_of_runs(found.near(np.zeros(3), 100.0, halvings=3))
     assert is_fair(found.time[rows], line.time)
 
 
@@ -293,7 +293,7 @@ def test_stopped_right_after_the_manifest_is_imported(tmp_path: Path, monkeypatc
         write_manifest(folder, manifest)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("lispac.survey.store.writing.write_manifest", write_and_stop)
+    monkeypatch.setattr("lispac.survey.store.line_import.write_manifest", write_and_stop)
     with pytest.raises(KeyboardInterrupt):
         write_store(tmp_path, RECIPE, LINE.pieces(1000), place)
     open_store(tmp_path, "L1").require_sound()
@@ -303,13 +303,15 @@ def test_stopped_right_after_the_manifest_is_imported(tmp_path: Path, monkeypatc
 def test_checksums_are_joined(first: bytes, second: bytes) -> None:
     from zlib import crc32
 
-    joined = joined_crc32(crc32(first), crc32(second), len(second))
+    joined = combine_crc32(crc32(first), crc32(second), len(second))
     assert joined == crc32(first + second)
 
 
 def test_recipe_and_original_are_kept(tmp_path: Path) -> None:
     placed_with = {"mounting": [0.1] * 9}
-    recipe = Recipe("L1", SourceFile("/a/b.las", 1, 2, "c"), {"reading": [1, "x"]}, placed_with)
+    recipe = ImportRecipe(
+        "L1", SourceFile("/a/b.las", 1, 2, "c"), {"reading": [1, "x"]}, placed_with
+    )
     write_store(
         tmp_path, recipe, LINE.pieces(1000), place, lambda: (("read as it is",), {"read": 3})
     )

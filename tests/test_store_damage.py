@@ -16,11 +16,11 @@ from lispac.errors import InputError, ProjectError
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.survey.store import layout
+from lispac.survey.store.import_lock import lock_folder
 from lispac.survey.store.layout import VERSION, write_manifest
-from lispac.survey.store.lock import locked
-from lispac.survey.store.pieces import Piece
-from lispac.survey.store.reading import open_store
-from lispac.survey.store.writing import write_store
+from lispac.survey.store.line_import import write_store
+from lispac.survey.store.point_blocks import PointPiece
+from lispac.survey.store.stored_line import open_store
 from tests.store_lines import LINE, RECIPE, files_of, place, small, stored, why
 
 __all__ = ["small"]
@@ -93,7 +93,7 @@ def test_a_copied_store_is_checked_once(tmp_path: Path, monkeypatch: pytest.Monk
     assert set(opening(copy)) == {gettext_lazy("Checking {line}", line="L1")}
     assert opening(copy) == []
     os.utime(copy / "columns-1" / "time.npy", ns=(0, 5))
-    monkeypatch.setattr(layout, "write_text_whole", refuse)
+    monkeypatch.setattr(layout, "write_text_atomically", refuse)
     for _ in range(2):  # a folder that may only be read
         assert opening(copy)
 
@@ -129,7 +129,7 @@ def test_a_line_imported_again_meanwhile_says_so(tmp_path: Path) -> None:
 
 def test_a_line_that_is_being_imported_says_so(tmp_path: Path) -> None:
     (tmp_path / "spool").mkdir()
-    with locked(tmp_path), pytest.raises(ProjectError) as refused:
+    with lock_folder(tmp_path), pytest.raises(ProjectError) as refused:
         open_store(tmp_path, "L1")
     assert refused.value.code == "store.being_imported"
     with pytest.raises(ProjectError) as refused:
@@ -188,14 +188,14 @@ def test_not_imported(tmp_path: Path) -> None:
 
 
 def test_one_import_of_a_line_at_a_time(tmp_path: Path) -> None:
-    with locked(tmp_path), pytest.raises(ProjectError) as refused:
+    with lock_folder(tmp_path), pytest.raises(ProjectError) as refused:
         write_store(tmp_path, RECIPE, LINE.pieces(1000), place)
     assert refused.value.code == "store.locked"
     stored(tmp_path)
 
 
 def test_error_of_the_file_leaves_nothing(tmp_path: Path) -> None:
-    def broken(first: int) -> Iterator[Piece]:
+    def broken(first: int) -> Iterator[PointPiece]:
         yield from list(LINE.pieces(1000)(first))[:4]
         raise InputError("a.las: cut short; copy it again.")
 
@@ -205,7 +205,7 @@ def test_error_of_the_file_leaves_nothing(tmp_path: Path) -> None:
 
 
 def test_attributes_that_change_within_a_line_are_refused(tmp_path: Path) -> None:
-    def mixed(first: int) -> Iterator[Piece]:
+    def mixed(first: int) -> Iterator[PointPiece]:
         one, two, *_ = LINE.pieces(1000)(first)
         yield one
         yield replace(two, extra={"intensity": two.extra["intensity"]})
@@ -221,7 +221,7 @@ def test_attributes_that_change_within_a_line_are_refused(tmp_path: Path) -> Non
 
 
 def test_attribute_that_is_no_number_is_refused(tmp_path: Path) -> None:
-    def words(first: int) -> Iterator[Piece]:
+    def words(first: int) -> Iterator[PointPiece]:
         for piece in LINE.pieces(1000)(first):
             yield replace(piece, extra={"label": np.array(["a"] * len(piece))})
 

@@ -14,27 +14,27 @@ import pytest
 from lispac import locks
 from lispac.errors import ProjectError
 from lispac.messages import error, note
-from lispac.survey.store import reading
-from lispac.survey.store.ahead import read_ahead
-from lispac.survey.store.cells import drawn, sorting
-from lispac.survey.store.columns import opened
+from lispac.survey.store import stored_line
+from lispac.survey.store.column_files import map_column
+from lispac.survey.store.column_writer import attribute_file_name
+from lispac.survey.store.file_times import replace_manifest
+from lispac.survey.store.import_lock import LOCK, is_import_running, lock_folder
 from lispac.survey.store.layout import (
-    Column,
     DamagedStore,
     SourceFile,
-    is_imported,
-    plainly_written,
+    StoredColumn,
+    has_complete_import,
     read_manifest,
     write_manifest,
+    writing_errors_as_project_errors,
 )
-from lispac.survey.store.lock import LOCK, is_held, locked
-from lispac.survey.store.ordering import file_name
-from lispac.survey.store.original import is_unchanged, original_of
-from lispac.survey.store.pieces import MOST, Piece
-from lispac.survey.store.reading import open_store
-from lispac.survey.store.runs import gathered, in_pieces, rows_of
-from lispac.survey.store.stamps import remember
-from lispac.survey.store.writing import write_store
+from lispac.survey.store.line_import import write_store
+from lispac.survey.store.original_file import is_original_unchanged, source_file_of
+from lispac.survey.store.point_blocks import MOST, PointPiece
+from lispac.survey.store.read_ahead import read_ahead
+from lispac.survey.store.row_runs import gather_values, rows_of_runs, split_runs
+from lispac.survey.store.spatial_cells import is_drawn, stable_order
+from lispac.survey.store.stored_line import open_store
 from tests.store_lines import RECIPE, Line, place, small, stored, why
 
 __all__ = ["small"]
@@ -81,14 +81,14 @@ def test_a_line_imported_again_while_it_is_opened_is_opened_anew(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     first = stored(tmp_path, Line(80)).manifest
-    look, again = reading.require_sizes, iter([True])
+    look, again = stored_line.require_file_sizes, iter([True])
 
     def after_an_import(folder: Path, manifest: object) -> None:
         if next(again, False):
             write_store(folder, RECIPE, Line(500).pieces(900), place)
         look(folder, manifest)
 
-    monkeypatch.setattr(reading, "require_sizes", after_an_import)
+    monkeypatch.setattr(stored_line, "require_file_sizes", after_an_import)
     found = open_store(tmp_path, "L1")
     assert len(found) == 500
     assert found.manifest.folder != first.folder
@@ -97,9 +97,9 @@ def test_a_line_imported_again_while_it_is_opened_is_opened_anew(
 def test_a_manifest_newer_than_what_was_looked_at_stays(tmp_path: Path) -> None:
     old = stored(tmp_path, Line(80)).manifest
     now = stored(tmp_path, Line(90)).manifest
-    remember(tmp_path, old, replace(old, reach=98.0))
+    replace_manifest(tmp_path, old, replace(old, reach=98.0))
     assert read_manifest(tmp_path) == now
-    remember(tmp_path, now, replace(now, reach=99.0))
+    replace_manifest(tmp_path, now, replace(now, reach=99.0))
     assert read_manifest(tmp_path) == replace(now, reach=99.0)
 
 
@@ -115,7 +115,7 @@ def test_a_column_of_what_no_import_writes_is_damage(tmp_path: Path) -> None:
 def test_a_column_of_another_type_than_stated_is_damage(tmp_path: Path) -> None:
     np.save(tmp_path / "time.npy", np.zeros(5, np.float32))
     with pytest.raises(ProjectError) as refused:
-        opened(tmp_path, Column("time", "<f8", file="time.npy", count=5), 5)
+        map_column(tmp_path, StoredColumn("time", "<f8", file="time.npy", count=5), 5)
     assert why(refused.value) == "store.part_type"
     assert "time.npy" in str(refused.value)
     assert "float32" in str(refused.value)
@@ -147,7 +147,10 @@ def test_a_column_of_another_type_than_stated_is_damage(tmp_path: Path) -> None:
 def test_errors_of_the_system_while_writing_have_codes(
     tmp_path: Path, failure: OSError, size: int | None, code: str, params: dict[str, object]
 ) -> None:
-    with pytest.raises(ProjectError) as refused, plainly_written(tmp_path, lambda: size):
+    with (
+        pytest.raises(ProjectError) as refused,
+        writing_errors_as_project_errors(tmp_path, lambda: size),
+    ):
         raise failure
     assert refused.value.code == code
     assert refused.value.message is not None
@@ -155,7 +158,10 @@ def test_errors_of_the_system_while_writing_have_codes(
 
 
 def test_room_that_an_import_needs_is_shown_in_megabytes(tmp_path: Path) -> None:
-    with pytest.raises(ProjectError) as refused, plainly_written(tmp_path, lambda: 40_000_000):
+    with (
+        pytest.raises(ProjectError) as refused,
+        writing_errors_as_project_errors(tmp_path, lambda: 40_000_000),
+    ):
         raise OSError(errno.ENOSPC, "No space left")
     assert " 40.0 MB" in str(refused.value)
 
@@ -180,15 +186,15 @@ def test_a_file_without_a_point_is_refused_and_leaves_nothing(tmp_path: Path) ->
     with pytest.raises(ProjectError) as refused:
         write_store(tmp_path / "L1", RECIPE, lambda first: iter(()), place)
     assert refused.value.message == error("store.no_points", file="a.las")
-    assert not is_imported(tmp_path / "L1")
+    assert not has_complete_import(tmp_path / "L1")
     with pytest.raises(ProjectError) as refused:
         open_store(tmp_path / "L1", "L1")
     assert refused.value.message == error("store.not_imported", line="L1")
 
 
 def test_more_points_than_can_be_numbered_are_refused(tmp_path: Path) -> None:
-    def far_on(first: int) -> Iterator[Piece]:
-        yield Piece(np.ones((1, 3)), np.zeros(1), np.array([MOST]), {}, MOST + 1)
+    def far_on(first: int) -> Iterator[PointPiece]:
+        yield PointPiece(np.ones((1, 3)), np.zeros(1), np.array([MOST]), {}, MOST + 1)
 
     with pytest.raises(ProjectError) as refused:
         write_store(tmp_path, RECIPE, far_on, place)
@@ -209,53 +215,53 @@ def test_a_lock_whose_file_was_removed_meanwhile_is_taken_anew(
             (tmp_path / LOCK).unlink()
 
     monkeypatch.setattr(locks, "_lock", too_late)
-    with locked(tmp_path):
-        assert is_held(tmp_path)
-        with pytest.raises(ProjectError) as refused, locked(tmp_path):
+    with lock_folder(tmp_path):
+        assert is_import_running(tmp_path)
+        with pytest.raises(ProjectError) as refused, lock_folder(tmp_path):
             pass
         assert refused.value.code == "store.locked"
-    assert not is_held(tmp_path)
+    assert not is_import_running(tmp_path)
 
 
 def test_a_lock_that_a_process_left_behind_is_not_held(tmp_path: Path) -> None:
-    assert not is_held(tmp_path)
+    assert not is_import_running(tmp_path)
     (tmp_path / LOCK).touch()
-    assert not is_held(tmp_path)
-    with locked(tmp_path):
-        assert is_held(tmp_path)
+    assert not is_import_running(tmp_path)
+    with lock_folder(tmp_path):
+        assert is_import_running(tmp_path)
 
 
 def test_the_original_is_known_by_its_time_or_by_all_of_its_content(tmp_path: Path) -> None:
     path, content = tmp_path / "a.las", bytes(range(256)) * 300
     path.write_bytes(content)
     os.utime(path, ns=(0, 10**18))
-    original = original_of(path)
+    original = source_file_of(path)
     assert original == SourceFile(
         str(path), 76_800, 10**18, hashlib.sha256(content).hexdigest()[:32]
     )
     copy = tmp_path / "copy.las"
     copy.write_bytes(content)
-    assert is_unchanged(original, copy)
+    assert is_original_unchanged(original, copy)
     for changed in (content[:40_000] + b"x" + content[40_001:], content + b"x", content[:-1]):
         copy.write_bytes(changed)
-        assert not is_unchanged(original, copy)
+        assert not is_original_unchanged(original, copy)
     # Size and time as they were are believed
     copy.write_bytes(content[::-1])
     os.utime(copy, ns=(5, 10**18))
-    assert is_unchanged(original, copy)
+    assert is_original_unchanged(original, copy)
 
 
 def test_equal_keys_stay_as_they_stand() -> None:
     keys = np.random.default_rng(4).integers(0, 5, 3000).astype(np.uint64)
-    np.testing.assert_array_equal(sorting(keys), np.lexsort([np.arange(3000), keys]))
+    np.testing.assert_array_equal(stable_order(keys), np.lexsort([np.arange(3000), keys]))
 
 
 def test_a_sample_is_never_larger_than_wanted() -> None:
     numbers = np.arange(40)
-    assert drawn(numbers, 40, 40).all()
-    assert not drawn(np.arange(1000), 1000, 0).any()
+    assert is_drawn(numbers, 40, 40).all()
+    assert not is_drawn(np.arange(1000), 1000, 0).any()
     many = np.arange(100_000)
-    assert 4000 < np.count_nonzero(drawn(many, 100_000, 5000)) <= 5000
+    assert 4000 < np.count_nonzero(is_drawn(many, 100_000, 5000)) <= 5000
 
 
 def test_anything_that_can_be_gone_through_is_read_ahead() -> None:
@@ -263,7 +269,7 @@ def test_anything_that_can_be_gone_through_is_read_ahead() -> None:
 
 
 def test_nothing_is_lost_where_the_reader_is_slower(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("lispac.survey.store.ahead.POLL", 0.001)
+    monkeypatch.setattr("lispac.survey.store.read_ahead.POLL", 0.001)
     found = []
     for piece in read_ahead(iter(range(5))):
         time.sleep(0.02)  # many looks at a full queue
@@ -272,26 +278,28 @@ def test_nothing_is_lost_where_the_reader_is_slower(monkeypatch: pytest.MonkeyPa
 
 
 def test_no_runs_have_no_rows() -> None:
-    rows = rows_of(np.zeros((0, 2), dtype=np.int64))
+    rows = rows_of_runs(np.zeros((0, 2), dtype=np.int64))
     assert (rows.shape, rows.dtype) == ((0,), np.int64)
 
 
 def test_a_column_is_called_after_its_attribute_in_letters_that_every_disk_has() -> None:
-    assert file_name(3, "Ring / angle é") == "attribute-03-Ring___angle__.npy"
-    assert file_name(12, "a" * 60) == f"attribute-12-{'a' * 40}.npy"
+    assert attribute_file_name(3, "Ring / angle é") == "attribute-03-Ring___angle__.npy"
+    assert attribute_file_name(12, "a" * 60) == f"attribute-12-{'a' * 40}.npy"
 
 
 @pytest.mark.parametrize("rows", [1, 7, 64, 1000])
 def test_runs_are_taken_some_rows_at_a_time(rows: int) -> None:
     ends = np.cumsum(np.random.default_rng(rows).integers(1, 30, 40))
     runs = ends.reshape(-1, 2)
-    some = list(in_pieces(runs, rows))
-    assert [len(rows_of(each)) for each in some[:-1]] == [rows] * (len(some) - 1)
-    assert 0 < len(rows_of(some[-1])) <= rows
-    np.testing.assert_array_equal(np.concatenate([rows_of(each) for each in some]), rows_of(runs))
-    assert list(in_pieces(runs[:0], rows)) == []
+    some = list(split_runs(runs, rows))
+    assert [len(rows_of_runs(each)) for each in some[:-1]] == [rows] * (len(some) - 1)
+    assert 0 < len(rows_of_runs(some[-1])) <= rows
+    np.testing.assert_array_equal(
+        np.concatenate([rows_of_runs(each) for each in some]), rows_of_runs(runs)
+    )
+    assert list(split_runs(runs[:0], rows)) == []
 
 
 def test_no_runs_have_no_values() -> None:
-    none = gathered(np.arange(12).reshape(4, 3), np.zeros((0, 2), np.int64))
+    none = gather_values(np.arange(12).reshape(4, 3), np.zeros((0, 2), np.int64))
     assert none.shape == (0, 3)

@@ -6,30 +6,30 @@ import pytest
 from lispac.errors import InputError, SphereNotFound, TargetNotFound
 from lispac.geometry.spheres import fit_sphere
 from lispac.messages import note
-from lispac.natural.clutter import is_water
-from lispac.natural.planes import LinePlanes
-from lispac.natural.regions import Regions
-from lispac.patchtest import optimise
-from lispac.patchtest.boxes import Box, checked
-from lispac.patchtest.mismatch import Mismatch
-from lispac.patchtest.sample import Sample
+from lispac.natural.flat_regions import Regions
+from lispac.natural.line_planes import LinePlanes
+from lispac.natural.surface_filter import is_water
+from lispac.patchtest import mismatch_minimisation
+from lispac.patchtest.line_mismatch import Mismatch
+from lispac.patchtest.object_boxes import ObjectBox, object_of_box
+from lispac.patchtest.object_sample import ObjectSample
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import Poses
-from lispac.targets.across_lines import find_in_lines
-from lispac.targets.expected import ExpectedTarget, deviations
-from lispac.targets.lines import Surroundings, best_match, shifts_into
-from lispac.targets.settings import FinderSettings
-from lispac.targets.shift import Shift, find_shifts
-from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere
-from lispac.targets.sphere_ransac import draw
-from lispac.targets.spheres_across_lines import _contradiction, find_spheres_in_lines
+from lispac.targets.cloud_shift import CloudShift, find_shifts
+from lispac.targets.expected_target import ExpectedTarget, deviations_from_expected
+from lispac.targets.finder_settings import FinderSettings
+from lispac.targets.line_search import WeightedSurroundings, best_match, find_shifts_into_line
+from lispac.targets.planes_across_lines import find_in_lines
+from lispac.targets.sphere_finder import RadiusRange, SpherePatch, find_sphere
+from lispac.targets.sphere_ransac import draw_spheres
+from lispac.targets.spheres_across_lines import _two_spheres_error, find_spheres_in_lines
 from tests.error_codes import has_code
 
 
 def test_an_inclination_that_is_not_known_is_not_compared() -> None:
     upright, size = np.array([0.0, 1.0, 0.0]), np.array([1.2, 1.0])
-    assert deviations(ExpectedTarget(1.2, 1.0), size, upright) == ()
-    assert deviations(ExpectedTarget(1.2, 1.0, np.radians(45.0)), size, upright) == (
+    assert deviations_from_expected(ExpectedTarget(1.2, 1.0), size, upright) == ()
+    assert deviations_from_expected(ExpectedTarget(1.2, 1.0, np.radians(45.0)), size, upright) == (
         note("quality.steeper", tilt=np.pi / 2, off=np.pi / 4, expected=np.pi / 4),
     )
 
@@ -48,19 +48,19 @@ def test_clouds_that_no_translation_lays_onto_each_other_have_no_shift() -> None
 def test_a_line_like_nothing_about_the_target_is_said() -> None:
     """There are points within reach of the seed, but none where the target could have moved."""
     settings = FinderSettings(radius=2.0, max_shift=0.3)
-    reference = Surroundings(_cube(1), np.ones(400))
+    reference = WeightedSurroundings(_cube(1), np.ones(400))
     for off, code in (
         ((0.0, 1.7, 0.0), "finder.not_alike"),
         ((9.0, 0.0, 0.0), "finder.line_no_points"),
     ):
         with pytest.raises(TargetNotFound, check=has_code(code)):
-            shifts_into(_cube(2, off), None, reference, np.zeros(3), settings)
+            find_shifts_into_line(_cube(2, off), None, reference, np.zeros(3), settings)
 
 
 def test_two_matches_that_cannot_both_be_meant_are_refused() -> None:
-    shifts = [Shift(np.array([k, 0.0, 0.0]), 0.9) for k in (0.0, 1.0)]
+    shifts = [CloudShift(np.array([k, 0.0, 0.0]), 0.9) for k in (0.0, 1.0)]
 
-    def match(shift: Shift) -> tuple[str, float]:
+    def match(shift: CloudShift) -> tuple[str, float]:
         return f"at {shift.vector[0]:g}", 0.9
 
     def contradiction(best: str, other: str) -> str | None:
@@ -84,7 +84,7 @@ def _balls(second: np.ndarray) -> dict[str, str]:
     found, missing = find_spheres_in_lines(
         clouds,
         np.array([0.0, 15.0, 5.0]),
-        RadiusSought(0.1, 0.5),
+        RadiusRange(0.1, 0.5),
         FinderSettings(),
         first_line="L1",
     )
@@ -109,13 +109,11 @@ def test_a_ball_of_another_size_is_not_the_target() -> None:
 
 def test_a_ball_found_twice_is_no_contradiction() -> None:
     def found(centre: tuple[float, float, float]) -> SpherePatch:
-        return find_sphere(
-            _ball(centre), np.array(centre), RadiusSought(0.1, 0.5), FinderSettings()
-        )
+        return find_sphere(_ball(centre), np.array(centre), RadiusRange(0.1, 0.5), FinderSettings())
 
     here = found((0.0, 15.0, 5.0))
-    assert _contradiction(here, found((0.02, 15.0, 5.0))) is None
-    message = _contradiction(here, found((0.5, 15.0, 5.0)))
+    assert _two_spheres_error(here, found((0.02, 15.0, 5.0))) is None
+    message = _two_spheres_error(here, found((0.5, 15.0, 5.0)))
     assert message is not None
     assert message.code == "finder.two_spheres"
     assert message.params["distance"] == pytest.approx(0.5, abs=0.005)
@@ -123,7 +121,7 @@ def test_a_ball_found_twice_is_no_contradiction() -> None:
 
 def test_through_points_in_one_plane_goes_no_ball() -> None:
     level = np.random.default_rng(1).uniform(-5.0, 5.0, (300, 3)) * [1.0, 1.0, 0.0]
-    assert draw(level, np.ones(300), 0.05, 0.5, FinderSettings()) == []
+    assert draw_spheres(level, np.ones(300), 0.05, 0.5, FinderSettings()) == []
 
 
 def _board(centre: tuple[float, float, float]) -> np.ndarray:
@@ -177,14 +175,14 @@ def test_of_no_planes_none_is_water() -> None:
 )
 def test_a_box_that_is_none_is_refused(centre: list, size: list, code: str) -> None:
     with pytest.raises(InputError, check=has_code(code, name="mast")):
-        checked("mast", Box(np.array(centre), np.array(size)))
-    sound = Box(np.zeros(3), np.ones(3))
-    assert checked("mast", sound).box is sound
+        object_of_box("mast", ObjectBox(np.array(centre), np.array(size)))
+    sound = ObjectBox(np.zeros(3), np.ones(3))
+    assert object_of_box("mast", sound).box is sound
 
 
 # -- the patch test --------------------------------------------------------------------------
 
-NOTHING = Sample(
+NOTHING = ObjectSample(
     (), np.zeros((0, 3)), Poses(np.zeros((0, 3)), np.zeros((0, 3))),
     Mounting(np.zeros(3), np.zeros(3)),
 )  # fmt: skip
@@ -200,11 +198,13 @@ def test_angles_that_never_come_to_rest_are_said_not_to_have_settled(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Every step is a degree: all steps are taken, and none is the last."""
-    monkeypatch.setattr(optimise, "_step", lambda _, __, turned: np.radians(np.ones(len(turned))))
-    found = optimise.minimise(NOTHING, (), np.zeros(3), (0, 2))
+    monkeypatch.setattr(
+        mismatch_minimisation, "_angle_step", lambda _, __, turned: np.radians(np.ones(len(turned)))
+    )
+    found = mismatch_minimisation.minimise_mismatch(NOTHING, (), np.zeros(3), (0, 2))
     assert not found.settled
-    steps = optimise.STEPS * len(optimise.SCALES)
+    steps = mismatch_minimisation.STEPS * len(mismatch_minimisation.SCALES)
     np.testing.assert_allclose(np.degrees(found.boresight), [steps, 0.0, steps])
-    one_by_one = optimise.one_after_another(NOTHING, (), np.zeros(3))
-    assert (one_by_one.rounds, one_by_one.settled) == (optimise.ROUNDS, False)
-    np.testing.assert_allclose(np.degrees(one_by_one.boresight), [optimise.ROUNDS] * 3)
+    one_by_one = mismatch_minimisation.minimise_angle_by_angle(NOTHING, (), np.zeros(3))
+    assert (one_by_one.rounds, one_by_one.settled) == (mismatch_minimisation.ROUNDS, False)
+    np.testing.assert_allclose(np.degrees(one_by_one.boresight), [mismatch_minimisation.ROUNDS] * 3)

@@ -15,11 +15,11 @@ from lispac.io.project_file import write_project
 from lispac.io.sbet import write_sbet
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow.export_request import ExportRequest, export, system_of
+from lispac.workflow.export_request import ExportRequest, export, output_system_of
 from lispac.workflow.file_reading import local_trajectory
 from lispac.workflow.georeferencing import georeference_project
+from lispac.workflow.output_crs import trajectory_datum_of
 from lispac.workflow.survey import load_survey
-from lispac.workflow.target_systems import own_datum
 from tests.cloud_files import MOUNTING, sweep, track, written_las
 from tests.command_errors import command_error
 
@@ -137,7 +137,7 @@ def test_a_code_is_written_with_the_datum_that_the_lines_name(
     dated: Project, tmp_path: Path
 ) -> None:
     source = dated.lines[0].path
-    assert own_datum(dated.lines) == (ITRF, 2023.5)
+    assert trajectory_datum_of(dated.lines) == (ITRF, 2023.5)
     dated.folder.mkdir()
     survey = load_survey(dated)
     for system in ("", NAD83):
@@ -145,7 +145,7 @@ def test_a_code_is_written_with_the_datum_that_the_lines_name(
         (path,), notes = export(dated, survey, request)
         assert apart(path, source) < 2e-4
         assert any(each.params.get("datum") == "ITRF2014" for each in notes)
-    found = system_of(dated, survey.trajectory, NAD83)  # targets go the same way
+    found = output_system_of(dated, survey.trajectory, NAD83)  # targets go the same way
     assert found is not None
     assert any(each.params.get("datum") == "ITRF2014" for each in found.assumptions)
     request = ExportRequest("lines", tmp_path / "none", "prior", "las", NAD83, trajectory_datum="")
@@ -187,7 +187,7 @@ def test_an_epoch_is_used_or_refused(
         (UTM, -5.0, "export.bad_epoch"),
     ):
         with pytest.raises(InputError) as raised:
-            system_of(raw, trajectory, system, epoch=epoch)
+            output_system_of(raw, trajectory, system, epoch=epoch)
         assert raised.value.code == code
     raw.folder.mkdir()
     write_project(raw)

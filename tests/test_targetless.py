@@ -8,20 +8,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.warnings import doubts
+from lispac.adjustment.warnings import result_warnings
 from lispac.errors import AdjustmentError
 from lispac.geometry.rotations import rotation_matrix
 from lispac.messages import note
 from lispac.project import Project
 from lispac.survey.cloud import CloudInMemory
-from lispac.survey.georeferencing import Mounting, place, to_lidar
+from lispac.survey.georeferencing import Mounting, place_points, to_lidar
 from lispac.survey.scan import Scan
 from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds
-from lispac.workflow.picking import pick
+from lispac.workflow.picking import pick_target
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.targetless import Targetless, targetless
+from lispac.workflow.targetless import TargetlessResult, targetless
 from tests.sharing import once
 from tests.test_cli import answer, run
 from tests.test_reference_surveys import angles, make
@@ -44,16 +44,16 @@ def thinned(sparse_project: Project) -> Opened:
 
 
 @pytest.fixture(scope="module")
-def clean(thinned: Opened, tmp_path_factory: pytest.TempPathFactory) -> Targetless:
+def clean(thinned: Opened, tmp_path_factory: pytest.TempPathFactory) -> TargetlessResult:
     return few_surfaces(thinned, tmp_path_factory)
 
 
-def few_surfaces(thinned: Opened, factory: pytest.TempPathFactory) -> Targetless:
+def few_surfaces(thinned: Opened, factory: pytest.TempPathFactory) -> TargetlessResult:
     """The answer of the scene as it is, which other files hold theirs against as well."""
     return once(factory, "few surfaces", lambda _folder: targetless(*thinned, count=FEW))
 
 
-def error(found: Targetless, project: Project) -> np.ndarray:
+def error(found: TargetlessResult, project: Project) -> np.ndarray:
     """Of roll, pitch and yaw, degrees."""
     return np.degrees(found.result.boresight) - project.truth_deg
 
@@ -72,7 +72,9 @@ def true_mounting(project: Project) -> Mounting:
     return project.mounting("prior").with_boresight(np.radians(project.truth_deg))
 
 
-def test_each_angle_is_within_three_sigma_of_the_truth(thinned: Opened, clean: Targetless) -> None:
+def test_each_angle_is_within_three_sigma_of_the_truth(
+    thinned: Opened, clean: TargetlessResult
+) -> None:
     off = np.abs(error(clean, thinned[0])) / np.degrees(clean.result.sigma)
     assert (off < 3).all(), off
     assert np.degrees(clean.result.sigma).max() < 0.02
@@ -86,7 +88,7 @@ def test_each_angle_is_within_three_sigma_of_the_truth(thinned: Opened, clean: T
     "off", [(2.0, -2.0, 2.0), pytest.param((-2.0, 2.0, -2.0), marks=pytest.mark.long)]
 )
 def test_a_prior_two_degrees_off_gives_the_same_answer(
-    thinned: Opened, clean: Targetless, off: tuple[float, float, float]
+    thinned: Opened, clean: TargetlessResult, off: tuple[float, float, float]
 ) -> None:
     project, survey = thinned
     wrong = tuple(float(a + b) for a, b in zip(project.truth_deg, off, strict=True))
@@ -105,7 +107,7 @@ def leaves_and_waves(opened: Opened, truth: Mounting) -> Opened:
 
     def change(name: str, scan: Scan) -> Scan:
         poses = survey.trajectory.at(scan.time)
-        north = place(scan.points_lidar, poses, truth)[:, 0] > middle
+        north = place_points(scan.points_lidar, poses, truth)[:, 0] > middle
         stretch = 1 + np.where(north, rng.uniform(-0.06, 0.06, len(north)), 0.0)
         leaves = scan.points_lidar * stretch[:, None]
         some = np.sort(rng.choice(len(scan.time), len(scan.time) // WET, replace=False))
@@ -128,7 +130,7 @@ def jumped(opened: Opened, truth: Mounting, wrong: str) -> Opened:
         if name != wrong:
             return scan
         poses = opened[1].trajectory.at(scan.time)
-        moved = place(scan.points_lidar, poses, truth) + [0.03, -0.04, 0.0]
+        moved = place_points(scan.points_lidar, poses, truth) + [0.03, -0.04, 0.0]
         return Scan(
             np.ascontiguousarray(to_lidar(moved, poses, truth)),
             scan.time, scan.intensity, scan.assumptions,
@@ -138,7 +140,9 @@ def jumped(opened: Opened, truth: Mounting, wrong: str) -> Opened:
 
 
 @pytest.mark.long
-def test_leaves_over_half_the_scene_and_water_do_little(thinned: Opened, clean: Targetless) -> None:
+def test_leaves_over_half_the_scene_and_water_do_little(
+    thinned: Opened, clean: TargetlessResult
+) -> None:
     """By how much over many surveys: `test_targetless_clutter`."""
     found = targetless(*leaves_and_waves(thinned, true_mounting(thinned[0])), count=FEW)
     off, sigma = np.abs(error(found, thinned[0])), np.degrees(found.result.sigma)
@@ -149,7 +153,7 @@ def test_leaves_over_half_the_scene_and_water_do_little(thinned: Opened, clean: 
     assert not ((np.abs(planes[:, 2]) > 0.95) & (heights < 0.5)).any(), "water was taken"
 
 
-def test_a_line_whose_position_jumped_is_named(thinned: Opened, clean: Targetless) -> None:
+def test_a_line_whose_position_jumped_is_named(thinned: Opened, clean: TargetlessResult) -> None:
     project, survey = thinned
     wrong = list(survey.scans)[2]
     found = targetless(*jumped(thinned, true_mounting(project), wrong), count=FEW)
@@ -195,7 +199,7 @@ def test_two_lines_alone_are_warned_of(demo_project: Project) -> None:
     )
     found = targetless(project, two, count=FEW)
     assert (np.abs(error(found, project)) < 3 * np.degrees(found.result.sigma)).all()
-    serious = {each.code for each in doubts(found.result, None) if each.is_serious}
+    serious = {each.code for each in result_warnings(found.result, None) if each.is_serious}
     assert "adjustment.line_unchecked" in serious
 
 
@@ -219,12 +223,12 @@ def test_targets_and_the_scene_tell_more_together(thinned: Opened) -> None:
     """And what is seen of a target's board is not counted twice."""
     project, survey = thinned
     for name in ("T1", "T2"):
-        project = pick(project, survey, demo_seeds()[name][1], name=name)
+        project = pick_target(project, survey, demo_seeds()[name][1], name=name)
     project = estimate(project, survey, cross_check=False)
     found = targetless(project, survey, count=8, with_targets=True)
-    assert found.targets == len(project.of_role("target"))
+    assert found.targets == len(project.targets_of_role("target"))
     names = [target.name for target in found.project.targets]
-    assert names[: found.targets] == [target.name for target in project.of_role("target")]
+    assert names[: found.targets] == [target.name for target in project.targets_of_role("target")]
     assert len(set(names)) == len(names) <= found.targets + 8
     assert note("targetless.with_targets", targets=2) in found.remarks
     off = np.abs(error(found, project)) / np.degrees(found.result.sigma)

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from lispac.project import Project, Settings
-from lispac.simulation.survey import port_survey
+from lispac.simulation.simulated_survey import port_survey
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.projects import create_project
-from lispac.workflow.simulate import RAW, triple, write_lines, write_trajectory
+from lispac.workflow.simulate import RAW, as_triple, write_lines, write_trajectory
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.targetless import targetless
 
@@ -30,7 +30,7 @@ def surveyed(folder: Path, seed: int) -> tuple[Project, Survey, Mounting]:
     project = create_project(
         folder, trajectory=trajectory, lines=write_lines(made, folder / RAW), accuracy=accuracy,
         settings=Settings(
-            lever_arm=triple(made.lever_arm), lidar_sigma=NOISE,
+            lever_arm=as_triple(made.lever_arm), lidar_sigma=NOISE,
             origin_deg_m=(float(np.degrees(latitude)), float(np.degrees(longitude)), height),
         ),
     )  # fmt: skip

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lispac.errors import InputError
-from lispac.io.formats import format_of, recognised
-from lispac.io.registry import PointChunk
+from lispac.io.format_types import PointChunk
+from lispac.io.formats import format_of, recognise_formats
 from lispac.io.text_table import degrees_and_minutes, degrees_minutes_seconds
 from lispac.survey.trajectory import Trajectory
 
@@ -120,7 +120,7 @@ NOTATIONS = {
 
 
 def trajectory(path: Path) -> Trajectory:
-    format = recognised(path, "trajectory")[0][0]
+    format = recognise_formats(path, "trajectory")[0][0]
     read = format.read(path, format.look(path, {}).choice)
     assert isinstance(read, Trajectory)
     return read

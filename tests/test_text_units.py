@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.formats import format_of, recognised
-from lispac.io.registry import Finding, PointChunk
+from lispac.io.format_types import FilePreview, PointChunk
+from lispac.io.formats import format_of, recognise_formats
 from lispac.io.seed_file import read_point_list
 from lispac.io.units import UNKNOWN, direction_of, is_units_row, split_title, stated_unit
 from lispac.messages import Level
@@ -43,12 +43,12 @@ def write(path: Path, head: str, row: Row) -> Path:
     return path
 
 
-def looked_at(path: Path) -> Finding:
-    return recognised(path, "trajectory")[0][0].look(path, {})
+def looked_at(path: Path) -> FilePreview:
+    return recognise_formats(path, "trajectory")[0][0].look(path, {})
 
 
 def read(path: Path) -> Trajectory:
-    format = recognised(path, "trajectory")[0][0]
+    format = recognise_formats(path, "trajectory")[0][0]
     found = format.read(path, format.look(path, {}).choice)
     assert isinstance(found, Trajectory)
     return found.with_positions_only()

@@ -12,8 +12,8 @@ from scipy.spatial import cKDTree
 from lispac.errors import InputError
 from lispac.project import Settings
 from lispac.survey.georeferencing import Mounting
-from lispac.targets.thinning import thin
-from lispac.workflow.calibration import thinned
+from lispac.targets.thinning import thin_points
+from lispac.workflow.calibration import thin_observations
 from tests.surveys import planar_survey
 
 POINTS = arrays(
@@ -27,7 +27,7 @@ DISTANCES = st.floats(0.02, 3.0)
 @settings(max_examples=80, deadline=None)
 @given(points=POINTS, distance=DISTANCES)
 def test_one_point_per_cube_and_every_point_has_one_near(points, distance):
-    kept = thin(points, distance)
+    kept = thin_points(points, distance)
     assert np.array_equal(kept, np.unique(kept))
     cells = np.floor(points / distance)
     assert len(np.unique(cells[kept], axis=0)) == len(kept) == len(np.unique(cells, axis=0))
@@ -40,7 +40,10 @@ def test_one_point_per_cube_and_every_point_has_one_near(points, distance):
 @given(points=POINTS, distance=DISTANCES, seed=st.integers(0, 1000))
 def test_the_order_of_the_points_does_not_matter(points, distance, seed):
     order = np.random.default_rng(seed).permutation(len(points))
-    kept, shuffled = points[thin(points, distance)], points[order][thin(points[order], distance)]
+    kept, shuffled = (
+        points[thin_points(points, distance)],
+        points[order][thin_points(points[order], distance)],
+    )
     # Adding zero turns -0.0 into 0.0, which only bytes tell apart.
     assert sorted(map(tuple, kept + 0.0)) == sorted(map(tuple, shuffled + 0.0))
 
@@ -49,7 +52,7 @@ def test_the_order_of_the_points_does_not_matter(points, distance, seed):
 def test_no_distance_keeps_every_point_that_has_coordinates(distance):
     points = np.random.default_rng(1).normal(size=(50, 3))
     points[3] = np.nan
-    np.testing.assert_array_equal(thin(points, distance), np.delete(np.arange(50), 3))
+    np.testing.assert_array_equal(thin_points(points, distance), np.delete(np.arange(50), 3))
 
 
 def test_a_dense_board_is_left_with_about_one_point_per_cell():
@@ -57,13 +60,13 @@ def test_a_dense_board_is_left_with_about_one_point_per_cell():
     points = np.stack(
         [rng.uniform(0, 1.2, 20_000), np.full(20_000, 0.05), rng.uniform(0, 1.2, 20_000)], 1
     )
-    assert len(thin(points, 0.1)) == 144
+    assert len(thin_points(points, 0.1)) == 144
 
 
 @pytest.mark.parametrize("distance", [np.nan, np.inf])
 def test_a_distance_that_is_no_number_is_refused(distance):
     with pytest.raises(InputError):
-        thin(np.zeros((3, 3)), distance)
+        thin_points(np.zeros((3, 3)), distance)
 
 
 @pytest.mark.parametrize("pos_errors", ["correlated", "independent"])
@@ -71,9 +74,9 @@ def test_observations_of_plane_files_are_thinned_as_those_of_a_project(pos_error
     mounting = Mounting(np.array([0.1, 0.0, 2.0]), np.radians([0.3, -0.2, 0.4]))
     whole = planar_survey(mounting, points=400)
     chosen = Settings((0.1, 0.0, 2.0), subsample=0.2, pos_errors=pos_errors)
-    fewer = thinned(whole, mounting, chosen)
+    fewer = thin_observations(whole, mounting, chosen)
     assert fewer.sightings == whole.sightings
     assert (fewer.counts > 10).all()
     assert len(fewer) < 0.6 * len(whole)
-    again = thinned(whole, mounting, replace(chosen, subsample=0.0))
+    again = thin_observations(whole, mounting, replace(chosen, subsample=0.0))
     assert len(again) == len(whole)

@@ -13,18 +13,18 @@ from lispac.survey.time_base import (
     HOUR,
     LEAP_DATES,
     WEEK,
-    base_of,
+    base_of_key,
+    equally_good_matches,
+    find_time_matches,
     from_gps,
     leap_seconds,
     leap_seconds_at_gps,
-    matches,
-    plausible,
-    rival_matches,
+    plausible_bases,
     to_gps,
-    unrolled,
+    unroll_times,
 )
-from lispac.survey.time_quality import Coverage, coverage, joined, time_quality
-from lispac.survey.time_restart import counted_on, restart_of
+from lispac.survey.time_quality import Coverage, assess_coverage, assess_times, join_coverages
+from lispac.survey.time_rollover import find_rollover, resolve_rollover
 from tests.error_codes import has_code
 from tests.message_codes import codes
 
@@ -48,11 +48,11 @@ def times(start: float, seconds: float, rate: float = 10.0) -> np.ndarray:
 def test_known_instants() -> None:
     """1 January 2017, 00:00 UTC: GPS 1167264018, week 1930, 18 s of leap (IGS, IERS)."""
     instant = np.array([1_167_264_018.0])
-    assert from_gps(instant, base_of("unix"))[0] == 1_483_228_800
-    assert from_gps(instant, base_of("gps-week"))[0] == 1_167_264_018 - 1930 * 604_800
-    assert from_gps(instant, base_of("utc-day"))[0] == 0
-    assert from_gps(instant, base_of("gps-day"))[0] == 18
-    assert from_gps(instant, base_of("gps-adjusted"))[0] == 167_264_018
+    assert from_gps(instant, base_of_key("unix"))[0] == 1_483_228_800
+    assert from_gps(instant, base_of_key("gps-week"))[0] == 1_167_264_018 - 1930 * 604_800
+    assert from_gps(instant, base_of_key("utc-day"))[0] == 0
+    assert from_gps(instant, base_of_key("gps-day"))[0] == 18
+    assert from_gps(instant, base_of_key("gps-adjusted"))[0] == 167_264_018
     assert leap_seconds_at_gps(1_167_264_018.0) == 18
     assert leap_seconds_at_gps(1_167_264_016.9) == 17
     assert leap_seconds_at_gps(0.0) == 0
@@ -94,7 +94,7 @@ def test_own_base_is_always_plausible(survey: tuple) -> None:
     if base.key == "utc-hour" and values.max() >= 2 * HOUR:
         return  # only writers that start again at the full hour count from it
     early = base.key == "gps-adjusted" and values.min() >= 0 and values.max() < WEEK
-    assert early or base in plausible(values)
+    assert early or base in plausible_bases(values)
 
 
 @given(surveys, st.sampled_from(BASES), st.floats(0.1, 0.9))
@@ -104,7 +104,7 @@ def test_points_of_any_base_come_onto_the_trajectory(survey, other, where) -> No
     line = np.linspace(start + where * span, start + where * span + 60, 20)
     if leaps_inside(track) or ("utc-hour" in (base.key, other.key) and span > HOUR / 2):
         return  # by the times alone a longer survey has several hours that fit
-    found = matches(
+    found = find_time_matches(
         from_gps(line, base), from_gps(track, other), point_bases=[base], trajectory_bases=[other]
     )
     right = from_gps(track, other) - track
@@ -118,14 +118,14 @@ def test_points_of_any_base_come_onto_the_trajectory(survey, other, where) -> No
 @given(st.floats(0, WEEK - 1), st.sampled_from([DAY, WEEK]), st.floats(0.01, 20))
 def test_wrapped_times_are_unrolled(start: float, period: float, step: float) -> None:
     true = start + step * np.arange(300)
-    back, count = unrolled(true % period)
+    back, count = unroll_times(true % period)
     np.testing.assert_allclose(back - back[0], true - true[0], rtol=0, atol=1e-6)
     assert count == int(true[-1] // period - true[0] // period)
 
 
 def test_other_steps_back_are_left_alone() -> None:
     disordered = np.array([1000.0, 1001.0, 900.0, 1002.0, 90_000.0, 500.0])
-    np.testing.assert_array_equal(unrolled(disordered)[0], disordered)
+    np.testing.assert_array_equal(unroll_times(disordered)[0], disordered)
 
 
 @pytest.mark.parametrize(
@@ -140,9 +140,9 @@ def test_other_steps_back_are_left_alone() -> None:
     ],
 )
 def test_usual_mixtures(points: str, track: str, shift: float | None) -> None:
-    trajectory = from_gps(times(SURVEY, 3600), base_of(track))
-    line = from_gps(times(SURVEY + 900, 120), base_of(points))
-    found = matches(line, trajectory)
+    trajectory = from_gps(times(SURVEY, 3600), base_of_key(track))
+    line = from_gps(times(SURVEY + 900, 120), base_of_key(points))
+    found = find_time_matches(line, trajectory)
     right = trajectory[0] - SURVEY - (line[0] - SURVEY - 900)
     assert any(abs(match.shift - right) < 1e-5 for match in found if match.share == 1)
     if shift is not None:
@@ -152,15 +152,15 @@ def test_usual_mixtures(points: str, track: str, shift: float | None) -> None:
 
 
 def test_ambiguity_is_stated() -> None:
-    found = matches(times(50_400, 60), times(50_000, 3600))
+    found = find_time_matches(times(50_400, 60), times(50_000, 3600))
     assert found[0].shift == 0
-    assert 18.0 in [match.shift for match in rival_matches(found)]
-    assert not rival_matches(matches(times(50_400, 60), times(50_400, 60)))
+    assert 18.0 in [match.shift for match in equally_good_matches(found)]
+    assert not equally_good_matches(find_time_matches(times(50_400, 60), times(50_400, 60)))
 
 
 def test_leap_seconds_taken_from_today_are_said() -> None:
-    day, week = base_of("utc-day"), base_of("gps-week")
-    found = matches(
+    day, week = base_of_key("utc-day"), base_of_key("gps-week")
+    found = find_time_matches(
         times(50_400, 60), times(2 * DAY + 50_000, 3600), point_bases=[day], trajectory_bases=[week]
     )
     assert found[0].leap_assumed
@@ -169,29 +169,29 @@ def test_leap_seconds_taken_from_today_are_said() -> None:
 
 def test_line_after_midnight_comes_onto_the_same_trajectory() -> None:
     track = times(2 * DAY - 600, 1200)  # seconds of the week, over the midnight of Monday
-    after = matches(times(60, 30), track)
+    after = find_time_matches(times(60, 30), track)
     np.testing.assert_allclose(after[0].applied(np.array([60.0])), 2 * DAY + 60)
-    before = matches(times(DAY - 60, 30), track)
+    before = find_time_matches(times(DAY - 60, 30), track)
     np.testing.assert_allclose(before[0].applied(np.array([DAY - 60])), 2 * DAY - 60)
 
 
 def test_line_after_the_week_rolled_over() -> None:
     track = times(WEEK - 600, 1200)
-    found = matches(times(60, 30), track)
+    found = find_time_matches(times(60, 30), track)
     assert found[0].shift in (WEEK, WEEK - 18, WEEK + 18)
     assert any(match.shift == WEEK for match in found)
 
 
 def test_no_match_is_said() -> None:
-    assert matches(np.array([5e13]), times(0, 60)) == ()
-    assert matches(np.zeros(0), times(0, 60)) == ()
+    assert find_time_matches(np.array([5e13]), times(0, 60)) == ()
+    assert find_time_matches(np.zeros(0), times(0, 60)) == ()
 
 
 def test_date_has_to_be_known() -> None:
     with pytest.raises(InputError, check=has_code("time.no_date")):
-        to_gps(np.array([5.0]), base_of("gps-week"))
+        to_gps(np.array([5.0]), base_of_key("gps-week"))
     with pytest.raises(InputError, check=has_code("time.unknown_base")):
-        base_of("sundial")
+        base_of_key("sundial")
 
 
 def through_32_bits(values: np.ndarray) -> np.ndarray:
@@ -199,11 +199,11 @@ def through_32_bits(values: np.ndarray) -> np.ndarray:
 
 
 def test_lost_precision_is_found() -> None:
-    quality = time_quality(through_32_bits(times(400_825, 20, 200)))
+    quality = assess_times(through_32_bits(times(400_825, 20, 200)))
     assert quality.resolution == 1 / 32
     assert quality.duplicates > 3000
     assert "times.coarse" in codes(quality.messages("a"))
-    assert time_quality(through_32_bits(times(50_400.0, 20, 30))).resolution == 1 / 256
+    assert assess_times(through_32_bits(times(50_400.0, 20, 30))).resolution == 1 / 256
 
 
 @pytest.mark.parametrize(
@@ -220,23 +220,23 @@ def test_lost_precision_is_found() -> None:
     ],
 )
 def test_sound_times_have_no_doubts(sound: np.ndarray) -> None:
-    assert time_quality(sound).messages("a") == ()
+    assert assess_times(sound).messages("a") == ()
 
 
 def test_disorder_is_counted() -> None:
-    quality = time_quality(np.array([0.1, 0.2, 0.2, 0.3, 0.15, 0.4, 0.4, np.nan]))
+    quality = assess_times(np.array([0.1, 0.2, 0.2, 0.3, 0.15, 0.4, 0.4, np.nan]))
     assert (quality.duplicates, quality.backward, quality.first_disorder) == (2, 1, 2)
 
 
 def test_coverage_by_hand() -> None:
     track = np.array([0.0, 1.0, 2.0, 10.0, 11.0, 20.0, 21.0])
     line = np.array([-1.0, 0.5, 2.0, 5.0, 9.0, 10.0, 10.5, 15.0, 20.5, 25.0])
-    found = coverage(line, track, 1.5)
+    found = assess_coverage(line, track, 1.5)
     assert (found.start, found.end, found.count) == (-1, 25, 10)
     assert (found.outside, found.in_gaps, found.usable) == (2, 3, 5)
     assert found.gaps == ((2.0, 10.0), (11.0, 20.0))
     assert found.share_in_gaps == 0.3
-    assert coverage(np.array([0.5]), track, 1.5).gaps == ()
+    assert assess_coverage(np.array([0.5]), track, 1.5).gaps == ()
 
 
 @given(
@@ -246,29 +246,31 @@ def test_coverage_by_hand() -> None:
 )
 def test_coverage_counts_every_point_once(line, steps, cut) -> None:
     track, sample = np.cumsum([0.0, *steps]), np.array(line)
-    found = coverage(sample, track, 2.0)
+    found = assess_coverage(sample, track, 2.0)
     for k, time in enumerate(sample):  # the slow way, one by one
         outside = time < track[0] or time > track[-1]
         gap = any(
             track[j] < time < track[j + 1] and track[j + 1] - track[j] > 2
             for j in range(len(track) - 1)
         )
-        alone = coverage(sample[k : k + 1], track, 2.0)
+        alone = assess_coverage(sample[k : k + 1], track, 2.0)
         assert (alone.outside, alone.in_gaps) == (int(outside), int(gap))
-    parts = joined([coverage(sample[:cut], track, 2.0), coverage(sample[cut:], track, 2.0)])
+    parts = join_coverages(
+        [assess_coverage(sample[:cut], track, 2.0), assess_coverage(sample[cut:], track, 2.0)]
+    )
     assert (parts.count, parts.outside, parts.in_gaps) == (
         found.count, found.outside, found.in_gaps,
     )  # fmt: skip
 
 
 def test_coverage_of_nothing() -> None:
-    empty = coverage(np.zeros(0), times(0, 5), 1)
+    empty = assess_coverage(np.zeros(0), times(0, 5), 1)
     assert np.isnan([empty.start, empty.end]).all()
     assert (empty.count, empty.outside, empty.in_gaps, empty.gaps) == (0, 0, 0, ())
-    assert (empty.longest_gap, joined([empty, empty]).longest_gap) == (1, 1)
-    alone = coverage(np.array([7.0, 3.0, 4.0]), np.zeros(0), 1)
+    assert (empty.longest_gap, join_coverages([empty, empty]).longest_gap) == (1, 1)
+    alone = assess_coverage(np.array([7.0, 3.0, 4.0]), np.zeros(0), 1)
     assert alone == Coverage(3.0, 7.0, 3, 3, 0, (), 1)
-    none = joined([])
+    none = join_coverages([])
     assert np.isnan([none.start, none.end, none.longest_gap]).all()
     assert (none.count, none.outside, none.in_gaps, none.gaps) == (0, 0, 0, ())
 
@@ -276,7 +278,7 @@ def test_coverage_of_nothing() -> None:
 def test_surveys_are_of_the_years_2000_to_2045() -> None:
     def known(*when: int) -> bool:
         second = datetime(*when, tzinfo=UTC).timestamp()
-        return base_of("unix") in plausible(np.array([second]))
+        return base_of_key("unix") in plausible_bases(np.array([second]))
 
     assert known(2000, 1, 1)
     assert known(2044, 12, 31, 23, 59, 59)
@@ -290,7 +292,7 @@ def test_surveys_are_of_the_years_2000_to_2045() -> None:
 @given(st.floats(gps(2018, 1, 2), gps(2044, 12, 1)))
 def test_tai_is_37_s_ahead_of_utc_and_19_s_ahead_of_gps(start: float) -> None:
     moment = np.array([start])
-    tai, unix, full = (from_gps(moment, base_of(key)) for key in ("tai", "unix", "gps-full"))
+    tai, unix, full = (from_gps(moment, base_of_key(key)) for key in ("tai", "unix", "gps-full"))
     np.testing.assert_allclose(tai - unix, 37.0, atol=1e-5)
     np.testing.assert_allclose(tai - full, GPS_EPOCH + 19.0, atol=1e-5)
 
@@ -299,15 +301,15 @@ def test_unix_times_may_be_ptp_and_both_are_named() -> None:
     track = gps(2024, 5, 31) + np.linspace(3000, 4000, 500)
     line = track[200:260]
     for key in ("unix", "tai"):
-        found = matches(
-            from_gps(line, base_of(key)), from_gps(track, base_of("gps-week")),
-            trajectory_bases=[base_of("gps-week")],
+        found = find_time_matches(
+            from_gps(line, base_of_key(key)), from_gps(track, base_of_key("gps-week")),
+            trajectory_bases=[base_of_key("gps-week")],
         )  # fmt: skip
         shifts = {match.points.key: match.shift for match in found if match.share == 1}
         assert {"unix", "tai"} <= set(shifts)
         assert shifts["unix"] - shifts["tai"] == pytest.approx(37.0)
-        own = base_of(key)
-        right = from_gps(track, base_of("gps-week"))[0] - from_gps(track, own)[0]
+        own = base_of_key(key)
+        right = from_gps(track, base_of_key("gps-week"))[0] - from_gps(track, own)[0]
         assert shifts[key] == pytest.approx(right)
 
 
@@ -317,18 +319,20 @@ def test_seconds_of_the_hour_come_onto_the_trajectory(hour: int, begin: float, s
     start = gps(2024, 6, 2) + hour * HOUR + 18 + begin
     track = start + np.linspace(-60, span + 60, 800)
     line = start + np.linspace(0, span, 300)
-    raw = np.mod(from_gps(line, base_of("unix")), HOUR)
-    restart = restart_of(raw)
+    raw = np.mod(from_gps(line, base_of_key("unix")), HOUR)
+    restart = find_rollover(raw)
     assert restart == ("full-hour" if raw[-1] < raw[0] and span < 0.9 * HOUR / 2 else "") or (
         raw[-1] < raw[0]
     )
     counted = np.where(raw < raw[0], raw + HOUR, raw)
     if restart:
-        np.testing.assert_allclose(counted_on(raw, restart) - counted, counted[0] * 0, atol=1e-6)
-    found = matches(
-        counted, from_gps(track, base_of("gps-week")),
-        point_bases=[base_of("utc-hour")], trajectory_bases=[base_of("gps-week")],
+        np.testing.assert_allclose(
+            resolve_rollover(raw, restart) - counted, counted[0] * 0, atol=1e-6
+        )
+    found = find_time_matches(
+        counted, from_gps(track, base_of_key("gps-week")),
+        point_bases=[base_of_key("utc-hour")], trajectory_bases=[base_of_key("gps-week")],
     )  # fmt: skip
     assert found[0].share == 1
-    right = from_gps(track, base_of("gps-week"))[0] - track[0]
+    right = from_gps(track, base_of_key("gps-week"))[0] - track[0]
     assert any(np.allclose(m.applied(counted) - line, right, atol=1e-5) for m in found)

@@ -8,14 +8,19 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.io.formats import format_of
-from lispac.io.line_times import line_times
+from lispac.io.line_times import read_line_times
 from lispac.messages import Message, note
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import DAY, WEEK
-from lispac.survey.time_restart import as_written, counted_on, restart_message, restart_of
+from lispac.survey.time_rollover import (
+    find_rollover,
+    resolve_rollover,
+    restore_rollover,
+    rollover_note,
+)
 from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.importing import import_lines
-from lispac.workflow.intake import Intake
+from lispac.workflow.input_files import InputFiles
+from lispac.workflow.line_import import import_lines
 from lispac.workflow.projects import new_project, open_project
 from lispac.workflow.survey import load_survey
 from tests.intake_files import LEVER, START, codes_about, named, taken_in, write_line
@@ -76,18 +81,18 @@ def test_times_moved_back_are_those_of_the_file(restart: str, shift: float) -> N
     moved = reading.moved(written)
     counted = [period - 0.5, period, period + 3.0] if period else [5.0, 6.5]
     assert moved.tolist() == [time + shift for time in counted]
-    assert reading.moved_back(moved).tolist() == written.tolist()
+    assert reading.to_file_time(moved).tolist() == written.tolist()
 
 
 def test_two_times_can_tell_a_restart_and_one_cannot() -> None:
-    assert restart_of(np.array([DAY - 3.0, 2.0])) == "midnight"
-    assert restart_of(np.array([2.0, WEEK - 3.0])) == "week-end"
-    assert restart_of(np.array([DAY - 3.0])) == ""
+    assert find_rollover(np.array([DAY - 3.0, 2.0])) == "midnight"
+    assert find_rollover(np.array([2.0, WEEK - 3.0])) == "week-end"
+    assert find_rollover(np.array([DAY - 3.0])) == ""
     # A line of less than half a day, most of it after midnight
     long = np.r_[np.linspace(0.95 * DAY, DAY - 1, 50), np.linspace(1, 0.4 * DAY, 200)]
-    assert restart_of(long) == "midnight"
-    assert restart_of(np.zeros(0)) == ""
-    assert restart_of(np.array([DAY - 3.0, np.nan, 2.0])) == ""
+    assert find_rollover(long) == "midnight"
+    assert find_rollover(np.zeros(0)) == ""
+    assert find_rollover(np.array([DAY - 3.0, np.nan, 2.0])) == ""
 
 
 def test_an_option_states_it_or_takes_it_back(tmp_path: Path, capsys) -> None:
@@ -123,7 +128,7 @@ def test_text_and_stated_time_bases_count_on_too(tmp_path: Path) -> None:
 
 def test_the_dialogue_counts_on_and_says_so(tmp_path: Path) -> None:
     track, line = survey_about(tmp_path, WEEK)
-    intake = taken_in(Intake(), track, line)
+    intake = taken_in(InputFiles(), track, line)
     entry = named(intake, "L.las")
     assert intake.state(entry) == "fine"
     (restart,) = (m for m in intake.remarks(entry) if m.code == "import.times_restart")
@@ -142,7 +147,7 @@ def test_a_long_line_is_counted_on_by_a_sample(tmp_path: Path, monkeypatch) -> N
     monkeypatch.setattr("lispac.io.line_times.READ_WHOLE", 10_000)
     times = np.mod(DAY - 5000 + np.linspace(0, 5400, 60_000), DAY)
     line = write_line(tmp_path / "long.las", times)
-    found = line_times(line, format_of("las"), {})
+    found = read_line_times(line, format_of("las"), {})
     assert found.restart == "midnight"
     assert found.end == pytest.approx(DAY + 400)
 
@@ -161,9 +166,9 @@ def test_a_long_line_is_counted_on_by_a_sample(tmp_path: Path, monkeypatch) -> N
     ],
 )  # fmt: skip
 def test_other_steps_are_left_alone(times: np.ndarray) -> None:
-    assert restart_of(times) == ""
-    assert counted_on(times, "") is times
-    assert as_written(times, "none") is times
+    assert find_rollover(times) == ""
+    assert resolve_rollover(times, "") is times
+    assert restore_rollover(times, "none") is times
 
 
 MIDNIGHT = note("rollover.midnight")
@@ -192,7 +197,7 @@ MIDNIGHT = note("rollover.midnight")
 def test_what_is_done_to_times_that_restart_is_said(
     times: list[float], restart: str, message: Message
 ) -> None:
-    assert restart_message(np.array(times), restart, "a") == message
+    assert rollover_note(np.array(times), restart, "a") == message
 
 
 def test_a_restarting_sbet_is_taken_without_options_and_looked_at_rightly(tmp_path, capsys) -> None:

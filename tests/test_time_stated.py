@@ -9,10 +9,15 @@ from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.messages import Level, Message, note
 from lispac.project import LineSource, Reading, Settings
-from lispac.survey.time_base import WEEK, Match, base_of
-from lispac.survey.time_stated import KnownTimeBase, contradiction, nowhere, shift_note
-from lispac.workflow.importing import assumptions_of, import_lines
-from lispac.workflow.intake import Intake
+from lispac.survey.known_time_base import (
+    KnownTimeBase,
+    no_overlap_error,
+    shift_note,
+    time_base_error,
+)
+from lispac.survey.time_base import WEEK, TimeMatch, base_of_key
+from lispac.workflow.input_files import InputFiles
+from lispac.workflow.line_import import assumptions_of, import_lines
 from lispac.workflow.projects import new_project, open_project, with_lines_added
 from lispac.workflow.survey import Survey, load_survey
 from tests.command_errors import command_error
@@ -143,22 +148,25 @@ def test_bases_that_bring_nothing_inside_are_refused(track, tmp_path) -> None:
 
 
 def test_times_that_fit_no_base_say_so() -> None:
-    stated = KnownTimeBase(base_of("gps-week"), stated=True)
+    stated = KnownTimeBase(base_of_key("gps-week"), stated=True)
     times = np.array([5e12, 4e12])
-    refusal = contradiction(times, stated, "a")
+    refusal = time_base_error(times, stated, "a")
     assert refusal is not None
     assert refusal.code == "time_base.no_base_possible"
     assert (refusal.params["first"], refusal.params["last"]) == (4e12, 5e12)
-    assert contradiction(times, KnownTimeBase(base_of("gps-week")), "a") is None
-    assert contradiction(np.array([5.0]), stated, "a") is None
+    assert time_base_error(times, KnownTimeBase(base_of_key("gps-week")), "a") is None
+    assert time_base_error(np.array([5.0]), stated, "a") is None
 
 
 def test_what_the_trajectory_could_count_instead_is_named() -> None:
-    own, track = KnownTimeBase(base_of("gps-adjusted"), stated=True), START + np.arange(0.0, 100.0)
+    own, track = (
+        KnownTimeBase(base_of_key("gps-adjusted"), stated=True),
+        START + np.arange(0.0, 100.0),
+    )
     times = 2268 * WEEK - 1e9 + START + np.linspace(10, 40, 50)
-    other = KnownTimeBase(base_of("gps-day"))
+    other = KnownTimeBase(base_of_key("gps-day"))
     options = "--trajectory-option time=gps-week", "--trajectory-option time=utc-week"
-    refusal = nowhere(own, other, times, track, "a")
+    refusal = no_overlap_error(own, other, times, track, "a")
     assert refusal.code == "time_base.other_trajectory_base"
     assert refusal.params == {
         "file": "a",
@@ -168,15 +176,15 @@ def test_what_the_trajectory_could_count_instead_is_named() -> None:
     }  # fmt: skip
     # Some seconds behind its end: UTC is that much behind
     behind = 2268 * WEEK - 1e9 + START + 105.0 + np.linspace(0, 5, 50)
-    assert nowhere(own, other, behind, track, "a").params["options"] == [options[1]]
-    assert nowhere(own, KnownTimeBase(other.base, stated=True), times, track, "a").code == (
-        "time_base.no_overlap"
-    )
+    assert no_overlap_error(own, other, behind, track, "a").params["options"] == [options[1]]
+    assert no_overlap_error(
+        own, KnownTimeBase(other.base, stated=True), times, track, "a"
+    ).code == ("time_base.no_overlap")
 
 
 def test_a_shift_is_offered_where_it_brings_in_a_twentieth_more() -> None:
-    week, utc = base_of("gps-week"), base_of("utc-week")
-    found = (Match(((utc, week),), 18.0, 0.75),)
+    week, utc = base_of_key("gps-week"), base_of_key("utc-week")
+    found = (TimeMatch(((utc, week),), 18.0, 0.75),)
     assert shift_note((), 0.0, "a") is None
     assert shift_note(found, 0.71, "a") is None
     assert shift_note(found, 0.5, "a") == note(
@@ -212,7 +220,7 @@ def test_a_shift_that_brings_in_clearly_more_is_offered(track, tmp_path) -> None
 
 def test_the_dialogue_applies_a_lines_statement_and_takes_it_back(track, tmp_path) -> None:
     line = write_points(tmp_path / "utc.las", -18)
-    before = taken_in(Intake(), track, line)
+    before = taken_in(InputFiles(), track, line)
     assert named(before, "utc.las").shift == 0
     intake = taken_in(before.with_option(line, "time_base", "utc-week"))
     assert named(intake, "utc.las").shift == pytest.approx(18)
@@ -232,9 +240,9 @@ def test_the_dialogue_applies_a_lines_statement_and_takes_it_back(track, tmp_pat
 def test_the_dialogue_applies_a_trajectorys_statement(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
     line = write_points(tmp_path / "gps.las", 0)
-    intake = taken_in(taken_in(Intake(), track, line).with_option(track, "time", "utc-week"))
+    intake = taken_in(taken_in(InputFiles(), track, line).with_option(track, "time", "utc-week"))
     assert named(intake, "gps.las").shift == pytest.approx(-18)
-    assert intake.files_problem() == ""
+    assert intake.files_problem_text() == ""
     again = taken_in(intake.with_option(track, "time", "gps-week"))
     assert named(again, "gps.las").shift == 0
 
@@ -242,25 +250,25 @@ def test_the_dialogue_applies_a_trajectorys_statement(tmp_path) -> None:
 @pytest.mark.parametrize("base", ["utc-day", "gps-adjusted"])
 def test_the_dialogue_refuses_what_the_times_cannot_be(base: str, track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 0)
-    intake = taken_in(taken_in(Intake(), track, line).with_option(line, "time_base", base))
-    assert "cannot be" in intake.files_problem()
+    intake = taken_in(taken_in(InputFiles(), track, line).with_option(line, "time_base", base))
+    assert "cannot be" in intake.files_problem_text()
     error = intake.remarks(named(intake, "L.las"))[0]
     assert error.level is Level.ERROR
     assert named(intake, "L.las").shift == 0
-    assert taken_in(intake.with_action(line, error.actions[0])).files_problem() == ""
+    assert taken_in(intake.with_action(line, error.actions[0])).files_problem_text() == ""
 
 
 def test_the_dialogue_offers_the_shift_that_brings_in_more(track, tmp_path) -> None:
     line = write_points(tmp_path / "early.las", -18, 0, 34.7)
-    intake = taken_in(Intake(), track, line)
-    outside, offered = intake.time_remarks(named(intake, "early.las"))
+    intake = taken_in(InputFiles(), track, line)
+    outside, offered = intake.time_messages(named(intake, "early.las"))
     assert outside.code == "import.points_outside"
     assert offered.code == "import.shift_offered"
     assert (offered.params["shift"], offered.params["share"]) == (pytest.approx(18), 1.0)
     assert offered.actions[0].params["shift"] == pytest.approx(18)
-    assert [shift for _, shift in intake.shifts_offered] == [pytest.approx(18)]
+    assert [shift for _, shift in intake.proposed_shifts] == [pytest.approx(18)]
     mended = intake.with_shift_for_all()
-    assert mended.shifts_offered == ()
+    assert mended.proposed_shifts == ()
     covered = mended.coverage(named(mended, "early.las"))
     assert covered is not None
     assert covered.outside == 0

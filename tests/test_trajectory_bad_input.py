@@ -9,8 +9,8 @@ import pytest
 from hypothesis import strategies as st
 
 from lispac.errors import InputError
-from lispac.io.formats import ACCURACIES, TRAJECTORIES, format_of, recognised
-from lispac.io.registry import Finding
+from lispac.io.format_types import FilePreview
+from lispac.io.formats import ACCURACIES, TRAJECTORIES, format_of, recognise_formats
 from lispac.message_texts import message_text
 from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_delph, write_pospac, write_records
@@ -72,7 +72,7 @@ def error_of(key: str, path: Path, choice: dict[str, str] | None = None) -> Inpu
 def look(key: str, path: Path) -> None:
     """A look says its doubts or refuses in a sentence; nothing else comes out."""
     finding, told = outcome(format_of(key).look, path, {})
-    doubts = finding.doubts if isinstance(finding, Finding) else ()
+    doubts = finding.doubts if isinstance(finding, FilePreview) else ()
     assert finding is not None or str(path) in told
     assert all(doubt.params["file"] == path.name for doubt in doubts), doubts
     assert all(message_text(doubt).rstrip(")").endswith(".") for doubt in doubts), doubts
@@ -105,7 +105,7 @@ def test_cut_short_binary(tmp_path: Path, key: str) -> None:
     path.write_bytes(path.read_bytes()[:-20])
     assert "file.partial_record" in refused(key, path)
     assert "file.partial_record" in codes(format_of(key).look(path, {}).doubts)
-    assert recognised(path, format_of(key).kind)[0][0].key == key
+    assert recognise_formats(path, format_of(key).kind)[0][0].key == key
 
 
 @pytest.mark.parametrize("key", TEXT)

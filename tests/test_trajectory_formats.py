@@ -6,10 +6,17 @@ import pyproj
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of, formats_of, recognised
-from lispac.io.registry import LIKELY, SURE
+from lispac.io.format_types import LIKELY, SURE
+from lispac.io.formats import (
+    ACCURACIES,
+    POINTS,
+    TRAJECTORIES,
+    format_of,
+    formats_of,
+    recognise_formats,
+)
 from lispac.io.sbet import write_smrmsg
-from lispac.io.text_table import clock, day, degrees_minutes_seconds
+from lispac.io.text_table import clock_seconds, date_seconds, degrees_minutes_seconds
 from lispac.message_texts import message_text
 from lispac.messages import note, warning
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
@@ -67,9 +74,9 @@ def test_smrmsg_is_recognised_and_shown(tmp_path: Path) -> None:
     time = 486_000 + np.arange(100.0)
     accuracy = TrajectoryAccuracy(time, np.full((100, 3), 0.02), np.full((100, 3), 2e-4))
     write_smrmsg(tmp_path / "smrmsg.out", accuracy)
-    ((format, sureness),) = recognised(tmp_path / "smrmsg.out", "accuracy")
+    ((format, sureness),) = recognise_formats(tmp_path / "smrmsg.out", "accuracy")
     assert (format.key, sureness) == ("smrmsg", SURE)
-    assert recognised(tmp_path / "smrmsg.out", "trajectory") == []
+    assert recognise_formats(tmp_path / "smrmsg.out", "trajectory") == []
     finding = format.look(tmp_path / "smrmsg.out", {})
     assert finding.facts["Records"] == 100
     assert finding.facts["Sigma roll"] == note("fact.angles", low=2e-4, high=2e-4)
@@ -79,18 +86,18 @@ def test_smrmsg_is_recognised_and_shown(tmp_path: Path) -> None:
 
 def test_real_files_are_told_apart(shared_data: Path) -> None:
     harbour = shared_data / "harbour"
-    assert recognised(harbour / "trajectory.sbet", "accuracy") == []
-    assert recognised(harbour / "smrmsg.out", "trajectory") == []
-    assert recognised(harbour / "smrmsg.out", "accuracy")[0][0].key == "smrmsg"
-    assert recognised(harbour / "site.json", "trajectory") == []
-    assert recognised(harbour / "pass1.laz", "trajectory") == []
-    assert recognised(harbour / "none", "trajectory") == []
+    assert recognise_formats(harbour / "trajectory.sbet", "accuracy") == []
+    assert recognise_formats(harbour / "smrmsg.out", "trajectory") == []
+    assert recognise_formats(harbour / "smrmsg.out", "accuracy")[0][0].key == "smrmsg"
+    assert recognise_formats(harbour / "site.json", "trajectory") == []
+    assert recognise_formats(harbour / "pass1.laz", "trajectory") == []
+    assert recognise_formats(harbour / "none", "trajectory") == []
 
 
 def test_delph_export(tmp_path: Path) -> None:
     records = vessel(500)
     path = write_delph(tmp_path / "nav.txt", records)
-    assert recognised(path, "trajectory")[0] == (EXAIL, SURE)
+    assert recognise_formats(path, "trajectory")[0] == (EXAIL, SURE)
     finding = EXAIL.look(path, {})
     assert finding.choice == {"pitch": "bow-down", "roll": "starboard-down", "time": "unix"}
     assert finding.facts["Header"] == "DELPH INS Navigation export"
@@ -140,19 +147,19 @@ def test_delph_units_and_signs_come_from_the_header(tmp_path: Path) -> None:
 
 def test_delph_standard_deviations(tmp_path: Path) -> None:
     path = write_delph(tmp_path / "nav.txt", vessel(50), sigmas=True)
-    ((format, _),) = recognised(path, "accuracy")
+    ((format, _),) = recognise_formats(path, "accuracy")
     assert format.key == "exail-sigmas"
     accuracy = format.read(path, {})
     np.testing.assert_allclose(accuracy.position[7], SIGMAS[:3])
     np.testing.assert_allclose(np.degrees(accuracy.attitude[7]), [SIGMAS[4], SIGMAS[5], SIGMAS[3]])
     assert message_text(format.look(path, {}).facts["Sigma roll"]) == "0.0080 to 0.0080 deg"
-    assert recognised(write_delph(tmp_path / "bare.txt", vessel(50)), "accuracy") == []
+    assert recognise_formats(write_delph(tmp_path / "bare.txt", vessel(50)), "accuracy") == []
 
 
 def test_pospac_export(tmp_path: Path) -> None:
     records = vessel(500)
     path = write_pospac(tmp_path / "export.txt", records)
-    assert recognised(path, "trajectory")[0] == (POSPAC, SURE)
+    assert recognise_formats(path, "trajectory")[0] == (POSPAC, SURE)
     finding = POSPAC.look(path, {})
     assert finding.facts["Date of mission"] == "2018-08-07"
     assert finding.doubts == ()
@@ -162,7 +169,7 @@ def test_pospac_export(tmp_path: Path) -> None:
     degrees = note("assumed.column_unit", column="LATITUDE", unit=note("unit.degrees"))
     assert degrees in trajectory.assumptions
     assert "assumed.roll_starboard_down" in codes(trajectory.assumptions)
-    ((format, _),) = recognised(path, "accuracy")
+    ((format, _),) = recognise_formats(path, "accuracy")
     accuracy = format.read(path, {})
     np.testing.assert_allclose(accuracy.position[3], SIGMAS[:3])
     np.testing.assert_allclose(np.degrees(accuracy.attitude[3]), [SIGMAS[4], SIGMAS[5], SIGMAS[3]])
@@ -202,7 +209,7 @@ def test_generic_text(tmp_path: Path, separator: str, header: str) -> None:
     np.savetxt(
         path, table(records), "%.12f", separator, header=header.format(separator), comments="# "
     )
-    format, sureness = recognised(path, "trajectory")[0]
+    format, sureness = recognise_formats(path, "trajectory")[0]
     assert format is ASCII
     assert sureness == (LIKELY if header else 0.3)
     finding = ASCII.look(path, {})
@@ -357,9 +364,14 @@ def test_what_is_not_degrees_minutes_seconds(text: str) -> None:
 
 
 def test_clock_and_day() -> None:
-    assert clock("14:03:07.25") == 14 * 3600 + 3 * 60 + 7.25
-    assert day("2024/02/29") == calendar.timegm((2024, 2, 29, 0, 0, 0))
-    for parse, text in ((clock, "25:00:00"), (clock, "12:61:00"), (day, "2024-13-01"), (day, "x")):
+    assert clock_seconds("14:03:07.25") == 14 * 3600 + 3 * 60 + 7.25
+    assert date_seconds("2024/02/29") == calendar.timegm((2024, 2, 29, 0, 0, 0))
+    for parse, text in (
+        (clock_seconds, "25:00:00"),
+        (clock_seconds, "12:61:00"),
+        (date_seconds, "2024-13-01"),
+        (date_seconds, "x"),
+    ):
         with pytest.raises(ValueError):
             parse(text)
 
@@ -369,7 +381,7 @@ def test_heading_may_count_on_over_full_turns(tmp_path: Path) -> None:
     assert records[-1, 9] > 5 * np.pi
     np.savetxt(tmp_path / "a.txt", table(records), "%.12f")
     for path in (write_records(tmp_path / "a.sbet", records), tmp_path / "a.txt"):
-        format = recognised(path, "trajectory")[0][0]
+        format = recognise_formats(path, "trajectory")[0][0]
         heading = format.read(path, format.look(path, {}).choice).attitude[:, 2]
         np.testing.assert_allclose(heading, records[:, 9])
     with pytest.raises(InputError, match=r"a\.txt") as refused:
@@ -379,4 +391,4 @@ def test_heading_may_count_on_over_full_turns(tmp_path: Path) -> None:
 
 def test_binary_accuracy_is_no_trajectory(tmp_path: Path) -> None:
     write_records(tmp_path / "a.out", vessel(100))
-    assert recognised(tmp_path / "a.out", "accuracy") == []
+    assert recognise_formats(tmp_path / "a.out", "accuracy") == []

@@ -5,9 +5,9 @@ import pytest
 
 from lispac.geometry.frames import LocalFrame
 from lispac.messages import Level
-from lispac.survey.states_between import densified
+from lispac.survey.state_densification import insert_states
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
-from lispac.survey.trajectory_rate import interpolation_error, interpolation_messages
+from lispac.survey.trajectory_sampling import interpolation_error, interpolation_messages
 
 FRAME = LocalFrame(0.8, -1.2, 0.0)
 ACCURACY = TrajectoryAccuracy.constant(np.full(3, 0.02), np.radians([0.01, 0.01, 0.02]))
@@ -59,7 +59,7 @@ def test_the_rate_is_that_of_the_file_where_states_are_inserted() -> None:
         np.hstack(states(time)),
         (np.hstack(states(time + tick)) - np.hstack(states(time - tick))) / (2 * tick),
     )
-    dense = densified(time, own, rates, longest_gap=1.0)
+    dense = insert_states(time, own, rates, longest_gap=1.0)
     assert dense.parts > 1
     track = LocalTrajectory(
         FRAME, dense.time, dense.states[:, :3], dense.states[:, 3:],

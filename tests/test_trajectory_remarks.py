@@ -9,7 +9,7 @@ from lispac.errors import InputError
 from lispac.io import trajectory_preview
 from lispac.io.formats import format_of
 from lispac.io.trajectory_checks import require_attitude
-from lispac.io.trajectory_facts import time_doubts
+from lispac.io.trajectory_facts import time_warnings
 from lispac.io.trajectory_preview import accuracy_facts
 from lispac.messages import error, note, warning
 from lispac.survey.trajectory import TrajectoryAccuracy
@@ -100,12 +100,12 @@ def test_a_heading_far_beyond_a_circle_has_to_have_got_there() -> None:
 
 def test_times_against_the_base_that_is_stated() -> None:
     time = 486_000 + np.arange(200) / 50
-    assert time_doubts(time, "gps-week", "a") == ()
-    (other,) = time_doubts(time, "utc-day", "a")
+    assert time_warnings(time, "gps-week", "a") == ()
+    (other,) = time_warnings(time, "utc-day", "a")
     assert (other.code, other.params["base"]) == ("trajectory.other_time_base", "utc-day")
     assert "gps-week" in other.params["bases"]  # type: ignore[operator]
     start, end = time[0] + 1e10, time[-1] + 1e10
-    assert time_doubts(time + 1e10, "gps-week", "a") == (
+    assert time_warnings(time + 1e10, "gps-week", "a") == (
         warning("trajectory.no_time_base", file="a", start=start, end=end),
     )
 

@@ -5,12 +5,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.io.formats import format_of, recognised
-from lispac.io.text_table import fields_of
+from lispac.io.formats import format_of, recognise_formats
+from lispac.io.text_table import split_fields
 from lispac.messages import Level
-from lispac.workflow.intake import Intake
-from lispac.workflow.intake_entry import examined
-from lispac.workflow.intake_remarks import option_to_choose
+from lispac.workflow.input_file import examine_file
+from lispac.workflow.input_file_messages import option_to_choose
+from lispac.workflow.input_files import InputFiles
 from tests.trajectory_files import vessel, write_pospac
 
 ASCII, POSPAC = format_of("ascii-trajectory"), format_of("pospac-text")
@@ -36,9 +36,9 @@ def test_decimal_commas(tmp_path: Path, separator: str) -> None:
     records = vessel(200)
     path = tmp_path / "a.txt"
     path.write_text(text_of(records, separator, ","), encoding="utf-8")
-    assert recognised(path, "trajectory")[0][0] is ASCII
+    assert recognise_formats(path, "trajectory")[0][0] is ASCII
     same(path, records)
-    entry = examined(path)
+    entry = examine_file(path)
     assert (entry.role, entry.error) == ("trajectory", None)
 
 
@@ -49,19 +49,19 @@ def test_quoted_fields(tmp_path: Path, separator: str, sign: str) -> None:
     rows = text_of(records, "|", sign).splitlines()
     quoted = [separator.join(f'"{field}"' for field in row.split("|")) for row in rows]
     path.write_text("\n".join(quoted) + "\n", encoding="utf-8")
-    assert recognised(path, "trajectory")[0][0] is ASCII
+    assert recognise_formats(path, "trajectory")[0][0] is ASCII
     same(path, records)
 
 
 def test_a_quote_may_be_seconds_of_arc() -> None:
-    assert fields_of('1.0,45 31 08.5",-73 32 20.1"') == ["1.0", '45 31 08.5"', '-73 32 20.1"']
+    assert split_fields('1.0,45 31 08.5",-73 32 20.1"') == ["1.0", '45 31 08.5"', '-73 32 20.1"']
 
 
 def test_commas_that_part_the_columns_still_do() -> None:
-    assert fields_of("1,2,3") == ["1", "2", "3"]
-    assert fields_of("1.5, 2.5, 3") == ["1.5", "2.5", "3"]
-    assert fields_of("1, 2, 3") == ["1", "2", "3"]
-    assert fields_of("1,5 -2,5 3") == ["1,5", "-2,5", "3"]
+    assert split_fields("1,2,3") == ["1", "2", "3"]
+    assert split_fields("1.5, 2.5, 3") == ["1.5", "2.5", "3"]
+    assert split_fields("1, 2, 3") == ["1", "2", "3"]
+    assert split_fields("1,5 -2,5 3") == ["1,5", "-2,5", "3"]
 
 
 def test_pospac_with_decimal_commas(tmp_path: Path) -> None:
@@ -80,7 +80,7 @@ def test_utf_16(tmp_path: Path, encoding: str, count: int) -> None:
     path = tmp_path / "a.csv"
     mark = "\ufeff" if encoding == "utf-16-be" else ""
     path.write_bytes((mark + text_of(records, ",", ".")).encode(encoding))
-    assert recognised(path, "trajectory")[0][0] is ASCII
+    assert recognise_formats(path, "trajectory")[0][0] is ASCII
     same(path, records)
     facts = ASCII.look(path, {}).facts
     assert facts["End"].params["time"] == pytest.approx(records[-1, 0])
@@ -93,7 +93,7 @@ def test_what_keeps_a_trajectory_out_is_said_once_without_its_path(tmp_path: Pat
     head += "position in Meters, orientation in Degrees)\n"
     rows = [f"{300 + k / 10} {4e5 + k} 5e6 10 0 0 90" for k in range(50)]
     path.write_text("POS Export Utility\n" + head + "\n".join(rows), encoding="utf-8")
-    intake = Intake().with_files([path]).with_entry(examined(path))
+    intake = InputFiles().with_files([path]).with_entry(examine_file(path))
     remarks = intake.remarks(intake.entries[0])
     about = [remark for remark in remarks if remark.code == "trajectory.no_system"]
     assert [remark.level for remark in about] == [Level.ERROR]

@@ -7,8 +7,8 @@ import pyproj
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.exail import unit_of
-from lispac.io.formats import format_of, recognised
+from lispac.io.exail import parse_unit
+from lispac.io.formats import format_of, recognise_formats
 from lispac.messages import Message, error, note, warning
 from lispac.survey.trajectory import Trajectory
 from tests.message_codes import codes
@@ -86,7 +86,7 @@ def test_pospac_positions_are_turned_into_the_unit_of_the_system(
     rows[:, 3] /= unit
     rows = np.insert(np.column_stack([rows, rows[:, :2]]), 1, 0.0, axis=1)
     path = write(tmp_path / "a.txt", POSPAC_HEAD.format(word), rows, " ")
-    assert recognised(path, "trajectory")[0][0] is POSPAC
+    assert recognise_formats(path, "trajectory")[0][0] is POSPAC
     assert off(POSPAC.read(path, {"crs": crs}), records) < 1e-4
 
 
@@ -162,7 +162,7 @@ def test_exail_text_may_be_in_a_projected_system(tmp_path: Path, word: str, unit
     records, rows = gridded(NEW_JERSEY, unit)
     rows[:, 5] *= -1
     path = write(tmp_path / "a.txt", EXAIL_HEAD.format(word), rows[:, [0, 1, 2, 3, 6, 4, 5]], "\t")
-    assert recognised(path, "trajectory")[0][0] is EXAIL
+    assert recognise_formats(path, "trajectory")[0][0] is EXAIL
     assert off(EXAIL.read(path, {"crs": NEW_JERSEY, "time": "gps-week"}), records) < 1e-4
     with pytest.raises(InputError, match=r"a\.txt") as refused:
         EXAIL.read(path, {"time": "gps-week"})
@@ -178,7 +178,7 @@ def test_exail_text_may_be_in_a_projected_system(tmp_path: Path, word: str, unit
     ],
 )  # fmt: skip
 def test_words_of_feet(words: str, unit: str) -> None:
-    assert unit_of(words) == unit
+    assert parse_unit(words) == unit
 
 
 def doubts_of_velocities(path: Path, word: str, unit: float, factor: float) -> tuple[Message, ...]:

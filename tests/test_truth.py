@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from lispac.adjustment.sensitivity import sensitivity
+from lispac.adjustment.point_sensitivity import sensitivity
 from lispac.errors import ProjectError
-from lispac.geometry.planes import fit_plane, in_plane_axes
+from lispac.geometry.planes import fit_plane, plane_axes
 from lispac.project import Project, Target
 from lispac.survey.trajectory import Poses
 from lispac.workflow.survey import Survey
@@ -28,7 +28,7 @@ def moves(project: Project, survey: Survey, plane: Target, lines: tuple[str, str
     normal = fit_plane(np.concatenate(points)).normal
     facing = survey.trajectory.position.mean(axis=0) - np.array(plane.seed)
     normal = normal * np.sign(normal @ facing)
-    placed = [each @ in_plane_axes(normal).T for each in points]
+    placed = [each @ plane_axes(normal).T for each in points]
     low = np.max([each.min(axis=0) for each in placed], axis=0)
     high = np.min([each.max(axis=0) for each in placed], axis=0)
     found = []

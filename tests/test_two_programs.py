@@ -21,10 +21,10 @@ from lispac.io import project_lock as locking
 from lispac.io.project_file import (
     FILE_NAME,
     SIGHTINGS,
-    keep_unsaved,
     read_project,
     read_unsaved,
     write_project,
+    write_unsaved,
 )
 from lispac.io.project_lock import LOCK_NAME, project_lock
 from lispac.project import Project
@@ -97,7 +97,7 @@ def test_points_of_unsaved_work_stay_when_another_saves(folder: Path) -> None:
     project = read_project(folder)
     target = project.targets[0]
     fewer = replace(target, name="Fewer", sightings=target.sightings[:-1])
-    keep_unsaved(project.with_target(fewer))
+    write_unsaved(project.with_target(fewer))
     write_project(project)
     unsaved = read_unsaved(folder)
     assert unsaved is not None

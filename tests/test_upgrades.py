@@ -10,9 +10,9 @@ import pytest
 
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.io.upgrades import SCHEMA_VERSION
-from lispac.io.values import decoded, encoded
-from lispac.validation.absolute_remarks import remarks_on
+from lispac.io.project_upgrades import SCHEMA_VERSION
+from lispac.io.value_conversion import decode_value, encode_value
+from lispac.validation.absolute_remarks import absolute_check_remarks
 from lispac.workflow.projects import open_project
 from tests.message_codes import codes
 from tests.report_sample import sample_project
@@ -52,7 +52,7 @@ def test_a_check_of_before_says_what_it_does_not_know() -> None:
     check = read_project(OLDER[5]).absolute
     assert check is not None
     assert check.others is None
-    assert "absolute.former_version" in codes(remarks_on(check))
+    assert "absolute.former_version" in codes(absolute_check_remarks(check))
 
 
 def test_every_version_has_its_fixture() -> None:
@@ -63,18 +63,20 @@ def test_results_come_back_as_they_were(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     assert project.result is not None
     assert project.result.reliability
-    again = decoded(json.loads(json.dumps(encoded(project.result))), AdjustmentResult)
-    assert encoded(again) == encoded(project.result)
+    again = decode_value(json.loads(json.dumps(encode_value(project.result))), AdjustmentResult)
+    assert encode_value(again) == encode_value(project.result)
     np.testing.assert_array_equal(again.covariance_all, project.result.covariance_all)
     if project.cross_checks is not None:
-        checks = decoded(json.loads(json.dumps(encoded(project.cross_checks))), CrossChecks)
-        assert encoded(checks) == encoded(project.cross_checks)
+        checks = decode_value(
+            json.loads(json.dumps(encode_value(project.cross_checks))), CrossChecks
+        )
+        assert encode_value(checks) == encode_value(project.cross_checks)
 
 
 def test_a_result_with_a_foreign_key_is_refused(tmp_path: Path) -> None:
-    content = encoded(sample_project(tmp_path).result) | {"surprise": 1}
+    content = encode_value(sample_project(tmp_path).result) | {"surprise": 1}
     with pytest.raises(ValueError, match="surprise"):
-        decoded(content, AdjustmentResult)
+        decode_value(content, AdjustmentResult)
 
 
 def test_open_project_is_the_way_in(tmp_path: Path) -> None:

@@ -5,31 +5,31 @@ from dataclasses import replace
 import numpy as np
 import scipy.stats
 
-from lispac.adjustment.averaging import averaged
 from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import PosErrorKnots, StochasticModel
+from lispac.adjustment.stochastic_model import PosErrorKnots, StochasticModel
 from lispac.geometry.frames import LocalFrame
 from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.scene import Scene
-from lispac.simulation.survey import Setup, simulated
+from lispac.simulation.simulated_survey import SurveySetup, simulate_survey
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
-from lispac.workflow.simulated_setup import simulation
+from lispac.workflow.simulated_setup import read_simulation
 
 SURVEYS = 6
 
 
-def marine() -> Setup:
+def marine() -> SurveySetup:
     """The two boards of the marine scene and nothing else."""
-    setup = simulation("marine").setup
+    setup = read_simulation("marine").setup
     boards = [surface for surface in setup.scene.surfaces if surface.name in setup.targets]
     return replace(setup, scene=Scene.of(boards), validation=())
 
 
-def surveyed(setup: Setup, seed: int) -> Observations:
+def surveyed(setup: SurveySetup, seed: int) -> Observations:
     """One survey with the labels of the truth and the sigmas of the simulator."""
-    survey, pos, scanner = simulated(setup, seed=seed), setup.pos, setup.scanner
+    survey, pos, scanner = simulate_survey(setup, seed=seed), setup.pos, setup.scanner
     assert isinstance(pos, PosErrorModel)
     said = survey.trajectory
     attitude = np.stack([said.roll, said.pitch, said.heading], axis=1)
@@ -64,7 +64,9 @@ def test_the_variance_factor_of_exact_sigmas_is_one() -> None:
     prior = Mounting(setup.mounting.lever_arm, np.zeros(3))
     statistic, freedom = 0.0, 0
     for seed in range(SURVEYS):
-        points = averaged(surveyed(setup, seed), prior, 0.1, longest=model.knot_interval)
+        points = average_points_in_cells(
+            surveyed(setup, seed), prior, 0.1, longest=model.knot_interval
+        )
         result = adjust(points, prior, model, diagnostics=False)
         statistic += result.chi_square.statistic
         freedom += result.degrees_of_freedom
@@ -95,7 +97,7 @@ def test_a_mean_strays_less_from_the_chord_than_its_points() -> None:
     single = PosErrorKnots.of(observations, model)
     np.testing.assert_allclose(single.stray, u * (1 - u), atol=1e-9)
     level = Mounting(np.zeros(3), np.zeros(3))
-    mean = averaged(observations, level, 1.0, longest=interval)
+    mean = average_points_in_cells(observations, level, 1.0, longest=interval)
     assert len(mean) == 1
     pairs = np.minimum(u[:, None], u) - u[:, None] * u
     knots = PosErrorKnots.of(mean, model)

@@ -11,7 +11,7 @@ import pytest
 
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.geometry.spheres import fit_sphere, rms_from_sphere
 from tests.test_vessel_spheres import BALLS, VESSEL, Vessel
 

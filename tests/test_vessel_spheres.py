@@ -10,14 +10,14 @@ from scipy.optimize import least_squares
 
 from lispac.errors import SphereNotFound
 from lispac.geometry.spheres import fit_sphere, rms_from_sphere
-from lispac.survey.georeferencing import Mounting, Poses, place
-from lispac.targets.finder import FinderSettings
-from lispac.targets.sphere_finder import RadiusSought, find_sphere
+from lispac.survey.georeferencing import Mounting, Poses, place_points
+from lispac.targets.plane_finder import FinderSettings
+from lispac.targets.sphere_finder import RadiusRange, find_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
 
-ANY = RadiusSought()
+ANY = RadiusRange()
 VESSEL = Mounting(np.array([-0.185596, 0.037658, 2.419063]), np.radians([0.4395, -1.8681, 0.3992]))
-KNOWN = RadiusSought.exactly(0.1)
+KNOWN = RadiusRange.of_known_radius(0.1)
 
 
 class Vessel:
@@ -34,7 +34,7 @@ class Vessel:
     def clouds(self, boresight):
         mounting = Mounting(VESSEL.lever_arm, boresight)
         return {
-            line: place(rows[:, 4:7], Poses(rows[:, 16:19], rows[:, 10:13]), mounting)
+            line: place_points(rows[:, 4:7], Poses(rows[:, 16:19], rows[:, 10:13]), mounting)
             for line, rows in self.rows.items()
         }
 

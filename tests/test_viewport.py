@@ -23,7 +23,7 @@ from lispac.gui.viewport.base import (
     Shading,
 )
 from lispac.gui.viewport.decimation import Budget
-from lispac.gui.viewport.recording import RecordingViewport
+from lispac.gui.viewport.recording_viewport import RecordingViewport
 from tests.view_scenes import BLUE, GREEN, RED, YELLOW, array_of, count, picture, pixel, scene, wall
 
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -239,12 +239,12 @@ def test_where_frames_take_long_fewer_points_move_and_never_more_than_the_budget
         return drawn()
 
     assert move() == 2000
-    view._view_detail.now(view._refining(view._pace.resting))
+    view._view_detail.now(view._refinement_steps(view._pace.resting))
     assert drawn() == 2 * 4000  # with their rims
     view._pace.slice = 1
     view._detail_s = 1.0
     assert move() == 250
-    view._view_detail.now(view._refining(view._pace.resting))
+    view._view_detail.now(view._refinement_steps(view._pace.resting))
     assert drawn() == 2 * 4000
 
 
@@ -284,7 +284,7 @@ def test_a_cross_shows_where_a_seed_would_be_set(viewport):
 def test_close_twice_leaves_nothing_behind(qtbot):
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")
-    from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     view = VtkViewport()
     view.widget.resize(300, 200)
@@ -311,7 +311,7 @@ import numpy as np
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMainWindow
-from lispac.gui.viewport.vtk import VtkViewport
+from lispac.gui.viewport.vtk_viewport import VtkViewport
 
 app = QApplication([])
 window = QMainWindow()
@@ -376,7 +376,7 @@ def test_recording_viewport_remembers_and_clicks(qtbot):
 
 def test_both_viewports_offer_what_the_protocol_asks():
     from lispac.gui.viewport.base import Viewport
-    from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     asked = {name for name in vars(Viewport) if not name.startswith("_")}
     for kind in (VtkViewport, RecordingViewport):

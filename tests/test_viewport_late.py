@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.viewport.base import Viewport, ViewportSignals
 from lispac.gui.viewport.lazy_viewport import ANSWERED, PER_WHAT, LazyViewport
-from lispac.gui.viewport.recording import RecordingViewport
+from lispac.gui.viewport.recording_viewport import RecordingViewport
 from tests.gui.support import WAIT_MS, in_front
 
 CLOUDS = {"A": np.zeros((3, 3)), "B": np.ones((2, 3))}
@@ -89,7 +89,7 @@ def test_it_is_made_for_an_answer(late: LazyViewport, made: Made) -> None:
 
 def test_the_window_stays_the_same_and_in_front(qtbot: QtBot, shown: object) -> None:
     """A window that gets its first OpenGL when it is shown already is made anew by Qt."""
-    from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     window = QMainWindow()
     qtbot.addWidget(window)

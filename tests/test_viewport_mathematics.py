@@ -4,9 +4,15 @@ import numpy as np
 import pytest
 
 from lispac.gui.viewport.camera import Camera, Size
-from lispac.gui.viewport.decimation import foremost, in_view, ranks, robust_sample, shares
-from lispac.gui.viewport.overlay import length_text, scale_length
-from lispac.gui.viewport.point_picker import pick
+from lispac.gui.viewport.decimation import (
+    line_budgets,
+    lowest_ranked,
+    points_in_view,
+    random_ranks,
+    trimmed_points,
+)
+from lispac.gui.viewport.overlay import length_text, scale_bar_length
+from lispac.gui.viewport.point_picker import pick_point
 from tests.view_scenes import SIZE, scene
 
 
@@ -53,7 +59,7 @@ def test_orbit_and_zoom_keep_their_point_at_its_pixel(seed):
 @pytest.mark.parametrize("seed", range(4))
 def test_parallel_projection_draws_equal_lengths_alike_and_keeps_what_is_pointed_at(seed):
     camera = random_camera(seed, parallel=True)
-    perspective = camera.projected(parallel=False)
+    perspective = camera.with_projection(parallel=False)
     # At the focal point both projections have the same scale.
     beside = camera.focal + 2.0 * camera.axes[0]
     for each in (camera, perspective):
@@ -70,7 +76,7 @@ def test_parallel_projection_draws_equal_lengths_alike_and_keeps_what_is_pointed
     )
     for moved in (
         camera.orbited(37.0, 0.0, point), camera.zoomed(0.5, point),
-        camera.refocused(camera.focal_depth + 17.0),
+        camera.with_focal_depth(camera.focal_depth + 17.0),
     ):  # fmt: skip
         np.testing.assert_allclose(moved.project(point, SIZE)[0, :2], [200.0, 150.0], atol=1e-7)
     shifted = camera.panned(30.0, -12.0, camera.focal_depth, SIZE).project(point, SIZE)[0]
@@ -81,8 +87,8 @@ def test_parallel_projection_draws_equal_lengths_alike_and_keeps_what_is_pointed
     assert pixels.min() >= 0.0
     assert np.all(pixels.max(axis=0) <= [SIZE.width, SIZE.height])
     assert 0.85 < (np.ptp(pixels, axis=0) / [SIZE.width, SIZE.height]).max() <= 1.0
-    assert len(in_view(points, fitted, SIZE)) == len(points)
-    hit = pick({"a": points}, fitted, *pixels[17], SIZE)
+    assert len(points_in_view(points, fitted, SIZE)) == len(points)
+    hit = pick_point({"a": points}, fitted, *pixels[17], SIZE)
     assert hit is not None
     np.testing.assert_allclose(pixels[hit.index], pixels[17], atol=2.0)
 
@@ -111,36 +117,38 @@ def test_fit_brings_all_points_into_view_without_waste(seed, size):
     assert pixels[:, :2].min() >= 0.0
     assert np.all(pixels[:, :2].max(axis=0) <= [size.width, size.height])
     assert 0.85 < spread.max() <= 1.0
-    assert len(in_view(points, random_camera(seed).fitted(points, size), size)) == len(points)
+    assert len(points_in_view(points, random_camera(seed).fitted(points, size), size)) == len(
+        points
+    )
 
 
 def test_shares_follow_the_sizes_and_small_lines_still_show():
-    assert shares({"a": 10, "b": 20}, 100) == {"a": 10, "b": 20}
-    shared = shares({"a": 900_000, "b": 100_000, "c": 3}, 1000)
+    assert line_budgets({"a": 10, "b": 20}, 100) == {"a": 10, "b": 20}
+    shared = line_budgets({"a": 900_000, "b": 100_000, "c": 3}, 1000)
     assert shared["a"] == pytest.approx(900, abs=1)
     assert shared["b"] == pytest.approx(100, abs=1)
     assert shared["c"] == 1
-    assert shares({"a": 0, "b": 500}, 10)["a"] == 0
+    assert line_budgets({"a": 0, "b": 500}, 10)["a"] == 0
 
 
 def test_sample_is_the_same_each_time_and_even():
-    places = ranks(100_000)
-    np.testing.assert_array_equal(places, ranks(100_000))
-    chosen = foremost(places, 10_000)
+    places = random_ranks(100_000)
+    np.testing.assert_array_equal(places, random_ranks(100_000))
+    chosen = lowest_ranked(places, 10_000)
     assert len(np.unique(chosen)) == 10_000
     assert places[chosen].max() <= np.delete(places, chosen).min()
-    assert set(foremost(places, 100)) <= set(chosen)
+    assert set(lowest_ranked(places, 100)) <= set(chosen)
     counts = np.histogram(chosen, bins=10, range=(0, 100_000))[0]
     assert counts.min() > 850
     for wanted in (1, 99_999, 100_000, 200_000):
-        assert len(foremost(places, wanted)) == min(wanted, 100_000)
-    np.testing.assert_array_equal(foremost(np.full(5, 0.9, np.float32), 2), [0, 1])
+        assert len(lowest_ranked(places, wanted)) == min(wanted, 100_000)
+    np.testing.assert_array_equal(lowest_ranked(np.full(5, 0.9, np.float32), 2), [0, 1])
 
 
 def test_robust_sample_leaves_out_stray_echoes_only():
     points = np.random.default_rng(0).uniform(-1, 1, size=(20_000, 3))
     points[7] = [5000.0, 0.0, 0.0]
-    kept = robust_sample(points)
+    kept = trimmed_points(points)
     assert kept.max() < 1.5
     assert len(kept) > 0.99 * len(points)
 
@@ -148,22 +156,22 @@ def test_robust_sample_leaves_out_stray_echoes_only():
 def test_pick_takes_the_surface_in_front_and_what_is_exactly_under_the_cursor():
     clouds, _ = scene()
     camera = Camera(np.array([0.0, 15.0, 1.5]), -0.5 * np.pi, 0.0, 15.0)
-    hit = pick(clouds, camera, 400.0, 300.0, SIZE)
+    hit = pick_point(clouds, camera, 400.0, 300.0, SIZE)
     assert hit is not None
     assert hit.line == "red"
     assert hit.depth == pytest.approx(15.0)
     # A point of the blue wall 5 pixels beside the edge of the red one is not stolen by that edge.
     edge = camera.project(clouds["red"], SIZE)[:, 0].max()
-    beside = pick(clouds, camera, edge + 5.0, 300.0, SIZE)
+    beside = pick_point(clouds, camera, edge + 5.0, 300.0, SIZE)
     assert beside is not None
     assert beside.line == "blue"
-    assert pick(clouds, camera, 400.0, 595.0, SIZE) is None
-    assert pick({}, camera, 400.0, 300.0, SIZE) is None
+    assert pick_point(clouds, camera, 400.0, 595.0, SIZE) is None
+    assert pick_point({}, camera, 400.0, 300.0, SIZE) is None
 
 
 def test_nothing_behind_the_eye_is_picked():
     camera = Camera(np.zeros(3), 0.0, 0.0, 10.0)
-    assert pick({"a": np.array([[-30.0, 0.0, 0.0]])}, camera, 400.0, 300.0, SIZE) is None
+    assert pick_point({"a": np.array([[-30.0, 0.0, 0.0]])}, camera, 400.0, 300.0, SIZE) is None
 
 
 @pytest.mark.parametrize(
@@ -171,7 +179,7 @@ def test_nothing_behind_the_eye_is_picked():
     [(0.1, "10 m"), (0.001, "10 cm"), (40.0, "5 km"), (0.0171, "2 m"), (0.00001, "1 mm")],
 )
 def test_scale_bar_has_a_round_length(scale, text):
-    metres = scale_length(scale)
+    metres = scale_bar_length(scale)
     assert length_text(metres) == text
     assert 50.0 <= metres / scale <= 150.001
 

@@ -3,12 +3,12 @@
 import pytest
 
 from lispac.gui.viewport.decimation import Budget
-from lispac.gui.viewport.pace import AIM_S, LEAST, PICTURE_S, SLICES, Pace
+from lispac.gui.viewport.frame_times import AIM_S, LEAST, PICTURE_S, SLICES, FrameTimes
 
 BUDGET = Budget()
 
 
-def drive(pace: Pace, rate: float, overhead: float = 0.0, frames: int = 20) -> float:
+def drive(pace: FrameTimes, rate: float, overhead: float = 0.0, frames: int = 20) -> float:
     """Move on a computer that draws so many points a second; the last frame's seconds."""
     took = 0.0
     for _ in range(frames):
@@ -19,7 +19,7 @@ def drive(pace: Pace, rate: float, overhead: float = 0.0, frames: int = 20) -> f
 
 
 def test_a_quick_computer_draws_the_whole_budget() -> None:
-    pace = Pace(BUDGET)
+    pace = FrameTimes(BUDGET)
     assert pace.resting == BUDGET.resting
     assert drive(pace, 1e9) < AIM_S["moving"]
     assert SLICES[pace.slice] == 1.0
@@ -28,7 +28,7 @@ def test_a_quick_computer_draws_the_whole_budget() -> None:
 
 def test_a_slow_one_draws_as_many_as_there_is_time_for() -> None:
     for rate in (3e5, 1e6, 2e6):
-        pace = Pace(BUDGET)
+        pace = FrameTimes(BUDGET)
         took = drive(pace, rate, overhead=0.01)
         drawn = SLICES[pace.slice] * BUDGET.moving
         assert took <= AIM_S["moving"] + 0.01 or drawn <= LEAST["moving"]
@@ -44,7 +44,7 @@ def test_a_slow_one_draws_as_many_as_there_is_time_for() -> None:
 
 
 def test_a_single_slow_frame_changes_nothing_and_lasting_ones_do() -> None:
-    pace = Pace(BUDGET)
+    pace = FrameTimes(BUDGET)
     drive(pace, 1e7)
     whole = pace.slice
     pace.took("moving", BUDGET.moving, 1.0, BUDGET.moving)
@@ -56,7 +56,7 @@ def test_a_single_slow_frame_changes_nothing_and_lasting_ones_do() -> None:
 
 
 def test_a_slice_does_not_come_and_go() -> None:
-    pace = Pace(BUDGET)
+    pace = FrameTimes(BUDGET)
     drive(pace, 0.99 * 0.5 * BUDGET.moving / AIM_S["moving"])
     thin = pace.slice
     for _ in range(4):
@@ -65,7 +65,7 @@ def test_a_slice_does_not_come_and_go() -> None:
 
 
 def test_small_budgets_are_left_alone() -> None:
-    pace = Pace(Budget(resting=4000, moving=500))
+    pace = FrameTimes(Budget(resting=4000, moving=500))
     pace.took("moving", 500, 9.0, 500)
     pace.took("resting", 4000, 9.0)
     assert pace.resting == 4000

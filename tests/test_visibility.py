@@ -9,9 +9,9 @@ import pytest
 
 from lispac.geometry.planes import Plane, plane_through
 from lispac.report.visibility_figures import CRITERIA, visibility_figure
-from lispac.report.visibility_tables import all_errors_in_words, comparison_table
-from lispac.simulation.closed_form import Course
-from lispac.simulation.thesis_answers import compared_with_thesis, lines_for_all_agree
+from lispac.report.visibility_tables import all_errors_text, comparison_table
+from lispac.simulation.closed_form_survey import Course
+from lispac.simulation.thesis_comparison import compare_with_thesis, do_fewest_lines_agree
 from lispac.simulation.thesis_site import (
     HEADINGS_DEG,
     LINES,
@@ -20,21 +20,21 @@ from lispac.simulation.thesis_site import (
     SIZES,
     TERRESTRIAL,
     board_plane,
-    mounting_with,
-    on_board,
-    simulated,
+    is_on_board,
+    mounting_with_error,
+    simulate_board,
 )
-from lispac.simulation.visibility import (
-    Shape,
+from lispac.simulation.visibility_criteria import (
+    PointsShape,
     angular_deviation,
     centroidal_distance,
-    normalised,
+    normalise_distances,
     orthogonal_distance,
-    shape_of,
-    type_one,
+    points_shape,
+    type_one_criterion,
 )
-from lispac.simulation.visibility_study import THRESHOLD, Visibility, visibility
-from lispac.survey.georeferencing import place, to_lidar
+from lispac.simulation.visibility_study import THRESHOLD, VisibilityStudy, study_visibility
+from lispac.survey.georeferencing import place_points, to_lidar
 from lispac.survey.trajectory import Poses
 from tests.test_cli import answer, run
 
@@ -43,24 +43,26 @@ UPRIGHT = MARINE.board(0.0)
 
 
 @pytest.fixture(scope="module")
-def terrestrial() -> Visibility:
-    return visibility(TERRESTRIAL)
+def terrestrial() -> VisibilityStudy:
+    return study_visibility(TERRESTRIAL)
 
 
 @pytest.fixture(scope="module")
-def marine() -> Visibility:
-    return visibility(MARINE)
+def marine() -> VisibilityStudy:
+    return study_visibility(MARINE)
 
 
 def cloud(error: str, heading: int, inclination_deg: float = 0.0, share: float = 1.0) -> np.ndarray:
     """The board of the marine site on one line."""
     course = LINES[HEADINGS_DEG.index(heading)]
-    return simulated(MARINE, course, np.radians(inclination_deg), mounting_with(error, share))
+    return simulate_board(
+        MARINE, course, np.radians(inclination_deg), mounting_with_error(error, share)
+    )
 
 
 def apart(error: str, headings: tuple[int, int], share: float = 1.0) -> tuple[float, float]:
     """How far two lines see the upright board from each other: metres, and degrees between them."""
-    one, other = (shape_of(cloud(error, heading, share=share)) for heading in headings)
+    one, other = (points_shape(cloud(error, heading, share=share)) for heading in headings)
     reference = board_plane(UPRIGHT)
     shift = orthogonal_distance(one, reference) - orthogonal_distance(other, reference)
     return abs(shift), float(np.degrees(one.plane.tilt_to(other.plane)))
@@ -72,16 +74,16 @@ def apart(error: str, headings: tuple[int, int], share: float = 1.0) -> tuple[fl
 def test_a_square_board_is_planar_and_a_stick_or_a_ball_is_not() -> None:
     rng = np.random.default_rng(1)
     grid = np.array([(u, v, 0.0) for u in range(21) for v in range(21)])
-    assert shape_of(grid).planarity == pytest.approx(1.0)
-    assert shape_of(grid * [1.0, 0.1, 1.0]).planarity == pytest.approx(0.01)
-    assert shape_of(rng.normal(size=(20000, 3))).planarity < 0.05
+    assert points_shape(grid).planarity == pytest.approx(1.0)
+    assert points_shape(grid * [1.0, 0.1, 1.0]).planarity == pytest.approx(0.01)
+    assert points_shape(rng.normal(size=(20000, 3))).planarity < 0.05
 
 
 def test_distances_are_normalised_as_in_equation_3_4() -> None:
-    assert normalised(np.array([0.2, 0.3, 0.7])) == pytest.approx([0.0, 0.2, 1.0])
-    assert np.isnan(normalised(np.array([0.2, np.nan, 0.7]))[1])
-    assert normalised(np.full(3, 0.1)) == pytest.approx([0.0, 0.0, 0.0])
-    found = type_one(np.array([1.0, 0.5, 1.0, np.nan]), np.array([0.0, 0.5, 1.0, np.nan]))
+    assert normalise_distances(np.array([0.2, 0.3, 0.7])) == pytest.approx([0.0, 0.2, 1.0])
+    assert np.isnan(normalise_distances(np.array([0.2, np.nan, 0.7]))[1])
+    assert normalise_distances(np.full(3, 0.1)) == pytest.approx([0.0, 0.0, 0.0])
+    found = type_one_criterion(np.array([1.0, 0.5, 1.0, np.nan]), np.array([0.0, 0.5, 1.0, np.nan]))
     assert found == pytest.approx([1.0, 0.25, 0.0, 0.0])
 
 
@@ -91,7 +93,7 @@ def test_a_plane_turned_and_shifted_shows_by_how_much() -> None:
     reference = plane_through(np.array([0.0, 15.0, 5.0]), np.array([0.0, -1.0, 0.0]))
     centroid = np.array([3.0, 14.8, 7.0])
     for plane in (turned, turned.flipped()):
-        shape = Shape(centroid, np.array([1.0, 1.0, 0.0]), plane)
+        shape = PointsShape(centroid, np.array([1.0, 1.0, 0.0]), plane)
         assert angular_deviation(shape, reference) == pytest.approx(0.1)
         assert orthogonal_distance(shape, reference) == pytest.approx(0.2)
     assert centroidal_distance(shape, np.array([3.0, 15.0, 5.0])) == pytest.approx(np.sqrt(4.04))
@@ -109,7 +111,7 @@ def test_a_point_is_on_the_board_where_four_triangles_make_up_its_area() -> None
     sides = [corners[k] - points for k in range(4)], [corners[k - 3] - points for k in range(4)]
     areas = sum(np.linalg.norm(np.cross(a, b), axis=1) / 2 for a, b in zip(*sides, strict=True))
     assert 100 < np.sum(areas < 1 + 1e-9) < 400
-    assert np.array_equal(on_board(points, board), areas < 1 + 1e-9)
+    assert np.array_equal(is_on_board(points, board), areas < 1 + 1e-9)
 
 
 # --- the simulated points
@@ -126,7 +128,7 @@ def test_a_roll_error_turns_an_upright_board_about_the_line() -> None:
     assert points[:, 1] * np.cos(E) - points[:, 2] * np.sin(E) == pytest.approx(
         np.full(len(points), 15.0), abs=1e-9
     )
-    shape = shape_of(points)
+    shape = points_shape(points)
     assert angular_deviation(shape, reference) == pytest.approx(E, abs=1e-9)
     shift = 15.0 - (15.0 + shape.centroid[2] * np.sin(E)) / np.cos(E)
     assert orthogonal_distance(shape, reference) == pytest.approx(shift, abs=1e-9)
@@ -141,7 +143,7 @@ def test_a_lever_arm_error_shifts_the_board_by_its_part_along_the_normal(heading
         "lever_y": (np.sin(turn), np.cos(turn), 0.0),
         "lever_z": (0.0, 0.0, 1.0),
     }.items():
-        shape, board = shape_of(cloud(error, heading, 30.0)), MARINE.board(np.radians(30.0))
+        shape, board = points_shape(cloud(error, heading, 30.0)), MARINE.board(np.radians(30.0))
         reference = board_plane(board)
         # Placed without it, points lie where they are less the lever arm.
         expected = -0.1 * np.dot(axis, board.normal)
@@ -154,28 +156,28 @@ def truly(points: np.ndarray, course: Course, error: str) -> np.ndarray:
     # The profile stands across the line, so the scanner was abeam of where a point is placed.
     attitude = np.tile([0.0, 0.0, course.heading], (len(points), 1))
     poses = Poses((points @ course.direction)[:, None] * course.direction, attitude)
-    return place(to_lidar(points, poses, NO_ERROR), poses, mounting_with(error))
+    return place_points(to_lidar(points, poses, NO_ERROR), poses, mounting_with_error(error))
 
 
 @pytest.mark.parametrize("error", SIZES)
 def test_beams_with_the_error_stop_at_the_board(error: str) -> None:
     """Read back as someone without the error placed them, and placed with it: on the board."""
     course, board = LINES[2], TERRESTRIAL.board(0.3)
-    points = simulated(TERRESTRIAL, course, 0.3, mounting_with(error), "struck")
+    points = simulate_board(TERRESTRIAL, course, 0.3, mounting_with_error(error), "struck")
     assert len(points) > 100
     true = truly(points, course, error)
     assert board_plane(board).distances(true) == pytest.approx(np.zeros(len(true)), abs=1e-9)
-    assert on_board(true, board).all()
+    assert is_on_board(true, board).all()
     assert np.abs(board_plane(board).distances(points)).max() > 1e-3, "but not as placed"
 
 
 def test_without_an_error_nothing_is_seen() -> None:
     for course in LINES:
-        points = simulated(TERRESTRIAL, course, -0.5, mounting_with("roll", 0.0))
-        shape, board = shape_of(points), TERRESTRIAL.board(-0.5)
+        points = simulate_board(TERRESTRIAL, course, -0.5, mounting_with_error("roll", 0.0))
+        shape, board = points_shape(points), TERRESTRIAL.board(-0.5)
         assert orthogonal_distance(shape, board_plane(board)) == pytest.approx(0.0, abs=1e-12)
         assert angular_deviation(shape, board_plane(board)) == pytest.approx(0.0, abs=1e-7)
-        assert on_board(points, board).all()
+        assert is_on_board(points, board).all()
 
 
 # --- what section 4.4.1.1 states of an upright board
@@ -203,7 +205,7 @@ def test_pairs_of_lines_show_and_hide_angles(
         assert apart(error, headings) == pytest.approx((0.0, 0.0), abs=1e-6), error
 
 
-def test_no_line_shows_the_z_lever_arm(terrestrial: Visibility) -> None:
+def test_no_line_shows_the_z_lever_arm(terrestrial: VisibilityStudy) -> None:
     shift, turn = terrestrial.spread("lever_z")
     seen = np.isfinite(shift)
     assert seen.sum() == 14
@@ -214,7 +216,7 @@ def test_no_line_shows_the_z_lever_arm(terrestrial: Visibility) -> None:
     assert np.nanmax(np.abs(off)) == pytest.approx(0.1, abs=1e-9)
 
 
-def test_a_scan_angle_offset_is_a_roll(terrestrial: Visibility) -> None:
+def test_a_scan_angle_offset_is_a_roll(terrestrial: VisibilityStudy) -> None:
     """Section 3.5.2: both turn the points alike."""
     roll, scan = (TERRESTRIAL.errors.index(name) for name in ("roll", "scan_angle_offset"))
     for values in (terrestrial.orthogonal_distance, terrestrial.angular_deviation):
@@ -224,7 +226,7 @@ def test_a_scan_angle_offset_is_a_roll(terrestrial: Visibility) -> None:
 # --- Type I
 
 
-def test_type_one_is_strong_at_minus_60_and_weak_at_60(terrestrial: Visibility) -> None:
+def test_type_one_is_strong_at_minus_60_and_weak_at_60(terrestrial: VisibilityStudy) -> None:
     """Figure 3.9; and 3.4.4.1: points are farthest off where the board runs along the beams."""
     at = {round(np.degrees(each)): j for j, each in enumerate(TERRESTRIAL.inclinations)}
     roll = TERRESTRIAL.errors.index("roll")
@@ -236,21 +238,21 @@ def test_type_one_is_strong_at_minus_60_and_weak_at_60(terrestrial: Visibility) 
 
 def test_on_a_real_board_no_point_moves_farther_than_its_range_times_the_error() -> None:
     """Why the beams are those aimed at the board: else nothing flies off where they graze it."""
-    course, mounting = LINES[3], mounting_with("roll")
+    course, mounting = LINES[3], mounting_with_error("roll")
     for degrees in (-60, 0, 30, 40):
-        points = simulated(TERRESTRIAL, course, np.radians(degrees), mounting, "struck")
+        points = simulate_board(TERRESTRIAL, course, np.radians(degrees), mounting, "struck")
         moved = np.linalg.norm(points - truly(points, course, "roll"), axis=1)
         assert len(points) > 20
         assert moved.max() < 6.0 * E
-    aimed = simulated(TERRESTRIAL, course, np.radians(40), mounting)
+    aimed = simulate_board(TERRESTRIAL, course, np.radians(40), mounting)
     centre = np.array(TERRESTRIAL.board(np.radians(40)).centre)
-    assert centroidal_distance(shape_of(aimed), centre) > 1.0
+    assert centroidal_distance(points_shape(aimed), centre) > 1.0
 
 
 # --- tables 3.1 to 3.3 and section 3.9
 
 
-def test_pitch_has_the_possible_configurations_of_table_3_1(terrestrial: Visibility) -> None:
+def test_pitch_has_the_possible_configurations_of_table_3_1(terrestrial: VisibilityStudy) -> None:
     best = terrestrial.best("pitch")
     assert set(map(frozenset, best.groups)) == {
         frozenset((0, 180)), frozenset((45, 135)), frozenset((225, 315)),
@@ -258,10 +260,10 @@ def test_pitch_has_the_possible_configurations_of_table_3_1(terrestrial: Visibil
     assert np.degrees([best.kept[0], best.kept[-1]]) == pytest.approx([-90.0, 20.0])
 
 
-def test_best_configurations_beside_table_3_2(terrestrial: Visibility) -> None:
+def test_best_configurations_beside_table_3_2(terrestrial: VisibilityStudy) -> None:
     """The lines agree for all eight errors, the inclination for five: as found, not as wished."""
     print(*comparison_table(terrestrial, TERRESTRIAL.errors).rows, sep="\n")
-    rows = {each.best.error: each for each in compared_with_thesis(terrestrial)}
+    rows = {each.best.error: each for each in compare_with_thesis(terrestrial)}
     assert all(each.lines_agree for each in rows.values())
     differing = {error for error, each in rows.items() if not each.inclination_agrees}
     assert differing == {"roll", "range_offset", "scan_angle_offset"}
@@ -275,23 +277,23 @@ def test_the_comparison_does_not_hang_on_what_the_thesis_leaves_open(distance: f
     site = replace(
         TERRESTRIAL, distance=distance, angle_step=float(np.radians(0.4)), profile_spacing=0.07
     )
-    found = visibility(site)
-    rows = compared_with_thesis(found)
+    found = study_visibility(site)
+    rows = compare_with_thesis(found)
     assert all(each.lines_agree for each in rows)
     assert [each.best.error for each in rows if not each.inclination_agrees] == [
         "roll", "range_offset", "scan_angle_offset",
     ]  # fmt: skip
-    assert lines_for_all_agree(found)
+    assert do_fewest_lines_agree(found)
 
 
-def test_lines_for_all_errors_are_those_of_table_3_3(terrestrial: Visibility) -> None:
-    assert lines_for_all_agree(terrestrial)
-    assert "the same as the 4" in all_errors_in_words(terrestrial)
+def test_lines_for_all_errors_are_those_of_table_3_3(terrestrial: VisibilityStudy) -> None:
+    assert do_fewest_lines_agree(terrestrial)
+    assert "the same as the 4" in all_errors_text(terrestrial)
 
 
-def test_the_marine_site_beside_section_3_9(marine: Visibility) -> None:
+def test_the_marine_site_beside_section_3_9(marine: VisibilityStudy) -> None:
     print(*comparison_table(marine, MARINE.errors).rows, sep="\n")
-    rows = {each.best.error: each for each in compared_with_thesis(marine)}
+    rows = {each.best.error: each for each in compare_with_thesis(marine)}
     assert all(each.lines_agree for each in rows.values())
     assert {error for error, each in rows.items() if not each.inclination_agrees} == {"roll"}
     # Of the inclinations the thesis considers the upright one is best for all three.
@@ -299,7 +301,7 @@ def test_the_marine_site_beside_section_3_9(marine: Visibility) -> None:
         assert marine.best(error, (0.0, np.pi / 2)).inclination == pytest.approx(0.0)
 
 
-def test_the_reason_for_roll_holds(terrestrial: Visibility) -> None:
+def test_the_reason_for_roll_holds(terrestrial: VisibilityStudy) -> None:
     """Near the board that faces the beams the lines hardly differ; the thesis's is one of them."""
     shift = dict(
         zip(
@@ -327,7 +329,7 @@ def test_the_command_writes_what_it_shows(
         rows = list(csv.DictReader(file))
     assert len(rows) == 6 * 28
     (row,) = (r for r in rows if r["Line (deg)"] == "45" and r["Inclination (deg)"] == "0")
-    shape = shape_of(cloud("yaw", 45))
+    shape = points_shape(cloud("yaw", 45))
     assert float(row["Signed orthogonal distance (m)"]) == pytest.approx(
         orthogonal_distance(shape, board_plane(UPRIGHT)), abs=1e-6
     )
@@ -348,7 +350,7 @@ def test_a_real_board_is_not_held_against_the_thesis(
 
 def test_the_angular_deviation_knows_no_direction() -> None:
     """Two lines turned by 2 deg each to opposite sides: 4 deg apart, and the same to Type II."""
-    one, other = (shape_of(cloud("roll", heading)) for heading in (0, 180))
+    one, other = (points_shape(cloud("roll", heading)) for heading in (0, 180))
     reference = board_plane(UPRIGHT)
     assert angular_deviation(one, reference) == pytest.approx(E, abs=1e-9)
     assert angular_deviation(other, reference) == pytest.approx(E, abs=1e-9)
@@ -366,7 +368,7 @@ def test_an_error_the_site_does_not_study_is_refused(
 
 @pytest.mark.parametrize("criterion", CRITERIA)
 def test_figures_hold_all_lines_and_can_be_drawn_again(
-    terrestrial: Visibility, criterion: str
+    terrestrial: VisibilityStudy, criterion: str
 ) -> None:
     figure = visibility_figure(terrestrial, "lever_z", criterion)
     assert visibility_figure(terrestrial, "pitch", criterion, figure) is figure
@@ -377,13 +379,15 @@ def test_figures_hold_all_lines_and_can_be_drawn_again(
         assert np.array_equal(line.get_ydata(), expected, equal_nan=True)
 
 
-def test_what_no_inclination_keeps_is_told_by_the_thesis_alone(terrestrial: Visibility) -> None:
+def test_what_no_inclination_keeps_is_told_by_the_thesis_alone(
+    terrestrial: VisibilityStudy,
+) -> None:
     blind = replace(terrestrial, type_one=0 * terrestrial.type_one)
     assert blind.kept("pitch") == ()
     assert blind.best("pitch").inclination is None
     (axes,) = visibility_figure(blind, "pitch", "orthogonal-distance").axes
     assert not axes.patches, "nothing is shaded"
-    (pitch,) = (each for each in compared_with_thesis(blind) if each.best.error == "pitch")
+    (pitch,) = (each for each in compare_with_thesis(blind) if each.best.error == "pitch")
     assert not pitch.inclination_agrees
     assert pitch.reason is not None
     assert len(pitch.reason.params["differences"]) == 1

@@ -7,10 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.outdated import refused_since
-from lispac.adjustment.shown import plain
-from lispac.adjustment.warnings import doubts
-from lispac.causes import Cause
+from lispac.adjustment.display_text import to_plain_text
+from lispac.adjustment.outdated_result import outdated_result_warning
+from lispac.adjustment.warnings import result_warnings
 from lispac.cli.main import main
 from lispac.language import in_language
 from lispac.message_texts import message_text
@@ -18,9 +17,10 @@ from lispac.message_texts.former_codes import former_code
 from lispac.messages import Level, Message, error, note, plain_params, warning
 from lispac.project import PickedSighting, Project, Target
 from lispac.report.json_report import json_text
-from lispac.survey.lever_arm import lever_arm_doubts
+from lispac.survey.lever_arm_warnings import lever_arm_warnings
+from lispac.warning_causes import Cause
 from lispac.workflow.projects import open_project
-from lispac.workflow.qualities import qualities
+from lispac.workflow.sighting_assessment import sighting_qualities
 from lispac.workflow.survey import load_survey
 from lispac.workflow.warnings import LISTED_SINGLY, warnings_of
 from tests.few_passes import picked
@@ -69,7 +69,7 @@ def test_every_warning_about_a_result_is_in_it_with_its_cause(tmp_path: Path) ->
     assert project.result is not None
     result = replace(project.result, model=replace(project.result.model, pos_errors="independent"))
     thesis = replace(project, result=result)
-    found = doubts(result, thesis.cross_checks)
+    found = result_warnings(result, thesis.cross_checks)
     assert found
     assert set(found) <= set(warnings_of(thesis, None))
     mode = next(each for each in found if each.code == "adjustment.independent_pos_errors")
@@ -91,10 +91,10 @@ def test_warnings_come_before_notes(tmp_path: Path) -> None:
 def test_an_answer_older_than_a_refused_estimate_is_told_of(tmp_path: Path) -> None:
     reason = "All targets face one way."
     told = coded(sample_project(tmp_path), refused_since=reason)
-    assert told["adjustment.refused_since"] == refused_since(reason)
-    assert refused_since(reason).level is Level.WARNING
-    assert refused_since(reason).subject == Cause("result")
-    assert f"was not possible: {reason} The angles" in message_text(refused_since(reason))
+    assert told["adjustment.refused_since"] == outdated_result_warning(reason)
+    assert outdated_result_warning(reason).level is Level.WARNING
+    assert outdated_result_warning(reason).subject == Cause("result")
+    assert f"was not possible: {reason} The angles" in message_text(outdated_result_warning(reason))
 
 
 def test_a_line_without_the_target_is_named_with_the_reason(tmp_path: Path) -> None:
@@ -183,7 +183,7 @@ def test_gaps_of_the_trajectory_are_told_where_they_are_not_bridged() -> None:
 
 def test_a_sighting_that_is_not_good_is_told_where_it_is() -> None:
     project, survey = picked()
-    found = dict(qualities(project, survey))
+    found = dict(sighting_qualities(project, survey))
     where = ("T2", "L3")
     found = {key: replace(each, light="good", reasons=()) for key, each in found.items()}
     found[where] = replace(
@@ -207,7 +207,7 @@ def test_a_sighting_that_is_not_good_is_told_where_it_is() -> None:
     ],
 )
 def test_a_lever_arm_that_is_hardly_ever_true_is_doubted(tmp_path: Path, lever_arm, words) -> None:
-    found = lever_arm_doubts(lever_arm)
+    found = lever_arm_warnings(lever_arm)
     assert len(found) == len(words)
     for message, part in zip(found, words, strict=True):
         assert part in message_text(message)
@@ -221,10 +221,10 @@ def test_the_command_prints_the_list(
     demo_project: Project, capsys: pytest.CaptureFixture[str]
 ) -> None:
     project, survey = open_project(demo_project.folder), load_survey(demo_project)
-    found = warnings_of(project, survey, qualities(project, survey))
+    found = warnings_of(project, survey, sighting_qualities(project, survey))
     assert main(["warnings", str(demo_project.folder)]) == 0
     printed = capsys.readouterr().out.splitlines()
-    assert printed == [f"{each.level}: {plain(message_text(each))}" for each in found]
+    assert printed == [f"{each.level}: {to_plain_text(message_text(each))}" for each in found]
     assert main(["warnings", str(demo_project.folder), "--json"]) == 0
     told = json.loads(capsys.readouterr().out)["warnings"]
     subjects = [each.subject for each in found]

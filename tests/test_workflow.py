@@ -10,20 +10,20 @@ import pytest
 
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import POS_ERRORS, PosErrors, StochasticModel
+from lispac.adjustment.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
 from lispac.errors import LispacError
 from lispac.geometry.frames import LocalFrame
-from lispac.io.values import encoded
+from lispac.io.value_conversion import encode_value
 from lispac.messages import note
 from lispac.project import Project
-from lispac.simulation.survey import port_survey
+from lispac.simulation.simulated_survey import port_survey
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from lispac.workflow import calibration, export, picking
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.georeferencing import georeference_project
+from lispac.workflow.output_crs import LOCAL
 from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.target_systems import LOCAL
 from lispac.workflow.validation import validate
 
 
@@ -97,7 +97,7 @@ def test_saved_project_opens_the_same(calibrated: tuple[Project, Survey], copy: 
         for one, other in zip(ours.sightings, theirs.sightings, strict=True):
             np.testing.assert_array_equal(one.indices, other.indices)
     assert copy.lines[0].path == copy.folder / "raw" / project.lines[0].path.name
-    assert encoded(copy.validation) == encoded(project.validation)
+    assert encode_value(copy.validation) == encode_value(project.validation)
     reloaded = load_survey(copy)
     again = calibration.estimate(copy, reloaded)
     assert again.result is not None
@@ -121,7 +121,7 @@ def test_the_count_is_what_the_adjustment_takes(
 ) -> None:
     project, survey = calibrated
     settings = replace(project.settings, pos_errors=pos_errors)
-    count = calibration.count_of(project, survey, settings)
+    count = calibration.count_points(project, survey, settings)
     result = calibration.estimate(
         project, survey, settings=settings, reselections=0, cross_check=False
     ).result
@@ -160,7 +160,7 @@ def test_one_line_can_have_a_seed_of_its_own(calibrated: tuple[Project, Survey])
     own = target.sighting(line)
     assert own is not None
     seed = survey.clouds[line][own.indices].mean(axis=0)
-    found = picking.find(project.with_target(lost), survey, seed, name="T1", line=line)
+    found = picking.find_target(project.with_target(lost), survey, seed, name="T1", line=line)
     assert [s.line for s in found.sightings] == list(survey.lines)
     assert found.missing == {}
     regained = found.sighting(line)
@@ -179,7 +179,7 @@ def test_a_plane_that_cannot_be_compared_does_not_stop_the_others(
     assert [c.name for c in validated.validation] == ["V2", "V3", "V4", "V5"]
     reason = validated.not_compared["V1"]
     assert reason.code == "validation.plane_in_one_line"
-    found = export.content_of(validated, survey).cautions
+    found = export.report_content_of(validated, survey).cautions
     said = [each.params["reason"] for each in found if each.code == "report.not_compared"]
     assert said == [reason]
 

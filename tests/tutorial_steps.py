@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from lispac.installed import resource
+from lispac.installation_paths import resource_path
 
 Kind = Literal["click", "menu", "press", "type", "see", "look"]
 _ROLES: dict[str, Kind] = {
@@ -38,7 +38,7 @@ class Step:
 
 def page(language: str, name: str) -> Path:
     """The source of a page."""
-    return resource("manual") / language / f"{name}.md"
+    return resource_path("manual") / language / f"{name}.md"
 
 
 def steps_of(text: str) -> list[Step]:

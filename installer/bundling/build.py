@@ -71,7 +71,7 @@ def build_manual() -> None:
 
     shutil.rmtree(BUILD / "manual", ignore_errors=True)
     try:
-        manual.build(names.CHECKOUT / "resources" / "manual", BUILD / "manual", strict=True)
+        manual.build_manual(names.CHECKOUT / "resources" / "manual", BUILD / "manual", strict=True)
     except InputError as error:
         raise BundleError(str(error)) from error
 

@@ -17,7 +17,7 @@ freeze_support()
 
 from lispac import caches  # noqa: E402
 
-caches.use(os.environ)
+caches.set_cache_variables(os.environ)
 program = Path(sys.executable).stem
 if sys.platform in ("win32", "darwin"):
     # There they differ (a console, files that the Finder hands over), so each keeps its own

@@ -1,4 +1,4 @@
-"""Sightings to reject: another surface on one line, a shifted sighting, a GNSS jump.
+"""Detection of blunders: other surface on one line, shifted sighting, GNSS jump.
 
 Alternatives stand against "all agree" (Teunissen 2000): one sighting is shifted as a whole, or is
 another surface altogether, or the position is shifted on all of one line. Each is tested with what
@@ -13,10 +13,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adaptation import with_surface
-from lispac.adjustment.banded import forward
-from lispac.adjustment.normal import columns_basis
-from lispac.adjustment.problem import RELEASED, Linearised, Problem
+from lispac.adjustment.adjustment_problem import RELEASED, AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.banded_cholesky import forward_substitution
+from lispac.adjustment.noise_update import reestimate_surface_sigma
+from lispac.adjustment.normal_equations import unknown_directions
 
 Array = NDArray[np.float64]
 
@@ -44,7 +44,7 @@ SIMPLER = 100.0
 
 @dataclass(frozen=True)
 class Blunder:
-    """A possible blunder.
+    """A possible blunder: sightings and the kind of error.
 
     Attributes
     ----------
@@ -57,78 +57,88 @@ class Blunder:
     kind: Literal["shift", "surface", "line"]
     sightings: tuple[int, ...]
 
-    def out_of(self, problem: Problem) -> Problem:
-        """The problem without the constraint that the blunder contradicts."""
-        return problem.with_surface_of(self.sightings, self._directions, RELEASED)
+    def reject_in(self, problem: AdjustmentProblem) -> AdjustmentProblem:
+        """Return the problem with these sightings rejected."""
+        return problem.with_sighting_surface_sigma(
+            self.sightings, self._surface_components, RELEASED
+        )
 
-    def back_in(self, problem: Problem) -> Problem:
-        """The problem with the usual constraint on the sightings."""
-        held = problem.usual_surface[self._directions]
-        return problem.with_surface_of(self.sightings, self._directions, held)
+    def restore_in(self, problem: AdjustmentProblem) -> AdjustmentProblem:
+        """Return the problem with these sightings used like all others."""
+        held = problem.usual_surface[self._surface_components]
+        return problem.with_sighting_surface_sigma(self.sightings, self._surface_components, held)
 
     @property
-    def _directions(self) -> slice:
+    def _surface_components(self) -> slice:
         return slice(0, 3) if self.kind == "surface" else slice(2, 3)
 
 
-def worst_blunder(linearised: Linearised, spared: Collection[Blunder]) -> Blunder | None:
-    """The most significant blunder; None if all sightings agree.
+def worst_blunder(linearised: LinearisedProblem, spared: Collection[Blunder]) -> Blunder | None:
+    """Find the most significant blunder; None where all sightings agree.
 
     Parameters
     ----------
     spared : collection of Blunder
         Blunders that have already been restored.
     """
-    candidates = [found for found in _candidates(linearised.problem) if found not in spared]
-    first = [(_chance(linearised, found), found) for found in candidates]
+    candidates = [found for found in _candidate_blunders(linearised.problem) if found not in spared]
+    first = [(_score_test_p_value(linearised, found), found) for found in candidates]
     looked = [item for item in first if item[0] < LOOK]
-    looked.sort(key=_surprise)
+    looked.sort(key=_weighted_p_value)
     again = [
-        (_surprise((chance, found)), k, found)
+        (_weighted_p_value((chance, found)), k, found)
         for k, (_, found) in enumerate(looked[:MOST_LOOKED_AT])
-        for chance in [_chance(_without(linearised, found), found)]
+        for chance in [
+            _score_test_p_value(_surfaces_from_other_sightings(linearised, found), found)
+        ]
         if chance < FAMILY / len(candidates)
     ]
     return min(again)[-1] if again else None
 
 
-def _surprise(item: tuple[float, Blunder]) -> float:
+def _weighted_p_value(item: tuple[float, Blunder]) -> float:
     chance, found = item
     return chance * (SIMPLER if found.kind == "surface" else 1.0)
 
 
-def belonging(linearised: Linearised, gone: Collection[Blunder]) -> Blunder | None:
-    """The rejected blunder that agrees best with the solution, if it is not significant."""
-    chances = [(_chance_back(linearised, found), found) for found in gone]
+def find_restorable_blunder(
+    linearised: LinearisedProblem, gone: Collection[Blunder]
+) -> Blunder | None:
+    """Find the rejected blunder that agrees best, if it agrees well enough to be restored."""
+    chances = [(_p_value_if_restored(linearised, found), found) for found in gone]
     chance, best = max(chances, key=lambda item: item[0], default=(0.0, None))
     return best if chance > BELONGS else None
 
 
-def plainly_off(linearised: Linearised, gone: Collection[Blunder]) -> list[Blunder]:
-    """Blunders excluded from the start values that are still significant, as shifts if possible."""
+def find_confirmed_blunders(
+    linearised: LinearisedProblem, gone: Collection[Blunder]
+) -> list[Blunder]:
+    """Blunders excluded at the start that remain rejected, as a shift where that is enough."""
     return [
-        _simpler(linearised, found) for found in gone if _chance_back(linearised, found) < PLAINLY
+        _reduce_to_shift(linearised, found)
+        for found in gone
+        if _p_value_if_restored(linearised, found) < PLAINLY
     ]
 
 
-def _chance_back(linearised: Linearised, found: Blunder) -> float:
+def _p_value_if_restored(linearised: LinearisedProblem, found: Blunder) -> float:
     # Points without any weight left agree with nothing.
-    if not _new_unknowns(linearised, found)[0].any():
+    if not _blunder_equations(linearised, found)[0].any():
         return 0.0
-    return _chance(linearised.of(found.back_in(linearised.problem)), found)
+    return _score_test_p_value(linearised.of(found.restore_in(linearised.problem)), found)
 
 
-def _simpler(linearised: Linearised, found: Blunder) -> Blunder:
-    """The sighting of ``found`` as shifted alone, where its tilts agree with the others."""
+def _reduce_to_shift(linearised: LinearisedProblem, found: Blunder) -> Blunder:
+    """Reduce a blunder to a shift alone where the tilts of its sighting agree with the others."""
     if found.kind != "surface":
         return found
     shift = Blunder("shift", found.sightings)
-    tilts_held = linearised.of(shift.out_of(found.back_in(linearised.problem)))
-    return shift if _chance(tilts_held, found) > FAMILY else found
+    tilts_held = linearised.of(shift.reject_in(found.restore_in(linearised.problem)))
+    return shift if _score_test_p_value(tilts_held, found) > FAMILY else found
 
 
-def _candidates(problem: Problem) -> Iterator[Blunder]:
-    """Sightings and lines that leave every target with enough others."""
+def _candidate_blunders(problem: AdjustmentProblem) -> Iterator[Blunder]:
+    """Sightings and lines whose rejection leaves every target with enough others."""
     observations, held = problem.observations, problem.held
     owners = observations.target_of_sighting
     counts = np.bincount(owners[held], minlength=len(observations.targets))
@@ -144,20 +154,22 @@ def _candidates(problem: Problem) -> Iterator[Blunder]:
             yield Blunder("line", tuple(own))
 
 
-def _without(linearised: Linearised, found: Blunder) -> Linearised:
-    """The same with form errors estimated from all other sightings."""
+def _surfaces_from_other_sightings(
+    linearised: LinearisedProblem, found: Blunder
+) -> LinearisedProblem:
+    """Linearised problem with the surface sigma estimated from all other sightings."""
     problem = linearised.problem
-    return linearised.of(with_surface(problem, linearised.of(found.out_of(problem))))
+    return linearised.of(reestimate_surface_sigma(problem, linearised.of(found.reject_in(problem))))
 
 
-def _chance(linearised: Linearised, found: Blunder) -> float:
-    """Of data like these where nothing is wrong, by a score test of new unknowns (Rao 1948)."""
+def _score_test_p_value(linearised: LinearisedProblem, found: Blunder) -> float:
+    """P-value of a blunder by a score test of its unknowns (Rao 1948)."""
     from scipy.special import chdtrc
 
     normal = linearised.normal
-    own, by_unknowns, by_pos, right = _new_unknowns(linearised, found)
-    half = forward(normal.factor, by_pos.T)
-    mixed = by_unknowns - half.T @ normal.halved
+    own, by_unknowns, by_pos, right = _blunder_equations(linearised, found)
+    half = forward_substitution(normal.factor, by_pos.T)
+    mixed = by_unknowns - half.T @ normal.whitened_mixed
     information = own - half.T @ half - mixed @ normal.covariance @ mixed.T
     correction, change = normal.solve()
     pull = right - by_unknowns @ correction - by_pos @ change.reshape(-1)
@@ -174,14 +186,16 @@ SEEN = 1e-6
 """Share of the information that must be left when all else is eliminated."""
 
 
-def _new_unknowns(linearised: Linearised, found: Blunder) -> tuple[Array, Array, Array, Array]:
-    """Normal equations of a blunder's size: with itself, the unknowns, the POS error; right side.
+def _blunder_equations(
+    linearised: LinearisedProblem, found: Blunder
+) -> tuple[Array, Array, Array, Array]:
+    """Normal equations of a blunder: own block, blocks with unknowns and POS error, right side.
 
     The size of a line's is three shifts of position, of a sighting's what its own surface may do.
     """
     problem, layout, sums = linearised.problem, linearised.normal.layout, linearised.sums
     groups, own = problem.groups, len(layout.active) + 4
-    basis = columns_basis(layout, problem.observations.target_of_sighting, linearised.bases)
+    basis = unknown_directions(layout, problem.observations.target_of_sighting, linearised.bases)
     width, count = sums.shape[1], 1 if found.kind == "shift" else 3
     among, right = np.zeros((count, count)), np.zeros(count)
     by_unknowns = np.zeros((count, layout.size + 1))

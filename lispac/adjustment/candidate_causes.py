@@ -1,4 +1,4 @@
-"""Comparison of the errors that may be behind residuals that contradict the model.
+"""Compare the errors that may cause residuals that contradict the model.
 
 Each candidate is an error of one kind in one place: a component of the lever arm, the latency, the
 position, the boresight or the times on one line, one sighting. It adds unknowns to the
@@ -18,12 +18,12 @@ import numpy as np
 import scipy.linalg
 from numpy.typing import NDArray
 
-from lispac.adjustment.banded import forward
-from lispac.adjustment.components import LARGEST_SURFACE
-from lispac.adjustment.normal import columns_basis
+from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.banded_cholesky import forward_substitution
+from lispac.adjustment.normal_equations import unknown_directions
 from lispac.adjustment.parameters import SWITCHED, Parameter
-from lispac.adjustment.problem import Linearised, Problem
 from lispac.adjustment.result import CandidateCause
+from lispac.adjustment.variance_components import LARGEST_SURFACE
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -57,12 +57,12 @@ OF_LINE = 2 * AXES
 """Unknowns of the position and of the boresight of a line."""
 
 
-def candidate_causes(linearised: Linearised) -> tuple[tuple[CandidateCause, ...], ...]:
-    """Errors behind the residuals, the most evident first.
+def find_candidate_causes(linearised: LinearisedProblem) -> tuple[tuple[CandidateCause, ...], ...]:
+    """Find the errors that may cause the residuals, the most likely first.
 
     Parameters
     ----------
-    linearised : Linearised
+    linearised : LinearisedProblem
         Of the correlated model, at its solution. Rejected sightings take part: an error of the
         sighting is one of the candidates.
 
@@ -75,25 +75,25 @@ def candidate_causes(linearised: Linearised) -> tuple[tuple[CandidateCause, ...]
     problem = linearised.problem
     if not (problem.model.correlated and problem.layout.surfaces):
         return ()
-    equations = _Equations.of(linearised)
-    solutions = [equations.solved(sigma) for sigma in _surface_sigmas(problem)]
+    equations = _CandidateEquations.of(linearised)
+    solutions = [equations.solve_without_errors(sigma) for sigma in _trial_surface_sigmas(problem)]
     found: list[tuple[CandidateCause, ...]] = []
-    given: tuple[_Candidate, ...] = ()
+    given: tuple[_CandidateError, ...] = ()
     moved = np.zeros(AXES)
     while len(found) < MOST_CAUSES:
         without = max(each.likelihood(given) for each in solutions)
         judged = [
             (evidence - without, solution, each)
             for each in equations.candidates
-            if each.apart_from(given)
-            for evidence, solution in [_likeliest(solutions, (*given, each))]
+            if each.has_own_unknowns(given)
+            for evidence, solution in [_maximise_likelihood(solutions, (*given, each))]
         ]
         judged.sort(key=lambda item: -item[0])
         if not judged or judged[0][0] < ENOUGH:
             break
         if judged[0][1].visible((*given, judged[0][2])) < VISIBLE:
             break
-        fitting = _each_once(item for item in judged if judged[0][0] - item[0] < CLEARLY)
+        fitting = _best_of_each_cause(item for item in judged if judged[0][0] - item[0] < CLEARLY)
         found.append(
             tuple(
                 solution.cause((*given, each), evidence, moved)
@@ -105,24 +105,24 @@ def candidate_causes(linearised: Linearised) -> tuple[tuple[CandidateCause, ...]
     return tuple(found)
 
 
-def _each_once(judged: Iterable["_Judged"]) -> list["_Judged"]:
-    """The best candidate of each kind and place: one target with several sizes of its error."""
+def _best_of_each_cause(judged: Iterable["_Judged"]) -> list["_Judged"]:
+    """Keep the best candidate of each kind and place; a target may occur with several sizes."""
     found: dict[tuple[str, str, str], _Judged] = {}
     for item in judged:
         found.setdefault((item[2].kind, item[2].target, item[2].line), item)
     return list(found.values())
 
 
-def _likeliest(
-    solutions: Sequence["_Solution"], errors: tuple["_Candidate", ...]
-) -> tuple[float, "_Solution"]:
-    """Twice the log likelihood with some errors, and the sigma of surfaces where it is largest."""
+def _maximise_likelihood(
+    solutions: Sequence["_ErrorFreeSolution"], errors: tuple["_CandidateError", ...]
+) -> tuple[float, "_ErrorFreeSolution"]:
+    """Largest twofold log likelihood with some errors, and the surface sigma that gives it."""
     best = max(solutions, key=lambda each: each.likelihood(errors))
     return best.likelihood(errors), best
 
 
-def _surface_sigmas(problem: Problem) -> Iterator[Array]:
-    """Sigmas of tilts and offsets to be tried, each of shape (3,), metres."""
+def _trial_surface_sigmas(problem: AdjustmentProblem) -> Iterator[Array]:
+    """Trial sigmas of tilts and offsets, each of shape (3,), metres."""
     usual = problem.usual_surface
     if problem.model.surface is not None:
         yield usual
@@ -134,8 +134,8 @@ def _surface_sigmas(problem: Problem) -> Iterator[Array]:
 
 
 @dataclass(frozen=True, eq=False)
-class _Candidate:
-    """An error and the columns of its unknowns among those of all candidates."""
+class _CandidateError:
+    """A candidate error and the columns of its unknowns among those of all candidates."""
 
     kind: str
     target: str
@@ -151,14 +151,14 @@ class _Candidate:
         """Prior standard deviations, shape (k,)."""
         return np.full(len(self.columns), self.sigma)
 
-    def apart_from(self, others: Sequence["_Candidate"]) -> bool:
-        """Whether it has unknowns of its own."""
+    def has_own_unknowns(self, others: Sequence["_CandidateError"]) -> bool:
+        """Whether it shares no unknowns with the other candidates."""
         return not any(np.isin(self.columns, other.columns).any() for other in others)
 
 
 @dataclass(frozen=True, eq=False)
-class _Equations:
-    """Normal equations of all candidates, the POS error eliminated, without the surfaces' prior.
+class _CandidateEquations:
+    """Normal equations of all candidates, POS error eliminated, without prior of surfaces.
 
     Attributes
     ----------
@@ -168,7 +168,7 @@ class _Equations:
     errors : ndarray of shape (c,), int
         Where the candidates' columns are. Those of sightings are the surfaces' own.
     departures : ndarray of shape (surfaces,), metres
-        As in `Linearised`.
+        As in `LinearisedProblem`.
     effect : ndarray of shape (c, c)
         Mean square of the misclosures, by the candidates' unknowns.
     weight : float, 1 / metres^2
@@ -182,12 +182,12 @@ class _Equations:
     departures: Array
     effect: Array
     weight: float
-    candidates: tuple[_Candidate, ...]
+    candidates: tuple[_CandidateError, ...]
 
     @classmethod
-    def of(cls, linearised: Linearised) -> "_Equations":
+    def of(cls, linearised: LinearisedProblem) -> "_CandidateEquations":
         problem = linearised.problem
-        omitted = _omitted(problem)
+        omitted = _omitted_parameters(problem)
         every = problem.with_parameters((*problem.parameters, *omitted)).linearised(
             linearised.state, linearised.loss
         )
@@ -195,7 +195,7 @@ class _Equations:
         surfaces = np.arange(layout.surfaces[0].start, layout.size)
         departures = every.departures.reshape(-1)
         precision = every.problem.surface_sigma.reshape(-1) ** -2.0
-        matrix, right, mixed = _with_lines(every)
+        matrix, right, mixed = _add_line_errors(every)
         matrix[surfaces, surfaces] -= precision
         right[surfaces] += departures * precision
         own = np.searchsorted(layout.active, [each.index for each in omitted]).astype(np.int64)
@@ -204,15 +204,15 @@ class _Equations:
         offset = len(layout.active) + 3  # the shape's offset moves every misclosure by as much
         weight = float(every.sums[:, offset, offset].sum())
         effect = matrix[np.ix_(errors, errors)] / weight
-        half = forward(every.normal.factor, mixed.T)
+        half = forward_substitution(every.normal.factor, mixed.T)
         matrix -= half.T @ half
-        right -= half.T @ every.normal.halved_pull
-        candidates = tuple(_candidates(every.problem, [each.name for each in omitted]))
+        right -= half.T @ every.normal.whitened_pull
+        candidates = tuple(_build_candidates(every.problem, [each.name for each in omitted]))
         return cls(
             (matrix + matrix.T) / 2, right, base, errors, departures, effect, weight, candidates
         )
 
-    def solved(self, sigma: Array) -> "_Solution":
+    def solve_without_errors(self, sigma: Array) -> "_ErrorFreeSolution":
         """Solve the model without any error, with sigmas of tilts and offsets of shape (3,)."""
         base, errors = self.base, self.errors
         precision = np.tile(sigma**-2.0, len(self.departures) // AXES)
@@ -237,7 +237,7 @@ class _Equations:
             + np.log(precision).sum()
             - self.departures**2 @ precision
         )
-        return _Solution(
+        return _ErrorFreeSolution(
             self.matrix[np.ix_(errors, errors)] - by_errors.T @ by_errors,
             self.right[errors] - by_errors.T @ own,
             likelihood,
@@ -249,8 +249,8 @@ class _Equations:
 
 
 @dataclass(frozen=True, eq=False)
-class _Solution:
-    """The model without any error at one sigma of the surfaces, and its score by the candidates.
+class _ErrorFreeSolution:
+    """Solution without errors at one sigma of the surfaces, with scores of the candidates.
 
     Attributes
     ----------
@@ -263,9 +263,9 @@ class _Solution:
     by_errors : ndarray of shape (3, c)
         What one unit of each candidate's unknown takes off the angles.
     effect : ndarray of shape (c, c)
-        As in `_Equations`.
+        As in `_CandidateEquations`.
     weight : float, 1 / metres^2
-        As in `_Equations`.
+        As in `_CandidateEquations`.
     """
 
     information: Array
@@ -276,33 +276,33 @@ class _Solution:
     effect: Array
     weight: float
 
-    def visible(self, errors: tuple[_Candidate, ...]) -> float:
-        """RMS of what the last of some errors does beyond what the others explain, metres."""
+    def visible(self, errors: tuple[_CandidateError, ...]) -> float:
+        """RMS effect of the last error that the other errors do not explain, metres."""
         columns, size, _ = self._sizes(errors)
         last = errors[-1].columns
         own = size[len(columns) - len(last) :]
         return float(np.sqrt(own @ self.information[np.ix_(last, last)] @ own / self.weight))
 
-    def likelihood(self, errors: tuple[_Candidate, ...]) -> float:
+    def likelihood(self, errors: tuple[_CandidateError, ...]) -> float:
         """Twice the log of the marginal likelihood with some errors."""
         if not errors:
             return self.base
-        columns, scale = _joined(errors)
+        columns, scale = _join_candidates(errors)
         precision, score = self._posterior(columns, scale)
         factor = np.linalg.cholesky(precision)
         half = scipy.linalg.solve_triangular(factor, score, lower=True)
         shares = sum(2 * np.log(each.share) for each in errors)
         return float(self.base + half @ half - 2 * np.log(np.diag(factor)).sum() + shares)
 
-    def angles_with(self, errors: tuple[_Candidate, ...]) -> Array:
+    def angles_with(self, errors: tuple[_CandidateError, ...]) -> Array:
         """Correction of roll, pitch, yaw with some errors, shape (3,), radians."""
         columns, size, _ = self._sizes(errors)
         return self.angles - self.by_errors[:, columns] @ size
 
     def cause(
-        self, errors: tuple[_Candidate, ...], evidence: float, before: Array
+        self, errors: tuple[_CandidateError, ...], evidence: float, before: Array
     ) -> CandidateCause:
-        """The last of some errors with its size, the others being there as well.
+        """Describe the last of some errors with its size, estimated together with the others.
 
         Parameters
         ----------
@@ -324,9 +324,9 @@ class _Solution:
             evidence,
         )
 
-    def _sizes(self, errors: tuple[_Candidate, ...]) -> tuple[Indices, Array, Array]:
-        """Columns of some errors, their most likely sizes (k,) and covariance (k, k)."""
-        columns, scale = _joined(errors)
+    def _sizes(self, errors: tuple[_CandidateError, ...]) -> tuple[Indices, Array, Array]:
+        """Columns of some errors, their most likely sizes (k,) and their covariance (k, k)."""
+        columns, scale = _join_candidates(errors)
         precision, score = self._posterior(columns, scale)
         covariance = np.linalg.inv(precision) * np.outer(scale, scale)
         return columns, covariance @ (score / scale), covariance
@@ -337,13 +337,13 @@ class _Solution:
         return information + np.eye(len(columns)), self.score[columns] * scale
 
 
-def _joined(errors: tuple[_Candidate, ...]) -> tuple[Indices, Array]:
+def _join_candidates(errors: tuple[_CandidateError, ...]) -> tuple[Indices, Array]:
     columns = np.concatenate([each.columns for each in errors])
     return columns, np.concatenate([each.scale for each in errors])
 
 
-def _omitted(problem: Problem) -> list[Parameter]:
-    """Values of the mounting that are not estimated and that the data could show."""
+def _omitted_parameters(problem: AdjustmentProblem) -> list[Parameter]:
+    """Values of the mounting that are not estimated but that the data could determine."""
     estimated = {parameter.name for parameter in problem.parameters}
     return [
         Parameter(name)
@@ -353,12 +353,16 @@ def _omitted(problem: Problem) -> list[Parameter]:
     ]
 
 
-def _candidates(problem: Problem, omitted: Sequence[str]) -> Iterator[_Candidate]:
-    """All candidates; columns in the order of `_Equations.errors`."""
+def _build_candidates(
+    problem: AdjustmentProblem, omitted: Sequence[str]
+) -> Iterator[_CandidateError]:
+    """Build all candidates; columns in the order of `_CandidateEquations.errors`."""
     observations = problem.observations
 
-    def candidate(kind: str, target: str, line: str, columns: Indices, share: float) -> _Candidate:
-        return _Candidate(kind, target, line, columns, share, PRIOR_SIGMA[kind])
+    def candidate(
+        kind: str, target: str, line: str, columns: Indices, share: float
+    ) -> _CandidateError:
+        return _CandidateError(kind, target, line, columns, share, PRIOR_SIGMA[kind])
 
     for k, name in enumerate(omitted):
         yield candidate(name, "", "", np.array([k]), 1.0)
@@ -375,7 +379,7 @@ def _candidates(problem: Problem, omitted: Sequence[str]) -> Iterator[_Candidate
     for target, parts in of_target.items():
         share = 1 / (len(of_target) * len(FORM_SIGMA))
         for sigma in FORM_SIGMA:
-            yield _Candidate("target_surface", target, "", np.concatenate(parts), share, sigma)
+            yield _CandidateError("target_surface", target, "", np.concatenate(parts), share, sigma)
     first, count = first + AXES * count, len(observations.lines)
     has_times = observations.pose_rate is not None
     for k, line in enumerate(observations.lines):
@@ -386,8 +390,8 @@ def _candidates(problem: Problem, omitted: Sequence[str]) -> Iterator[_Candidate
             yield candidate("line_time", "", line, own[OF_LINE:], 1 / count)
 
 
-def _with_lines(linearised: Linearised) -> tuple[Array, Array, Array]:
-    """Normal equations with position, boresight and, where it shows, latency of each line added.
+def _add_line_errors(linearised: LinearisedProblem) -> tuple[Array, Array, Array]:
+    """Normal equations with position, boresight and, if observable, latency of each line added.
 
     Returns
     -------
@@ -408,7 +412,7 @@ def _with_lines(linearised: Linearised) -> tuple[Array, Array, Array]:
     size[own : own + AXES, :AXES] = size[own + 6 : own + 6 + AXES, :AXES] = np.eye(AXES)
     size[:AXES, AXES:OF_LINE] = np.eye(AXES)
     products = np.einsum("wc,gwv->gcv", size, sums)
-    basis = columns_basis(layout, observations.target_of_sighting, linearised.bases)
+    basis = unknown_directions(layout, observations.target_of_sighting, linearised.bases)
     added = layout.size + unknowns * len(lines)
     matrix, right = np.zeros((added + 1, added + 1)), np.zeros(added)
     mixed = np.zeros((added, linearised.state.effects.size))
@@ -427,5 +431,5 @@ def _with_lines(linearised: Linearised) -> tuple[Array, Array, Array]:
     return matrix[:-1, :-1], right, mixed
 
 
-_Judged = tuple[float, _Solution, _Candidate]
+_Judged = tuple[float, _ErrorFreeSolution, _CandidateError]
 """Evidence for a candidate, and the solution and candidate."""

@@ -1,4 +1,4 @@
-"""Warnings that name the error behind residuals that contradict the model."""
+"""Warnings that name the error that causes residuals that contradict the model."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -6,15 +6,15 @@ from typing import Self
 
 import numpy as np
 
-from lispac.adjustment.critical import critical_w
-from lispac.adjustment.message_parts import amount, quantity
+from lispac.adjustment.critical_values import critical_test_value
+from lispac.adjustment.display_text import sighting_status
+from lispac.adjustment.message_parts import amount_with_unit, mounting_value_name
 from lispac.adjustment.omitted_parameters import OF_CONSEQUENCE
 from lispac.adjustment.parameters import SWITCHED
-from lispac.adjustment.result import ANGLES, AdjustmentResult, CandidateCause, Contradiction
-from lispac.adjustment.shown import standing
+from lispac.adjustment.result import ANGLES, AdjustmentResult, CandidateCause, ContradictedParameter
 from lispac.adjustment.sighting_warnings import MOST_JUMPED
-from lispac.causes import RESULT, Cause
 from lispac.messages import Message, note, warning
+from lispac.warning_causes import RESULT, Cause
 
 KNOWN_FROM_DATA = {
     "audit.several_scanners": "cause.several_scanners",
@@ -59,11 +59,11 @@ class KnownError:
     effect: float
 
     @classmethod
-    def among(cls, warnings: Iterable[Message]) -> Self | None:
-        """The one with the largest effect among warnings about the data."""
+    def largest_among(cls, warnings: Iterable[Message]) -> Self | None:
+        """Return the error with the largest effect among warnings about the data."""
         found = []
         for each in warnings:
-            effect = effect_of(each)
+            effect = point_displacement(each)
             first = each.params["reason"] if each.code == SAME_ON_LINES else each
             if isinstance(first, Message) and first.code in KNOWN_FROM_DATA:
                 code = KNOWN_FROM_DATA[first.code]
@@ -71,21 +71,21 @@ class KnownError:
         return max(found, key=lambda each: each.effect, default=None)
 
     def explains(self, effect: float) -> bool:
-        """Whether it is large enough to be behind residuals of ``effect`` metres."""
+        """Whether the error is large enough to cause residuals of ``effect`` metres."""
         return self.effect >= EXPLAINS * effect
 
 
-def effect_of(message: Message) -> float | None:
-    """By how much the error that a message is about displaces points, metres, where known."""
+def point_displacement(message: Message) -> float | None:
+    """Displacement of points by the error that a message describes, metres, where known."""
     known = (message.params[name] for name in EFFECTS if name in message.params)
     value = next(known, None)
     return float(value) if isinstance(value, int | float) else None
 
 
-def cause_doubts(
+def warnings_about_causes(
     result: AdjustmentResult, known: KnownError | None, others: Sequence[Message]
 ) -> tuple[Message, ...]:
-    """Warnings about the errors behind the residuals, and the others that remain beside them.
+    """Warnings about the causes of the residuals, and the remaining warnings.
 
     Parameters
     ----------
@@ -100,14 +100,18 @@ def cause_doubts(
     if any(each.code == "adjustment.not_flat" for each in others):
         found = []  # the reason is known, and too few lines can separate it from another one
     elif _has_too_few_lines(result):
-        found = list(_not_located(unexplained))
+        found = list(_unlocated_cause_notes(unexplained))
     else:
         found = [
             message
             for group in unexplained
-            for message in (_one(result, group[0]) if len(group) == 1 else _several(group))
+            for message in (
+                _single_cause_warning(result, group[0])
+                if len(group) == 1
+                else _ambiguous_cause_warning(group)
+            )
         ]
-    jumped = _jumped(result, causes)
+    jumped = _line_jump_warnings(result, causes)
     if any(len(group) == 1 and group[0].kind in SWITCHED for group in causes):
         others = [each for each in others if each.code not in SURFACES_DIFFER]
     if known is None:
@@ -124,31 +128,35 @@ def cause_doubts(
         if each.code not in effects or not known.explains(effects[each.code])
     ]  # fmt: skip
     if explained or jumped or len(kept) < len(others):
-        found.append(_consequence(known, explained))
+        found.append(_known_error_warning(known, explained))
     return (*found, *kept)
 
 
 def _has_too_few_lines(result: AdjustmentResult) -> bool:
-    """Whether an error of one line would show nowhere, or as an error of anything else."""
+    """Whether there are too few lines to detect or identify an error of one line."""
     seen = result.observability
     return seen is not None and any(each.kind == "line" for each in seen.unchecked)
 
 
-def _not_located(causes: Sequence[Sequence[CandidateCause]]) -> Iterator[Message]:
+def _unlocated_cause_notes(causes: Sequence[Sequence[CandidateCause]]) -> Iterator[Message]:
     if causes:
         every = [cause for group in causes for cause in group]
-        yield note("adjustment.cause_not_located", causes=_phrases(every), subject=_place(every[0]))
+        yield note(
+            "adjustment.cause_not_located",
+            causes=_cause_phrases(every),
+            subject=_cause_subject(every[0]),
+        )
 
 
-def _one(result: AdjustmentResult, cause: CandidateCause) -> Iterator[Message]:
-    """The warning about a cause that is clearly better than all others."""
+def _single_cause_warning(result: AdjustmentResult, cause: CandidateCause) -> Iterator[Message]:
+    """Warning about a cause that is clearly more likely than all others."""
     line, target = Cause.of_line(cause.line), Cause.of_target(cause.target)
-    of_line = warning if _many_lines(result, 1) else note
+    of_line = warning if _are_many_lines_wrong(result, 1) else note
     if cause.kind in SWITCHED:
-        yield _wrong_value(result, cause)
+        yield _wrong_value_warning(result, cause)
     elif cause.kind == "line_boresight":
         differences = [
-            note("item.angle_difference", angle=quantity(angle), difference=float(size))
+            note("item.angle_difference", angle=mounting_value_name(angle), difference=float(size))
             for angle, size in zip(ANGLES, cause.size, strict=True)
         ]
         yield warning(
@@ -156,65 +164,78 @@ def _one(result: AdjustmentResult, cause: CandidateCause) -> Iterator[Message]:
         )
     elif cause.kind == "line_position":
         yield of_line(
-            "adjustment.line_position", line=cause.line, shift=_length(cause), subject=line
+            "adjustment.line_position", line=cause.line, shift=_error_magnitude(cause), subject=line
         )
     elif cause.kind == "line_time":
-        code = "adjustment.line_times_early" if _is_early(cause) else "adjustment.line_times_late"
-        yield of_line(code, line=cause.line, offset=_length(cause), subject=line)
+        code = (
+            "adjustment.line_times_early"
+            if _are_point_times_early(cause)
+            else "adjustment.line_times_late"
+        )
+        yield of_line(code, line=cause.line, offset=_error_magnitude(cause), subject=line)
     elif cause.kind == "target_surface":
         yield note("adjustment.target_not_flat", target=cause.target, subject=target)
-    elif not _named_already(result, cause):
-        yield note("adjustment.sighting_cause", cause=_phrase(cause), subject=_place(cause))
+    elif not _is_already_named(result, cause):
+        yield note(
+            "adjustment.sighting_cause", cause=_cause_phrase(cause), subject=_cause_subject(cause)
+        )
 
 
-def _wrong_value(result: AdjustmentResult, cause: CandidateCause) -> Message:
+def _wrong_value_warning(result: AdjustmentResult, cause: CandidateCause) -> Message:
     size, sigma = float(cause.size[0]), float(cause.sigma[0])
     moves = [
         note(
             "item.angle_changed",
-            angle=quantity(angle), change=float(moved), ratio=float(abs(moved) / its_sigma),
+            angle=mounting_value_name(angle),
+            change=float(moved),
+            ratio=float(abs(moved) / its_sigma),
         )
         for angle, moved, its_sigma in zip(ANGLES, cause.moved, result.sigma, strict=True)
         if abs(moved) > OF_CONSEQUENCE * its_sigma
-    ]  # fmt: skip
+    ]
     code = f"adjustment.contradicted_{cause.kind}"
     return warning(
         code if moves else f"{code}_alone",
-        parameter=quantity(cause.kind),
+        parameter=mounting_value_name(cause.kind),
         change=note(
-            "change.larger" if size > 0 else "change.smaller", amount=amount(cause.kind, abs(size))
+            "change.larger" if size > 0 else "change.smaller",
+            amount=amount_with_unit(cause.kind, abs(size)),
         ),
-        sigma=amount(cause.kind, sigma), w=size / sigma, angles=moves,
+        sigma=amount_with_unit(cause.kind, sigma),
+        w=size / sigma,
+        angles=moves,
         subject=Cause.of_parameter(cause.kind),
-    )  # fmt: skip
-
-
-def _several(group: Sequence[CandidateCause]) -> Iterator[Message]:
-    """The warning about causes that fit about equally well."""
-    serious = any(each.kind in SWITCHED or each.kind == "line_boresight" for each in group)
-    yield (warning if serious else note)(
-        "adjustment.several_causes", causes=_phrases(group), subject=_place(group[0])
     )
 
 
-def _consequence(known: KnownError, explained: Sequence[Sequence[CandidateCause]]) -> Message:
-    """The warning that residuals follow from an error that the data show."""
+def _ambiguous_cause_warning(group: Sequence[CandidateCause]) -> Iterator[Message]:
+    """Warning about causes that are about equally likely."""
+    serious = any(each.kind in SWITCHED or each.kind == "line_boresight" for each in group)
+    yield (warning if serious else note)(
+        "adjustment.several_causes", causes=_cause_phrases(group), subject=_cause_subject(group[0])
+    )
+
+
+def _known_error_warning(
+    known: KnownError, explained: Sequence[Sequence[CandidateCause]]
+) -> Message:
+    """Warning that the residuals follow from a known error of the data."""
     cause = note(known.code)
     if not explained:
         return note("adjustment.known_cause", cause=cause, subject=RESULT)
-    causes = _phrases([group[0] for group in explained])
+    causes = _cause_phrases([group[0] for group in explained])
     return note("adjustment.known_cause_or_others", cause=cause, causes=causes, subject=RESULT)
 
 
-def _jumped(
+def _line_jump_warnings(
     result: AdjustmentResult, causes: Sequence[Sequence[CandidateCause]]
 ) -> tuple[Message, ...]:
-    """Lines all of whose sightings were rejected and that no cause names."""
+    """Warning about lines whose sightings were all rejected and that no cause explains."""
     named = {each.line for group in causes for each in group}
     jumped = sorted(set(result.suspect_lines) - named)
     if not jumped:
         return ()
-    make = warning if _many_lines(result, len(jumped)) else note
+    make = warning if _are_many_lines_wrong(result, len(jumped)) else note
     return (
         make(
             "adjustment.line_jumped",
@@ -223,57 +244,60 @@ def _jumped(
     )  # fmt: skip
 
 
-def _many_lines(result: AdjustmentResult, count: int) -> bool:
-    """Whether so many lines are wrong that the others are questionable too."""
+def _are_many_lines_wrong(result: AdjustmentResult, count: int) -> bool:
+    """Whether so many lines are wrong that the remaining ones are unreliable too."""
     return count > MOST_JUMPED * len({item.sighting.line for item in result.reliability})
 
 
-def _named_already(result: AdjustmentResult, cause: CandidateCause) -> bool:
-    """Whether another warning names the sighting as rejected or as one that disagrees."""
-    critical = critical_w(result)
+def _is_already_named(result: AdjustmentResult, cause: CandidateCause) -> bool:
+    """Whether another warning already names the sighting as rejected or as disagreeing."""
+    critical = critical_test_value(result)
     return critical is not None and any(
         (item.sighting.target, item.sighting.line) == (cause.target, cause.line)
-        and standing(item, critical) in ("left out", "disagrees")
+        and sighting_status(item, critical) in ("left out", "disagrees")
         for item in result.reliability
     )
 
 
-def _phrases(causes: Sequence[CandidateCause]) -> tuple[Message, ...]:
-    return tuple(dict.fromkeys(_phrase(each) for each in causes))
+def _cause_phrases(causes: Sequence[CandidateCause]) -> tuple[Message, ...]:
+    return tuple(dict.fromkeys(_cause_phrase(each) for each in causes))
 
 
-def _phrase(cause: CandidateCause) -> Message:
+def _cause_phrase(cause: CandidateCause) -> Message:
     """A cause in a list: ``lever arm X smaller by 0.0951 m``."""
     if cause.kind in SWITCHED:
         size = float(cause.size[0])
         return note(
             "cause.larger" if size > 0 else "cause.smaller",
-            parameter=quantity(cause.kind), amount=amount(cause.kind, abs(size)),
-        )  # fmt: skip
+            parameter=mounting_value_name(cause.kind),
+            amount=amount_with_unit(cause.kind, abs(size)),
+        )
     if cause.kind == "line_boresight":
         return note("cause.line_boresight", line=cause.line)
     if cause.kind == "line_position":
-        return note("cause.line_position", line=cause.line, shift=_length(cause))
+        return note("cause.line_position", line=cause.line, shift=_error_magnitude(cause))
     if cause.kind == "line_time":
-        code = "cause.times_early" if _is_early(cause) else "cause.times_late"
-        return note(code, line=cause.line, offset=_length(cause))
+        code = "cause.times_early" if _are_point_times_early(cause) else "cause.times_late"
+        return note(code, line=cause.line, offset=_error_magnitude(cause))
     if cause.kind == "sighting_surface":
         return note("cause.sighting_surface", target=cause.target, line=cause.line)
     if cause.kind == "target_surface":
         return note("cause.target_surface", target=cause.target)
-    return note("cause.sighting_shift", target=cause.target, line=cause.line, shift=_length(cause))
+    return note(
+        "cause.sighting_shift", target=cause.target, line=cause.line, shift=_error_magnitude(cause)
+    )
 
 
-def _is_early(cause: CandidateCause) -> bool:
-    """Whether point times are early: late where the latency would have to be smaller."""
+def _are_point_times_early(cause: CandidateCause) -> bool:
+    """Whether point times are early; they are late where the latency would have to be smaller."""
     return float(cause.size[0]) > 0
 
 
-def _length(cause: CandidateCause) -> float:
+def _error_magnitude(cause: CandidateCause) -> float:
     return float(np.linalg.norm(cause.size))
 
 
-def _place(cause: CandidateCause) -> Cause:
+def _cause_subject(cause: CandidateCause) -> Cause:
     if cause.kind in SWITCHED:
         return Cause.of_parameter(cause.kind)
     if not cause.line:
@@ -286,9 +310,9 @@ def _place(cause: CandidateCause) -> Cause:
 def _causes_of_earlier_version(
     result: AdjustmentResult,
 ) -> tuple[tuple[CandidateCause, ...], ...]:
-    """Warning about the mounting from the result of an earlier version."""
+    """Causes from the contradictions stored in the result of an earlier version."""
 
-    def cause(found: Contradiction) -> CandidateCause:
+    def cause(found: ContradictedParameter) -> CandidateCause:
         size, sigma = np.array([found.change]), np.array([found.sigma])
         return CandidateCause(found.name, "", "", size, sigma, found.moved, 0.0, found.w**2)
 

@@ -1,4 +1,4 @@
-"""Cross-checks: results of parts of the data, compared with the result of all data."""
+"""Cross-checks: adjustments of parts of the data, compared with the adjustment of all."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -40,29 +40,29 @@ def cross_checks(
         As it went into the adjustment of ``result``.
     """
     start = mounting.with_boresight(result.boresight)
-    observations, result = as_judged(observations, result.with_formal_sigmas)
-    result, parameters = _without_unseen(observations, start, result, parameters)
-    parts = [*_left_out(observations), *_halves(observations)]
+    observations, result = apply_rejections_and_noise(observations, result.with_formal_sigmas)
+    result, parameters = _fix_undetermined_parameters(observations, start, result, parameters)
+    parts = [*_leave_one_out_parts(observations), *_survey_halves(observations)]
     found: list[CrossCheck] = []
     for k, (kind, name, keep) in enumerate(parts):
         progress(
             k / len(parts),
             gettext_lazy("Cross-check {number:n} of {count:n}", number=k + 1, count=len(parts)),
         )
-        found.append(_check(observations, start, result, parameters, kind, name, keep))
+        found.append(_cross_check_part(observations, start, result, parameters, kind, name, keep))
     progress(1.0)
     return CrossChecks(
-        tuple(_between_halves(found)),
-        _jackknife([c.boresight for c in found if c.kind == "line"]),
-        _jackknife([c.boresight for c in found if c.kind == "target"]),
+        tuple(_compare_halves(found)),
+        _jackknife_sigma([c.boresight for c in found if c.kind == "line"]),
+        _jackknife_sigma([c.boresight for c in found if c.kind == "target"]),
         result.sigma,
     )
 
 
-def as_judged(
+def apply_rejections_and_noise(
     observations: Observations, result: AdjustmentResult
 ) -> tuple[Observations, AdjustmentResult]:
-    """Points and model as the whole has judged them, for a part of them to be judged alike.
+    """Apply rejections, noise and surface sigmas of the whole adjustment to points and model.
 
     Told anew of noise, surfaces and blunders from fewer sightings, parts would differ by more than
     the answers do.
@@ -87,13 +87,13 @@ def as_judged(
     return observations, result
 
 
-def _without_unseen(
+def _fix_undetermined_parameters(
     observations: Observations,
     start: Mounting,
     result: AdjustmentResult,
     parameters: tuple[Parameter, ...],
 ) -> tuple[AdjustmentResult, tuple[Parameter, ...]]:
-    """The result with undetermined parameters fixed.
+    """Result with the values fixed that the geometry does not determine.
 
     The given sigma of such a value goes into those of the angles, of every part alike: the parts
     could differ by far more than the data allow and still seem to agree.
@@ -107,15 +107,15 @@ def _without_unseen(
     return replace(result, covariance_all=whole.covariance_all, estimated=whole.estimated), seen
 
 
-def _left_out(observations: Observations) -> Iterator[Part]:
+def _leave_one_out_parts(observations: Observations) -> Iterator[Part]:
     for line in observations.lines:
         yield "line", line, np.array([s.line != line for s in observations.sightings])
     for target in observations.targets:
         yield "target", target, np.array([s.target != target for s in observations.sightings])
 
 
-def _halves(observations: Observations) -> Iterator[Part]:
-    """Lines in the order they were sailed, cut in the middle."""
+def _survey_halves(observations: Observations) -> Iterator[Part]:
+    """The two halves of the survey: lines in order of time, divided in the middle."""
     times = observations.mean_by_sighting(observations.time)
     sailed = sorted(
         observations.lines,
@@ -128,11 +128,11 @@ def _halves(observations: Observations) -> Iterator[Part]:
         yield "half", name, np.array([s.line in lines for s in observations.sightings])
 
 
-def _check(
+def _cross_check_part(
     observations: Observations, start: Mounting, result: AdjustmentResult,
     parameters: tuple[Parameter, ...], kind: str, name: str, keep: NDArray[np.bool_],
 ) -> CrossCheck:  # fmt: skip
-    keep = keep & _seen_twice(observations, keep)
+    keep = keep & _is_target_on_two_lines(observations, keep)
     if not keep.any():
         return CrossCheck(kind, name, reason=note("cross_check.no_common_target"))
     try:
@@ -151,15 +151,17 @@ def _check(
     )
 
 
-def _seen_twice(observations: Observations, keep: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Sightings of targets that are on two lines at least; one sighting compares nothing."""
+def _is_target_on_two_lines(
+    observations: Observations, keep: NDArray[np.bool_]
+) -> NDArray[np.bool_]:
+    """Whether the target of each sighting is on two lines at least."""
     owners = observations.target_of_sighting
     counts = np.bincount(owners[keep], minlength=len(observations.targets))
     return np.asarray(counts[owners] >= 2)
 
 
-def _between_halves(found: list[CrossCheck]) -> Iterator[CrossCheck]:
-    """The halves are compared with each other: they share no line."""
+def _compare_halves(found: list[CrossCheck]) -> Iterator[CrossCheck]:
+    """Compare the two halves, which share no line, with each other."""
     halves = [check for check in found if check.kind == "half"]
     yield from (check for check in found if check.kind != "half")
     first, second = halves
@@ -175,8 +177,8 @@ def _between_halves(found: list[CrossCheck]) -> Iterator[CrossCheck]:
         )
 
 
-def _jackknife(answers: list[Array | None]) -> Array | None:
-    """Standard deviation of the whole from results that omit one part each (Tukey 1958)."""
+def _jackknife_sigma(answers: list[Array | None]) -> Array | None:
+    """Standard deviation of the whole by the jackknife over the parts (Tukey 1958)."""
     known = np.array([answer for answer in answers if answer is not None])
     if len(known) < 3 or len(known) < len(answers):
         return None

@@ -1,4 +1,4 @@
-"""What every source of error does to a point at a distance (thesis table 1.3), for one system.
+"""Error budget of a point by source and distance for one system (thesis table 1.3).
 
 The derivatives are those of the adjustment (`adjustment.sensitivity`). A geometry is given, since
 what an angle does depends on where the beam goes: an error about the beam itself moves nothing.
@@ -10,11 +10,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.sensitivity import Sensitivity, sensitivity
+from lispac.adjustment.point_sensitivity import Sensitivity, sensitivity
 from lispac.errors import InputError
 from lispac.language import N_
 from lispac.messages import Message, error, note
-from lispac.survey.georeferencing import CALIBRATION, Mounting, place, to_lidar
+from lispac.survey.georeferencing import CALIBRATION, Mounting, place_points, to_lidar
 from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
@@ -38,7 +38,7 @@ TOTAL_BEFORE, TOTAL_AFTER = N_("Total before calibration"), N_("Total after cali
 
 @dataclass(frozen=True, eq=False)
 class SystemErrors:
-    """Standard deviations of one system, and the boresight before and after.
+    """Standard deviations of one system, with the boresight before and after calibration.
 
     Attributes
     ----------
@@ -73,8 +73,8 @@ class SystemErrors:
 
 
 @dataclass(frozen=True)
-class Spread:
-    """Standard deviation of a point, metres: the root of the sum of squares in each space.
+class PointSigma:
+    """Standard deviation of a point, metres: root of the sum of squares in each space.
 
     Attributes
     ----------
@@ -92,10 +92,10 @@ class Spread:
 
 @dataclass(frozen=True)
 class SourceBudget:
-    """What one source does at each distance; ``spreads`` is None where the source is unknown."""
+    """Effect of one source at each distance; ``spreads`` is None where the source is unknown."""
 
     source: str
-    spreads: tuple[Spread, ...] | None
+    spreads: tuple[PointSigma, ...] | None
 
 
 @dataclass(frozen=True)
@@ -136,14 +136,17 @@ def error_budget(system: SystemErrors, distances: Sequence[float] = DISTANCES) -
     if not distances or not all(0.0 < each < np.inf for each in distances):
         raise InputError(error("adjustment.budget_distances"))
     chosen = tuple(sorted(set(map(float, distances))))
-    beams = tuple(_beam(name, np.array(way), system, chosen) for name, way in BEAMS.items())
-    return ErrorBudget(chosen, beams, tuple(_assumptions(system)))
+    beams = tuple(_beam_budget(name, np.array(way), system, chosen) for name, way in BEAMS.items())
+    return ErrorBudget(chosen, beams, tuple(_budget_assumptions(system)))
 
 
-def _beam(name: str, way: Array, system: SystemErrors, distances: Sequence[float]) -> BeamBudget:
-    found = [_covariances(way, system, distance) for distance in distances]
+def _beam_budget(
+    name: str, way: Array, system: SystemErrors, distances: Sequence[float]
+) -> BeamBudget:
+    found = [_covariance_by_source(way, system, distance) for distance in distances]
     sources = tuple(
-        SourceBudget(source, _spreads([each[source] for each in found], way)) for source in found[0]
+        SourceBudget(source, _point_sigmas([each[source] for each in found], way))
+        for source in found[0]
     )
     known = [{k: c for k, c in each.items() if c is not None} for each in found]
     totals = []
@@ -151,17 +154,19 @@ def _beam(name: str, way: Array, system: SystemErrors, distances: Sequence[float
         # What was estimated besides the boresight is correlated with it.
         both = [
             sum((c for source, c in each.items() if source != out), np.zeros((3, 3)))
-            + (_crossed(way, system, far) if out == BEFORE else 0.0)
+            + (_cross_covariance(way, system, far) if out == BEFORE else 0.0)
             for each, far in zip(known, distances, strict=True)
         ]
-        totals.append(_spreads(both, way))
+        totals.append(_point_sigmas(both, way))
     return BeamBudget(
         name, sources, SourceBudget(TOTAL_BEFORE, totals[0]), SourceBudget(TOTAL_AFTER, totals[1])
     )
 
 
-def _seen(way: Array, system: SystemErrors, distance: float) -> tuple[Array, Poses, Sensitivity]:
-    """The point in the LiDAR frame, the pose, and the derivatives of its north, west and up."""
+def _point_pose_derivatives(
+    way: Array, system: SystemErrors, distance: float
+) -> tuple[Array, Poses, Sensitivity]:
+    """Point in the LiDAR frame, pose, and derivatives of north, west and up of the point."""
     poses = Poses(np.zeros((3, 3)), np.zeros((3, 3)))
     local = np.tile(system.mounting.lever_arm + distance * way, (3, 1))
     points_lidar = to_lidar(local, poses, system.mounting)
@@ -170,12 +175,16 @@ def _seen(way: Array, system: SystemErrors, distance: float) -> tuple[Array, Pos
     return points_lidar, poses, moved
 
 
-def _covariances(way: Array, system: SystemErrors, distance: float) -> dict[str, Array | None]:
+def _covariance_by_source(
+    way: Array, system: SystemErrors, distance: float
+) -> dict[str, Array | None]:
     """Covariance of the point by each source, shape (3, 3), square metres; None if unknown."""
-    points_lidar, poses, moved = _seen(way, system, distance)
-    found: dict[str, Array | None] = {POSITION: _of(moved.by_position, system.position)}
+    points_lidar, poses, moved = _point_pose_derivatives(way, system, distance)
+    found: dict[str, Array | None] = {
+        POSITION: _propagate_sigmas(moved.by_position, system.position)
+    }
     for k, name in enumerate(ATTITUDE):
-        found[name] = _of(moved.by_attitude[:, [k]], system.attitude[[k]])
+        found[name] = _propagate_sigmas(moved.by_attitude[:, [k]], system.attitude[[k]])
     if isinstance(system.lidar, tuple):
         reading = points_lidar[0]
         beam = reading / np.linalg.norm(reading)
@@ -186,54 +195,59 @@ def _covariances(way: Array, system: SystemErrors, distance: float) -> dict[str,
         found[RANGE] = system.lidar[0] ** 2 * (jacobian @ along @ jacobian.T)
         found[BEAM] = across**2 * (jacobian @ (np.eye(3) - along) @ jacobian.T)
     else:
-        found[LIDAR] = _of(moved.by_lidar, np.full(3, system.lidar))
+        found[LIDAR] = _propagate_sigmas(moved.by_lidar, np.full(3, system.lidar))
     levers = [name for name in system.estimated if name.startswith("lever")]
     if levers:
-        found[LEVER] = _estimated(moved, system, levers)
+        found[LEVER] = _estimated_covariance(moved, system, levers)
     else:
         lever = system.lever_arm
-        found[LEVER] = None if lever is None else _of(moved.by_mounting[:, 3:6], lever)
+        found[LEVER] = (
+            None if lever is None else _propagate_sigmas(moved.by_mounting[:, 3:6], lever)
+        )
     for name, words in OFFSETS.items():
         if name in system.estimated:
-            found[words] = _estimated(moved, system, [name])
+            found[words] = _estimated_covariance(moved, system, [name])
     if "latency" in system.estimated:
         variance = system.covariance[(system.estimated.index("latency"),) * 2]
         # Speed and turning do not belong together in a known way: their squares add up.
         rates = np.array([system.speed, *system.rates])
         moves = np.column_stack([moved.by_position[:, 0], moved.by_attitude])
-        found[LATENCY] = _of(moves, np.sqrt(variance) * rates)
+        found[LATENCY] = _propagate_sigmas(moves, np.sqrt(variance) * rates)
     before = system.mounting.with_boresight(system.prior_boresight)
     # Not a standard deviation but the one error there was; it may be too large for derivatives.
-    off = (place(points_lidar, poses, before) - place(points_lidar, poses, system.mounting))[0]
+    off = (
+        place_points(points_lidar, poses, before)
+        - place_points(points_lidar, poses, system.mounting)
+    )[0]
     found[BEFORE] = np.outer(off, off)
-    found[AFTER] = _estimated(moved, system, ["roll", "pitch", "yaw"])
+    found[AFTER] = _estimated_covariance(moved, system, ["roll", "pitch", "yaw"])
     return found
 
 
-def _of(jacobian: Array, sigma: Array) -> Array:
-    """Covariance of independent errors."""
+def _propagate_sigmas(jacobian: Array, sigma: Array) -> Array:
+    """Covariance propagated from independent errors."""
     moves = jacobian * sigma
     return moves @ moves.T
 
 
-def _estimated(moved: Sensitivity, system: SystemErrors, names: Sequence[str]) -> Array:
-    """Covariance of the point by some of the values estimated, by themselves."""
+def _estimated_covariance(moved: Sensitivity, system: SystemErrors, names: Sequence[str]) -> Array:
+    """Covariance of the point by some of the estimated values alone."""
     chosen = [system.estimated.index(name) for name in names]
     jacobian = moved.by_mounting[:, [CALIBRATION.index(name) for name in names]]
     return jacobian @ system.covariance[np.ix_(chosen, chosen)] @ jacobian.T
 
 
-def _crossed(way: Array, system: SystemErrors, distance: float) -> Array:
-    """What the correlations between groups of estimated values add to the covariance after."""
-    _, _, moved = _seen(way, system, distance)
+def _cross_covariance(way: Array, system: SystemErrors, distance: float) -> Array:
+    """Covariance of the point by correlations between groups of estimated values."""
+    _, _, moved = _point_pose_derivatives(way, system, distance)
     names = [name for name in system.estimated if name != "latency"]
     groups = [["roll", "pitch", "yaw"], [n for n in names if n.startswith("lever")]]
     groups += [[name] for name in names if name in OFFSETS]
-    alone = sum(_estimated(moved, system, group) for group in groups if group)
-    return _estimated(moved, system, names) - alone
+    alone = sum(_estimated_covariance(moved, system, group) for group in groups if group)
+    return _estimated_covariance(moved, system, names) - alone
 
 
-def _spreads(covariances: Sequence[Array | None], way: Array) -> tuple[Spread, ...] | None:
+def _point_sigmas(covariances: Sequence[Array | None], way: Array) -> tuple[PointSigma, ...] | None:
     spreads = []
     for covariance in covariances:
         if covariance is None:
@@ -242,11 +256,11 @@ def _spreads(covariances: Sequence[Array | None], way: Array) -> tuple[Spread, .
         north, west, up = np.maximum(np.diag(covariance), 0.0)
         total = north + west + up
         across = max(total - way @ covariance @ way, 0.0)
-        spreads.append(Spread(*(float(np.sqrt(v)) for v in (north + west, up, across, total))))
+        spreads.append(PointSigma(*(float(np.sqrt(v)) for v in (north + west, up, across, total))))
     return tuple(spreads)
 
 
-def _assumptions(system: SystemErrors) -> list[Message]:
+def _budget_assumptions(system: SystemErrors) -> list[Message]:
     north, east, up = map(float, system.position)
     roll, pitch, heading = map(float, system.attitude)
     found = [

@@ -1,14 +1,18 @@
-"""Iterations of the adjustment, until the expected remaining changes are negligible."""
+"""Iterations of the adjustment until the remaining change is negligible."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adaptation import differ, with_noise, with_surface
-from lispac.adjustment.problem import Linearised, Problem
-from lispac.adjustment.robust import Loss
-from lispac.adjustment.sums import State
+from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.group_sums import AdjustmentState
+from lispac.adjustment.noise_update import (
+    have_sigmas_changed,
+    reestimate_noise,
+    reestimate_surface_sigma,
+)
+from lispac.adjustment.robust_loss import Loss
 from lispac.errors import NotConverged, RankDeficient
 from lispac.language import gettext_lazy
 from lispac.messages import error
@@ -42,8 +46,8 @@ be crossed for ever."""
 
 
 @dataclass(frozen=True, eq=False)
-class Solution:
-    """Where the iterations ended.
+class IterationResult:
+    """Solution at the last iteration.
 
     Attributes
     ----------
@@ -51,20 +55,20 @@ class Solution:
         Roll, pitch, yaw after each iteration.
     """
 
-    linearised: Linearised
-    state: State
+    linearised: LinearisedProblem
+    state: AdjustmentState
     path: Array
 
 
 def iterate(
-    problem: Problem,
-    state: State,
+    problem: AdjustmentProblem,
+    state: AdjustmentState,
     progress: Progress,
     earlier: Array | None = None,
     *,
     told: bool = False,
-) -> Solution:
-    """Iterate until the expected remaining changes are negligible.
+) -> IterationResult:
+    """Iterate until the remaining change is negligible.
 
     Parameters
     ----------
@@ -82,7 +86,7 @@ def iterate(
     """
     final = Loss(problem.model.loss)
     if not told:
-        problem = problem.with_blocks()
+        problem = problem.with_noise_blocks()
     loss = final if told else final.start
     weighted = final.name != "none"
     settled = told or not (problem.model.correlated or weighted)
@@ -110,24 +114,24 @@ def iterate(
         change = np.array([np.abs(correction[:3]).max(), np.abs(correction[3:]).max()])
         if change[0] > NEAR:
             if not settled:  # far from the answer all points are noisy
-                problem = with_noise(problem, state, falling=iteration <= FREELY)
+                problem = reestimate_noise(problem, state, falling=iteration <= FREELY)
         elif not settled:
-            adapted = with_surface(with_noise(problem, state), linearised)
+            adapted = reestimate_surface_sigma(reestimate_noise(problem, state), linearised)
             adaptations += 1
-            same = adaptations >= ADAPTATIONS or not differ(problem, adapted)
+            same = adaptations >= ADAPTATIONS or not have_sigmas_changed(problem, adapted)
             settled = loss == final and same
             problem, loss = adapted, final
         else:
             steps += 1
             ease = np.array([1.0, 1.0]) if iteration <= PATIENCE else SLACK
             # An iteration over many points is costly: the last change is predicted, not computed.
-            to_come = _to_come(change, last)
+            to_come = _remaining_change(change, last)
             left = to_come if told else change
             nearly = bool((to_come < NEARLY * limits).all())
             if (left < ease * limits).all():
                 if foreseen:  # the sigmas come from the weights as they are
                     linearised = problem.linearised(state, loss)
-                return Solution(linearised, state, np.array(path))
+                return IterationResult(linearised, state, np.array(path))
         last = change
     raise NotConverged(
         error(
@@ -139,7 +143,7 @@ def iterate(
     )
 
 
-def _to_come(change: Array, last: Array) -> Array:
-    """How far there still is to go if every change is to the next as the last to this one."""
+def _remaining_change(change: Array, last: Array) -> Array:
+    """Remaining change, extrapolated from the ratio of the last two changes."""
     rate = np.minimum(change / np.maximum(last, np.finfo(float).tiny), 0.5)
     return np.asarray(change * rate / (1 - rate))

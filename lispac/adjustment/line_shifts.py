@@ -1,4 +1,4 @@
-"""Lines whose position is shifted as a whole, as after a jump of the GNSS between two lines.
+"""Test for lines whose position is shifted as a whole, as by a GNSS jump between lines.
 
 The POS error takes a jump up as far as its prior allows, and as lines are seen against each other,
 it pushes the other lines the other way. Whether a line's POS error has a mean b of its own is a
@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.banded import forward
-from lispac.adjustment.problem import Linearised
+from lispac.adjustment.adjustment_problem import LinearisedProblem
+from lispac.adjustment.banded_cholesky import forward_substitution
 
 Array = NDArray[np.float64]
 
@@ -29,8 +29,8 @@ AXES = 3
 
 
 @dataclass(frozen=True, eq=False)
-class Scores:
-    """Test of a shift of each line.
+class LineShiftScores:
+    """Score tests of a position shift of each line.
 
     Attributes
     ----------
@@ -46,12 +46,12 @@ class Scores:
     variance: Array
 
     @classmethod
-    def of(cls, here: Linearised) -> "Scores":
-        """Score every line.
+    def of(cls, here: LinearisedProblem) -> "LineShiftScores":
+        """Compute the score of every line.
 
         Parameters
         ----------
-        here : Linearised
+        here : LinearisedProblem
             Of the correlated model, at its solution.
         """
         problem, normal = here.problem, here.normal
@@ -66,11 +66,11 @@ class Scores:
             own = problem.groups.knot[line == k]
             for axis in range(AXES):
                 shifts[k, axis, own, axis] = shifts[k, axis, own + 1, axis] = 1.0
-        weighted = np.array([[knots.weighted(each) for each in own] for own in shifts])
+        weighted = np.array([[knots.apply_prior_precision(each) for each in own] for own in shifts])
         size = len(lines) * AXES
         flat, given = weighted.reshape(size, -1), shifts.reshape(size, -1)
-        half = forward(normal.factor, flat.T)
-        through = half.T @ normal.halved
+        half = forward_substitution(normal.factor, flat.T)
+        through = half.T @ normal.whitened_mixed
         after = half.T @ half + through @ normal.covariance @ through.T
         prior = flat @ given.T
         root = np.sqrt(np.diag(prior))
@@ -79,25 +79,25 @@ class Scores:
         return cls(lines, score, (variance + variance.T) / 2)
 
     def chance(self, k: int) -> float:
-        """Of a score as large as that of a line where nothing is shifted."""
+        """P-value of the score of a line."""
         from scipy.special import chdtrc
 
         own, (told, directions) = self._of(k), self._told(k)
         along = directions.T @ self.score[own]
         return float(chdtrc(len(told), (along**2 / told).sum())) if len(told) else 1.0
 
-    def given(self, k: int) -> "Scores":
-        """Of the others, with a line's shift as an unknown."""
+    def given(self, k: int) -> "LineShiftScores":
+        """Scores of the other lines with the shift of one line as an unknown."""
         own, (told, directions) = self._of(k), self._told(k)
         share = self.variance[:, own] @ (directions / told) @ directions.T
-        return Scores(
+        return LineShiftScores(
             self.lines,
             self.score - share @ self.score[own],
             self.variance - share @ self.variance[own],
         )
 
-    def shifted(self) -> tuple[str, ...]:
-        """Lines whose position is shifted.
+    def shifted_lines(self) -> tuple[str, ...]:
+        """Find the lines whose position is shifted.
 
         Only differences of lines are seen: of two that do not agree both are named, and of more
         less than half.
@@ -118,7 +118,7 @@ class Scores:
         return slice(AXES * k, AXES * (k + 1))
 
     def _told(self, k: int) -> tuple[Array, Array]:
-        """Shares of the information on a line's shift that come from the data, by direction."""
+        """Eigenvalues and directions of the information on the shift of a line."""
         own = self._of(k)
         shares, directions = np.linalg.eigh(self.variance[own, own])
         enough = shares > TOLD

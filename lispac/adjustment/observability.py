@@ -1,4 +1,4 @@
-"""What the geometry sees: eigenvalues, weak directions, and refusals."""
+"""Observability of the angles: eigenvalues, weak directions, and refusal of poor geometry."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -6,11 +6,11 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.message_parts import quantity
-from lispac.adjustment.parameters import LIMITS, Estimate
-from lispac.adjustment.problem import Linearised, Problem
-from lispac.adjustment.result import ANGLES, Observability, Unchecked
-from lispac.adjustment.scatter import sigmas_without
+from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.excess_scatter import sigmas_without
+from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.parameters import LIMITS, ParameterEstimate
+from lispac.adjustment.result import ANGLES, Observability, UncheckedPart
 from lispac.errors import RankDeficient
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
@@ -43,8 +43,8 @@ ANGLE_CODES = {
 """Code of each angle's name as part of a message."""
 
 
-def unseen(linearised: Linearised) -> tuple[Estimate, ...]:
-    """Parameters that the geometry does not see, the worst first, each with the reason.
+def find_undetermined_parameters(linearised: LinearisedProblem) -> tuple[ParameterEstimate, ...]:
+    """Find the parameters that the geometry does not determine, the worst first, with reasons.
 
     One at a time: of two that cannot be separated from each other, one stays.
     """
@@ -53,7 +53,7 @@ def unseen(linearised: Linearised) -> tuple[Estimate, ...]:
     information = linearised.normal.information(len(active))
     limits = LIMITS[active]
     own = {p.index: p.sigma**-2 if p.sigma else 0.0 for p in problem.parameters}
-    hidden: list[Estimate] = []
+    hidden: list[ParameterEstimate] = []
     left = {p.index: p for p in problem.parameters}
     while left:
         free = information.copy()
@@ -71,19 +71,27 @@ def unseen(linearised: Linearised) -> tuple[Estimate, ...]:
         if sigmas[worst] <= 1:
             break
         k = int(np.searchsorted(active[kept], worst))
-        hidden.append(_hidden(linearised, worst, covariance[k], active[kept], left[worst].sigma))
+        hidden.append(
+            _undetermined_estimate(
+                linearised, worst, covariance[k], active[kept], left[worst].sigma
+            )
+        )
         del left[worst]
     return tuple(hidden)
 
 
-def _hidden(
-    linearised: Linearised, index: int, row: Array, active: NDArray[np.int64], sigma: float | None
-) -> Estimate:
+def _undetermined_estimate(
+    linearised: LinearisedProblem,
+    index: int,
+    row: Array,
+    active: NDArray[np.int64],
+    sigma: float | None,
+) -> ParameterEstimate:
     name = CALIBRATION[index]
     prior = float(linearised.problem.prior.values[index])
     shares = np.where(active == index, 0.0, np.abs(row))
-    other = quantity(CALIBRATION[int(active[np.argmax(shares)])])
-    parameter = quantity(name)
+    other = mounting_value_name(CALIBRATION[int(active[np.argmax(shares)])])
+    parameter = mounting_value_name(name)
     kept = note("parameter.kept_uncertain" if sigma else "parameter.kept")
     if name == "scan_angle_offset":
         reason = note("parameter.rotates_like_boresight", parameter=parameter, kept=kept)
@@ -91,11 +99,11 @@ def _hidden(
         reason = note("parameter.raises_all_lines", parameter=parameter, kept=kept)
     else:
         reason = note("parameter.not_separated", parameter=parameter, other=other, kept=kept)
-    return Estimate(name, prior, sigma, reason=reason)
+    return ParameterEstimate(name, prior, sigma, reason=reason)
 
 
-def require_determined(linearised: Linearised) -> None:
-    """Refuse a geometry that leaves an angle open, in thesis mode as in the correlated model.
+def require_determined(linearised: LinearisedProblem) -> None:
+    """Refuse a geometry that leaves an angle undetermined, in either stochastic model.
 
     Raises
     ------
@@ -104,16 +112,16 @@ def require_determined(linearised: Linearised) -> None:
     """
     problem = linearised.problem
     lines = problem.observations.lines
-    if len(lines) < 2 and _one_course(linearised):
+    if len(lines) < 2 and _is_single_heading(linearised):
         raise RankDeficient(error("adjustment.one_line", line=lines[0]))
-    information = _with_shared_errors(linearised).normal.information(3)
+    information = _with_correlated_pos_errors(linearised).normal.information(3)
     eigenvalues, directions = np.linalg.eigh(information)
     if eigenvalues[0] >= max(WORST_SIGMA**-2, 1e-12 * eigenvalues[2]):
         return
     # A sphere has no orientation that another could differ from.
     spheres = bool(problem.observations.is_sphere.all())
     action = note("adjustment.add_target" if spheres else "adjustment.add_orientation")
-    direction, reason = _combination(directions[:, 0]), _reason_undetermined(linearised)
+    direction, reason = _angle_combination(directions[:, 0]), _reason_undetermined(linearised)
     if reason is None:
         raise RankDeficient(error("adjustment.undetermined", direction=direction, action=action))
     raise RankDeficient(
@@ -121,16 +129,16 @@ def require_determined(linearised: Linearised) -> None:
     )
 
 
-def _reason_undetermined(linearised: Linearised) -> Message | None:
-    """Why the geometry does not determine an angle; None if there is no simple reason."""
+def _reason_undetermined(linearised: LinearisedProblem) -> Message | None:
+    """Simple reason why an angle is undetermined; None where there is none."""
     targets = linearised.problem.observations.targets
-    parallel = _parallel_lines(linearised)
+    parallel = _are_lines_parallel(linearised)
     if len(targets) == 1:
         return note(
             "adjustment.parallel_lines_one_target" if parallel else "adjustment.single_target",
             target=targets[0],
         )
-    if _one_facing(linearised):
+    if _have_targets_one_orientation(linearised):
         return note(
             "adjustment.parallel_lines_one_orientation"
             if parallel
@@ -139,8 +147,8 @@ def _reason_undetermined(linearised: Linearised) -> Message | None:
     return note("adjustment.parallel_lines") if parallel else None
 
 
-def _with_shared_errors(linearised: Linearised) -> Linearised:
-    """The equations of the correlated model at the same state.
+def _with_correlated_pos_errors(linearised: LinearisedProblem) -> LinearisedProblem:
+    """Equations of the correlated model at the same state.
 
     Where every point has a POS error of its own, any angle is known if only the points are many.
     """
@@ -148,20 +156,20 @@ def _with_shared_errors(linearised: Linearised) -> Linearised:
     if problem.model.correlated:
         return linearised
     model = replace(problem.model, pos_errors="correlated")
-    problem = Problem.of(
+    problem = AdjustmentProblem.of(
         problem.observations, problem.prior, model, problem.parameters, problem.moments
     )
     return problem.linearised(problem.start(state.mounting, state.shapes))
 
 
-def require_two_facings(linearised: Linearised) -> None:
-    """Refuse planes that all face one way: there is no check of the angles.
+def require_two_orientations(linearised: LinearisedProblem) -> None:
+    """Refuse planes that all face one way, because nothing checks the angles then.
 
     Raises
     ------
     RankDeficient
     """
-    if not _one_facing(linearised):
+    if not _have_targets_one_orientation(linearised):
         return
     targets = linearised.problem.observations.targets
     raise RankDeficient(
@@ -171,7 +179,7 @@ def require_two_facings(linearised: Linearised) -> None:
     )
 
 
-def one_facing(normals: Array, spheres: NDArray[np.bool_]) -> bool:
+def have_one_orientation(normals: Array, spheres: NDArray[np.bool_]) -> bool:
     """Whether all targets are planes with the same normal, up to `PARALLEL`.
 
     Parameters
@@ -183,7 +191,7 @@ def one_facing(normals: Array, spheres: NDArray[np.bool_]) -> bool:
     return not spheres.any() and bool((np.abs(normals @ normals.T) > np.cos(PARALLEL)).all())
 
 
-def headings(linearised: Linearised) -> dict[str, float]:
+def line_headings(linearised: LinearisedProblem) -> dict[str, float]:
     """Mean heading of each line over its points, radians."""
     observations = linearised.problem.observations
     sines = observations.mean_by_sighting(np.sin(observations.attitude[:, 2]))
@@ -195,31 +203,35 @@ def headings(linearised: Linearised) -> dict[str, float]:
     return found
 
 
-def _one_course(linearised: Linearised) -> bool:
-    """Whether all points were seen on one heading; what is called a line may hold several."""
+def _is_single_heading(linearised: LinearisedProblem) -> bool:
+    """Whether all points were measured on one heading; a line may hold several."""
     heading = linearised.problem.observations.attitude[:, 2]
     middle = np.angle(np.exp(1j * heading).mean())
     return bool((np.abs(np.angle(np.exp(1j * (heading - middle)))) < 2 * PARALLEL).all())
 
 
-def _parallel_lines(linearised: Linearised) -> bool:
-    doubled = 2 * np.array(list(headings(linearised).values()))  # 0 and 180 deg are one direction
+def _are_lines_parallel(linearised: LinearisedProblem) -> bool:
+    doubled = 2 * np.array(
+        list(line_headings(linearised).values())
+    )  # 0 and 180 deg are one direction
     apart = np.angle(np.exp(1j * (doubled - doubled[0]))) / 2
     return bool((np.abs(apart) < PARALLEL).all())
 
 
-def _one_facing(linearised: Linearised) -> bool:
-    return one_facing(linearised.state.shapes[:, :3], linearised.problem.observations.is_sphere)
+def _have_targets_one_orientation(linearised: LinearisedProblem) -> bool:
+    return have_one_orientation(
+        linearised.state.shapes[:, :3], linearised.problem.observations.is_sphere
+    )
 
 
-def observability(
-    linearised: Linearised,
+def assess_observability(
+    linearised: LinearisedProblem,
     *,
     raised: Array | None = None,
     origins: Array | None = None,
     progress: Progress = no_progress,
 ) -> Observability:
-    """How well lines and targets see the three angles.
+    """Assess how well lines and targets determine the three angles.
 
     Parameters
     ----------
@@ -237,36 +249,39 @@ def observability(
     for k, line in enumerate(observations.lines):
         progress(k / len(observations.lines))
         gone = np.array([sighting.line == line for sighting in observations.sightings])
-        own = _sigma(linearised, gone)
+        own = _sigmas_without_groups(linearised, gone)
         without[line] = None if own is None else factors * own
     remarks = (
-        _strongest_and_weakest(eigenvalues, directions), *_main_lines(sigma, without),
-        *_one_sided(linearised),
+        _extreme_directions_note(eigenvalues, directions), *_main_lines_by_angle(sigma, without),
+        *_one_orientation_notes(linearised),
     )  # fmt: skip
     condition = float(eigenvalues[2] / eigenvalues[0])
     unchecked = (
-        tuple(_unchecked(linearised, without, origins))
+        tuple(_find_unchecked_parts(linearised, without, origins))
         if linearised.problem.model.correlated
         else ()
     )
     return Observability(eigenvalues, directions, condition, without, remarks, unchecked)
 
 
-def _unchecked(
-    linearised: Linearised, without: dict[str, Array | None], origins: Array | None
-) -> Iterator[Unchecked]:
-    """Lines, targets and sightings of which an error would not show in the others."""
+def _find_unchecked_parts(
+    linearised: LinearisedProblem, without: dict[str, Array | None], origins: Array | None
+) -> Iterator[UncheckedPart]:
+    """Find lines, targets and sightings whose errors the others would not reveal."""
     observations = linearised.problem.observations
     needed = [line for line, sigma in without.items() if sigma is None]
-    yield from (Unchecked("line", line=line) for line in needed)
+    yield from (UncheckedPart("line", line=line) for line in needed)
     targets = observations.targets
     if len(targets) > 1:
         for k, target in enumerate(targets):
             sigma = sigmas_without(linearised, observations.target_of_sighting == k)
             if sigma is None or sigma.max() > WORST_SIGMA:
-                yield Unchecked("target", target)
-        if origins is not None and (reach := _reach(linearised, origins)) < CLUSTERED:
-            yield Unchecked("clustered", size=reach)
+                yield UncheckedPart("target", target)
+        if (
+            origins is not None
+            and (reach := _relative_target_spacing(linearised, origins)) < CLUSTERED
+        ):
+            yield UncheckedPart("clustered", size=reach)
     if needed or len(observations.sightings) > MOST_SIGHTINGS:
         return
     whole = sigmas_without(linearised, np.zeros(len(observations.sightings), dtype=bool))
@@ -276,18 +291,18 @@ def _unchecked(
             continue
         carried = tuple(np.array(ANGLES)[own > CARRIED * whole].tolist())
         if carried:
-            yield Unchecked("sighting", sighting.target, sighting.line, carried)
+            yield UncheckedPart("sighting", sighting.target, sighting.line, carried)
 
 
-def _reach(linearised: Linearised, origins: Array) -> float:
-    """Largest distance of two targets over their mean distance from the scanner."""
+def _relative_target_spacing(linearised: LinearisedProblem, origins: Array) -> float:
+    """Largest distance between targets over their mean distance from the scanner."""
     apart = np.linalg.norm(origins[:, None] - origins[None], axis=-1).max()
     points = linearised.problem.observations.points_lidar
     return float(apart / np.linalg.norm(points, axis=1).mean())
 
 
-def _one_sided(linearised: Linearised) -> Iterator[Message]:
-    """What the data determine, and nothing checks."""
+def _one_orientation_notes(linearised: LinearisedProblem) -> Iterator[Message]:
+    """Notes on values that are determined but checked by nothing."""
     observations = linearised.problem.observations
     targets = observations.targets
     if len(targets) == 1:
@@ -295,11 +310,11 @@ def _one_sided(linearised: Linearised) -> Iterator[Message]:
             yield note("observability.one_sphere", target=targets[0])
         else:
             yield note("adjustment.one_target", target=targets[0])
-    elif _one_facing(linearised):
+    elif _have_targets_one_orientation(linearised):
         yield note("adjustment.one_facing")
 
 
-def _sigma(linearised: Linearised, gone: NDArray[np.bool_]) -> Array | None:
+def _sigmas_without_groups(linearised: LinearisedProblem, gone: NDArray[np.bool_]) -> Array | None:
     if len({s.line for s, g in zip(linearised.problem.observations.sightings, gone, strict=True)
             if not g}) < 2:  # fmt: skip
         return None
@@ -309,8 +324,8 @@ def _sigma(linearised: Linearised, gone: NDArray[np.bool_]) -> Array | None:
     return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
 
 
-def _combination(direction: Array) -> Message:
-    """A direction in angle space as part of a message: its angles, the largest first."""
+def _angle_combination(direction: Array) -> Message:
+    """A direction in angle space as part of a message: angles in order of their share."""
     share = direction**2
     names = [ANGLES[k] for k in np.argsort(-share) if share[k] > 0.15]
     first, *rest = (note(ANGLE_CODES[name]) for name in names)
@@ -321,16 +336,18 @@ def _combination(direction: Array) -> Message:
     return note("adjustment.angle_with_two", first=first, second=rest[0], third=rest[1])
 
 
-def _strongest_and_weakest(eigenvalues: Array, directions: Array) -> Message:
+def _extreme_directions_note(eigenvalues: Array, directions: Array) -> Message:
     return note(
         "observability.directions",
-        weakest=_combination(directions[:, 0]), weakest_sigma=float(eigenvalues[0] ** -0.5),
-        strongest=_combination(directions[:, 2]), strongest_sigma=float(eigenvalues[2] ** -0.5),
-    )  # fmt: skip
+        weakest=_angle_combination(directions[:, 0]),
+        weakest_sigma=float(eigenvalues[0] ** -0.5),
+        strongest=_angle_combination(directions[:, 2]),
+        strongest_sigma=float(eigenvalues[2] ** -0.5),
+    )
 
 
-def _main_lines(sigma: Array, without: dict[str, Array | None]) -> Iterator[Message]:
-    """The lines that each angle depends on most."""
+def _main_lines_by_angle(sigma: Array, without: dict[str, Array | None]) -> Iterator[Message]:
+    """Lines that each angle depends on most."""
     for k, angle in enumerate(ANGLES):
         name = note(ANGLE_CODES[angle])
         grown = {line: value[k] / sigma[k] for line, value in without.items() if value is not None}

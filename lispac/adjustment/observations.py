@@ -1,4 +1,4 @@
-"""What goes into the adjustment: one row a point, grouped into sightings."""
+"""Observations of the adjustment: one row a point, grouped into sightings."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, replace
@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.attitude_terms import turns_of
+from lispac.adjustment.attitude_trigonometry import attitude_cosines_sines
 from lispac.errors import AdjustmentError
 from lispac.messages import error
 
@@ -20,7 +20,7 @@ SCARCE = 200  # points of a sighting that are all wanted in a sample
 
 @dataclass(frozen=True)
 class Sighting:
-    """One target as seen on one line."""
+    """One target as measured on one line."""
 
     target: str
     line: str
@@ -94,11 +94,11 @@ class Observations:
 
     @cached_property
     def is_sphere(self) -> NDArray[np.bool_]:
-        """Which targets are spheres, shape (targets,)."""
+        """Whether each target is a sphere, shape (targets,)."""
         return np.array([target in self.radii for target in self.targets], dtype=bool)
 
     def with_sigmas(self, lidar: float, position: float, attitude: float) -> "Observations":
-        """The same with factors on the given sigmas.
+        """Observations with factors applied to the given sigmas.
 
         Parameters
         ----------
@@ -113,11 +113,11 @@ class Observations:
         )
 
     def as_planes(self) -> "Observations":
-        """The same points with every target as a plane."""
+        """Observations with every target treated as a plane."""
         return replace(self, radii={}) if self.radii else self
 
     def reordered(self, order: NDArray[np.int64]) -> "Observations":
-        """The points in another order (k,), or some of them; ``sightings`` stays as it is."""
+        """Points in another order (k,), or some of them; ``sightings`` is unchanged."""
         columns: dict[str, Any] = {
             column.name: values.take(order, axis=0)
             for column in fields(self)
@@ -126,7 +126,7 @@ class Observations:
         return replace(self, **columns)
 
     def sample(self, share: float) -> NDArray[np.bool_]:
-        """About that share of the points, shape (n,): the same ones in whatever order they come."""
+        """Mask (n,) of about that share of the points, independent of their order."""
         bits = np.ascontiguousarray(self.points_lidar).view(np.uint64)
         mixed = bits[:, 0] ^ (bits[:, 1] << np.uint64(1)) ^ (bits[:, 2] << np.uint64(2))
         mixed = (mixed ^ (mixed >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9)
@@ -137,7 +137,7 @@ class Observations:
         return np.asarray(chosen | scarce[self.sighting])
 
     def where(self, keep: NDArray[np.bool_]) -> "Observations":
-        """The points of ``keep``, shape (n,), alone; sightings left without any are dropped."""
+        """Points selected by ``keep``, shape (n,); sightings without points are dropped."""
         part = self.reordered(np.flatnonzero(keep))
         kept = np.unique(part.sighting)
         return replace(
@@ -147,19 +147,19 @@ class Observations:
         )
 
     def of_sightings(self, keep: NDArray[np.bool_]) -> "Observations":
-        """The points of the sightings of ``keep``, shape (sightings,), alone."""
+        """Points of the sightings selected by ``keep``, shape (sightings,)."""
         return self.where(keep[self.sighting])
 
     def without_targets(self, names: Collection[str]) -> "Observations":
-        """The points on all other targets."""
+        """Points on all other targets."""
         if not names:
             return self
         return self.of_sightings(np.array([s.target not in names for s in self.sightings]))
 
     @cached_property
     def turns(self) -> Array:
-        """Cosine and sine of roll, pitch and heading, shape (n, 6): no pass works them out anew."""
-        return turns_of(self.attitude)
+        """Cosine and sine of roll, pitch and heading, shape (n, 6), computed once."""
+        return attitude_cosines_sines(self.attitude)
 
     @cached_property
     def counts(self) -> NDArray[np.int64]:
@@ -174,7 +174,7 @@ class Observations:
         return means[:, 0] if values.ndim == 1 else means
 
     def require_usable(self) -> None:
-        """Refuse what cannot determine a boresight, with the reason.
+        """Refuse observations that cannot determine a boresight, with the reason.
 
         Raises
         ------

@@ -1,4 +1,4 @@
-"""Score tests of mounting parameters that are not estimated.
+"""Test values of the mounting that were not estimated against the data.
 
 A wrong given lever arm is absorbed by the angles and by the sigma of the form errors, so that
 every test with sigmas from the data passes. Each fixed parameter is therefore checked by a score
@@ -12,12 +12,12 @@ from statistics import NormalDist
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adaptation import with_surface
-from lispac.adjustment.components import SMALLEST_SURFACE
-from lispac.adjustment.observability import unseen
+from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.noise_update import reestimate_surface_sigma
+from lispac.adjustment.observability import find_undetermined_parameters
 from lispac.adjustment.parameters import SWITCHED, Parameter
-from lispac.adjustment.problem import Linearised, Problem
-from lispac.adjustment.result import Contradiction
+from lispac.adjustment.result import ContradictedParameter
+from lispac.adjustment.variance_components import SMALLEST_SURFACE
 
 Array = NDArray[np.float64]
 
@@ -34,10 +34,10 @@ PLAIN = 6.0
 """Test value beyond which an error is always reported, since it has increased the sigmas."""
 
 
-def contradictions(
-    linearised: Linearised, *, least: float = OF_CONSEQUENCE
-) -> tuple[Contradiction, ...]:
-    """Values that the data contradict, the most surprising first (correlated model).
+def find_contradicted_parameters(
+    linearised: LinearisedProblem, *, least: float = OF_CONSEQUENCE
+) -> tuple[ContradictedParameter, ...]:
+    """Find values that the data contradict, the most significant first (correlated model).
 
     What the geometry does not see is left alone.
 
@@ -56,11 +56,13 @@ def contradictions(
     every = problem.with_parameters((*problem.parameters, *omitted))
     all_let_go = every.linearised(linearised.state, linearised.loss)
     sigma_now = np.sqrt(np.diag(linearised.normal.covariance)[:3])
-    found: list[Contradiction] = []
+    found: list[ContradictedParameter] = []
     gone, moved = problem.parameters, np.zeros(3)
     while True:  # the parameter freed first may explain the contradictions of the others
         tests = [
-            test for each in omitted if (test := _test(all_let_go, gone, each, moved)) is not None
+            test
+            for each in omitted
+            if (test := _test_omitted_parameter(all_let_go, gone, each, moved)) is not None
         ]
         worst = max(tests, key=lambda test: abs(test.w), default=None)
         if worst is None or abs(worst.w) <= CRITICAL:
@@ -72,37 +74,39 @@ def contradictions(
     return tuple(found)
 
 
-def _test(
-    all_let_go: Linearised, gone: tuple[Parameter, ...], parameter: Parameter, before: Array
-) -> Contradiction | None:
-    """Test of one more freed parameter, besides ``gone``; None if the geometry cannot show it.
+def _test_omitted_parameter(
+    all_let_go: LinearisedProblem, gone: tuple[Parameter, ...], parameter: Parameter, before: Array
+) -> ContradictedParameter | None:
+    """Test one more value besides those in ``gone``; None where the geometry hides it.
 
     Parameters
     ----------
     before : ndarray of shape (3,), radians
         What letting go of the others has moved the angles by.
     """
-    let_go = _only(all_let_go, (*gone, parameter))
-    if any(hidden.name == parameter.name for hidden in unseen(let_go)):
+    let_go = _restrict_parameters(all_let_go, (*gone, parameter))
+    if any(hidden.name == parameter.name for hidden in find_undetermined_parameters(let_go)):
         return None
     problem = let_go.problem
     # Where the surfaces' sigma is nothing already, it has swallowed nothing.
-    if problem.layout.surfaces and not _nothing(problem):
-        let_go = let_go.of(with_surface(problem, let_go))
+    if problem.layout.surfaces and not _are_surfaces_exact(problem):
+        let_go = let_go.of(reestimate_surface_sigma(problem, let_go))
     correction, _ = let_go.normal.solve()
     k = int(np.searchsorted(problem.active, parameter.index))
     sigma = float(np.sqrt(let_go.normal.covariance[k, k]))
     moved = correction[:3] - before
     surface = float(let_go.problem.usual_surface.max())
-    return Contradiction(parameter.name, float(correction[k]), sigma, moved, surface)
+    return ContradictedParameter(parameter.name, float(correction[k]), sigma, moved, surface)
 
 
-def _nothing(problem: Problem) -> bool:
+def _are_surfaces_exact(problem: AdjustmentProblem) -> bool:
     return float(problem.usual_surface.max()) < 2 * SMALLEST_SURFACE
 
 
-def _only(every: Linearised, parameters: tuple[Parameter, ...]) -> Linearised:
-    """The equations with some of the parameters, from sums with all of them."""
+def _restrict_parameters(
+    every: LinearisedProblem, parameters: tuple[Parameter, ...]
+) -> LinearisedProblem:
+    """Normal equations of some of the parameters, from sums with all of them."""
     problem = every.problem.with_parameters(parameters)
     columns = np.arange(every.sums.shape[1])
     wanted = np.isin(every.problem.active, problem.active)

@@ -1,4 +1,4 @@
-"""Which values of the mounting are estimated besides the boresight, and what is known of them."""
+"""Values of the mounting estimated besides the boresight, and their priors."""
 
 from dataclasses import dataclass
 
@@ -42,13 +42,13 @@ class Parameter:
 
     @property
     def index(self) -> int:
-        """Place in `CALIBRATION`."""
+        """Index in `CALIBRATION`."""
         return CALIBRATION.index(self.name)
 
 
 @dataclass(frozen=True)
-class Estimate:
-    """What became of a parameter.
+class ParameterEstimate:
+    """Result of a parameter: prior, estimate and sigmas, or why it was not estimated.
 
     Attributes
     ----------
@@ -74,7 +74,7 @@ class Estimate:
 
     @property
     def significant(self) -> bool | None:
-        """Whether the value earns its place: two-sided test at 5 %; None where not tested.
+        """Whether the change is significant: two-sided test at 5 %; None where not tested.
 
         The one limit of the command line, the window and the report.
         """

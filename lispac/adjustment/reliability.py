@@ -1,17 +1,23 @@
-"""Whether points and sightings check each other, and which do not agree (Baarda 1968)."""
+"""Reliability: do points and sightings check each other, and which disagree (Baarda 1968)."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.chunks import in_chunks, kernel
-from lispac.adjustment.conditions import Placing, Points, pose
-from lispac.adjustment.normal import Normal, columns_basis
-from lispac.adjustment.problem import Linearised
+from lispac.adjustment.adjustment_problem import LinearisedProblem
+from lispac.adjustment.condition_equations import MountingArrays, PointArrays, point_pose
+from lispac.adjustment.group_sums import (
+    EffectArrays,
+    PointWeights,
+    WeightArrays,
+    point_misclosure,
+    write_group_row,
+)
+from lispac.adjustment.normal_equations import NormalEquations, unknown_directions
+from lispac.adjustment.parallel_chunks import kernel, run_in_chunks
 from lispac.adjustment.result import SightingReliability
-from lispac.adjustment.robust import weight
-from lispac.adjustment.sums import Effects, Weighting, Weights, opened, widened
+from lispac.adjustment.robust_loss import loss_weight
 
 Array = NDArray[np.float64]
 
@@ -27,7 +33,7 @@ WEIGHTLESS = 0.2
 
 @dataclass(frozen=True, eq=False)
 class SightingTests:
-    """A shift of each sighting as a whole, tested one by one.
+    """Tests of a shift of each sighting as a whole, one by one.
 
     Attributes
     ----------
@@ -48,7 +54,7 @@ class SightingTests:
         return self.shift / self.sigma
 
 
-def sighting_tests(linearised: Linearised) -> SightingTests:
+def sighting_tests(linearised: LinearisedProblem) -> SightingTests:
     """Test each sighting of the correlated model.
 
     A shift is what the sighting's own offset would be without its prior: the prior is taken out
@@ -65,20 +71,22 @@ def sighting_tests(linearised: Linearised) -> SightingTests:
     return SightingTests(shift, sigma, covariance[:3, places].T / prior[:, None])
 
 
-def reliability(linearised: Linearised) -> tuple[SightingReliability, ...]:
+def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliability, ...]:
     """Tests and minimal detectable biases of all points and sightings (correlated model)."""
     problem, normal = linearised.problem, linearised.normal
     observations, knots = problem.observations, problem.groups.knots
     assert knots is not None
     tests = sighting_tests(linearised)
     knot_covariance = _knot_covariance(normal)
-    redundancy, w, detectable, weights = _points(linearised, _local(linearised, knot_covariance))
+    redundancy, w, detectable, weights = _point_reliability(
+        linearised, _group_covariances(linearised, knot_covariance)
+    )
     mean = observations.mean_by_sighting
     times = mean(observations.time)
     nearest = np.clip(np.searchsorted(knots.time, times), 1, len(knots.time) - 1)
     nearest -= times - knots.time[nearest - 1] < knots.time[nearest] - times
     variance = np.diagonal(knot_covariance[0], axis1=1, axis2=2) + np.einsum(
-        "iu,uv,iv->i", normal.by_unknowns, normal.covariance, normal.by_unknowns
+        "iu,uv,iv->i", normal.pos_error_by_unknowns, normal.covariance, normal.pos_error_by_unknowns
     ).reshape(-1, 6)
     prior = np.hstack([mean(observations.sigma_position), mean(observations.sigma_attitude)])
     strays = np.bincount(observations.sighting, np.abs(w) > CRITICAL)
@@ -109,7 +117,7 @@ def reliability(linearised: Linearised) -> tuple[SightingReliability, ...]:
     return tuple(found)
 
 
-def _knot_covariance(normal: Normal) -> tuple[Array, Array]:
+def _knot_covariance(normal: NormalEquations) -> tuple[Array, Array]:
     """Blocks of the inverse of the POS error's normal matrix alone (Takahashi 1973).
 
     Returns
@@ -138,11 +146,13 @@ def _knot_covariance(normal: Normal) -> tuple[Array, Array]:
     return covariance, beside
 
 
-def _local(linearised: Linearised, knot_covariance: tuple[Array, Array]) -> Array:
-    """Covariance of what the columns of a group's sums stand for, shape (groups, m, m)."""
+def _group_covariances(
+    linearised: LinearisedProblem, knot_covariance: tuple[Array, Array]
+) -> Array:
+    """Covariance of the unknowns behind the columns of a group's sums, shape (groups, m, m)."""
     normal, groups, bases = linearised.normal, linearised.problem.groups, linearised.bases
     layout, a = normal.layout, len(normal.layout.active)
-    covariance, by_unknowns = normal.covariance, normal.by_unknowns
+    covariance, by_unknowns = normal.covariance, normal.pos_error_by_unknowns
     own, beside = knot_covariance
     padded = np.zeros((layout.size + 1, layout.size + 1))
     padded[:-1, :-1] = covariance
@@ -150,7 +160,7 @@ def _local(linearised: Linearised, knot_covariance: tuple[Array, Array]) -> Arra
     mixed[:-1] = -covariance @ by_unknowns.T
     local = np.zeros((len(groups.sighting), a + 16, a + 16))
     owners = linearised.problem.observations.target_of_sighting
-    basis = columns_basis(layout, owners, bases)
+    basis = unknown_directions(layout, owners, bases)
     for g, (s, k) in enumerate(zip(groups.sighting, groups.knot, strict=True)):
         index = layout.index[s]
         effects = slice(6 * k, 6 * k + 12)
@@ -166,16 +176,18 @@ def _local(linearised: Linearised, knot_covariance: tuple[Array, Array]) -> Arra
     return local
 
 
-def _points(linearised: Linearised, local: Array) -> tuple[Array, Array, Array, Array]:
+def _point_reliability(
+    linearised: LinearisedProblem, local: Array
+) -> tuple[Array, Array, Array, Array]:
     """Redundancy, test value, minimal detectable bias (metres), and weight of each point."""
     problem, state = linearised.problem, linearised.state
     observations, groups = problem.observations, problem.groups
     found = np.empty((4, len(observations)))
-    points, effects = Points.of(observations, state.mounting), Effects.of(groups, state)
-    placing = Placing.of(state.mounting, state.shapes)
-    weighting = Weighting.of(Weights(linearised.loss, problem.scale, problem.noise))
-    in_chunks(
-        lambda first, last: _test(
+    points, effects = PointArrays.of(observations, state.mounting), EffectArrays.of(groups, state)
+    placing = MountingArrays.of(state.mounting, state.shapes)
+    weighting = WeightArrays.of(PointWeights(linearised.loss, problem.scale, problem.noise))
+    run_in_chunks(
+        lambda first, last: _point_tests_kernel(
             first, last, *points, *placing, *effects, *weighting, problem.active, local, found
         ),
         groups.start[1:],
@@ -185,7 +197,7 @@ def _points(linearised: Linearised, local: Array) -> tuple[Array, Array, Array, 
 
 
 @kernel()
-def _test(  # type: ignore[no-untyped-def]
+def _point_tests_kernel(  # type: ignore[no-untyped-def]
     first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
     values, rotation, derivatives, turn, shapes, start, knot, fraction, stray, bridge, surface, pos,
@@ -197,13 +209,13 @@ def _test(  # type: ignore[no-untyped-def]
     for g in range(first, last):
         for i in range(start[g], start[g + 1]):
             t = target[i]
-            at = pose(i, position, turns)
-            misclosure, variance = opened(
+            at = point_pose(i, position, turns)
+            misclosure, variance = point_misclosure(
                 i, t, sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
                 sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
                 knot, fraction, stray, bridge, surface, pos, out, lidar,
             )  # fmt: skip
-            widened(i, active, fraction, out, wide, 0)
+            write_group_row(i, active, fraction, out, wide, 0)
             explained = 0.0
             for j in range(width):
                 across = 0.0
@@ -212,7 +224,7 @@ def _test(  # type: ignore[no-untyped-def]
                 explained += wide[0, j] * (2 * across + local[g, j, j] * wide[0, j])
             weighted = 1.0
             if loss > 0:
-                weighted = weight(loss, tuning, misclosure / np.sqrt(variance) / scale[t])
+                weighted = loss_weight(loss, tuning, misclosure / np.sqrt(variance) / scale[t])
             variance *= noise[t] ** 2
             redundancy = min(max(1 - weighted * explained / variance, 0.0), 1.0)
             sigma = np.sqrt(variance * max(redundancy, 1e-12))

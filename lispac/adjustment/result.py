@@ -1,4 +1,4 @@
-"""What an adjustment gives back."""
+"""Result of an adjustment."""
 
 from collections import Counter
 from dataclasses import dataclass, replace
@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Sighting
-from lispac.adjustment.parameters import Estimate
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.foreign_values import Shape
+from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.messages import Message
 from lispac.survey.georeferencing import Mounting
+from lispac.untrusted_values import ArrayShape
 
 Array = NDArray[np.float64]
 
@@ -29,13 +29,13 @@ class ChiSquare:
 
     @property
     def passed(self) -> bool:
-        """Whether the statistic lies between its bounds."""
+        """Whether the statistic lies within its bounds."""
         return self.lower <= self.statistic <= self.upper
 
 
 @dataclass(frozen=True, eq=False)
 class SightingResidual:
-    """Distances of one sighting's points to the adjusted surface, and what is behind them.
+    """Distances of one sighting's points to the adjusted surface, and their statistics.
 
     Attributes
     ----------
@@ -52,7 +52,7 @@ class SightingResidual:
 
 @dataclass(frozen=True, eq=False)
 class SightingReliability:
-    """How well a sighting is checked by the others, and whether it agrees (correlated model).
+    """Reliability of a sighting, and whether it agrees (correlated model).
 
     Attributes
     ----------
@@ -87,13 +87,13 @@ class SightingReliability:
     """
 
     sighting: Sighting
-    pos_error: Annotated[Array, Shape(6)]
-    pos_sigma: Annotated[Array, Shape(6)]
-    pos_sigma_after: Annotated[Array, Shape(6)]
+    pos_error: Annotated[Array, ArrayShape(6)]
+    pos_sigma: Annotated[Array, ArrayShape(6)]
+    pos_sigma_after: Annotated[Array, ArrayShape(6)]
     shift: float
     w: float
     detectable: float
-    effect: Annotated[Array, Shape(3)]
+    effect: Annotated[Array, ArrayShape(3)]
     redundancy: float
     strays: int
     largest_w: float
@@ -127,7 +127,7 @@ class TargetResidual:
     points: int
     rms_before: float
     rms_after: float
-    plane: Annotated[Array, Shape(4)]
+    plane: Annotated[Array, ArrayShape(4)]
     sphere: bool = False
     noise: float = 1.0
     noise_of_form: float | None = None
@@ -156,8 +156,8 @@ class RadiusDiscrepancy:
 
 
 @dataclass(frozen=True)
-class Unchecked:
-    """What no other part of the data checks.
+class UncheckedPart:
+    """A part of the data that no other part checks.
 
     Attributes
     ----------
@@ -181,7 +181,7 @@ class Unchecked:
 
 @dataclass(frozen=True, eq=False)
 class Observability:
-    """How well the geometry sees the boresight.
+    """How well the geometry determines the boresight.
 
     Attributes
     ----------
@@ -195,21 +195,21 @@ class Observability:
         Sigmas of roll, pitch, yaw without a line; None if they could not be computed.
     remarks : tuple of Message
         The weakest and the strongest direction first, then what each angle depends on.
-    unchecked : tuple of Unchecked
+    unchecked : tuple of UncheckedPart
         What an error of would not show.
     """
 
-    eigenvalues: Annotated[Array, Shape(3)]
-    directions: Annotated[Array, Shape(3, 3)]
+    eigenvalues: Annotated[Array, ArrayShape(3)]
+    directions: Annotated[Array, ArrayShape(3, 3)]
     condition: float
     sigma_without_line: dict[str, Array | None]
     remarks: tuple[Message, ...]
-    unchecked: tuple[Unchecked, ...] = ()
+    unchecked: tuple[UncheckedPart, ...] = ()
 
 
 @dataclass(frozen=True)
-class Component:
-    """Size of a group of errors estimated from the data: a factor on its given sigmas.
+class VarianceComponent:
+    """Variance component: factor on the given sigmas of a group of errors.
 
     Attributes
     ----------
@@ -234,8 +234,8 @@ class Component:
 
 
 @dataclass(frozen=True, eq=False)
-class Contradiction:
-    """A value of the mounting, not estimated, that the data contradict.
+class ContradictedParameter:
+    """A value of the mounting that is not estimated and that the data contradict.
 
     Attributes
     ----------
@@ -252,18 +252,18 @@ class Contradiction:
     name: str
     change: float
     sigma: float
-    moved: Annotated[Array, Shape(3)]
+    moved: Annotated[Array, ArrayShape(3)]
     surface: float
 
     @property
     def w(self) -> float:
-        """Test value, a unit normal variable where the value is right."""
+        """Test value, standard normal where the value is right."""
         return self.change / self.sigma
 
 
 @dataclass(frozen=True, eq=False)
 class CandidateCause:
-    """An error that may be behind residuals that contradict the model.
+    """An error that may cause residuals that contradict the model.
 
     Attributes
     ----------
@@ -286,16 +286,16 @@ class CandidateCause:
     kind: str
     target: str
     line: str
-    size: Annotated[Array, Shape("k")]
-    sigma: Annotated[Array, Shape("k")]
-    moved: Annotated[Array, Shape(3)]
+    size: Annotated[Array, ArrayShape("k")]
+    sigma: Annotated[Array, ArrayShape("k")]
+    moved: Annotated[Array, ArrayShape(3)]
     effect: float
     evidence: float
 
 
 @dataclass(frozen=True)
 class CommonPart:
-    """What is used of a target of which the lines show different parts.
+    """The part used of a target of which the lines show different parts.
 
     Attributes
     ----------
@@ -324,7 +324,7 @@ class AdjustmentResult:
         Names of the estimated values: boresight, and those of ``parameters`` with a number.
     covariance_all : ndarray of shape (e, e), radians, metres, seconds
         Covariance of ``estimated``. Not scaled by the variance factor.
-    parameters : tuple of Estimate
+    parameters : tuple of ParameterEstimate
         What became of every value that was switched on besides the boresight.
     path : ndarray of shape (iterations, 3), radians
         Roll, pitch, yaw after each iteration.
@@ -336,12 +336,12 @@ class AdjustmentResult:
         Sigma of how the sightings depart from their target's shape; 0 in thesis mode.
     reliability : tuple of SightingReliability
         Empty in thesis mode.
-    components : tuple of Component
+    components : tuple of VarianceComponent
         Empty if they were not requested.
     elapsed : float, seconds
     left_out : int
         Points that stood out from their sighting and went into no average.
-    contradictions : tuple of Contradiction
+    contradictions : tuple of ContradictedParameter
         Given values that the data contradict; empty in thesis mode.
     causes : tuple of tuple of CandidateCause, or None
         Errors behind residuals that contradict the model, from `candidate_causes`; None in results
@@ -364,11 +364,11 @@ class AdjustmentResult:
     """
 
     mounting: Mounting
-    prior_boresight: Annotated[Array, Shape(3)]
+    prior_boresight: Annotated[Array, ArrayShape(3)]
     estimated: tuple[str, ...]
-    covariance_all: Annotated[Array, Shape("e", "e")]
-    parameters: tuple[Estimate, ...]
-    path: Annotated[Array, Shape("n", 3)]
+    covariance_all: Annotated[Array, ArrayShape("e", "e")]
+    parameters: tuple[ParameterEstimate, ...]
+    path: Annotated[Array, ArrayShape("n", 3)]
     model: StochasticModel
     variance_factor: float
     degrees_of_freedom: int
@@ -381,13 +381,13 @@ class AdjustmentResult:
     surface: float
     observability: Observability | None
     reliability: tuple[SightingReliability, ...]
-    components: tuple[Component, ...]
+    components: tuple[VarianceComponent, ...]
     elapsed: float
     left_out: int = 0
-    contradictions: tuple[Contradiction, ...] = ()
+    contradictions: tuple[ContradictedParameter, ...] = ()
     offset: float | None = None
     causes: tuple[tuple[CandidateCause, ...], ...] | None = None
-    raised: Annotated[Array, Shape(3)] | None = None
+    raised: Annotated[Array, ArrayShape(3)] | None = None
     stated_times: tuple[float, float] | None = None
     radius_discrepancies: tuple[RadiusDiscrepancy, ...] = ()
     excluded_targets: tuple[str, ...] = ()
@@ -402,7 +402,7 @@ class AdjustmentResult:
 
     @property
     def boresight(self) -> Array:
-        """Roll, pitch, yaw, shape (3,), radians, as they are estimated: see `Mounting`."""
+        """Estimated roll, pitch, yaw, shape (3,), radians; see `Mounting`."""
         return self.mounting.boresight
 
     @property
@@ -412,12 +412,12 @@ class AdjustmentResult:
 
     @property
     def prior_angles(self) -> Array:
-        """The prior ones, shape (3,), radians."""
+        """Roll, pitch, yaw of the prior rotation, shape (3,), radians."""
         return self.mounting.with_boresight(self.prior_boresight).plain.boresight
 
     @property
     def with_formal_sigmas(self) -> "AdjustmentResult":
-        """The result with the sigmas that the model predicts, none of them raised."""
+        """Result with the formal sigmas of the model, none of them raised."""
         if self.raised is None:
             return self
         whole = np.ones(len(self.covariance_all))
@@ -433,7 +433,7 @@ class AdjustmentResult:
 
     @property
     def points(self) -> int:
-        """Number of points that took part."""
+        """Number of points used."""
         return sum(sighting.points for sighting in self.sightings)
 
     @property
@@ -454,7 +454,7 @@ class AdjustmentResult:
 
     @property
     def sigma_factors(self) -> tuple[float, float, float]:
-        """Factors that were applied to the given sigmas of LiDAR, POS position and attitude."""
+        """Factors applied to the given sigmas of LiDAR, POS position and attitude."""
         if not self.components:
             return 1.0, 1.0, 1.0
         lidar, position, attitude = (
@@ -464,12 +464,12 @@ class AdjustmentResult:
 
     @property
     def suspects(self) -> tuple[Sighting, ...]:
-        """Sightings found to be blunders."""
+        """Sightings rejected as blunders."""
         return tuple(item.sighting for item in self.reliability if item.released)
 
     @property
     def suspect_lines(self) -> tuple[str, ...]:
-        """Lines all of whose sightings are suspects: the position jumped there."""
+        """Lines whose sightings were all rejected: their position jumped."""
         count = Counter(item.sighting.line for item in self.reliability)
         named = Counter(sighting.line for sighting in self.suspects)
         return tuple(line for line in named if named[line] == count[line] > 1)
@@ -477,7 +477,7 @@ class AdjustmentResult:
 
 @dataclass(frozen=True, eq=False)
 class CrossCheck:
-    """The answer of a part of the data beside that of all.
+    """Result of a part of the data compared with that of all.
 
     Attributes
     ----------
@@ -496,21 +496,21 @@ class CrossCheck:
 
     kind: str
     without: str
-    boresight: Annotated[Array, Shape(3)] | None = None
-    sigma: Annotated[Array, Shape(3)] | None = None
-    difference: Annotated[Array, Shape(3)] | None = None
-    significance: Annotated[Array, Shape(3)] | None = None
+    boresight: Annotated[Array, ArrayShape(3)] | None = None
+    sigma: Annotated[Array, ArrayShape(3)] | None = None
+    difference: Annotated[Array, ArrayShape(3)] | None = None
+    significance: Annotated[Array, ArrayShape(3)] | None = None
     reason: Message | None = None
 
     @property
     def disagrees(self) -> bool:
-        """Whether an angle differs by more than chance explains (3 standard deviations)."""
+        """Whether an angle differs by more than 3 standard deviations."""
         return self.significance is not None and bool(np.abs(self.significance).max() > 3)
 
 
 @dataclass(frozen=True, eq=False)
 class CrossChecks:
-    """All parts, and the spread of their answers beside the formal sigmas.
+    """All cross-checks, and the spread of their results beside the formal sigmas.
 
     Attributes
     ----------
@@ -521,9 +521,9 @@ class CrossChecks:
     """
 
     parts: tuple[CrossCheck, ...]
-    spread_lines: Annotated[Array, Shape(3)] | None
-    spread_targets: Annotated[Array, Shape(3)] | None
-    sigma: Annotated[Array, Shape(3)]
+    spread_lines: Annotated[Array, ArrayShape(3)] | None
+    spread_targets: Annotated[Array, ArrayShape(3)] | None
+    sigma: Annotated[Array, ArrayShape(3)]
 
     @property
     def disagreements(self) -> tuple[CrossCheck, ...]:

@@ -2,8 +2,9 @@
 
 from collections.abc import Callable, Iterator, Sequence
 
-from lispac.adjustment.critical import critical_w, rarely_more
-from lispac.adjustment.message_parts import at
+from lispac.adjustment.critical_values import critical_test_value, exceedance_limit
+from lispac.adjustment.display_text import UNCHECKED, sighting_status
+from lispac.adjustment.message_parts import sighting_item
 from lispac.adjustment.observations import Sighting
 from lispac.adjustment.result import (
     AdjustmentResult,
@@ -11,9 +12,8 @@ from lispac.adjustment.result import (
     SightingReliability,
     TargetResidual,
 )
-from lispac.adjustment.shown import UNCHECKED, standing
-from lispac.causes import Cause
-from lispac.messages import Message, note, shortened, warning
+from lispac.messages import Message, note, shortened_list, warning
+from lispac.warning_causes import Cause
 
 MUCH_NOISE = 2.0
 """Factor on the given LiDAR noise from which the excess exceeds a few tenths of a millimetre."""
@@ -37,42 +37,50 @@ SHIFTED = 2.0
 """Test value below which a rejected sighting is not explained by a shift."""
 
 
-def contradicted(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    """Sightings that the others contradict, rejected or not."""
-    critical = critical_w(result)
+def contradicted_sighting_warnings(
+    result: AdjustmentResult, _: CrossChecks | None
+) -> Iterator[Message]:
+    """Warnings about sightings that the others contradict, rejected or not."""
+    critical = critical_test_value(result)
     if critical is None:
         return
-    found = [(standing(item, critical), item) for item in result.reliability]
+    found = [(sighting_status(item, critical), item) for item in result.reliability]
     rejected = [item for finding, item in found if finding == "left out"]
     if rejected:
         yield note(
             "adjustment.released",
-            count=len(rejected), sightings=_listed(rejected), subject=_worst(rejected),
-        )  # fmt: skip
+            count=len(rejected),
+            sightings=_sorted_sighting_items(rejected),
+            subject=_worst_sighting_subject(rejected),
+        )
     doubtful = [item for finding, item in found if finding == "disagrees"]
     if doubtful:
         yield note(
             "adjustment.sighting_disagrees",
-            count=len(doubtful), sightings=_listed(doubtful), subject=_worst(doubtful),
-        )  # fmt: skip
+            count=len(doubtful),
+            sightings=_sorted_sighting_items(doubtful),
+            subject=_worst_sighting_subject(doubtful),
+        )
 
 
-def _listed(items: list[SightingReliability]) -> tuple[str | Message, ...]:
+def _sorted_sighting_items(items: list[SightingReliability]) -> tuple[str | Message, ...]:
     """Sightings for a message, the largest test value first."""
-    return shortened([_item(item) for item in sorted(items, key=lambda item: -abs(item.w))])
+    return shortened_list(
+        [_tested_sighting_item(item) for item in sorted(items, key=lambda item: -abs(item.w))]
+    )
 
 
-def _worst(items: list[SightingReliability]) -> Cause:
-    return _place(max(items, key=lambda item: abs(item.w)).sighting)
+def _worst_sighting_subject(items: list[SightingReliability]) -> Cause:
+    return _sighting_subject(max(items, key=lambda item: abs(item.w)).sighting)
 
 
-def _place(sighting: Sighting) -> Cause:
+def _sighting_subject(sighting: Sighting) -> Cause:
     return Cause.of_sighting(sighting.target, sighting.line)
 
 
-def _item(item: SightingReliability) -> Message:
+def _tested_sighting_item(item: SightingReliability) -> Message:
     if not item.detectable < UNCHECKED or abs(item.w) < SHIFTED:
-        return at(item.sighting)  # not checked, or turned rather than shifted
+        return sighting_item(item.sighting)  # not checked, or turned rather than shifted
     return note(
         "item.sighting_shifted",
         target=item.sighting.target, line=item.sighting.line,
@@ -88,15 +96,15 @@ STRAY_CODES = {
 """Code of the warning by the loss, which decides on the weight of outliers."""
 
 
-def strays(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    """More outliers than chance explains."""
+def outlier_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    """Warning about more outliers than chance explains."""
     counts = {(s.sighting.target, s.sighting.line): s.points for s in result.sightings}
     tested = [
         (item.sighting, item.strays, counts[item.sighting.target, item.sighting.line])
         for item in result.reliability
     ]
     many, points = sum(each[1] for each in tested), sum(each[2] for each in tested)
-    most = rarely_more(points, STRAY_CHANCE)
+    most = exceedance_limit(points, STRAY_CHANCE)
     if many <= max(float(most), FEW_STRAYS * points):
         return
     worst, here, of = max(tested, key=lambda each: each[1] / each[2])
@@ -104,18 +112,18 @@ def strays(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]
         STRAY_CODES[result.model.loss],
         count=many, points=points, expected=max(1, round(STRAY_CHANCE * points)),
         target=worst.target, line=worst.line, here=here, sighting_points=of,
-        subject=_place(worst),
+        subject=_sighting_subject(worst),
     )  # fmt: skip
 
 
-def noise(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    """Targets whose points scatter more than the LiDAR noise explains."""
+def noise_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    """Warning about targets whose points scatter more than the LiDAR noise explains."""
     worst_first = sorted(result.targets, key=lambda target: -target.noise)
     other = [t for t in worst_first if t.noise > ANOTHER_SURFACE]
     if other:
         yield note(
             "adjustment.another_surface",
-            count=len(other), targets=shortened([t.target for t in other]),
+            count=len(other), targets=shortened_list([t.target for t in other]),
             factor=float(other[0].noise), subject=Cause.of_target(other[0].target),
         )  # fmt: skip
     rough = [t for t in worst_first if MUCH_NOISE < t.noise <= ANOTHER_SURFACE]
@@ -124,25 +132,25 @@ def noise(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     seen = result.observability
     # With such lines the cross-checks, which enlarge the sigmas elsewhere, show nothing of it.
     too_few = seen is not None and any(each.kind == "line" for each in seen.unchecked)
-    bent = [t for t in rough if too_few and form_factor(t) > FORM_AS_NOISE]
+    bent = [t for t in rough if too_few and form_error_factor(t) > FORM_AS_NOISE]
     if bent:
-        yield _of_noise(warning, "adjustment.not_flat", bent, form_factor)
+        yield _noise_message(warning, "adjustment.not_flat", bent, form_error_factor)
     if others := [t for t in rough if t not in bent]:
-        yield _of_noise(note, "adjustment.noise", others, lambda target: target.noise)
+        yield _noise_message(note, "adjustment.noise", others, lambda target: target.noise)
 
 
-def form_factor(target: TargetResidual) -> float:
-    """Noise that form errors explain, over the given one; of earlier results, all noise."""
+def form_error_factor(target: TargetResidual) -> float:
+    """Ratio of the noise by form errors to the given one; for earlier results, of all noise."""
     return target.noise if target.noise_of_form is None else target.noise_of_form
 
 
-def _of_noise(
+def _noise_message(
     make: Callable[..., Message], code: str, targets: Sequence[TargetResidual],
     factor_of: Callable[[TargetResidual], float],
 ) -> Message:  # fmt: skip
     worst = max(targets, key=factor_of)
     return make(
         code,
-        count=len(targets), targets=shortened([t.target for t in targets]),
+        count=len(targets), targets=shortened_list([t.target for t in targets]),
         factor=float(factor_of(worst)), subject=Cause.of_target(worst.target),
     )  # fmt: skip

@@ -8,31 +8,48 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adaptation import SCALE_SETTLED
-from lispac.adjustment.blas import one_thread
-from lispac.adjustment.blunders import Blunder, belonging, plainly_off, worst_blunder
-from lispac.adjustment.components import FACTORS, offsets_insist, variance_components
-from lispac.adjustment.iteration import Solution, iterate
-from lispac.adjustment.message_parts import quantity
-from lispac.adjustment.noise import astray, at_target, noise_factors
-from lispac.adjustment.observability import require_determined, require_two_facings, unseen
-from lispac.adjustment.observations import Observations
-from lispac.adjustment.omitted_parameters import contradictions
-from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
-from lispac.adjustment.problem import RELEASED, Linearised, Problem
-from lispac.adjustment.result import AdjustmentResult, Component, Contradiction
-from lispac.adjustment.shapes import (
-    about,
-    counted_from,
-    fit_shapes,
-    middles,
-    shapes_of_most,
-    usual_radii,
+from lispac.adjustment.adjustment_problem import RELEASED, AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.blas_threads import single_blas_thread
+from lispac.adjustment.blunders import (
+    Blunder,
+    find_confirmed_blunders,
+    find_restorable_blunder,
+    worst_blunder,
 )
-from lispac.adjustment.sphere_radii import radius_discrepancies
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.adjustment.summary import summary
-from lispac.adjustment.sums import State
+from lispac.adjustment.group_sums import AdjustmentState
+from lispac.adjustment.iteration import IterationResult, iterate
+from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.noise_estimation import (
+    find_displaced_sightings,
+    is_point_on_target,
+    target_noise_factors,
+)
+from lispac.adjustment.noise_update import SCALE_SETTLED
+from lispac.adjustment.observability import (
+    find_undetermined_parameters,
+    require_determined,
+    require_two_orientations,
+)
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.omitted_parameters import find_contradicted_parameters
+from lispac.adjustment.parameters import SWITCHED, Parameter, ParameterEstimate
+from lispac.adjustment.result import AdjustmentResult, ContradictedParameter, VarianceComponent
+from lispac.adjustment.result_assembly import assemble_result
+from lispac.adjustment.sphere_radii import find_radius_discrepancies
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.target_shapes import (
+    fit_majority_shapes,
+    fit_shapes,
+    relative_to_origins,
+    shapes_relative_to,
+    target_centroids,
+    with_median_radii,
+)
+from lispac.adjustment.variance_components import (
+    FACTORS,
+    estimate_variance_components,
+    need_own_offset_sigma,
+)
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
@@ -118,7 +135,7 @@ def adjust(
     excluded: list[str] = []
     while True:
         try:
-            result = _adjust(
+            result = _adjust_all_targets(
                 observations.without_targets(excluded), mounting, model, parameters, shapes,
                 components, accept_one_facing, diagnostics, test_model, progress,
             )  # fmt: skip
@@ -130,7 +147,7 @@ def adjust(
             return replace(result, excluded_targets=tuple(excluded)) if excluded else result
 
 
-def _adjust(
+def _adjust_all_targets(
     observations: Observations,
     mounting: Mounting,
     model: StochasticModel,
@@ -158,22 +175,22 @@ def _adjust(
         model: StochasticModel, parameters: tuple[Parameter, ...] = parameters,
         some: Observations = observations, *, diagnostics: bool,
     ) -> AdjustmentResult:  # fmt: skip
-        return _adjusted(
+        return _solve_adjustment(
             some, mounting, model, parameters, shapes, components, accept_one_facing, diagnostics,
             test_model, progress, started,
         )  # fmt: skip
 
     try:
-        with one_thread():
+        with single_blas_thread():
             found = adjusted(model, diagnostics=diagnostics)
             if diagnostics:
-                radii = radius_discrepancies(observations, found.mounting)
+                radii = find_radius_discrepancies(observations, found.mounting)
                 found = replace(found, radius_discrepancies=radii)
             if not (diagnostics and test_model and model.correlated):
                 return found
-            if not _is_rejected(found, REJECTION_LEVEL):
+            if not _is_model_rejected(found, REJECTION_LEVEL):
                 return found
-            if _is_explained(found, observations, parameters, adjusted):
+            if _passes_without_cause(found, observations, parameters, adjusted):
                 return found
             for factor in SHORTER_TIMES:
                 shorter = replace(
@@ -181,7 +198,7 @@ def _adjust(
                     attitude_time=factor * model.attitude_time,
                 )  # fmt: skip
                 with suppress(AdjustmentError, np.linalg.LinAlgError):
-                    if not _is_rejected(adjusted(shorter, diagnostics=False)):
+                    if not _is_model_rejected(adjusted(shorter, diagnostics=False)):
                         stated = model.position_time, model.attitude_time
                         return replace(
                             adjusted(shorter, diagnostics=True),
@@ -193,8 +210,8 @@ def _adjust(
         raise NotConverged(error("adjustment.diverged")) from reason
 
 
-def _is_rejected(result: AdjustmentResult, chance: float = 0.025) -> bool:
-    """Whether the residuals are too large for the model, by the chi-square test.
+def _is_model_rejected(result: AdjustmentResult, chance: float = 0.025) -> bool:
+    """Whether the chi-square test rejects the model.
 
     Parameters
     ----------
@@ -207,13 +224,13 @@ def _is_rejected(result: AdjustmentResult, chance: float = 0.025) -> bool:
     return freedom > 0 and bool(result.chi_square.statistic > chdtri(freedom, chance))
 
 
-def _is_explained(
+def _passes_without_cause(
     found: AdjustmentResult,
     observations: Observations,
     parameters: tuple[Parameter, ...],
     adjusted: Callable[..., AdjustmentResult],
 ) -> bool:
-    """Whether the residuals pass the test without the error that the result names as their cause.
+    """Whether the residuals pass the test without the error named as their cause.
 
     Correlation times as short as a second or two explain nearly everything, a late line as well.
     """
@@ -230,11 +247,11 @@ def _is_explained(
         without = adjusted(
             found.model, (*parameters, *values), observations.of_sightings(kept), diagnostics=False
         )
-        return not _is_rejected(without)
+        return not _is_model_rejected(without)
     return False
 
 
-def _adjusted(
+def _solve_adjustment(
     observations: Observations,
     mounting: Mounting,
     model: StochasticModel,
@@ -247,53 +264,59 @@ def _adjusted(
     progress: Progress,
     started: float,
 ) -> AdjustmentResult:
-    few = _sampled(observations)
-    origins = middles(few, mounting)
-    few = about(few, origins)
+    few = _sample_points(observations)
+    origins = target_centroids(few, mounting)
+    few = relative_to_origins(few, origins)
     # The radii of the balls are estimated once the boresight is near the solution.
-    first = usual_radii(few, mounting)
+    first = with_median_radii(few, mounting)
     fitted = fit_shapes(first, mounting)
     if shapes is not None:
-        start = counted_from(shapes, origins, first.is_sphere)
+        start = shapes_relative_to(shapes, origins, first.is_sphere)
     elif model.loss != "none":
-        start = shapes_of_most(first, mounting, fitted)
+        start = fit_majority_shapes(first, mounting, fitted)
     else:
         start = fitted
-    problem = Problem.of(first, mounting, model, parameters)
+    problem = AdjustmentProblem.of(first, mounting, model, parameters)
     state = problem.start(mounting, start)
-    kept, held = _seen(problem, state)
+    kept, held = _determined_parameters(problem, state)
     problem = problem.with_parameters(kept)
     if first is not few:
         state = iterate(problem, state, progress).state
-        problem = Problem.of(few, mounting, model, kept)
+        problem = AdjustmentProblem.of(few, mounting, model, kept)
         state = problem.start(state.mounting, state.shapes)
-    solution, gone = _led_by_most(problem, state, progress)
+    solution, gone = _iterate_with_majority(problem, state, progress)
     if not accept_one_facing:
-        require_two_facings(solution.linearised)
-    found: tuple[Component, ...] = ()
+        require_two_orientations(solution.linearised)
+    found: tuple[VarianceComponent, ...] = ()
     factors = np.ones(3)
     if components and model.correlated:
         # Sigmas that are too small would make blunders of sightings that are none.
-        solution, _, factors = _with_components(solution, factors, progress)
-    if _may_release(model):
-        solution = _agreeing(solution, gone, progress)
+        solution, _, factors = _iterate_variance_components(solution, factors, progress)
+    if _may_reject_sightings(model):
+        solution = _reject_disagreeing_sightings(solution, gone, progress)
     if components and model.correlated:
-        solution, found, factors = _with_components(solution, factors, progress)
+        solution, found, factors = _iterate_variance_components(solution, factors, progress)
     if len(few) < len(observations):
-        observations = about(observations.with_sigmas(*factors), origins)
-        solution = _completed(solution, observations, progress)
-    _require_determined_still(solution.linearised)
-    return summary(
+        observations = relative_to_origins(observations.with_sigmas(*factors), origins)
+        solution = _continue_with_all_points(solution, observations, progress)
+    _require_still_determined(solution.linearised)
+    return assemble_result(
         solution.linearised, solution.state, fitted, origins,
         path=solution.path, held=held, components=found, diagnostics=diagnostics,
         raise_sigmas=test_model, started=started,
     )  # fmt: skip
 
 
-def _seen(problem: Problem, state: State) -> tuple[tuple[Parameter, ...], tuple[Estimate, ...]]:
-    """The parameters to estimate, and those the geometry hides; refuse a hopeless boresight."""
+def _determined_parameters(
+    problem: AdjustmentProblem, state: AdjustmentState
+) -> tuple[tuple[Parameter, ...], tuple[ParameterEstimate, ...]]:
+    """The parameters to estimate, and those the geometry does not determine."""
     linearised = problem.linearised(state)
-    hidden = unseen(linearised) if problem.model.correlated else _not_in_thesis_mode(problem)
+    hidden = (
+        find_undetermined_parameters(linearised)
+        if problem.model.correlated
+        else _fixed_in_thesis_mode(problem)
+    )
     correlated = problem.model.correlated
     held = {e.name for e in hidden if e.prior_sigma is None or not correlated}
     kept = tuple(p for p in problem.parameters if p.name not in held)
@@ -303,8 +326,8 @@ def _seen(problem: Problem, state: State) -> tuple[tuple[Parameter, ...], tuple[
     return kept, hidden
 
 
-def _require_determined_still(linearised: Linearised) -> None:
-    """Check that the angles are still determined after rejections, with estimated form errors.
+def _require_still_determined(linearised: LinearisedProblem) -> None:
+    """Refuse what remains after rejection of sightings and with estimated surface sigmas.
 
     Raises
     ------
@@ -313,42 +336,48 @@ def _require_determined_still(linearised: Linearised) -> None:
     try:
         require_determined(linearised)
     except RankDeficient as reason:
-        wrong = contradictions(linearised, least=0.0) if linearised.problem.layout.surfaces else ()
+        wrong = (
+            find_contradicted_parameters(linearised, least=0.0)
+            if linearised.problem.layout.surfaces
+            else ()
+        )
         if not wrong:
             raise
-        raise RankDeficient(_contradicted(wrong[0])) from reason
+        raise RankDeficient(_contradicted_value_error(wrong[0])) from reason
 
 
-def _contradicted(wrong: Contradiction) -> Message:
-    """The message that the data contradict a given value of the mounting."""
+def _contradicted_value_error(wrong: ContradictedParameter) -> Message:
+    """Error message that the data contradict a given value of the mounting."""
     if wrong.name.startswith("lever_"):
         axis = wrong.name.removeprefix("lever_").upper()
         return error("adjustment.contradicts_lever_arm", axis=axis, change=wrong.change)
     return error(CONTRADICTED[wrong.name], change=wrong.change)
 
 
-def _not_in_thesis_mode(problem: Problem) -> tuple[Estimate, ...]:
-    """All are fixed: independent POS errors would give them wrong values with small sigmas."""
+def _fixed_in_thesis_mode(problem: AdjustmentProblem) -> tuple[ParameterEstimate, ...]:
+    """Fixed parameters in thesis mode, where independent POS errors would bias them."""
     return tuple(
-        Estimate(
+        ParameterEstimate(
             each.name, float(problem.prior.values[each.index]), each.sigma,
-            reason=note("parameter.not_classical", parameter=quantity(each.name)),
+            reason=note("parameter.not_classical", parameter=mounting_value_name(each.name)),
         )
         for each in problem.parameters
     )  # fmt: skip
 
 
-def _sampled(observations: Observations) -> Observations:
-    """A sample of the points: start values, noise, form errors and blunders are found with it."""
+def _sample_points(observations: Observations) -> Observations:
+    """Sample of many points for approximate solution, noise, surfaces and blunders."""
     if len(observations) <= MANY:
         return observations
     return observations.where(observations.sample(MANY / len(observations)))
 
 
-def _completed(near: Solution, observations: Observations, progress: Progress) -> Solution:
-    """Continue with all points from the solution of a sample, with its noise and form errors."""
+def _continue_with_all_points(
+    near: IterationResult, observations: Observations, progress: Progress
+) -> IterationResult:
+    """Continue with all points from the solution of a sample."""
     sample = near.linearised.problem
-    problem = Problem.of(
+    problem = AdjustmentProblem.of(
         observations, sample.prior, sample.model, sample.parameters, sample.moments
     )
     problem = replace(
@@ -360,101 +389,107 @@ def _completed(near: Solution, observations: Observations, progress: Progress) -
     )
     if problem.model.correlated:
         few, residuals = sample.observations, sample.residuals(near.state)[1]
-        mine = None if problem.model.loss == "none" else at_target(few, residuals)
+        mine = None if problem.model.loss == "none" else is_point_on_target(few, residuals)
         denser = len(observations) / len(few)
-        noise = noise_factors(few, residuals, sample.blocks, mine, denser=denser)
+        noise = target_noise_factors(few, residuals, sample.blocks, mine, denser=denser)
         problem = replace(problem, noise=noise)
-    state = problem.resumed(near.state, sample)
+    state = problem.resume_state(near.state, sample)
     return iterate(problem, state, progress, earlier=near.path, told=True)
 
 
-def _may_release(model: StochasticModel) -> bool:
+def _may_reject_sightings(model: StochasticModel) -> bool:
     return model.correlated and model.loss != "none" and model.surface != 0
 
 
-def _led_by_most(
-    problem: Problem, start: State, progress: Progress
-) -> tuple[Solution, list[Blunder]]:
-    """Iterate without the sightings that deviate by metres; they may be restored later.
+def _iterate_with_majority(
+    problem: AdjustmentProblem, start: AdjustmentState, progress: Progress
+) -> tuple[IterationResult, list[Blunder]]:
+    """Iterate without sightings that are metres off; they may be restored later.
 
     Held to their targets they would pull the whole of all others along: a shared POS error yields.
     """
     observations, off = problem.observations, np.zeros(0, dtype=np.int64)
-    if _may_release(problem.model):
-        off = astray(observations, problem.residuals(start)[1])
+    if _may_reject_sightings(problem.model):
+        off = find_displaced_sightings(observations, problem.residuals(start)[1])
     balls = observations.is_sphere[observations.target_of_sighting]
     gone = [Blunder("shift" if balls[s] else "surface", (int(s),)) for s in off]
     if 0 < len(gone) <= len(observations.sightings) // MOST_RELEASED:
         without = problem
         for found in gone:
-            without = found.out_of(without)
+            without = found.reject_in(without)
         with suppress(RankDeficient, NotConverged):  # then they are needed after all
             solution = iterate(without, start, progress)
-            plain = plainly_off(solution.linearised, gone)
+            plain = find_confirmed_blunders(solution.linearised, gone)
             if plain == gone:
                 return solution, gone
             problem = solution.linearised.problem
             for found in gone:
-                problem = found.back_in(problem)
+                problem = found.restore_in(problem)
             for found in plain:
-                problem = found.out_of(problem)
+                problem = found.reject_in(problem)
             return iterate(problem, solution.state, progress, earlier=solution.path), plain
     return iterate(problem, start, progress), []
 
 
-def _let_go(solution: Solution) -> int:
+def _count_rejected_sightings(solution: IterationResult) -> int:
     """Number of rejected sightings."""
     return int((~solution.linearised.problem.held).sum())
 
 
-def _agreeing(start: Solution, gone: list[Blunder], progress: Progress) -> Solution:
-    """Reject blunders; use a separate sigma of the offsets if the data require it.
+def _reject_disagreeing_sightings(
+    start: IterationResult, gone: list[Blunder], progress: Progress
+) -> IterationResult:
+    """Reject disagreeing sightings, with a sigma of the offsets of their own where needed.
 
     Boards that are displaced between lines, but not warped, would be rejected one after the other;
     so would boards displaced by a wrong mounting parameter.
     """
-    solution = _explained(start, gone, progress)
+    solution = _reject_unexplained_sightings(start, gone, progress)
     here = solution.linearised
-    if here.problem.model.surface is not None or not offsets_insist(here):
+    if here.problem.model.surface is not None or not need_own_offset_sigma(here):
         return solution
-    if contradictions(here, least=0.0):
+    if find_contradicted_parameters(here, least=0.0):
         return solution
     problem = replace(start.linearised.problem, own_offsets=True)
     try:
         other = iterate(problem, start.state, progress, earlier=solution.path)
-        return _explained(other, gone, progress)
+        return _reject_unexplained_sightings(other, gone, progress)
     except (RankDeficient, NotConverged):
         return solution
 
 
-def _explained(solution: Solution, gone: list[Blunder], progress: Progress) -> Solution:
-    """Reject blunders that a wrong mounting parameter does not explain.
+def _reject_unexplained_sightings(
+    solution: IterationResult, gone: list[Blunder], progress: Progress
+) -> IterationResult:
+    """Reject disagreeing sightings unless a wrong value of the mounting explains them.
 
     With a wrong given lever arm, good sightings of whole lines disagree. If freeing contradicted
     parameters saves more rejections than there are parameters, only the other sightings are
     rejected. The parameters are not estimated; the result lists the contradictions.
     """
-    released = _without_blunders(solution, gone, progress)
+    released = _reject_blunders(solution, gone, progress)
     problem = solution.linearised.problem
-    count = _let_go(released)
-    if count <= _let_go(solution):
+    count = _count_rejected_sightings(released)
+    if count <= _count_rejected_sightings(solution):
         return released
     fewest, surfaces = count, None
     tried: list[tuple[str, ...]] = [()]
     for judged in (solution, released):
         # In the order they were found: what explains most comes first.
-        names = tuple(each.name for each in contradictions(judged.linearised, least=0.0))
+        names = tuple(
+            each.name for each in find_contradicted_parameters(judged.linearised, least=0.0)
+        )
         if names in tried:
             continue
         tried.append(names)
         wider = problem.with_parameters((*problem.parameters, *map(Parameter, names)))
         try:
             let_go = iterate(wider, solution.state, progress, earlier=solution.path)
-            explained = _without_blunders(let_go, gone, progress)
+            explained = _reject_blunders(let_go, gone, progress)
         except (RankDeficient, NotConverged):
             continue
-        if _let_go(explained) + len(names) < fewest:
-            fewest = _let_go(explained) + len(names)
+        if _count_rejected_sightings(explained) + len(names) < fewest:
+            fewest = _count_rejected_sightings(explained) + len(names)
             surfaces = explained.linearised.problem.surface_sigma
     if surfaces is None:
         return released
@@ -463,8 +498,10 @@ def _explained(solution: Solution, gone: list[Blunder], progress: Progress) -> S
     return iterate(problem, solution.state, progress, earlier=solution.path)
 
 
-def _without_blunders(solution: Solution, gone: list[Blunder], progress: Progress) -> Solution:
-    """Reject the least consistent sightings one at a time, and iterate, until all agree.
+def _reject_blunders(
+    solution: IterationResult, gone: list[Blunder], progress: Progress
+) -> IterationResult:
+    """Reject the sightings that agree least and iterate until all agree.
 
     A blunder may make other sightings appear as blunders: these are restored if they agree without
     it; this includes the sightings in ``gone``.
@@ -474,28 +511,28 @@ def _without_blunders(solution: Solution, gone: list[Blunder], progress: Progres
     spared: set[Blunder] = set()
     while True:
         here = solution.linearised
-        if (back := belonging(here, gone)) is not None:
+        if (back := find_restorable_blunder(here, gone)) is not None:
             gone.remove(back)
             spared.add(back)
-            problem = back.back_in(here.problem)
+            problem = back.restore_in(here.problem)
         else:
             worst = worst_blunder(here, spared)
             if worst is None or sum(len(b.sightings) for b in [*gone, worst]) > most:
                 return solution
             gone.append(worst)
-            problem = worst.out_of(here.problem)
+            problem = worst.reject_in(here.problem)
         solution = iterate(problem, solution.state, progress, earlier=solution.path)
 
 
-def _with_components(
-    solution: Solution, total: Array, progress: Progress
-) -> tuple[Solution, tuple[Component, ...], Array]:
-    """Repeat the adjustment with the sigmas estimated from the data, until these converge.
+def _iterate_variance_components(
+    solution: IterationResult, total: Array, progress: Progress
+) -> tuple[IterationResult, tuple[VarianceComponent, ...], Array]:
+    """Adjust again with the estimated variance components until they do not change.
 
     ``total`` holds the factors on the given sigmas that are in ``solution`` already.
     """
     for _ in range(COMPONENT_ROUNDS):
-        found = variance_components(solution.linearised)
+        found = estimate_variance_components(solution.linearised)
         # A sigma is raised on suspicion, lowered on evidence: too large a one costs little.
         news = np.array(
             [
@@ -508,13 +545,13 @@ def _with_components(
         if np.abs(np.log(factors)).max() < SCALE_SETTLED:
             break
         problem = solution.linearised.problem.with_sigmas(*factors)
-        problem = problem.with_surface(found.rough * problem.usual_surface)
+        problem = problem.with_surface_sigma(found.rough * problem.usual_surface)
         solution = iterate(problem, solution.state, progress, earlier=solution.path)
-    final = variance_components(solution.linearised)
+    final = estimate_variance_components(solution.linearised)
     return (
         solution,
         tuple(
-            Component(
+            VarianceComponent(
                 c.name,
                 float(t if t in FACTORS else t * c.factor),
                 float(t * c.lower),

@@ -1,4 +1,4 @@
-"""Whether a ball has the same radius on every line, and what else would make it so.
+"""Test whether a ball has the same radius on every line, and what may explain a difference.
 
 A ball is passed within a second or two. What the vessel does in this time is in the shape of its
 points: a sign of the attitude, the latency or a range offset that is wrong makes it larger or
@@ -15,7 +15,7 @@ from lispac.adjustment.observations import Observations
 from lispac.adjustment.result import RadiusDiscrepancy
 from lispac.errors import SphereNotFound
 from lispac.geometry.spheres import fit_sphere
-from lispac.survey.georeferencing import Mounting, place
+from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
@@ -32,7 +32,7 @@ RANGE_OFFSETS = np.linspace(-0.2, 0.2, 81)
 """Metres that are tried."""
 
 
-def radius_discrepancies(
+def find_radius_discrepancies(
     observations: Observations, mounting: Mounting
 ) -> tuple[RadiusDiscrepancy, ...]:
     """Balls whose radii differ between lines by more than the noise explains.
@@ -49,26 +49,26 @@ def radius_discrepancies(
         if not observations.is_sphere[k]:
             continue
         own = observations.where(observations.target_of_sighting[observations.sighting] == k)
-        radii = _radii(own, mounting)
-        if radii is None or not _differ(*radii):
+        radii = _radius_by_line(own, mounting)
+        if radii is None or not _do_radii_differ(*radii):
             continue
         names = [
             (cause, value, other)
-            for cause, value, changed, way in _changes(own, mounting)
-            if (other := _radii(changed, way)) is not None
+            for cause, value, changed, way in _candidate_corrections(own, mounting)
+            if (other := _radius_by_line(changed, way)) is not None
         ]
-        best = min(names, key=lambda each: _misfit(*each[2]), default=None)
+        best = min(names, key=lambda each: _radius_chi_square(*each[2]), default=None)
         smallest, largest = float(radii[0].min()), float(radii[0].max())
-        if best is None or _differ(*best[2]):
+        if best is None or _do_radii_differ(*best[2]):
             found.append(RadiusDiscrepancy(target, smallest, largest))
         else:
             found.append(RadiusDiscrepancy(target, smallest, largest, best[0], best[1]))
     return tuple(found)
 
 
-def _radii(observations: Observations, mounting: Mounting) -> tuple[Array, Array] | None:
+def _radius_by_line(observations: Observations, mounting: Mounting) -> tuple[Array, Array] | None:
     """Radius of one ball on each line, and its sigma, both (lines,), metres; None below two."""
-    points = place(
+    points = place_points(
         observations.points_lidar, Poses(observations.position, observations.attitude), mounting
     )
     radii, sigmas = [], []
@@ -88,23 +88,23 @@ def _radii(observations: Observations, mounting: Mounting) -> tuple[Array, Array
     return (np.array(radii), np.array(sigmas)) if len(radii) >= 2 else None
 
 
-def _misfit(radii: Array, sigmas: Array) -> float:
-    """Weighted sum of squares about the mean radius, no unit."""
+def _radius_chi_square(radii: Array, sigmas: Array) -> float:
+    """Weighted sum of squares about the mean radius, dimensionless."""
     weights = 1.0 / (sigmas**2 + LEAST**2)
     mean = weights @ radii / weights.sum()
     return float(weights @ (radii - mean) ** 2)
 
 
-def _differ(radii: Array, sigmas: Array) -> bool:
+def _do_radii_differ(radii: Array, sigmas: Array) -> bool:
     from scipy.special import chdtri
 
-    return _misfit(radii, sigmas) > chdtri(len(radii) - 1, CHANCE)
+    return _radius_chi_square(radii, sigmas) > chdtri(len(radii) - 1, CHANCE)
 
 
-def _changes(
+def _candidate_corrections(
     observations: Observations, mounting: Mounting
 ) -> Iterator[tuple[str, float, Observations, Mounting]]:
-    """Candidate causes with their value: observations and mounting without the error."""
+    """Candidate causes with their value, and observations and mounting without the error."""
     for cause, signs in (
         ("roll_sign", (-1, 1, 1)), ("pitch_sign", (1, -1, 1)), ("roll_pitch_signs", (-1, -1, 1)),
     ):  # fmt: skip

@@ -1,4 +1,4 @@
-"""Warnings about the result of an adjustment: what the user has to know before using the angles.
+"""Warnings about the result of an adjustment that matter for the use of the angles.
 
 The command line, the window and the report show the same warnings. Each rule is a function in
 `RULES`.
@@ -8,13 +8,21 @@ from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 
-from lispac.adjustment.cause_warnings import KnownError, cause_doubts
-from lispac.adjustment.message_parts import amount, quantities, quantity
-from lispac.adjustment.observability import one_facing
+from lispac.adjustment.cause_warnings import KnownError, warnings_about_causes
+from lispac.adjustment.message_parts import (
+    amount_with_unit,
+    mounting_value_name,
+    mounting_value_names,
+)
+from lispac.adjustment.observability import have_one_orientation
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossCheck, CrossChecks
-from lispac.adjustment.sighting_warnings import contradicted, noise, strays
-from lispac.causes import RESULT, Cause
-from lispac.messages import Level, Message, Value, by_level, note, shortened, warning
+from lispac.adjustment.sighting_warnings import (
+    contradicted_sighting_warnings,
+    noise_warnings,
+    outlier_warnings,
+)
+from lispac.messages import Level, Message, Value, note, shortened_list, sort_by_level, warning
+from lispac.warning_causes import RESULT, Cause
 
 LARGE_SIGMA_DEG = 0.1
 """An angle known no better puts a point at 100 m off by 17 cm: no boresight to work with."""
@@ -29,26 +37,28 @@ FLAT = 0.005
 """Metres: sigma of the surfaces that no flat board has."""
 
 
-def doubts(
+def result_warnings(
     result: AdjustmentResult, checks: CrossChecks | None, also: Iterable[Message] = ()
 ) -> tuple[Message, ...]:
     """All warnings about a result, then notes; ``also`` are those about its data."""
     also = tuple(also)
     found = [message for rule in RULES for message in rule(result, checks)]
-    return by_level((*also, *cause_doubts(result, KnownError.among(also), found)))
+    return sort_by_level(
+        (*also, *warnings_about_causes(result, KnownError.largest_among(also), found))
+    )
 
 
-def _thesis_mode(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _thesis_mode_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     if not result.model.correlated:
         yield warning("adjustment.independent_pos_errors", subject=Cause.of_field("pos_errors"))
 
 
-def _steep_pitch(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _steep_pitch_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     if result.mounting.axes is not None:
         yield note("adjustment.steep_pitch", subject=RESULT)
 
 
-def _surfaces(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _surface_notes(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     most = float(result.surfaces.max())
     if result.model.surface is not None or most <= FLAT:
         return
@@ -60,9 +70,9 @@ def _surfaces(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Messa
         yield note("adjustment.surfaces_differ", sigma=most, subject=page)
 
 
-def _large_sigmas(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _large_sigma_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     large = [
-        note("item.angle_sigma", angle=quantity(angle), sigma=float(sigma))
+        note("item.angle_sigma", angle=mounting_value_name(angle), sigma=float(sigma))
         for angle, sigma in zip(ANGLES, result.sigma, strict=True)
         if np.degrees(sigma) > LARGE_SIGMA_DEG
     ]
@@ -76,15 +86,15 @@ def _large_sigmas(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[M
     if unseen:
         yield warning(
             "adjustment.large_sigma_unseen",
-            angles=large, parameters=quantities(unseen), subject=RESULT,
+            angles=large, parameters=mounting_value_names(unseen), subject=RESULT,
         )  # fmt: skip
     else:
         yield warning("adjustment.large_sigma", angles=large, subject=RESULT)
 
 
-def _one_facing(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _one_orientation_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     targets = result.targets
-    if not one_facing(
+    if not have_one_orientation(
         np.array([target.plane[:3] for target in targets]),
         np.array([target.sphere for target in targets]),
     ):
@@ -96,7 +106,7 @@ def _one_facing(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Mes
         yield warning("adjustment.one_facing", subject=Cause.of_target(first))
 
 
-def _correlations(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _correlation_notes(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     matrix, names = result.correlation_all, result.estimated
     for i, first in enumerate(names):
         for j in range(i + 1, len(names)):
@@ -106,8 +116,8 @@ def _correlations(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[M
                     "adjustment.high_correlation"
                     if of_angles
                     else "adjustment.high_correlation_parameter",
-                    first=quantity(first),
-                    second=quantity(names[j]),
+                    first=mounting_value_name(first),
+                    second=mounting_value_name(names[j]),
                     correlation=float(matrix[i, j]),
                     subject=Cause.of_page("Correlations")
                     if of_angles
@@ -115,21 +125,21 @@ def _correlations(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[M
                 )
 
 
-def _surface_held(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _exact_surface_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     if result.model.correlated and result.model.surface == 0:
         yield note("adjustment.surface_held", subject=Cause.of_field("surface"))
 
 
-def _parts(_: AdjustmentResult, checks: CrossChecks | None) -> Iterator[Message]:
+def _cross_check_notes(_: AdjustmentResult, checks: CrossChecks | None) -> Iterator[Message]:
     parts = [part for part in checks.parts if part.disagrees] if checks else []
     halves = [part for part in parts if part.kind == "half"]
-    apart = [_disagreeing(part) for part in parts if part.kind != "half"]
+    apart = [_disagreeing_part_item(part) for part in parts if part.kind != "half"]
     # Two halves differ from each other: the second one gives the same message.
-    apart += [_disagreeing(part) for part in halves[:1]]
+    apart += [_disagreeing_part_item(part) for part in halves[:1]]
     if apart:
         yield note(
             "adjustment.cross_check",
-            parts=shortened(apart), subject=Cause.of_page("Cross-checks"),
+            parts=shortened_list(apart), subject=Cause.of_page("Cross-checks"),
         )  # fmt: skip
 
 
@@ -139,19 +149,21 @@ PART_CODES = {
 """Code of a part of the data by its kind."""
 
 
-def _disagreeing(part: CrossCheck) -> Message:
-    """A part with the angle that differs most, in its sigmas."""
+def _disagreeing_part_item(part: CrossCheck) -> Message:
+    """A cross-check with the angle that differs most, in its sigmas."""
     assert part.significance is not None
     assert part.difference is not None
     k = int(np.abs(part.significance).argmax())
     return note(
         PART_CODES[part.kind],
-        name=part.without, angle=quantity(ANGLES[k]), difference=float(part.difference[k]),
+        name=part.without,
+        angle=mounting_value_name(ANGLES[k]),
+        difference=float(part.difference[k]),
         ratio=float(abs(part.significance[k])),
-    )  # fmt: skip
+    )
 
 
-def _unchecked(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _unchecked_part_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     """Lines, targets and sightings whose errors cannot be detected."""
     if result.observability is None:
         return
@@ -176,25 +188,25 @@ def _unchecked(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Mess
         sightings = [
             note(
                 "item.sighting_angles",
-                target=each.target, line=each.line, angles=quantities(each.angles),
+                target=each.target, line=each.line, angles=mounting_value_names(each.angles),
             )
             for each in carried
         ]  # fmt: skip
         yield warning(
             "adjustment.carried_by_one",
-            sightings=shortened(sightings),
+            sightings=shortened_list(sightings),
             subject=Cause.of_sighting(carried[0].target, carried[0].line),
         )
 
 
-def _excluded_targets(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _excluded_target_notes(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     if excluded := result.excluded_targets:
         first = Cause.of_target(excluded[0])
-        yield note("adjustment.target_excluded", targets=shortened(excluded), subject=first)
+        yield note("adjustment.target_excluded", targets=shortened_list(excluded), subject=first)
 
 
-def _common_parts(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    """Targets of which the lines show different parts that are not shown to be one plane."""
+def _common_part_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    """Warnings about targets of which lines show different parts not shown to be one plane."""
     cut = [each for each in result.common_parts if each.share > 0.0]
     excluded = [each.target for each in result.common_parts if each.share == 0.0]
     if cut:
@@ -203,10 +215,10 @@ def _common_parts(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[M
             for each in cut
         ]
         first = Cause.of_target(cut[0].target)
-        yield note("adjustment.target_cut", targets=shortened(shares), subject=first)
+        yield note("adjustment.target_cut", targets=shortened_list(shares), subject=first)
     if excluded:
         first = Cause.of_target(excluded[0])
-        yield note("adjustment.target_parts", targets=shortened(excluded), subject=first)
+        yield note("adjustment.target_parts", targets=shortened_list(excluded), subject=first)
 
 
 RADII_CODES = {
@@ -218,7 +230,7 @@ RADII_CODES = {
 """Code by the cause of `RadiusDiscrepancy`; other causes are values of the mounting."""
 
 
-def _radii(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _radius_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     for each in result.radius_discrepancies:
         target = Cause.of_target(each.target)
         code = RADII_CODES.get(each.cause, "adjustment.radii_parameter")
@@ -228,12 +240,13 @@ def _radii(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]
         if each.cause not in RADII_CODES:
             params["cause"] = note(
                 "cause.larger" if each.value > 0 else "cause.smaller",
-                parameter=quantity(each.cause), amount=amount(each.cause, abs(each.value)),
-            )  # fmt: skip
+                parameter=mounting_value_name(each.cause),
+                amount=amount_with_unit(each.cause, abs(each.value)),
+            )
         yield Message(code, Level.WARNING, params, target)
 
 
-def _shorter_times(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _correlation_time_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     if result.stated_times is not None:
         position, attitude = result.stated_times
         yield note(
@@ -245,11 +258,16 @@ def _shorter_times(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[
         )  # fmt: skip
 
 
-def _raised(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     if result.raised is None:
         return
     raised = [
-        note("item.angle_raised", angle=quantity(angle), before=float(before), after=float(after))
+        note(
+            "item.angle_raised",
+            angle=mounting_value_name(angle),
+            before=float(before),
+            after=float(after),
+        )
         for angle, before, after, factor in zip(
             ANGLES, result.with_formal_sigmas.sigma, result.sigma, result.raised, strict=True
         )
@@ -261,21 +279,21 @@ def _raised(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message
 
 
 RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Message]], ...] = (
-    _thesis_mode,
-    _large_sigmas,
-    _one_facing,
-    _correlations,
-    _surface_held,
-    _surfaces,
-    _steep_pitch,
-    contradicted,
-    strays,
-    noise,
-    _parts,
-    _unchecked,
-    _excluded_targets,
-    _common_parts,
-    _radii,
-    _shorter_times,
-    _raised,
+    _thesis_mode_warning,
+    _large_sigma_warnings,
+    _one_orientation_warning,
+    _correlation_notes,
+    _exact_surface_note,
+    _surface_notes,
+    _steep_pitch_note,
+    contradicted_sighting_warnings,
+    outlier_warnings,
+    noise_warnings,
+    _cross_check_notes,
+    _unchecked_part_warnings,
+    _excluded_target_notes,
+    _common_part_warnings,
+    _radius_warnings,
+    _correlation_time_note,
+    _raised_sigma_note,
 )

@@ -7,13 +7,27 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.cli.angles_shown import OF_PROJECT, ConversionInput, list_systems, numbers, print_answer
+from lispac.cli.angles_output import (
+    OF_PROJECT,
+    ConversionInput,
+    conversion_values,
+    list_systems,
+    print_conversion,
+)
 from lispac.cli.console import UsageError
-from lispac.survey.conventions.conversion import Setup, mounting_of, mounting_of_angles
-from lispac.survey.conventions.present import Present, present_of_matrix, replacement
-from lispac.survey.conventions.systems import system
-from lispac.survey.conventions.typed import matrix_of_text, product_of_matrix
-from lispac.survey.conventions.words import THESIS_MODE
+from lispac.survey.conventions.conversion import (
+    ConventionSetup,
+    convert_from_system,
+    mounting_of_angles,
+)
+from lispac.survey.conventions.matrix_input import angle_product_of_matrix, matrix_of_text
+from lispac.survey.conventions.mounting_texts import THESIS_MODE
+from lispac.survey.conventions.present_settings import (
+    PresentSettings,
+    present_settings_of_matrix,
+    replace_settings,
+)
+from lispac.survey.conventions.systems import convention_of_key
 from lispac.workflow.projects import open_project
 
 Array = NDArray[np.float64]
@@ -30,26 +44,26 @@ def angles(arguments: Namespace) -> None:
     if not arguments.values and arguments.from_matrix is None:
         list_systems(arguments.json)
         return
-    given = _given(arguments)
-    target = _setup(arguments, arguments.to)
-    current = _current(arguments, target)
+    given = _conversion_input(arguments)
+    target = _convention_setup(arguments, arguments.to)
+    current = _current_settings(arguments, target)
     if current is None and arguments.current_applied:
         raise UsageError("angles: --current-applied requires --current or --current-matrix.")
-    new = replacement(
+    new = replace_settings(
         target, given.mounting, given.covariance, current,
         applied=arguments.current_applied, has_lever_arm=given.has_lever_arm,
     )  # fmt: skip
     if arguments.json:
-        print(json.dumps(numbers(given, new), indent=1, allow_nan=False))
+        print(json.dumps(conversion_values(given, new), indent=1, allow_nan=False))
     else:
-        print_answer(given, new, matrices=arguments.matrix)
+        print_conversion(given, new, matrices=arguments.matrix)
 
 
-def _setup(arguments: Namespace, key: str) -> Setup:
-    convention = system(key)
+def _convention_setup(arguments: Namespace, key: str) -> ConventionSetup:
+    convention = convention_of_key(key)
     if convention.key == "lispac":
-        return Setup(convention)
-    return Setup(
+        return ConventionSetup(convention)
+    return ConventionSetup(
         convention,
         tuple(arguments.body_axes) if arguments.body_axes else None,
         arguments.scanner,
@@ -57,9 +71,9 @@ def _setup(arguments: Namespace, key: str) -> Setup:
     )
 
 
-def _given(arguments: Namespace) -> ConversionInput:
+def _conversion_input(arguments: Namespace) -> ConversionInput:
     values, count = arguments.values, len(arguments.values)
-    setup = _setup(arguments, arguments.from_system)
+    setup = _convention_setup(arguments, arguments.from_system)
     lever_arm = np.array(arguments.lever or (0.0, 0.0, 0.0), dtype=float)
     has_lever_arm = arguments.lever is not None
     if arguments.from_matrix is not None:
@@ -70,7 +84,7 @@ def _given(arguments: Namespace) -> ConversionInput:
             raise UsageError("angles: the 4x4 matrix contains the lever arm; omit --lever.")
         lever_arm = lever_arm if shift is None else shift
         # Read as it is printed.
-        mounting = mounting_of(setup, product_of_matrix(setup, rotation), lever_arm)
+        mounting = convert_from_system(setup, angle_product_of_matrix(setup, rotation), lever_arm)
         return ConversionInput(
             setup, mounting, has_lever_arm or shift is not None, name="from matrix"
         )
@@ -79,7 +93,7 @@ def _given(arguments: Namespace) -> ConversionInput:
             raise UsageError(
                 "angles: a project contains its lever arm and convention; omit --lever and --from."
             )
-        return _of_project(Path(values[0]), setup)
+        return _input_of_project(Path(values[0]), setup)
     if count != 3:
         raise UsageError(
             "angles: give three angles in degrees, or a project; `lispac angles` lists the systems."
@@ -95,7 +109,7 @@ def _given(arguments: Namespace) -> ConversionInput:
     )
 
 
-def _of_project(folder: Path, setup: Setup) -> ConversionInput:
+def _input_of_project(folder: Path, setup: ConventionSetup) -> ConversionInput:
     project = open_project(folder)
     mounting = project.mounting("estimated")
     result = project.result
@@ -115,8 +129,8 @@ def _read_matrix(path: Path) -> tuple[Array, Array | None]:
     return matrix_of_text(path.read_text(encoding="utf-8", errors="replace"), path.name)
 
 
-def _current(arguments: Namespace, target: Setup) -> Present | None:
-    """Present settings of the --to system.
+def _current_settings(arguments: Namespace, target: ConventionSetup) -> PresentSettings | None:
+    """Current settings of the system given by --to.
 
     Raises
     ------
@@ -126,10 +140,10 @@ def _current(arguments: Namespace, target: Setup) -> Present | None:
     if arguments.current_matrix is None:
         if arguments.current is None:
             return None
-        return Present(np.radians(arguments.current))
+        return PresentSettings(np.radians(arguments.current))
     if arguments.current is not None:
         raise UsageError("angles: give only one of --current and --current-matrix.")
     words = arguments.current_matrix
     if len(words) == 1:
-        return present_of_matrix(target, *_read_matrix(Path(words[0])))
-    return present_of_matrix(target, *matrix_of_text(" ".join(words), "--current-matrix"))
+        return present_settings_of_matrix(target, *_read_matrix(Path(words[0])))
+    return present_settings_of_matrix(target, *matrix_of_text(" ".join(words), "--current-matrix"))

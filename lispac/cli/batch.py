@@ -10,7 +10,7 @@ from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.errors import ProjectError
 from lispac.messages import error
-from lispac.workflow.batch import Row, each_row, write_table
+from lispac.workflow.batch import BatchRow, calibrate_each, write_table
 from lispac.workflow.report_options import report_options
 
 
@@ -27,9 +27,9 @@ def batch(arguments: Namespace) -> None:
     if arguments.reports is None and (arguments.report_format or arguments.template):
         raise UsageError("batch: --report-format and --template require --reports DIR.")
     options = report_options(arguments.template)
-    rows: list[Row] = []
+    rows: list[BatchRow] = []
     with ConsoleProgress() as progress:
-        for row in each_row(
+        for row in calibrate_each(
             *arguments.folders, save=arguments.save, reports=arguments.reports,
             form=arguments.report_format or "pdf", options=options, progress=progress,
         ):  # fmt: skip
@@ -37,9 +37,9 @@ def batch(arguments: Namespace) -> None:
             if arguments.output is not None:  # what is done is there, whatever ends the rest
                 write_table(rows, arguments.output)
     if arguments.json:
-        print_json({"projects": [_values(row) for row in rows]})
+        print_json({"projects": [_row_values(row) for row in rows]})
     else:
-        _print(rows)
+        _print_table(rows)
     sys.stdout.flush()
     refused = [row.name for row in rows if row.verdict == "refused"]
     if refused:
@@ -48,11 +48,11 @@ def batch(arguments: Namespace) -> None:
         )
 
 
-def _values(row: Row) -> dict[str, Any]:
+def _row_values(row: BatchRow) -> dict[str, Any]:
     return asdict(row) | {"folder": str(row.folder), "remarks": list(row.remarks)}
 
 
-def _print(rows: Sequence[Row]) -> None:
+def _print_table(rows: Sequence[BatchRow]) -> None:
     width = max(12, *(len(row.name) for row in rows)) + 2
     angles = "".join(f"{f'{angle}, 1 sigma':>19s}" for angle in ANGLES)
     print(f"{'project':{width}s}{angles} deg{'sigma 0':>9s}{'before':>9s}{'after':>8s} mm  verdict")
@@ -65,13 +65,13 @@ def _print(rows: Sequence[Row]) -> None:
             )
         apart = [None if v is None else 1000 * v for v in (row.rms_before, row.rms_after)]
         print(
-            f"{row.name:{width}s}{cells}    {_cell(row.sigma_0, 9, 2)}{_cell(apart[0], 9, 1)}"
-            f"{_cell(apart[1], 8, 1)}     {row.verdict}"
+            f"{row.name:{width}s}{cells}    {_number_cell(row.sigma_0, 9, 2)}"
+            f"{_number_cell(apart[0], 9, 1)}{_number_cell(apart[1], 8, 1)}     {row.verdict}"
         )
     for row in rows:
         for remark in row.remarks:
             print(f"{row.name}: {remark}")
 
 
-def _cell(value: float | None, width: int, decimals: int) -> str:
+def _number_cell(value: float | None, width: int, decimals: int) -> str:
     return f"{'-':>{width}s}" if value is None else f"{value:{width}.{decimals}f}"

@@ -1,4 +1,4 @@
-"""``lispac budget``: what every source of error does to a point at a distance."""
+"""``lispac budget``: effect of every source of error on a point at a distance."""
 
 from argparse import Namespace
 from dataclasses import asdict
@@ -6,9 +6,9 @@ from dataclasses import asdict
 from lispac.adjustment.error_budget import DISTANCES
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.message_texts import message_text
-from lispac.report.budget_values import Budget
+from lispac.report.budget_values import ErrorBudgetValues
 from lispac.report.json_report import english_values
-from lispac.workflow.budget import budget_of
+from lispac.workflow.budget import error_budget_of
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import load_survey
 
@@ -18,8 +18,8 @@ def budget(arguments: Namespace) -> None:
     project = open_project(arguments.project)
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=progress)
-    found = Budget.of(
-        budget_of(
+    found = ErrorBudgetValues.of(
+        error_budget_of(
             project, survey, arguments.distance or DISTANCES, lever_sigma=arguments.lever_sigma
         )
     )

@@ -1,4 +1,4 @@
-"""``lispac campaign``: many simulated surveys of a plan, and a check of its sigmas."""
+"""``lispac campaign``: many simulated surveys of a plan, to check its predicted sigmas."""
 
 from argparse import Namespace
 
@@ -7,20 +7,20 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.cli.cluster_access import cluster_access
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.design.monte_carlo import Scatter
+from lispac.design.monte_carlo import MonteCarloResult
 from lispac.io.plan_file import read_plan
-from lispac.workflow.campaign import mapper_of
-from lispac.workflow.plan_checks import headline, many_surveys
+from lispac.workflow.parallel_map import choose_mapper
+from lispac.workflow.plan_checks import result_heading, simulate_surveys
 
 
 def campaign(arguments: Namespace) -> None:
-    """Print the scatter of the results, their sigmas and the predicted sigmas."""
+    """Print the scatter of the simulated results beside the formal and the predicted sigmas."""
     titled = read_plan(arguments.plan)
     with (
         ConsoleProgress() as progress,
-        mapper_of(arguments.workers, cluster_access(arguments)) as mapper,
+        choose_mapper(arguments.workers, cluster_access(arguments)) as mapper,
     ):
-        found = many_surveys(
+        found = simulate_surveys(
             titled.plan, arguments.surveys, seed=arguments.seed,
             flatness_known=arguments.flatness_known, mapper=mapper, progress=progress,
         )  # fmt: skip
@@ -31,25 +31,25 @@ def campaign(arguments: Namespace) -> None:
                 "surveys": arguments.surveys,
                 "seed": arguments.seed,
                 "failed": found.failed,
-                "scatter_deg": np.degrees(found.empirical).tolist(),
+                "scatter_deg": np.degrees(found.empirical_sigma).tolist(),
                 "stated_sigma_deg": np.degrees(found.stated).tolist(),
                 "foretold_sigma_deg": np.degrees(found.foretold).tolist(),
                 "hits_95": found.hits.tolist(),
                 "bias_deg": np.degrees(found.bias).tolist(),
                 "bias_sigma_deg": np.degrees(found.sigma_bias).tolist(),
                 "chi_square": found.chi_square,
-                "chi_square_expected": list(found.chi_square_expected),
+                "chi_square_expected": list(found.chi_square_bounds),
                 "words": list(found.words),
             }
         )
         return
-    print(headline(titled.title, found, arguments.surveys))
-    print(table(found))
+    print(result_heading(titled.title, found, arguments.surveys))
+    print(scatter_table(found))
     for sentence in found.words:
         print(sentence)
 
 
-def table(found: Scatter) -> str:
-    """Sigmas and hits, a row each, the angles side by side."""
+def scatter_table(found: MonteCarloResult) -> str:
+    """Table of sigmas and hits, one row each, with a column for each angle."""
     lines = [f"{name:22s}" + "".join(f"{cell:>9s}" for cell in row) for name, *row in found.rows]
     return "\n".join([" " * 22 + "".join(f"{angle:>9s}" for angle in ANGLES), *lines])

@@ -1,22 +1,22 @@
-"""``lispac check``: how far the lines are from a reference."""
+"""``lispac check``: distances of the lines from a reference."""
 
 import math
 from argparse import Namespace
 from dataclasses import asdict
 
-from lispac.cli.console import ConsoleProgress, opened, print_json
+from lispac.cli.console import ConsoleProgress, opened_project, print_json
 from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
-from lispac.report.absolute_values import Absolute, AgainstReference
+from lispac.report.absolute_values import AbsoluteCheckValues, ReferenceDistances
 from lispac.report.json_report import english_values
-from lispac.workflow.absolute import check_absolute
+from lispac.workflow.absolute_check import check_absolute
 from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
 
 
 def check(arguments: Namespace) -> None:
     """Compare the lines with a reference, and save the figures."""
-    with opened(arguments.project, change=True) as project:
+    with opened_project(arguments.project, change=True) as project:
         with ConsoleProgress() as progress:
             survey = load_survey(project, progress=progress)
             project, notes = check_absolute(
@@ -26,7 +26,7 @@ def check(arguments: Namespace) -> None:
             )  # fmt: skip
         save_project(project)
     assert project.absolute is not None
-    found = Absolute.of(project.absolute)
+    found = AbsoluteCheckValues.of(project.absolute)
     print_messages(notes)
     if arguments.json:
         print_json(asdict(english_values(found)))
@@ -37,7 +37,7 @@ def check(arguments: Namespace) -> None:
     print(f"{'line':14s}{'places':>8s}{heads}  mm, positive towards the vessel")
     for line in (*found.lines, found.together):
         print(
-            f"{line.line:14s}{line.after.distances.n:8,}{_cells(line.before)}{_cells(line.after)}"
+            f"{line.line:14s}{line.after.distances.n:8,}{_statistics_cells(line.before)}{_statistics_cells(line.after)}"
         )
     if found.points:
         heads = f"{'sigma':>9s}{'before':>10s}{'after':>10s}{'95 %':>9s}"
@@ -55,7 +55,7 @@ def check(arguments: Namespace) -> None:
         print(f"not compared: {message_text(reason)}")
 
 
-def _cells(found: AgainstReference) -> str:
+def _statistics_cells(found: ReferenceDistances) -> str:
     return (
         f"{1000 * found.signed.mean_m:+12.1f}{1000 * found.mean_interval95_m:9.1f}"
         f"{1000 * found.distances.rms_m:11.1f}"

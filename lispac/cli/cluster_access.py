@@ -10,7 +10,7 @@ from lispac.workflow.cluster_access import ClusterAccess
 
 
 def cluster_access(arguments: Namespace) -> ClusterAccess | None:
-    """How the scheduler of the options is reached; None without ``--cluster``.
+    """Access to the scheduler from the options; None without ``--cluster``.
 
     Raises
     ------

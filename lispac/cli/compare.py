@@ -1,4 +1,4 @@
-"""``lispac compare``: whether calibrations of one mounting agree, or methods of one survey."""
+"""``lispac compare``: agreement of calibrations of one mounting, or of methods of one survey."""
 
 import sys
 from argparse import Namespace
@@ -13,11 +13,11 @@ from lispac.cli.console import UsageError, print_json
 from lispac.message_texts import message_text
 from lispac.validation.repeatability import (
     Calibration,
-    Difference,
+    CalibrationDifference,
     RepeatedCalibrations,
-    alone,
-    difference,
-    repeated,
+    combine_calibrations,
+    compare_calibrations,
+    single_calibration,
 )
 from lispac.workflow.repeated_surveys import calibrations_of
 
@@ -25,7 +25,7 @@ DISTANCES_M = (10.0, 50.0, 100.0)
 
 
 def compare(arguments: Namespace) -> None:
-    """Compare each calibration with the first, and put all together; of one, its methods.
+    """Compare calibrations with the first and combine them; for one project, its methods.
 
     Raises
     ------
@@ -42,27 +42,28 @@ def compare(arguments: Namespace) -> None:
     compared = calibrations_of(arguments.projects)
     found, counted = compared.each, compared.counted
     only = len(found) > len(counted) == 1
-    together = alone(counted[0]) if only else repeated(counted)
-    against = [difference(found[0], each) for each in found[1:]]
+    together = single_calibration(counted[0]) if only else combine_calibrations(counted)
+    against = [compare_calibrations(found[0], each) for each in found[1:]]
     if arguments.json:
         print_json(
             {
-                "calibrations": [_calibration(each) for each in found],
-                "differences": [_difference(each) for each in against],
-                "together": _together(together) | {"counted": [each.name for each in counted]},
+                "calibrations": [_calibration_values(each) for each in found],
+                "differences": [_difference_values(each) for each in against],
+                "together": _combined_values(together)
+                | {"counted": [each.name for each in counted]},
                 "remarks": list(map(message_text, compared.remarks)),
             }
         )
         return
-    _print(found, against, together, len(counted))
+    _print_comparison(found, against, together, len(counted))
     sys.stdout.flush()
     for remark in compared.remarks:
         print(f"note: {message_text(remark)}", file=sys.stderr)
 
 
-def _print(
+def _print_comparison(
     found: Sequence[Calibration],
-    against: Sequence[Difference],
+    against: Sequence[CalibrationDifference],
     together: RepeatedCalibrations,
     counted: int,
 ) -> None:
@@ -70,8 +71,8 @@ def _print(
     heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
     print(f"{'calibration':{width}s}{heads}  deg")
     for each in found:
-        print(f"{each.name:{width}s}{_values(each.boresight, each.sigma)}")
-    print(f"{'all together':{width}s}{_values(together.boresight, together.sigma)}")
+        print(f"{each.name:{width}s}{_angle_cells(each.boresight, each.sigma)}")
+    print(f"{'all together':{width}s}{_angle_cells(together.boresight, together.sigma)}")
     if together.spread is not None:
         print(f"{'spread':{width}s}" + "".join(f"{v:20.4f}" for v in np.degrees(together.spread)))
     print(f"\ndifference from {found[0].name}, and (difference / sigma)")
@@ -82,28 +83,31 @@ def _print(
         )
         print(f"{change.second:{width}s}{cells}")
         effects = ", ".join(
-            f"{100 * change.displacement(far):.1f} cm at {far:.0f} m" for far in DISTANCES_M
+            f"{100 * change.largest_displacement(far):.1f} cm at {far:.0f} m" for far in DISTANCES_M
         )
         verdict = "DIFFER" if change.differ else "agree"
-        print(f"{'':{width}s}  {verdict} ({_chance(change.probability)}); point shift {effects}")
+        print(
+            f"{'':{width}s}  {verdict} ({_probability_text(change.probability)}); "
+            f"point shift {effects}"
+        )
     if counted > 2:
         more = "MORE than" if together.differ else "as"
         words = f"scatter {more} expected from their sigmas"
-        print(f"\nall calibrations {words} ({_chance(together.probability)})")
+        print(f"\nall calibrations {words} ({_probability_text(together.probability)})")
 
 
-def _chance(probability: float) -> str:
+def _probability_text(probability: float) -> str:
     return f"p = {probability:.3f}" if probability >= 0.001 else "p < 0.001"
 
 
-def _values(angles: np.ndarray, sigmas: np.ndarray) -> str:
+def _angle_cells(angles: np.ndarray, sigmas: np.ndarray) -> str:
     return "".join(
         f"{angle:+12.4f} {sigma:7.4f}"
         for angle, sigma in zip(np.degrees(angles), np.degrees(sigmas), strict=True)
     )
 
 
-def _calibration(each: Calibration) -> dict[str, Any]:
+def _calibration_values(each: Calibration) -> dict[str, Any]:
     return {
         "name": each.name,
         "boresight_deg": np.degrees(each.boresight).tolist(),
@@ -111,7 +115,7 @@ def _calibration(each: Calibration) -> dict[str, Any]:
     }
 
 
-def _difference(each: Difference) -> dict[str, Any]:
+def _difference_values(each: CalibrationDifference) -> dict[str, Any]:
     return {
         "first": each.first,
         "second": each.second,
@@ -124,11 +128,11 @@ def _difference(each: Difference) -> dict[str, Any]:
         "differ": each.differ,
         "turn_deg": float(np.degrees(each.turn)),
         "distances_m": list(DISTANCES_M),
-        "displacement_m": [each.displacement(d) for d in DISTANCES_M],
+        "displacement_m": [each.largest_displacement(d) for d in DISTANCES_M],
     }
 
 
-def _together(each: RepeatedCalibrations) -> dict[str, Any]:
+def _combined_values(each: RepeatedCalibrations) -> dict[str, Any]:
     return {
         "boresight_deg": np.degrees(each.boresight).tolist(),
         "sigma_deg": np.degrees(each.sigma).tolist(),

@@ -7,15 +7,20 @@ from typing import Any
 import numpy as np
 
 from lispac.adjustment.result import ANGLES
-from lispac.cli.console import ConsoleProgress, opened, print_json
+from lispac.alternative_methods import Method
+from lispac.cli.console import ConsoleProgress, opened_project, print_json
 from lispac.errors import ProjectError
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, error
-from lispac.methods import MethodResult, answers, missing, remarks_on
-from lispac.opinions import Method
-from lispac.progress import part
+from lispac.method_comparison import (
+    MethodResult,
+    comparison_remarks,
+    method_results,
+    missing_methods,
+)
+from lispac.progress import sub_progress
 from lispac.project import Project
-from lispac.workflow.opinions import ask_missing
+from lispac.workflow.method_runs import run_missing_methods
 from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
 
@@ -28,7 +33,7 @@ WANTED: dict[Method, str] = {
 
 
 def compare_methods(arguments: Namespace) -> None:
-    """Print the results of all methods; with ``--compute`` compute missing ones.
+    """Print the results of the methods; ``--compute`` runs the missing ones.
 
     Raises
     ------
@@ -36,41 +41,43 @@ def compare_methods(arguments: Namespace) -> None:
         Where there is no answer at all.
     """
     refused: dict[str, Message] = {}
-    with opened(arguments.projects[0], change=arguments.compute) as project:
+    with opened_project(arguments.projects[0], change=arguments.compute) as project:
         if arguments.compute:
-            project, refused = _asked(project)
-    found = answers(project)
+            project, refused = _run_missing_methods(project)
+    found = method_results(project)
     if not found:
         raise ProjectError(error("cli.no_results", project=project.name))
     if arguments.json:
         print_json(
             {
-                "methods": [_numbers(each) for each in found],
-                "in_words": [english_text(each) for each in remarks_on(found)],
-                "missing": list(missing(project)),
+                "methods": [_method_values(each) for each in found],
+                "in_words": [english_text(each) for each in comparison_remarks(found)],
+                "missing": list(missing_methods(project)),
                 "refused": {name: english_text(why) for name, why in refused.items()},
             }
         )
         return
-    _print(found)
+    _print_methods(found)
     sys.stdout.flush()
     for method, why in refused.items():
         print(f"note: {method}: {message_text(why)}", file=sys.stderr)
-    for method in missing(project):
+    for method in missing_methods(project):
         if method not in refused:
             print(f"note: no result of {method} yet ({WANTED[method]})", file=sys.stderr)
 
 
-def _asked(project: Project) -> tuple[Project, dict[str, Message]]:
-    """The project with all answers that can be had, and why some cannot."""
+def _run_missing_methods(project: Project) -> tuple[Project, dict[str, Message]]:
+    """Run the missing methods, and return the project and the errors by method."""
     with ConsoleProgress() as progress:
-        survey = load_survey(project, progress=part(progress, 0.0, 0.2))
-        found, refused = ask_missing(project, survey, progress=part(progress, 0.2, 1.0))
+        survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.2))
+        found, refused = run_missing_methods(
+            project, survey, progress=sub_progress(progress, 0.2, 1.0)
+        )
     save_project(found)
     return found, refused
 
 
-def _print(found: tuple[MethodResult, ...]) -> None:
+def _print_methods(found: tuple[MethodResult, ...]) -> None:
     width = max(len(each.method) for each in found) + 2
     heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
     print(f"{'method':{width}s}{'lines':>6s}{'surfaces':>10s}{heads}  deg")
@@ -90,14 +97,14 @@ def _print(found: tuple[MethodResult, ...]) -> None:
                 for angle, over in zip(each.against.angles, each.against.significance, strict=True)
             )
             print(f"{each.method:{width + 16}s}{cells}")
-    for remark in remarks_on(found):
+    for remark in comparison_remarks(found):
         print(message_text(remark))
     for each in found:
         for remark in each.remarks:
             print(f"{each.method}: {message_text(remark)}")
 
 
-def _numbers(each: MethodResult) -> dict[str, Any]:
+def _method_values(each: MethodResult) -> dict[str, Any]:
     said, against = each.calibration, each.against
     return {
         "method": each.method,

@@ -51,8 +51,8 @@ class ConsoleProgress:
 
 
 @contextmanager
-def opened(path: Path, *, change: bool) -> "Iterator[Project]":
-    """Open a project; where it is changed, no other program changes it until the block ends.
+def opened_project(path: Path, *, change: bool) -> "Iterator[Project]":
+    """Open a project, locked against other programs if ``change`` is true.
 
     Raises
     ------
@@ -60,7 +60,7 @@ def opened(path: Path, *, change: bool) -> "Iterator[Project]":
     InputError
         Where it is to be changed and its folder cannot be written.
     """
-    from lispac.workflow.projects import open_project, project_to_change
+    from lispac.workflow.projects import locked_project, open_project
 
     if not change:
         yield open_project(path)
@@ -69,12 +69,12 @@ def opened(path: Path, *, change: bool) -> "Iterator[Project]":
     def waiting() -> None:
         print(f"{path}: waiting for another program that changes this project", file=sys.stderr)
 
-    with project_to_change(path, waiting=waiting) as project:
+    with locked_project(path, waiting=waiting) as project:
         yield project
 
 
 def has_display() -> bool:
-    """Whether a window can be opened here."""
+    """True if a window can be opened."""
     if sys.platform.startswith("linux"):
         return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
     return True

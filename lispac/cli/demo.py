@@ -6,10 +6,10 @@ from argparse import Namespace
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, has_display, print_json
-from lispac.cli.estimate import print_result, project_numbers
+from lispac.cli.estimate import print_result, project_result_values
 from lispac.cli.validate import print_validation, rms_with_truth
-from lispac.doubles import project_doubts
-from lispac.installed import window_command
+from lispac.duplicate_targets import project_warnings
+from lispac.installation_paths import window_command
 from lispac.workflow import demo as demo_survey
 from lispac.workflow.export import write_report
 
@@ -26,11 +26,11 @@ def demo(arguments: Namespace) -> None:
     assert truth_deg is not None  # the survey is simulated
     if arguments.json:
         truth = dict(zip(ANGLES, truth_deg, strict=True))
-        print_json(project_numbers(project) | {"truth_deg": truth, "rms_truth_m": true}
+        print_json(project_result_values(project) | {"truth_deg": truth, "rms_truth_m": true}
                     | {"report": str(report), "project": str(project.folder)})  # fmt: skip
     else:
         assert project.result is not None
-        print_result(project.result, project.cross_checks, project_doubts(project))
+        print_result(project.result, project.cross_checks, project_warnings(project))
         print("truth      " + "".join(f"{angle:+12.4f}" for angle in truth_deg))
         print_validation(project, true)
         print(f"project    {project.folder}")

@@ -7,28 +7,28 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.cli.cluster_access import cluster_access
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.cli.worths import known, without
-from lispac.design.choices import thesis_plan
-from lispac.design.objective import CRITERIA, Objective
+from lispac.cli.sigma_format import sigma_degrees, sigma_text
+from lispac.design.objective import CRITERIA, PlanObjective
 from lispac.design.plan import Plan
+from lispac.design.plan_choices import thesis_plan
+from lispac.design.plan_search import DesignResult, search
 from lispac.design.prediction import predict
-from lispac.design.search import Design, search
 from lispac.design.site import Site
 from lispac.io.plan_file import read_site
 from lispac.message_texts import message_text
-from lispac.simulation.closed_form import Board
-from lispac.workflow.campaign import mapper_of
-from lispac.workflow.plan_checks import remarks_on, write_design
-from lispac.workflow.simulated_setup import file_of
+from lispac.simulation.closed_form_survey import Board
+from lispac.workflow.parallel_map import choose_mapper
+from lispac.workflow.plan_checks import observability_remarks, write_design
+from lispac.workflow.simulated_setup import setup_file
 
 
 def design(arguments: Namespace) -> None:
-    """Search; print the best plan, the information gain of its parts and the cost of less time."""
-    title, site = read_site(file_of("site", arguments.site, None))
-    objective = Objective(arguments.criterion, tuple(arguments.pos_factors))
+    """Print the best plan, the contribution of each part and the effect of less time."""
+    title, site = read_site(setup_file("site", arguments.site, None))
+    objective = PlanObjective(arguments.criterion, tuple(arguments.pos_factors))
     with (
         ConsoleProgress() as progress,
-        mapper_of(arguments.workers, cluster_access(arguments)) as mapper,
+        choose_mapper(arguments.workers, cluster_access(arguments)) as mapper,
     ):
         found = search(
             site, objective, plans=arguments.plans, seed=arguments.seed, mapper=mapper,
@@ -38,7 +38,7 @@ def design(arguments: Namespace) -> None:
         write_design(arguments.output, title, site, found, objective)
     usual = thesis_plan(site)
     if arguments.json:
-        print_json(_values(title, site, found, usual))
+        print_json(_design_values(title, site, found, usual))
         return
     print(f"{title}: smallest {CRITERIA[objective.criterion]}")
     for name, plan in (("best plan", found.plan), ("thesis", usual)):
@@ -50,18 +50,20 @@ def design(arguments: Namespace) -> None:
         print(f"{name:12s}{told}")
     looked = f"{found.looked_at:,} survey plans evaluated"
     print(f"{looked}, all that are possible" if found.exact else f"{looked}, out of many more")
-    for remark in remarks_on(found.plan):
+    for remark in observability_remarks(found.plan):
         print(message_text(remark))
     print(f"{'target':12s}{'along m':>9s}{'off m':>9s}{'up m':>9s}{'inclination deg':>16s}")
     for target in found.plan.targets:
         along, off, up = site.wall.seen(target.centre)
-        lean = f"{site.wall.facing_of(target)[0]:16.0f}" if isinstance(target, Board) else ""
+        lean = (
+            f"{site.wall.board_orientation(target)[0]:16.0f}" if isinstance(target, Board) else ""
+        )
         print(f"{target.name:12s}{along:9.2f}{off:9.2f}{up:9.2f}{lean}")
     for k, line in enumerate(found.plan.lines, start=1):
         print(f"line {k}      {line.name}, {line.speed:g} m/s")
-    print(f"{'without':12s}{'deg':>16s}")
+    print(f"{'sigma_text':12s}{'deg':>16s}")
     for each in found.worth:
-        print(f"{each.name:12s}{without(each.without):>16s}")
+        print(f"{each.name:12s}{sigma_text(each.without):>16s}")
     print(f"{'minutes':12s}{'deg':>10s}  targets x lines")
     for step in found.front:
         size = f"{len(step.plan.targets)} x {len(step.plan.lines)}"
@@ -70,7 +72,7 @@ def design(arguments: Namespace) -> None:
         print(arguments.output)
 
 
-def _values(title: str, site: Site, found: Design, usual: Plan) -> dict[str, object]:
+def _design_values(title: str, site: Site, found: DesignResult, usual: Plan) -> dict[str, object]:
     thesis = predict(usual)
     return {
         "title": title,
@@ -84,7 +86,7 @@ def _values(title: str, site: Site, found: Design, usual: Plan) -> dict[str, obj
             for t in found.plan.targets
         ],
         "lines": [vars(line) for line in found.plan.lines],
-        "without_deg": {each.name: known(each.without) for each in found.worth},
+        "without_deg": {each.name: sigma_degrees(each.without) for each in found.worth},
         "front": [
             {
                 "minutes": step.minutes,

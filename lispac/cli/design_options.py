@@ -1,9 +1,15 @@
-"""The commands that design a site before anybody sails."""
+"""Options of the commands for survey design."""
 
 import argparse
 from pathlib import Path
 
-from lispac.cli.values import Commands, command, json_option, positive, whole
+from lispac.cli.argument_types import (
+    Commands,
+    add_command,
+    add_json_option,
+    positive_number,
+    whole_number_from,
+)
 
 CRITERIA = ("largest", "roll", "pitch", "yaw", "A", "D")
 SCENARIOS = (
@@ -11,26 +17,26 @@ SCENARIOS = (
 )  # fmt: skip
 
 
-def add(commands: "Commands[argparse.ArgumentParser]") -> None:
-    """Describe them."""
-    predict = command(commands, "predict", "predict the sigmas of a survey plan")
+def add_commands(commands: "Commands[argparse.ArgumentParser]") -> None:
+    """Add the commands for survey design."""
+    predict = add_command(commands, "predict", "predict the sigmas of a survey plan")
     predict.add_argument(
         "plan", type=Path, metavar="PLAN", help="survey plan: TOML file with targets and lines"
     )
-    json_option(predict)
-    _scenarios(commands)
-    _design(commands)
-    _campaign(commands)
-    replay = command(commands, "replay", "compare a survey with its survey plan")
+    add_json_option(predict)
+    _add_scenarios(commands)
+    _add_design(commands)
+    _add_campaign(commands)
+    replay = add_command(commands, "replay", "compare a survey with its survey plan")
     replay.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     replay.add_argument(
         "--plan", type=Path, required=True, metavar="FILE", help="survey plan (TOML file)"
     )
-    json_option(replay)
+    add_json_option(replay)
 
 
-def _scenarios(commands: "Commands[argparse.ArgumentParser]") -> None:
-    scenarios = command(
+def _add_scenarios(commands: "Commands[argparse.ArgumentParser]") -> None:
+    scenarios = add_command(
         commands, "scenarios",
         "predict the sigmas while one factor changes: lines, boards, distance, height, repeats, "
         "speed, POS",
@@ -46,11 +52,11 @@ def _scenarios(commands: "Commands[argparse.ArgumentParser]") -> None:
     scenarios.add_argument(
         "--output", type=Path, metavar="DIR", help="output folder for tables (CSV) and plots (SVG)"
     )
-    json_option(scenarios)
+    add_json_option(scenarios)
 
 
-def _design(commands: "Commands[argparse.ArgumentParser]") -> None:
-    design = command(
+def _add_design(commands: "Commands[argparse.ArgumentParser]") -> None:
+    design = add_command(
         commands, "design", "find the best boards and lines within the limits of a site"
     )
     design.add_argument(
@@ -64,26 +70,26 @@ def _design(commands: "Commands[argparse.ArgumentParser]") -> None:
              "A or D criterion of all angles",
     )  # fmt: skip
     design.add_argument(
-        "--plans", type=whole(1), default=10_000, metavar="N",
+        "--plans", type=whole_number_from(1), default=10_000, metavar="N",
         help="approximate number of survey plans to evaluate (default 10000)",
     )  # fmt: skip
     design.add_argument(
-        "--pos-factors", type=positive, nargs="+", default=[1.0], metavar="F",
+        "--pos-factors", type=positive_number, nargs="+", default=[1.0], metavar="F",
         help="factors on the POS sigmas; the criterion is averaged over them (default 1)",
     )  # fmt: skip
     design.add_argument(
         "--seed", type=int, default=2019, help="seed of the random search (default 2019)"
     )
-    _where(design)
+    _add_worker_options(design)
     design.add_argument(
         "--output", type=Path, metavar="DIR",
         help="output folder for plan.toml, the field plan (PDF) and the sigmas of shorter surveys",
     )  # fmt: skip
-    json_option(design)
+    add_json_option(design)
 
 
-def _campaign(commands: "Commands[argparse.ArgumentParser]") -> None:
-    campaign = command(
+def _add_campaign(commands: "Commands[argparse.ArgumentParser]") -> None:
+    campaign = add_command(
         commands,
         "campaign",
         "simulate a survey plan many times and compare the scatter with the predicted sigmas",
@@ -92,26 +98,29 @@ def _campaign(commands: "Commands[argparse.ArgumentParser]") -> None:
         "plan", type=Path, metavar="PLAN", help="survey plan: TOML file with targets and lines"
     )
     campaign.add_argument(
-        "--surveys", type=whole(2), default=200, metavar="N",
+        "--surveys", type=whole_number_from(2), default=200, metavar="N",
         help="number of surveys to simulate and adjust (default 200)",
     )  # fmt: skip
     campaign.add_argument(
-        "--seed", type=whole(0), default=2027, help="seed of the random numbers (default 2027)"
+        "--seed",
+        type=whole_number_from(0),
+        default=2027,
+        help="seed of the random numbers (default 2027)",
     )
     campaign.add_argument(
         "--flatness-known", action="store_true",
         help="give the form error of the targets to the adjustment (default: estimated from the "
              "data, as lispac estimate does)",
     )  # fmt: skip
-    _where(campaign)
-    json_option(campaign)
+    _add_worker_options(campaign)
+    add_json_option(campaign)
 
 
-def _where(parser: argparse.ArgumentParser) -> None:
+def _add_worker_options(parser: argparse.ArgumentParser) -> None:
     where = parser.add_mutually_exclusive_group()
     where.add_argument(
         "--workers",
-        type=whole(1),
+        type=whole_number_from(1),
         metavar="N",
         help="number of parallel processes (default: all cores)",
     )

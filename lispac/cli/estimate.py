@@ -8,39 +8,39 @@ from typing import Any
 import numpy as np
 
 from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.parameters import SWITCHED, Estimate, Parameter
+from lispac.adjustment.display_text import (
+    QUANTITIES,
+    STATED,
+    number_with_noun,
+    to_plain_text,
+    variance_component_finding,
+)
+from lispac.adjustment.parameters import SWITCHED, Parameter, ParameterEstimate
 from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
     CandidateCause,
-    Component,
-    Contradiction,
+    ContradictedParameter,
     CrossChecks,
     SightingReliability,
-)
-from lispac.adjustment.shown import (
-    QUANTITIES,
-    STATED,
-    component_finding,
-    counted,
-    plain,
+    VarianceComponent,
 )
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.warnings import doubts
-from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
-from lispac.cli.estimate_options import noise_and_offsets
-from lispac.cli.qualities import as_list, print_doubtful
+from lispac.adjustment.warnings import result_warnings
+from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
+from lispac.cli.estimate_options import noise_and_offset_settings
+from lispac.cli.sighting_qualities import print_weak_sightings, quality_list
 from lispac.cli.warnings_json import warnings_as_json
-from lispac.doubles import project_doubts
+from lispac.duplicate_targets import project_warnings
 from lispac.io.plane_file import read_plane_files
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message
-from lispac.progress import part
+from lispac.progress import sub_progress
 from lispac.project import Project, Settings, require_prior_sigma
-from lispac.survey.conventions.words import orientation_text
+from lispac.survey.conventions.mounting_texts import orientation_text
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow import calibration, projects
-from lispac.workflow.qualities import qualities
+from lispac.workflow.sighting_assessment import sighting_qualities
 from lispac.workflow.survey import load_survey
 
 LABEL = 29
@@ -64,7 +64,7 @@ def estimate(arguments: Namespace) -> None:
     if arguments.planes:
         result, checks = _estimate_planes(arguments)
         if arguments.json:
-            print_json(numbers(result, checks))
+            print_json(result_values(result, checks))
         else:
             print_result(result, checks)
         return
@@ -74,9 +74,9 @@ def estimate(arguments: Namespace) -> None:
         if getattr(arguments, option) is not None:
             name = option.replace("_", "-")
             raise UsageError(f"estimate: --{name} requires --planes; a project contains its own.")
-    with opened(arguments.project, change=True) as project:
+    with opened_project(arguments.project, change=True) as project:
         with ConsoleProgress() as progress:
-            settings = asked_settings(project.settings, arguments)
+            settings = settings_with_options(project.settings, arguments)
             settings.require_sound()
             if settings != project.settings:  # an offset moves the points that are loaded
                 project = project.with_settings(settings)
@@ -85,30 +85,30 @@ def estimate(arguments: Namespace) -> None:
                 project,
                 survey,
                 cross_check=not arguments.no_cross_checks,
-                progress=part(progress, 0.0, 0.9),
+                progress=sub_progress(progress, 0.0, 0.9),
             )
-            found = qualities(project, survey, progress=part(progress, 0.9, 1.0))
+            found = sighting_qualities(project, survey, progress=sub_progress(progress, 0.9, 1.0))
         projects.save_project(project)
     if arguments.json:
-        print_json(project_numbers(project) | {"qualities": as_list(found)})
+        print_json(project_result_values(project) | {"qualities": quality_list(found)})
     else:
         assert project.result is not None
-        print_result(project.result, project.cross_checks, project_doubts(project))
-        print_doubtful(found)
+        print_result(project.result, project.cross_checks, project_warnings(project))
+        print_weak_sightings(found)
 
 
-def asked_settings(settings: Settings, arguments: Namespace) -> Settings:
-    """The settings with what the command line changes."""
+def settings_with_options(settings: Settings, arguments: Namespace) -> Settings:
+    """Settings changed by the options of the command line."""
     given: dict[str, Any] = {
         "subsample": arguments.subsample,
         "pos_errors": arguments.pos_errors,
         "position_time": arguments.position_time,
         "attitude_time": arguments.attitude_time,
-        "parameters": parameters_of(arguments.estimate),
+        "parameters": parse_parameters(arguments.estimate),
         "variance_components": arguments.components,
         "accept_one_facing": arguments.accept_one_facing,
     }
-    settings = replace(settings, **noise_and_offsets(arguments))
+    settings = replace(settings, **noise_and_offset_settings(arguments))
     if arguments.loss is not None:
         settings = replace(settings, loss=None if arguments.loss == "auto" else arguments.loss)
     if arguments.surface is not None:
@@ -118,7 +118,7 @@ def asked_settings(settings: Settings, arguments: Namespace) -> Settings:
     return replace(settings, **{key: value for key, value in given.items() if value is not None})
 
 
-def parameters_of(named: Iterable[str] | None) -> tuple[Parameter, ...] | None:
+def parse_parameters(named: Iterable[str] | None) -> tuple[Parameter, ...] | None:
     """Parameters from ``NAME`` or ``NAME=SIGMA``; none at all from ``none``.
 
     Raises
@@ -158,7 +158,7 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         )
     if len({path.resolve() for path in arguments.planes}) < len(arguments.planes):
         raise UsageError("estimate: a plane file is given twice; give each file once.")
-    settings = asked_settings(Settings(lever_arm=tuple(arguments.lever_arm)), arguments)
+    settings = settings_with_options(Settings(lever_arm=tuple(arguments.lever_arm)), arguments)
     settings.require_sound()
     observations, planes = read_plane_files(arguments.planes, settings.lidar_sigma)
     observations = calibration.with_lidar_noise(observations, settings)
@@ -168,7 +168,7 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         settings.range_offset,
         float(np.radians(settings.scan_angle_offset_deg)),
     )
-    observations = calibration.thinned(observations, mounting, settings)
+    observations = calibration.thin_observations(observations, mounting, settings)
     with ConsoleProgress() as progress:
         result = adjust(
             observations, mounting, settings.stochastic_model, parameters=settings.parameters,
@@ -183,33 +183,33 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         )
 
 
-def _angles(values: Iterable[float] | None) -> dict[str, float] | None:
+def _values_by_angle(values: Iterable[float] | None) -> dict[str, float] | None:
     if values is None:
         return None
     return {name: float(value) for name, value in zip(ANGLES, values, strict=True)}
 
 
-def _degrees(values: Any) -> dict[str, float] | None:
-    return None if values is None else _angles(np.degrees(values))
+def _degrees_by_angle(values: Any) -> dict[str, float] | None:
+    return None if values is None else _values_by_angle(np.degrees(values))
 
 
-def project_numbers(project: Project) -> dict[str, Any]:
-    """The values of `numbers` for a project."""
+def project_result_values(project: Project) -> dict[str, Any]:
+    """Result of a project as plain values, in degrees and metres."""
     assert project.result is not None
-    said = numbers(project.result, project.cross_checks, project_doubts(project))
+    said = result_values(project.result, project.cross_checks, project_warnings(project))
     return said | {"subsample_m": project.settings.subsample}
 
 
-def numbers(
+def result_values(
     result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> dict[str, Any]:
-    """The answer as plain values, in degrees and metres."""
+    """Result of an adjustment as plain values, in degrees and metres."""
     chi_square, seen = result.chi_square, result.observability
     return {
-        "boresight_deg": _degrees(result.angles),
+        "boresight_deg": _degrees_by_angle(result.angles),
         "rotation_body_lidar": result.mounting.rotation_body_lidar.tolist(),
         "sigma_about": "body axes" if result.mounting.axes is not None else "roll, pitch, yaw",
-        "sigma_deg": _degrees(result.sigma),
+        "sigma_deg": _degrees_by_angle(result.sigma),
         "correlation": result.correlation.tolist(),
         "variance_factor": result.variance_factor,
         "chi_square": {
@@ -229,18 +229,18 @@ def numbers(
         "surface_sigma_m": result.surface,
         "offset_sigma_m": result.offset,
         "noise_factor": {target.target: target.noise for target in result.targets},
-        "prior_boresight_deg": _degrees(result.prior_angles),
+        "prior_boresight_deg": _degrees_by_angle(result.prior_angles),
         "joint_plane_rms_m": {"before": result.rms_before, "after": result.rms_after},
-        "parameters": {p.name: _parameter(p) for p in result.parameters},
+        "parameters": {p.name: _parameter_values(p) for p in result.parameters},
         "observability": seen
         and {
             "condition": seen.condition,
             "direction_sigma_deg": np.degrees(seen.eigenvalues**-0.5).tolist(),
             "in_words": [english_text(each) for each in seen.remarks],
         },
-        "reliability": [_reliability(item) for item in result.reliability],
-        "contradictions": [_contradiction(found) for found in result.contradictions],
-        "causes": [[_cause(each) for each in group] for group in result.causes or ()],
+        "reliability": [_reliability_values(item) for item in result.reliability],
+        "contradictions": [_contradiction_values(found) for found in result.contradictions],
+        "causes": [[_cause_values(each) for each in group] for group in result.causes or ()],
         "suspects": [f"{s.target} on {s.line}" for s in result.suspects],
         "components": {
             c.name: {
@@ -251,12 +251,12 @@ def numbers(
             }
             for c in result.components
         },
-        "cross_checks": checks and _checks(checks),
-        "doubts": warnings_as_json(doubts(result, checks, also)),
+        "cross_checks": checks and _cross_check_values(checks),
+        "doubts": warnings_as_json(result_warnings(result, checks, also)),
     }
 
 
-def _parameter(estimate: Estimate) -> dict[str, Any]:
+def _parameter_values(estimate: ParameterEstimate) -> dict[str, Any]:
     factor, unit = STATED[estimate.name]
 
     def shown(value: float | None) -> float | None:
@@ -274,7 +274,7 @@ def _parameter(estimate: Estimate) -> dict[str, Any]:
     }
 
 
-def _contradiction(found: Contradiction) -> dict[str, Any]:
+def _contradiction_values(found: ContradictedParameter) -> dict[str, Any]:
     factor, unit = STATED[found.name]
     return {
         "name": found.name,
@@ -282,12 +282,12 @@ def _contradiction(found: Contradiction) -> dict[str, Any]:
         "change": factor * found.change,
         "sigma": factor * found.sigma,
         "w": found.w,
-        "moved_deg": _degrees(found.moved),
+        "moved_deg": _degrees_by_angle(found.moved),
         "surface_sigma_m": found.surface,
     }
 
 
-def _cause(cause: CandidateCause) -> dict[str, Any]:
+def _cause_values(cause: CandidateCause) -> dict[str, Any]:
     factor, unit = STATED.get(cause.kind, (1.0, "m"))
     if cause.kind == "line_time":
         factor, unit = STATED["latency"]
@@ -300,20 +300,20 @@ def _cause(cause: CandidateCause) -> dict[str, Any]:
         "unit": unit,
         "size": (factor * cause.size).tolist(),
         "sigma": (factor * cause.sigma).tolist(),
-        "moved_deg": _degrees(cause.moved),
+        "moved_deg": _degrees_by_angle(cause.moved),
         "effect_m": cause.effect,
         "evidence": cause.evidence,
     }
 
 
-def _reliability(item: SightingReliability) -> dict[str, Any]:
+def _reliability_values(item: SightingReliability) -> dict[str, Any]:
     return {
         "target": item.sighting.target,
         "line": item.sighting.line,
         "shift_m": item.shift,
         "w": item.w,
         "detectable_m": item.detectable,
-        "effect_deg": _degrees(item.effect),
+        "effect_deg": _degrees_by_angle(item.effect),
         "redundancy": item.redundancy,
         "strays": item.strays,
         "largest_w": item.largest_w,
@@ -322,17 +322,17 @@ def _reliability(item: SightingReliability) -> dict[str, Any]:
     }
 
 
-def _checks(checks: CrossChecks) -> dict[str, Any]:
+def _cross_check_values(checks: CrossChecks) -> dict[str, Any]:
     return {
-        "spread_lines_deg": _degrees(checks.spread_lines),
-        "spread_targets_deg": _degrees(checks.spread_targets),
+        "spread_lines_deg": _degrees_by_angle(checks.spread_lines),
+        "spread_targets_deg": _degrees_by_angle(checks.spread_targets),
         "parts": [
             {
                 "kind": part.kind,
                 "part": part.without,
-                "boresight_deg": _degrees(part.boresight),
-                "difference_deg": _degrees(part.difference),
-                "significance": _angles(part.significance),
+                "boresight_deg": _degrees_by_angle(part.boresight),
+                "difference_deg": _degrees_by_angle(part.difference),
+                "significance": _values_by_angle(part.significance),
                 "disagrees": part.disagrees,
                 "reason": "" if part.reason is None else english_text(part.reason),
             }
@@ -344,7 +344,7 @@ def _checks(checks: CrossChecks) -> dict[str, Any]:
 def print_result(
     result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> None:
-    """The answer for people."""
+    """Print the result of an adjustment as text."""
     chi_square = result.chi_square
     size = "large" if chi_square.statistic < chi_square.lower else "small"
     verdict = "passed" if chi_square.passed else f"failed, the given sigmas are too {size}"
@@ -366,15 +366,18 @@ def print_result(
         sign = "+" if name in ("prior", "boresight") else ""
         print(f"{name:{LABEL}s}" + "".join(f"{value:{sign}12.4f}" for value in values))
     if result.mounting.axes is not None:
-        print_steep(result)
+        print_steep_rotation(result)
     for estimate in result.parameters:
         print(_parameter_line(estimate))
-    strays = f" ({counted(result.left_out, 'outlier')} excluded)" if result.left_out else ""
+    strays = (
+        f" ({number_with_noun(result.left_out, 'outlier')} excluded)" if result.left_out else ""
+    )
     print(
-        f"POS errors {_model_words(result)}; {counted(result.points, 'point')}{strays}, "
-        f"{counted(len(result.sightings), 'sighting')}, "
-        f"{counted(len(result.targets), 'target')}, "
-        f"{counted(result.iterations, 'iteration')}, {result.elapsed:.3f} s"
+        f"POS errors {_error_model_text(result)}; "
+        f"{number_with_noun(result.points, 'point')}{strays}, "
+        f"{number_with_noun(len(result.sightings), 'sighting')}, "
+        f"{number_with_noun(len(result.targets), 'target')}, "
+        f"{number_with_noun(result.iterations, 'iteration')}, {result.elapsed:.3f} s"
     )
     print(
         f"variance factor {result.variance_factor:.3f}, chi-square {chi_square.statistic:.1f} "
@@ -387,16 +390,16 @@ def print_result(
     for component in result.components:
         print(_component_line(component))
     for remark in result.observability.remarks if result.observability else ():
-        print(plain(message_text(remark)))
-    found = doubts(result, checks, also)
+        print(to_plain_text(message_text(remark)))
+    found = result_warnings(result, checks, also)
     if found:
         print("\nWarnings and notes:")
     for message in found:
-        print(f"- {plain(message_text(message))}")
+        print(f"- {to_plain_text(message_text(message))}")
 
 
-def print_steep(result: AdjustmentResult) -> None:
-    """The rotation where the pitch is so steep that roll and yaw do not describe it well."""
+def print_steep_rotation(result: AdjustmentResult) -> None:
+    """Print the rotation matrix for a steep pitch, where roll and yaw are nearly dependent."""
     print(
         "The pitch is near 90 deg: roll and yaw are hardly separable. The sigmas are those of "
         "small rotations about the body axes (forward, left, down)."
@@ -407,7 +410,7 @@ def print_steep(result: AdjustmentResult) -> None:
         print("".join(f"{value:+14.8f}" for value in row))
 
 
-def _model_words(result: AdjustmentResult) -> str:
+def _error_model_text(result: AdjustmentResult) -> str:
     model = result.model
     if not model.correlated:
         return f"uncorrelated (classical), loss {model.loss}"
@@ -417,11 +420,11 @@ def _model_words(result: AdjustmentResult) -> str:
     )
 
 
-def _parameter_line(estimate: Estimate) -> str:
+def _parameter_line(estimate: ParameterEstimate) -> str:
     shown = QUANTITIES[estimate.name]
     factor, places = shown.factor, f".{shown.decimals}f"
     if estimate.value is None or estimate.sigma is None:
-        return "" if estimate.reason is None else plain(message_text(estimate.reason))
+        return "" if estimate.reason is None else to_plain_text(message_text(estimate.reason))
     return (
         f"{shown.title} {factor * estimate.value:+{places}} {shown.unit}, "
         f"sigma {factor * estimate.sigma:{places}}, prior {factor * estimate.prior:+{places}}: "
@@ -429,8 +432,8 @@ def _parameter_line(estimate: Estimate) -> str:
     )
 
 
-def _component_line(found: Component) -> str:
+def _component_line(found: VarianceComponent) -> str:
     return (
         f"{found.name} sigmas multiplied by {found.factor:.2f} (95 % interval {found.lower:.2f} to "
-        f"{found.upper:.2f}), {message_text(component_finding(found))}"
+        f"{found.upper:.2f}), {message_text(variance_component_finding(found))}"
     )

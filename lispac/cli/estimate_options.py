@@ -5,34 +5,34 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from lispac.cli.sensor_options import scanner_noise
-from lispac.cli.values import (
+from lispac.cli.argument_types import (
     Commands,
-    command,
-    finite,
-    json_option,
-    not_negative,
-    positive,
-    surface,
-    triple,
+    add_command,
+    add_json_option,
+    add_triple_option,
+    finite_number,
+    non_negative_number,
+    positive_number,
+    surface_sigma,
 )
+from lispac.cli.sensor_options import scanner_noise_settings
 
 
-def lidar_noise(parser: argparse.ArgumentParser) -> None:
-    """Let a command take the LiDAR noise in one of four ways."""
+def add_noise_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options for the LiDAR noise, in one of four forms."""
     noise = parser.add_mutually_exclusive_group()
     noise.add_argument(
         "--lidar-sigma",
-        type=positive,
+        type=positive_number,
         metavar="METRES",
         help="LiDAR noise on each axis, 1 sigma (m; default of a new project 0.005)",
     )
     noise.add_argument(
-        "--lidar-sigma-xyz", type=positive, nargs=3, metavar=("X", "Y", "Z"),
+        "--lidar-sigma-xyz", type=positive_number, nargs=3, metavar=("X", "Y", "Z"),
         help="instead: LiDAR noise along each axis of the scanner, 1 sigma (m)",
     )  # fmt: skip
     noise.add_argument(
-        "--lidar-beam-sigma", type=positive, nargs=2, metavar=("RANGE", "ANGLE"),
+        "--lidar-beam-sigma", type=positive_number, nargs=2, metavar=("RANGE", "ANGLE"),
         help="instead: LiDAR noise of the range (m) and of the beam direction (deg), 1 sigma",
     )  # fmt: skip
     noise.add_argument(
@@ -42,8 +42,8 @@ def lidar_noise(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def offsets(parser: argparse.ArgumentParser) -> None:
-    """Add the options for known systematic errors of the scanner."""
+def add_offset_options(parser: argparse.ArgumentParser) -> None:
+    """Add the options for the range offset, scan angle offset and latency."""
     for name, unit, text in (
         ("range-offset", "METRES", "metres added to every range"),
         (
@@ -58,15 +58,15 @@ def offsets(parser: argparse.ArgumentParser) -> None:
         ),
     ):
         parser.add_argument(
-            f"--{name}", type=finite, metavar=unit, help=f"prior value (default 0): {text}"
+            f"--{name}", type=finite_number, metavar=unit, help=f"prior value (default 0): {text}"
         )
 
 
-def noise_and_offsets(arguments: argparse.Namespace) -> Mapping[str, Any]:
-    """What was given of the LiDAR noise and the offsets, by the names of the settings."""
+def noise_and_offset_settings(arguments: argparse.Namespace) -> Mapping[str, Any]:
+    """Settings of LiDAR noise and offsets given on the command line."""
     given: dict[str, Any] = {}
     if arguments.scanner is not None:
-        given = scanner_noise(arguments.scanner)
+        given = scanner_noise_settings(arguments.scanner)
     noise = {
         "lidar_sigma": arguments.lidar_sigma,
         "lidar_sigma_xyz": arguments.lidar_sigma_xyz and tuple(arguments.lidar_sigma_xyz),
@@ -86,9 +86,9 @@ def noise_and_offsets(arguments: argparse.Namespace) -> Mapping[str, Any]:
     return given
 
 
-def add(commands: "Commands[argparse.ArgumentParser]") -> None:
-    """Describe the command and its options."""
-    estimate = command(
+def add_estimate_command(commands: "Commands[argparse.ArgumentParser]") -> None:
+    """Add the command and its options."""
+    estimate = add_command(
         commands,
         "estimate",
         "estimate the boresight of a project or of plane files; the options are saved in the "
@@ -97,7 +97,7 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     estimate.add_argument("project", type=Path, nargs="?", metavar="PROJECT", help="project folder")
     estimate.add_argument(
         "--subsample",
-        type=not_negative,
+        type=non_negative_number,
         metavar="METRES",
         help="point spacing (m): closer points are averaged, or with independent POS errors "
         "thinned to one (default 0.10; 0 keeps all points)",
@@ -111,14 +111,14 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     for name, default in (("position", 300), ("attitude", 600)):
         estimate.add_argument(
             f"--{name}-time",
-            type=positive,
+            type=positive_number,
             metavar="SECONDS",
             help=f"correlation time of the {name} error of the POS (s; default {default}); use the "
             "value of the processing report; too short is safer than too long",
         )
     estimate.add_argument(
         "--surface",
-        type=surface,
+        type=surface_sigma,
         metavar="METRES",
         help="surface sigma (m): deviation of the points of a sighting from the surface of the "
         "target (default auto: estimated from the data)",
@@ -159,13 +159,13 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
         metavar="FILE",
         help="plane files with 25 columns, instead of a project",
     )
-    triple(estimate, "--lever-arm", ("X", "Y", "Z"), "with --planes: lever arm (m)")
-    triple(
+    add_triple_option(estimate, "--lever-arm", ("X", "Y", "Z"), "with --planes: lever arm (m)")
+    add_triple_option(
         estimate,
         "--boresight",
         ("R", "P", "Y"),
         "with --planes: prior boresight (deg; default 0 0 0)",
     )
-    lidar_noise(estimate)
-    offsets(estimate)
-    json_option(estimate)
+    add_noise_options(estimate)
+    add_offset_options(estimate)
+    add_json_option(estimate)

@@ -7,24 +7,24 @@ from typing import Any
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
-from lispac.workflow.export_request import system_of
-from lispac.workflow.exported_files import (
+from lispac.workflow.data_export import (
     SBET_ZEROS,
     export_planes,
     export_targets,
     export_trajectory,
-    trajectory_datum,
+    trajectory_datum_note,
 )
+from lispac.workflow.export_request import output_system_of
+from lispac.workflow.output_crs import LOCAL
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import load_survey
-from lispac.workflow.target_systems import LOCAL
 
 FORMATS = {"targets": ("laz", "las", "csv"), "trajectory": ("sbet", "text"), "planes": ("text",)}
 """For each thing to export, the usual format first."""
 
 
 def export(arguments: Namespace) -> None:
-    """Write the selected data and print the names of the files.
+    """Write the requested data and print the names of the files.
 
     Raises
     ------
@@ -48,7 +48,7 @@ def export(arguments: Namespace) -> None:
     with ConsoleProgress() as progress:
         if what == "trajectory":
             paths = [export_trajectory(project, arguments.output, form)]
-            print(f"note: {message_text(trajectory_datum(project))}", file=sys.stderr)
+            print(f"note: {message_text(trajectory_datum_note(project))}", file=sys.stderr)
             if form == "sbet":
                 print(f"note: {message_text(SBET_ZEROS)}", file=sys.stderr)
         else:
@@ -60,7 +60,7 @@ def export(arguments: Namespace) -> None:
                     progress=progress,
                 )  # fmt: skip
             else:
-                system = system_of(
+                system = output_system_of(
                     project, survey.trajectory, arguments.crs or LOCAL, arguments.height,
                     arguments.trajectory_datum, arguments.epoch,
                 )  # fmt: skip

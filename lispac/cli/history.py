@@ -8,34 +8,36 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.io.files import written_whole
+from lispac.io.files import atomic_write
 from lispac.message_texts import message_text
-from lispac.validation.control_chart import limits
-from lispac.workflow.history import Entry, History, histories, verdict
+from lispac.validation.control_chart import control_limits
+from lispac.workflow.history import History, HistoryEntry, change_message, read_histories
 
 
 def history(arguments: Namespace) -> None:
-    """Print a table for each system; draw the chart of the first on request."""
+    """Print a table for each system, and draw the chart of the first one on request."""
     with ConsoleProgress() as progress:
-        found, remarks = histories(arguments.folders, vessel=arguments.vessel, progress=progress)
+        found, remarks = read_histories(
+            arguments.folders, vessel=arguments.vessel, progress=progress
+        )
     if arguments.picture is not None:
-        _draw(arguments, found[0])
+        _draw_chart(arguments, found[0])
     if arguments.json:
         print_json(
             {
-                "systems": [_system(each) for each in found],
+                "systems": [_history_values(each) for each in found],
                 "remarks": list(map(message_text, remarks)),
             }
         )
         return
     for each in found:
-        _print(each)
+        _print_calibrations(each)
     sys.stdout.flush()
     for remark in [*remarks, *(words for each in found for words in each.remarks)]:
         print(f"note: {message_text(remark)}", file=sys.stderr)
 
 
-def _print(history: History) -> None:
+def _print_calibrations(history: History) -> None:
     width = max(12, *(len(each.charted.calibration.name) for each in history.entries)) + 2
     print(history.system.in_words)
     heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
@@ -50,30 +52,30 @@ def _print(history: History) -> None:
         )
         print(f"{each.day.isoformat():12s}{found.name:{width}s}{cells}")
     for each in history.entries:
-        print(message_text(verdict(each)))
+        print(message_text(change_message(each)))
     print()
 
 
-def _draw(arguments: Namespace, history: History) -> None:
-    from lispac.report.control_charts import control_figure
+def _draw_chart(arguments: Namespace, history: History) -> None:
+    from lispac.report.control_charts import control_chart_figure
 
-    figure = control_figure(
+    figure = control_chart_figure(
         [each.day for each in history.entries], [each.charted for each in history.entries]
     )
-    with written_whole(arguments.picture) as temporary:
+    with atomic_write(arguments.picture) as temporary:
         figure.savefig(temporary, format=arguments.picture.suffix[1:].lower(), dpi=200)
 
 
-def _system(history: History) -> dict[str, Any]:
+def _history_values(history: History) -> dict[str, Any]:
     return {
         "system": vars(history.system),
-        "calibrations": [_entry(each) for each in history.entries],
+        "calibrations": [_calibration_values(each) for each in history.entries],
         "remarks": list(map(message_text, history.remarks)),
     }
 
 
-def _entry(each: Entry) -> dict[str, Any]:
-    charted, reach = each.charted, limits(each.charted)
+def _calibration_values(each: HistoryEntry) -> dict[str, Any]:
+    charted, reach = each.charted, control_limits(each.charted)
     change = charted.change
     return {
         "day": each.day.isoformat(),

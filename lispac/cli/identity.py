@@ -1,15 +1,15 @@
-"""``lispac identity``: surveyor, dates and instruments for the report."""
+"""``lispac identity``: person, date and equipment for the report."""
 
 import sys
 from argparse import Namespace
 from dataclasses import asdict
 
-from lispac.cli.console import opened, print_json
+from lispac.cli.console import opened_project, print_json
 from lispac.errors import InputError
 from lispac.identity import LABELS, NAMES
 from lispac.messages import error
 from lispac.project import Project
-from lispac.workflow.history import day_in
+from lispac.workflow.history import first_date_in
 from lispac.workflow.projects import save_project
 from lispac.workflow.survey_dates import survey_dates
 
@@ -20,14 +20,14 @@ def identity(arguments: Namespace) -> None:
     """Set the fields that are given, and show all of them."""
     given = {name: getattr(arguments, name) for name in NAMES}
     texts = {name: text for name, text in given.items() if text is not None}
-    with opened(arguments.project, change=bool(texts)) as project:
+    with opened_project(arguments.project, change=bool(texts)) as project:
         if texts.get("dates") == AUTO:
-            texts["dates"] = _dates(project)
+            texts["dates"] = _require_survey_dates(project)
         if texts:
             project = project.with_identity(project.identity.changed(**texts))
             save_project(project)
     stated = project.identity.dates
-    if texts.get("dates") and day_in(stated) is None:
+    if texts.get("dates") and first_date_in(stated) is None:
         print(
             f"note: the survey dates ({stated}) contain no date of the form 2026-03-04; lispac "
             "history omits this calibration.", file=sys.stderr,
@@ -43,7 +43,7 @@ def identity(arguments: Namespace) -> None:
             print(" " * width + line)
 
 
-def _dates(project: Project) -> str:
+def _require_survey_dates(project: Project) -> str:
     found = survey_dates(project)
     if not found:
         raise InputError(error("cli.no_dates", project=project.name))

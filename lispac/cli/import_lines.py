@@ -1,4 +1,4 @@
-"""``lispac import``: lines as columns in the project's folder."""
+"""``lispac import``: store the lines in the project's folder."""
 
 import sys
 from argparse import Namespace
@@ -9,13 +9,13 @@ from lispac.errors import Cancelled
 from lispac.language import gettext_lazy
 from lispac.message_texts import message_text
 from lispac.progress import Progress
-from lispac.workflow.importing import Imported, assumptions_of, header_is_damaged
-from lispac.workflow.importing import import_lines as imported_lines
+from lispac.workflow.line_import import ImportedLine, assumptions_of, is_header_damaged
+from lispac.workflow.line_import import import_lines as imported_lines
 from lispac.workflow.projects import open_project
 
 
 def import_lines(arguments: Namespace) -> None:
-    """Import the lines of a project; those imported already stay.
+    """Import the lines of a project that are not imported yet.
 
     Raises
     ------
@@ -30,7 +30,7 @@ def import_lines(arguments: Namespace) -> None:
                 project, arguments.lines, again=arguments.again, progress=progress
             )
             if arguments.check:
-                _check(found, progress)
+                _check_imported(found, progress)
     except (KeyboardInterrupt, Cancelled):
         print(
             "lispac: import interrupted; the points read so far are kept. Run lispac import again "
@@ -39,21 +39,21 @@ def import_lines(arguments: Namespace) -> None:
         )
         raise
     if arguments.json:
-        print_json({"lines": {item.stored.name: _numbers(item) for item in found}})
+        print_json({"lines": {item.stored.name: _imported_values(item) for item in found}})
         return
     for item in found:
-        _print(item)
+        _print_imported(item)
     for reason in (item.reason for item in found if item.reason):
         print(f"note: {message_text(reason)}", file=sys.stderr)
     for message in dict.fromkeys(each for item in found for each in assumptions_of(item.stored)):
         print(f"{message.level}: {message_text(message)}", file=sys.stderr)
 
 
-def _check(found: list[Imported], progress: Progress) -> None:
+def _check_imported(found: list[ImportedLine], progress: Progress) -> None:
     for item in found:
         words = gettext_lazy("Checking {line}", line=item.stored.name)
         item.stored.require_sound(lambda done, words=words: progress(done, words))  # type: ignore[misc]
-        if header_is_damaged(item.stored):
+        if is_header_damaged(item.stored):
             print(
                 f"note: {item.stored.name}: the imported points are undamaged, but the header "
                 "records stored with them are damaged. Import the line again to keep these "
@@ -62,7 +62,7 @@ def _check(found: list[Imported], progress: Progress) -> None:
             )
 
 
-def _print(item: Imported) -> None:
+def _print_imported(item: ImportedLine) -> None:
     manifest = item.stored.manifest
     how = "imported already"
     if item.seconds:
@@ -72,7 +72,7 @@ def _print(item: Imported) -> None:
     )
 
 
-def _numbers(item: Imported) -> dict[str, Any]:
+def _imported_values(item: ImportedLine) -> dict[str, Any]:
     manifest = item.stored.manifest
     return {
         "folder": str(item.stored.folder),

@@ -3,13 +3,13 @@
 from argparse import Namespace
 from pathlib import Path
 
-from lispac.cli.console import opened
+from lispac.cli.console import opened_project
 from lispac.errors import InputError
 from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.project import Project
-from lispac.workflow.moved import missing, moved_note, with_files_in
-from lispac.workflow.projects import opened_with_notes, save_project
+from lispac.workflow.moved_files import file_moved_note, missing_files, with_files_in
+from lispac.workflow.projects import open_project_with_notes, save_project
 
 
 def locate(arguments: Namespace) -> None:
@@ -22,15 +22,15 @@ def locate(arguments: Namespace) -> None:
     """
     if not arguments.folder.is_dir():
         raise InputError(error("cli.no_folder", folder=str(arguments.folder)))
-    with opened(arguments.project, change=True):
-        before, notes = opened_with_notes(arguments.project)
+    with opened_project(arguments.project, change=True):
+        before, notes = open_project_with_notes(arguments.project)
         for note in notes:
             print(message_text(note))
         after = with_files_in(before, arguments.folder.absolute())
         save_project(after)
-    for path in sorted(_files(after) - _files(before)):
-        print(message_text(moved_note(path)))
-    gone = missing(after)
+    for path in sorted(_project_files(after) - _project_files(before)):
+        print(message_text(file_moved_note(path)))
+    gone = missing_files(after)
     if gone:
         names = [path.name for path in gone]
         raise InputError(
@@ -40,6 +40,6 @@ def locate(arguments: Namespace) -> None:
         print("No file is missing.")
 
 
-def _files(project: Project) -> set[Path]:
+def _project_files(project: Project) -> set[Path]:
     accuracy = () if project.accuracy is None else (project.accuracy,)
     return {project.trajectory, *accuracy, *(line.path for line in project.lines)}

@@ -1,4 +1,4 @@
-"""``lispac look``: what a file is, what is assumed, and any warnings."""
+"""``lispac look``: format, assumptions and warnings of a file."""
 
 from argparse import Namespace
 from collections.abc import Sequence
@@ -6,48 +6,50 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from lispac.adjustment.shown import plain
+from lispac.adjustment.display_text import to_plain_text
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.cli.messages import message_numbers
+from lispac.cli.messages import message_values
 from lispac.message_texts import fact_text, message_text
-from lispac.workflow.file_audit import audit_messages_of
-from lispac.workflow.file_reading import FileCheck, looks
+from lispac.workflow.file_audit import audit_messages
+from lispac.workflow.file_reading import FileCheck, check_file
 
 SWITCH = {"trajectory": "trajectory", "accuracy": "accuracy", "points": "line"}
 WIDEST = 14  # characters of a cell of the preview
 
 
 def look(arguments: Namespace) -> None:
-    """Print what each format that knows the file finds in it, the surest first."""
-    found = looks(arguments.file)
+    """Print the preview of a file in each possible format, the most likely first."""
+    found = check_file(arguments.file)
     if not arguments.quick:
-        found = _audited(arguments.file, found)
+        found = _checks_with_audit(arguments.file, found)
     if arguments.json:
-        print_json({"file": str(arguments.file), "formats": [_numbers(item) for item in found]})
+        print_json(
+            {"file": str(arguments.file), "formats": [_check_values(item) for item in found]}
+        )
         return
     print(arguments.file)
     for item in found:
         if item.finding is not None or found[0].finding is None:  # one that fits was found first
-            _print(item)
+            _print_check(item)
 
 
-def _audited(path: Path, found: Sequence[FileCheck]) -> list[FileCheck]:
-    """The same with what all points of the file show, where the surest format has points."""
+def _checks_with_audit(path: Path, found: Sequence[FileCheck]) -> list[FileCheck]:
+    """Checks with the audit of all points, if the most likely format has points."""
     items = list(found)
     if items and items[0].finding is not None and items[0].format.kind == "points":
         finding = items[0].finding
         with ConsoleProgress() as progress:
-            audit = audit_messages_of(path, items[0].format, finding.choice, progress=progress)
+            audit = audit_messages(path, items[0].format, finding.choice, progress=progress)
         items[0] = replace(items[0], finding=replace(finding, messages=(*finding.messages, *audit)))
     return items
 
 
-def _print(item: FileCheck) -> None:
+def _print_check(item: FileCheck) -> None:
     sure = "certainly" if item.sureness >= 1 else "probably" if item.sureness > 0.5 else "perhaps"
     name = message_text(item.format.name)
     print(f"\n{sure} {name} (--{SWITCH[item.format.kind]}-format {item.format.key})")
     if item.finding is None:
-        reason = plain(message_text(item.error)) if item.error else ""
+        reason = to_plain_text(message_text(item.error)) if item.error else ""
         print(f"  cannot be read: {reason}")
         return
     for name, value in item.finding.facts.items():
@@ -57,14 +59,14 @@ def _print(item: FileCheck) -> None:
         among = f" ({', '.join(c for c in option.choices if c)})" if option.choices else ""
         print(f"  option {option.name}={settled[option.name]}{among}: {option.meaning}")
     for assumption in item.finding.assumptions:
-        print(f"  assumed: {plain(message_text(assumption))}")
+        print(f"  assumed: {to_plain_text(message_text(assumption))}")
     for row in item.finding.rows[:4]:
         print("  " + " ".join(f"{cell[:WIDEST]:>{WIDEST}s}" for cell in row[:8]))
     for message in (*item.finding.doubts, *item.finding.messages):
-        print(f"  {message.level}: {plain(message_text(message))}")
+        print(f"  {message.level}: {to_plain_text(message_text(message))}")
 
 
-def _numbers(item: FileCheck) -> dict[str, Any]:
+def _check_values(item: FileCheck) -> dict[str, Any]:
     finding = item.finding
     messages = (*finding.doubts, *finding.messages) if finding else ()
     return {
@@ -72,10 +74,12 @@ def _numbers(item: FileCheck) -> dict[str, Any]:
         "name": message_text(item.format.name),
         "kind": item.format.kind,
         "sureness": item.sureness,
-        "error": plain(message_text(item.error)) if item.error else "",
+        "error": to_plain_text(message_text(item.error)) if item.error else "",
         "facts": {name: fact_text(fact) for name, fact in finding.facts.items()} if finding else {},
         "options": item.format.settled(finding.choice) if finding else {},
-        "assumptions": [plain(message_text(a)) for a in finding.assumptions] if finding else [],
-        "doubts": [plain(message_text(each)) for each in finding.doubts] if finding else [],
-        "messages": [message_numbers(each) for each in messages],
+        "assumptions": [to_plain_text(message_text(a)) for a in finding.assumptions]
+        if finding
+        else [],
+        "doubts": [to_plain_text(message_text(each)) for each in finding.doubts] if finding else [],
+        "messages": [message_values(each) for each in messages],
     }

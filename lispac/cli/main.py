@@ -11,9 +11,9 @@ from importlib import import_module
 from io import TextIOWrapper
 
 from lispac import caches
+from lispac.cli.argument_types import without_exponents
 from lispac.cli.console import UsageError
 from lispac.cli.parser import build_parser
-from lispac.cli.values import plain_numbers
 from lispac.errors import Cancelled, LispacError
 from lispac.message_texts import message_text
 
@@ -22,7 +22,7 @@ CONTROL = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u200e\u200f\u202a-\u2
 
 
 def run(argv: Sequence[str] | None = None) -> None:
-    """Run one command.
+    """Run one command of the command line.
 
     Raises
     ------
@@ -32,10 +32,10 @@ def run(argv: Sequence[str] | None = None) -> None:
         Where options contradict each other.
     """
     parser = build_parser()
-    arguments = parser.parse_args(plain_numbers(sys.argv[1:] if argv is None else argv))
+    arguments = parser.parse_args(without_exponents(sys.argv[1:] if argv is None else argv))
     # Its own module only, after parsing: --version and --help answer without NumPy and Numba, and
     # no command waits for what another needs.
-    if (message := caches.use(os.environ)) is not None:
+    if (message := caches.set_cache_variables(os.environ)) is not None:
         print(f"note: {message_text(message)}", file=sys.stderr)
     module = import_module(f"lispac.cli.{arguments.command}")
     getattr(module, arguments.command)(arguments)
@@ -44,10 +44,10 @@ def run(argv: Sequence[str] | None = None) -> None:
 def _escape_control_characters(stream: TextIOWrapper) -> None:
     """Escape those of names of files and columns, which could steer the terminal."""
     write = stream.write
-    stream.write = lambda text: write(CONTROL.sub(_escaped, text))  # type: ignore[method-assign]
+    stream.write = lambda text: write(CONTROL.sub(_escape_match, text))  # type: ignore[method-assign]
 
 
-def _escaped(found: re.Match[str]) -> str:
+def _escape_match(found: re.Match[str]) -> str:
     return found.group().encode("unicode_escape").decode()
 
 

@@ -4,7 +4,7 @@ import sys
 from collections.abc import Iterable
 from typing import Any, TextIO
 
-from lispac.adjustment.shown import plain
+from lispac.adjustment.display_text import to_plain_text
 from lispac.message_texts import action_text, message_text
 from lispac.messages import Action, Message, plain_params
 
@@ -13,12 +13,12 @@ def print_messages(messages: Iterable[Message], file: TextIO | None = None) -> N
     """Print each message with its level and the options that act on it, on stderr by default."""
     file = file or sys.stderr
     for message in messages:
-        print(f"{message.level}: {plain(message_text(message))}", file=file)
+        print(f"{message.level}: {to_plain_text(message_text(message))}", file=file)
         for action in message.actions:
-            print(f"    {_suggestion(action)}", file=file)
+            print(f"    {_action_text(action)}", file=file)
 
 
-def message_numbers(message: Message) -> dict[str, Any]:
+def message_values(message: Message) -> dict[str, Any]:
     """A message for JSON: code, level, parameters in SI units, subject, actions and text."""
     subject = message.subject
     return {
@@ -27,12 +27,12 @@ def message_numbers(message: Message) -> dict[str, Any]:
         "params": plain_params(message),
         "subject": subject and {"kind": subject.kind, "name": subject.name, "line": subject.line},
         "actions": [{"code": each.code, "params": plain_params(each)} for each in message.actions],
-        "text": plain(message_text(message)),
+        "text": to_plain_text(message_text(message)),
     }
 
 
-def _suggestion(action: Action) -> str:
-    """An action as the user gives it at the command line."""
+def _action_text(action: Action) -> str:
+    """Action of a message as an option of the command line."""
     if action.code == "set_option":
         switch = action.params.get("switch", "line")
         return f"--{switch}-option {action.params['name']}={action.params['value']}"

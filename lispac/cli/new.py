@@ -8,21 +8,21 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from lispac.adjustment.shown import plain
+from lispac.adjustment.display_text import to_plain_text
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.cli.estimate_options import noise_and_offsets
-from lispac.cli.messages import message_numbers, print_messages
-from lispac.cli.sensor_options import pos_sigmas, titles
+from lispac.cli.estimate_options import noise_and_offset_settings
+from lispac.cli.messages import message_values, print_messages
+from lispac.cli.sensor_options import pos_sigma_settings, sensor_titles
 from lispac.identity import BLANK
 from lispac.message_texts import message_text
 from lispac.project import LineSource, Reading, Settings
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 from lispac.workflow import projects
 from lispac.workflow.survey import Survey
 
 
 def new(arguments: Namespace) -> None:
-    """Create a project; the lines are read once, so that unusable ones are reported now."""
+    """Create a project and read its lines once to check them."""
     columns = tuple(arguments.columns.split(",")) if arguments.columns else ()
     given: dict[str, Any] = {
         "boresight_deg": arguments.boresight,
@@ -31,17 +31,19 @@ def new(arguments: Namespace) -> None:
         "attitude_sigma_deg": arguments.attitude_sigma,
     }
     triples: dict[str, Any] = {k: tuple(v) for k, v in given.items() if v is not None}
-    triples = pos_sigmas(arguments.pos) | triples
+    triples = pos_sigma_settings(arguments.pos) | triples
     settings = Settings(
-        lever_arm=tuple(arguments.lever_arm), **triples, **noise_and_offsets(arguments)
+        lever_arm=tuple(arguments.lever_arm), **triples, **noise_and_offset_settings(arguments)
     )
-    named = titles(arguments.scanner, arguments.pos)
+    named = sensor_titles(arguments.scanner, arguments.pos)
     if arguments.longest_gap is not None:
         settings = replace(settings, longest_gap=arguments.longest_gap)
     reading = Reading(
         arguments.line_format or "", tuple(arguments.line_option), arguments.time_shift
     )
-    lines = [LineSource(name, path, columns, reading) for name, path in _named(arguments.lines)]
+    lines = [
+        LineSource(name, path, columns, reading) for name, path in _line_names(arguments.lines)
+    ]
     with ConsoleProgress() as progress:
         project, survey = projects.new_project(
             arguments.project,
@@ -59,7 +61,7 @@ def new(arguments: Namespace) -> None:
             split_by=arguments.split_by,
             progress=progress,
         )
-    _notes(survey)
+    _print_notes(survey)
     if arguments.pos is not None and arguments.trajectory_accuracy is not None:
         print(
             f"note: the sigmas of {named['pos']} are not used: {arguments.trajectory_accuracy} "
@@ -67,7 +69,7 @@ def new(arguments: Namespace) -> None:
         )  # fmt: skip
     points = {name: len(scan) for name, scan in survey.scans.items()}
     if arguments.json:
-        found = [message_numbers(each) for each in survey.messages]
+        found = [message_values(each) for each in survey.messages]
         print_json({"project": str(project.folder), "points": points, "messages": found})
         return
     for name, count in points.items():
@@ -76,11 +78,11 @@ def new(arguments: Namespace) -> None:
     print(f"project    {project.folder}")
 
 
-def _named(paths: Iterable[Path]) -> list[tuple[str, Path]]:
+def _line_names(paths: Iterable[Path]) -> list[tuple[str, Path]]:
     return [(printable(path.stem), path) for path in paths]
 
 
-def _notes(survey: Survey) -> None:
+def _print_notes(survey: Survey) -> None:
     for note in survey.notes:
-        print(f"note: {plain(message_text(note))}", file=sys.stderr)
+        print(f"note: {to_plain_text(message_text(note))}", file=sys.stderr)
     print_messages(survey.messages)

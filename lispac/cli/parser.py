@@ -7,7 +7,7 @@ from lispac import __version__
 from lispac.cli import (
     design_options,
     estimate_options,
-    opinion_options,
+    method_options,
     patch_test_options,
     pick_options,
     quality_options,
@@ -16,17 +16,17 @@ from lispac.cli import (
     sensor_options,
     simulate_options,
 )
-from lispac.cli.values import (
+from lispac.cli.argument_types import (
     Commands,
-    command,
-    finite,
-    json_option,
-    named_value,
-    not_negative,
+    add_command,
+    add_crs_options,
+    add_json_option,
+    add_triple_option,
+    finite_number,
+    non_negative_number,
     picture_file,
-    positive,
-    system_options,
-    triple,
+    positive_number,
+    split_named_value,
 )
 
 
@@ -41,37 +41,37 @@ def build_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"lispac {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    _demo(commands)
-    simulate_options.add(commands)
-    sensor_options.add(commands)
-    _look(commands)
-    _new(commands)
-    _locate(commands)
-    _import(commands)
-    pick_options.add(commands)
-    _propose(commands)
-    estimate_options.add(commands)
-    _subsample(commands)
-    _validate(commands)
-    _check(commands)
-    opinion_options.add(commands)
-    _history(commands)
-    _budget(commands)
-    patch_test_options.add(commands)
-    quality_options.add(commands)
-    _georeference(commands)
-    _export(commands)
-    report_options.add(commands)
-    script_options.add(commands)
-    _warnings(commands)
-    _angles(commands)
-    _visibility(commands)
-    design_options.add(commands)
+    _add_demo(commands)
+    simulate_options.add_simulate_command(commands)
+    sensor_options.add_sensors_command(commands)
+    _add_look(commands)
+    _add_new(commands)
+    _add_locate(commands)
+    _add_import(commands)
+    pick_options.add_pick_command(commands)
+    _add_propose(commands)
+    estimate_options.add_estimate_command(commands)
+    _add_subsample(commands)
+    _add_validate(commands)
+    _add_check(commands)
+    method_options.add_commands(commands)
+    _add_history(commands)
+    _add_budget(commands)
+    patch_test_options.add_patchtest_command(commands)
+    quality_options.add_quality_command(commands)
+    _add_georeference(commands)
+    _add_export(commands)
+    report_options.add_commands(commands)
+    script_options.add_commands(commands)
+    _add_warnings(commands)
+    _add_angles(commands)
+    _add_visibility(commands)
+    design_options.add_commands(commands)
     return parser
 
 
-def _demo(commands: "Commands[argparse.ArgumentParser]") -> None:
-    demo = command(
+def _add_demo(commands: "Commands[argparse.ArgumentParser]") -> None:
+    demo = add_command(
         commands, "demo", "simulate the built-in survey and run the complete calibration"
     )
     demo.add_argument(
@@ -80,17 +80,17 @@ def _demo(commands: "Commands[argparse.ArgumentParser]") -> None:
     demo.add_argument(
         "--no-window", action="store_true", help="do not open the main window at the end"
     )
-    json_option(demo)
+    add_json_option(demo)
 
 
-def _warnings(commands: "Commands[argparse.ArgumentParser]") -> None:
-    warnings = command(commands, "warnings", "list all warnings about a project")
+def _add_warnings(commands: "Commands[argparse.ArgumentParser]") -> None:
+    warnings = add_command(commands, "warnings", "list all warnings about a project")
     warnings.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
-    json_option(warnings)
+    add_json_option(warnings)
 
 
-def _locate(commands: "Commands[argparse.ArgumentParser]") -> None:
-    locate = command(commands, "locate", "locate the files of a project that were moved")
+def _add_locate(commands: "Commands[argparse.ArgumentParser]") -> None:
+    locate = add_command(commands, "locate", "locate the files of a project that were moved")
     locate.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     locate.add_argument(
         "folder",
@@ -100,19 +100,19 @@ def _locate(commands: "Commands[argparse.ArgumentParser]") -> None:
     )
 
 
-def _look(commands: "Commands[argparse.ArgumentParser]") -> None:
-    look = command(
+def _add_look(commands: "Commands[argparse.ArgumentParser]") -> None:
+    look = add_command(
         commands, "look", "show the format of a file, the assumptions made and any warnings"
     )
     look.add_argument(
         "file", type=Path, metavar="FILE", help="trajectory, trajectory accuracy or points"
     )
     look.add_argument("--quick", action="store_true", help="read the first points only")
-    json_option(look)
+    add_json_option(look)
 
 
-def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
-    new = command(commands, "new", "create a project from raw lines and a trajectory")
+def _add_new(commands: "Commands[argparse.ArgumentParser]") -> None:
+    new = add_command(commands, "new", "create a project from raw lines and a trajectory")
     new.add_argument("project", type=Path, metavar="PROJECT", help="project folder to create")
     new.add_argument(
         "lines",
@@ -140,11 +140,15 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
             f"--{file}-format", metavar="KEY", help=f"format of {what} (default: detected)"
         )
         new.add_argument(
-            f"--{file}-option", type=named_value, action="append", default=[], metavar="NAME=VALUE",
+            f"--{file}-option",
+            type=split_named_value,
+            action="append",
+            default=[],
+            metavar="NAME=VALUE",
             help=f"option for reading {what}; `lispac look FILE` lists the options",
-        )  # fmt: skip
+        )
     new.add_argument(
-        "--time-shift", type=finite, default=0.0, metavar="SECONDS",
+        "--time-shift", type=finite_number, default=0.0, metavar="SECONDS",
         help="seconds added to the times of the lines to obtain trajectory time (default 0)",
     )  # fmt: skip
     new.add_argument(
@@ -153,35 +157,37 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
              "(point_source_id, scanner_channel, user_data, ...), or with gap one line for each "
              "part between pauses",
     )  # fmt: skip
-    triple(
+    add_triple_option(
         new,
         "--lever-arm",
         ("X", "Y", "Z"),
         "lever arm from the POS to the LiDAR: forward, left, up (m)",
         required=True,
     )
-    triple(new, "--boresight", ("ROLL", "PITCH", "YAW"), "prior boresight (deg; default 0 0 0)")
-    triple(
+    add_triple_option(
+        new, "--boresight", ("ROLL", "PITCH", "YAW"), "prior boresight (deg; default 0 0 0)"
+    )
+    add_triple_option(
         new,
         "--origin",
         ("LAT", "LON", "HEIGHT"),
         "origin of the local frame (deg, m; default: mean position of the trajectory)",
     )
-    triple(
+    add_triple_option(
         new,
         "--position-sigma",
         ("N", "E", "D"),
         "sigmas of the position without accuracy file (m; default 0.02 0.02 0.03)",
     )
-    triple(
+    add_triple_option(
         new, "--attitude-sigma", ("ROLL", "PITCH", "HEADING"),
         "sigmas of the attitude without accuracy file (deg; default 0.01 0.01 0.015)",
     )  # fmt: skip
-    sensor_options.pos_option(new)
-    estimate_options.lidar_noise(new)
-    estimate_options.offsets(new)
+    sensor_options.add_pos_option(new)
+    estimate_options.add_noise_options(new)
+    estimate_options.add_offset_options(new)
     new.add_argument(
-        "--longest-gap", type=positive, metavar="SECONDS",
+        "--longest-gap", type=positive_number, metavar="SECONDS",
         help="longest gap of the trajectory to interpolate across (s; default 1.5)",
     )  # fmt: skip
     new.add_argument(
@@ -189,11 +195,11 @@ def _new(commands: "Commands[argparse.ArgumentParser]") -> None:
         metavar="NAMES",
         help="columns of text files with points, from the left, e.g. time,x,y,z,intensity",
     )
-    json_option(new)
+    add_json_option(new)
 
 
-def _import(commands: "Commands[argparse.ArgumentParser]") -> None:
-    imported = command(
+def _add_import(commands: "Commands[argparse.ArgumentParser]") -> None:
+    imported = add_command(
         commands, "import", "store the lines of a project in its folder, sorted in space"
     )
     imported.set_defaults(command="import_lines")  # import is a word of the language
@@ -207,11 +213,11 @@ def _import(commands: "Commands[argparse.ArgumentParser]") -> None:
     imported.add_argument(
         "--check", action="store_true", help="read all imported data and compare checksums"
     )
-    json_option(imported)
+    add_json_option(imported)
 
 
-def _propose(commands: "Commands[argparse.ArgumentParser]") -> None:
-    propose = command(
+def _add_propose(commands: "Commands[argparse.ArgumentParser]") -> None:
+    propose = add_command(
         commands,
         "propose",
         "detect targets and validation planes automatically and give the reasons for each",
@@ -220,23 +226,23 @@ def _propose(commands: "Commands[argparse.ArgumentParser]") -> None:
     propose.add_argument(
         "--accept", action="store_true", help="add the proposed targets to the project"
     )
-    json_option(propose)
+    add_json_option(propose)
 
 
-def _subsample(commands: "Commands[argparse.ArgumentParser]") -> None:
-    subsample = command(
+def _add_subsample(commands: "Commands[argparse.ArgumentParser]") -> None:
+    subsample = add_command(
         commands, "subsample", "repeat the adjustment with different point spacings"
     )
     subsample.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     subsample.add_argument(
-        "--distances", type=finite, nargs="+", metavar="M",
+        "--distances", type=finite_number, nargs="+", metavar="M",
         help="point spacings to use (m; 0 uses all points; default 0 0.05 0.1 0.15 0.2)",
     )  # fmt: skip
-    json_option(subsample)
+    add_json_option(subsample)
 
 
-def _validate(commands: "Commands[argparse.ArgumentParser]") -> None:
-    validate = command(commands, "validate", "compare the lines on the validation planes")
+def _add_validate(commands: "Commands[argparse.ArgumentParser]") -> None:
+    validate = add_command(commands, "validate", "compare the lines on the validation planes")
     validate.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     validate.add_argument(
         "--distance-to", choices=("point", "plane", "quadric"), default="plane",
@@ -250,15 +256,15 @@ def _validate(commands: "Commands[argparse.ArgumentParser]") -> None:
     )  # fmt: skip
     validate.add_argument(
         "--radius",
-        type=finite,
+        type=finite_number,
         metavar="M",
         help="fit the plane or quadric to all points within this radius (m) instead",
     )
-    json_option(validate)
+    add_json_option(validate)
 
 
-def _check(commands: "Commands[argparse.ArgumentParser]") -> None:
-    check = command(
+def _add_check(commands: "Commands[argparse.ArgumentParser]") -> None:
+    check = add_command(
         commands, "check", "compare the lines with a static scan or surveyed points and planes"
     )
     check.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
@@ -268,20 +274,20 @@ def _check(commands: "Commands[argparse.ArgumentParser]") -> None:
              "and optionally sigma and the name of the plane that contains them",
     )  # fmt: skip
     check.add_argument(
-        "--reference-sigma", type=not_negative, default=0.005, metavar="M",
+        "--reference-sigma", type=non_negative_number, default=0.005, metavar="M",
         help="1 sigma of the reference (m): error common to all points of a scan, or sigma of "
              "each check point without a sigma of its own (default 0.005)",
     )  # fmt: skip
     check.add_argument(
-        "--reach", type=positive, default=1.0, metavar="M",
+        "--reach", type=positive_number, default=1.0, metavar="M",
         help="largest distance between lines and reference (m; default 1)",
     )  # fmt: skip
-    system_options(check, "as given in the reference file, otherwise local")
-    json_option(check)
+    add_crs_options(check, "as given in the reference file, otherwise local")
+    add_json_option(check)
 
 
-def _history(commands: "Commands[argparse.ArgumentParser]") -> None:
-    history = command(
+def _add_history(commands: "Commands[argparse.ArgumentParser]") -> None:
+    history = add_command(
         commands,
         "history",
         "list the calibrations of each system and test whether the mounting has moved",
@@ -298,29 +304,29 @@ def _history(commands: "Commands[argparse.ArgumentParser]") -> None:
         "--picture", type=picture_file, metavar="FILE",
         help="file for the control chart of the system with most calibrations: .png, .svg or .pdf",
     )  # fmt: skip
-    json_option(history)
+    add_json_option(history)
 
 
-def _budget(commands: "Commands[argparse.ArgumentParser]") -> None:
-    budget = command(
+def _add_budget(commands: "Commands[argparse.ArgumentParser]") -> None:
+    budget = add_command(
         commands, "budget", "list the contribution of each error source to the error of a point"
     )
     budget.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     budget.add_argument(
-        "--distance", type=positive, nargs="+", metavar="M",
+        "--distance", type=positive_number, nargs="+", metavar="M",
         help="distances of the point from the scanner (m; default 10 50 100)",
     )  # fmt: skip
-    triple(
+    add_triple_option(
         budget,
         "--lever-sigma",
         ("X", "Y", "Z"),
         "1 sigma of the lever arm (m; default: not included)",
     )
-    json_option(budget)
+    add_json_option(budget)
 
 
-def _georeference(commands: "Commands[argparse.ArgumentParser]") -> None:
-    georeference = command(
+def _add_georeference(commands: "Commands[argparse.ArgumentParser]") -> None:
+    georeference = add_command(
         commands,
         "georeference",
         "write the georeferenced lines as LAZ or LAS files with all attributes",
@@ -335,18 +341,18 @@ def _georeference(commands: "Commands[argparse.ArgumentParser]") -> None:
         default="estimated",
         help="boresight to use (default estimated)",
     )
-    system_options(georeference, "that of the lines if they are georeferenced")
+    add_crs_options(georeference, "that of the lines if they are georeferenced")
     georeference.add_argument(
         "--lines", nargs="+", metavar="NAME", help="use only these lines (default: all)"
     )
     georeference.add_argument(
         "--format", choices=("laz", "las"), default="laz", help="file format (default laz)"
     )
-    json_option(georeference)
+    add_json_option(georeference)
 
 
-def _export(commands: "Commands[argparse.ArgumentParser]") -> None:
-    export = command(commands, "export", "export targets or the trajectory for other programs")
+def _add_export(commands: "Commands[argparse.ArgumentParser]") -> None:
+    export = add_command(commands, "export", "export targets or the trajectory for other programs")
     export.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     export.add_argument(
         "--what",
@@ -375,12 +381,14 @@ def _export(commands: "Commands[argparse.ArgumentParser]") -> None:
     export.add_argument(
         "--targets", nargs="+", metavar="NAME", help="export only these targets (default: all)"
     )
-    system_options(export, "local")
-    json_option(export)
+    add_crs_options(export, "local")
+    add_json_option(export)
 
 
-def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
-    angles = command(commands, "angles", "convert a boresight to the convention of another program")
+def _add_angles(commands: "Commands[argparse.ArgumentParser]") -> None:
+    angles = add_command(
+        commands, "angles", "convert a boresight to the convention of another program"
+    )
     angles.description = (
         "Convert a boresight and a lever arm to the convention of another program and list the "
         "assumptions made. Without arguments: list the systems with the order of their angles."
@@ -401,10 +409,10 @@ def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
     angles.add_argument(
         "--to", default="lispac", metavar="SYSTEM", help="system to convert to (default lispac)"
     )
-    triple(
+    add_triple_option(
         angles, "--lever", ("X", "Y", "Z"), "lever arm along the body axes of the --from system (m)"
     )
-    triple(
+    add_triple_option(
         angles, "--current", ("A", "B", "C"),
         "current angles in the --to system (deg): also print the correction to them",
     )  # fmt: skip
@@ -442,11 +450,11 @@ def _angles(commands: "Commands[argparse.ArgumentParser]") -> None:
         ("--mounting", "nominal directions of the raw scanner axes, e.g. forward port up"),
     ):
         angles.add_argument(name, nargs=3, metavar=("X", "Y", "Z"), help=text)
-    json_option(angles)
+    add_json_option(angles)
 
 
-def _visibility(commands: "Commands[argparse.ArgumentParser]") -> None:
-    visibility = command(
+def _add_visibility(commands: "Commands[argparse.ArgumentParser]") -> None:
+    visibility = add_command(
         commands, "visibility", "show the effect of systematic errors on a board for each line"
     )
     visibility.add_argument(
@@ -475,4 +483,4 @@ def _visibility(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="use the beams that hit the board in the presence of the error, as in a real survey, "
              "instead of the beams aimed at it, as in the thesis",
     )  # fmt: skip
-    json_option(visibility)
+    add_json_option(visibility)

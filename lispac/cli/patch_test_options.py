@@ -3,25 +3,31 @@
 import argparse
 from pathlib import Path
 
-from lispac.cli.values import Commands, command, json_option, named_value, whole
+from lispac.cli.argument_types import (
+    Commands,
+    add_command,
+    add_json_option,
+    split_named_value,
+    whole_number_from,
+)
 
 
-def add(commands: "Commands[argparse.ArgumentParser]") -> None:
-    """The command."""
-    patchtest = command(
+def add_patchtest_command(commands: "Commands[argparse.ArgumentParser]") -> None:
+    """Add the command ``patchtest``."""
+    patchtest = add_command(
         commands,
         "patchtest",
         "estimate the boresight by aligning lines on common objects (patch test)",
     )
     patchtest.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     patchtest.add_argument(
-        "--object", type=named_value, nargs="+", action="extend", metavar="NAME=N,W,U,A,L,H",
+        "--object", type=split_named_value, nargs="+", action="extend", metavar="NAME=N,W,U,A,L,H",
         help="box around an object (a pole, a pillar, an edge): north, west and up of its centre "
              "in the local frame, then its size along, to the left and upwards (m); an optional "
              "seventh number is its clockwise rotation (deg)",
     )  # fmt: skip
     patchtest.add_argument(
-        "--count", type=whole(0), metavar="N",
+        "--count", type=whole_number_from(0), metavar="N",
         help="number of objects to detect automatically (default 30; 0 if --object is given)",
     )  # fmt: skip
     patchtest.add_argument(
@@ -36,4 +42,4 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
         action="store_true",
         help="save the result in the project, beside that of the targets",
     )
-    json_option(patchtest)
+    add_json_option(patchtest)

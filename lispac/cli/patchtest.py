@@ -1,4 +1,4 @@
-"""``lispac patchtest``: lines laid onto each other about objects, and what to think of it."""
+"""``lispac patchtest``: LiDAR patch test on objects that lines share."""
 
 from argparse import Namespace
 from collections.abc import Iterable
@@ -7,16 +7,16 @@ from typing import Any, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
 from lispac.message_texts import english_text, message_text
-from lispac.patchtest.answer import PatchTest
-from lispac.patchtest.boxes import Box, PatchObject, checked
-from lispac.patchtest.objects import COUNT
-from lispac.patchtest.optimise import ANGLES
-from lispac.patchtest.pairs import Kind, LinePair
-from lispac.progress import part
+from lispac.patchtest.line_pairs import Kind, LinePair
+from lispac.patchtest.mismatch_minimisation import ANGLES
+from lispac.patchtest.object_boxes import ObjectBox, PatchObject, object_of_box
+from lispac.patchtest.object_proposal import COUNT
+from lispac.patchtest.patch_test_result import PatchTestResult
+from lispac.progress import sub_progress
 from lispac.workflow import patch_test as workflow
-from lispac.workflow.opinions import of_the_patch_test
+from lispac.workflow.method_runs import patch_test_result
 from lispac.workflow.projects import save_project
 from lispac.workflow.survey import Survey, load_survey
 
@@ -27,44 +27,46 @@ NUMBERS = (6, 7)
 
 
 def patchtest(arguments: Namespace) -> None:
-    """Do the patch test of a project; with ``--keep`` the answer is kept.
+    """Run the patch test of a project; ``--keep`` stores the result.
 
     Raises
     ------
     UsageError
         Where a box or a line is not one.
     """
-    given = [_object(name, text) for name, text in arguments.object or ()]
+    given = [_parse_object(name, text) for name, text in arguments.object or ()]
     if len({each.name for each in given}) < len(given):
         raise UsageError("patchtest: two objects have the same name.")
     count = arguments.count if arguments.count is not None else 0 if given else COUNT
     if not given and not count:
         raise UsageError("patchtest: give objects with --object, or detect some with --count.")
-    with opened(arguments.project, change=arguments.keep) as project:
+    with opened_project(arguments.project, change=arguments.keep) as project:
         with ConsoleProgress() as progress:
-            survey = load_survey(project, progress=part(progress, 0.0, 0.3))
-            pairs = _pairs(survey, arguments.pairs or (), arguments.lines)
+            survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.3))
+            pairs = _selected_pairs(survey, arguments.pairs or (), arguments.lines)
             if count:
-                step = part(progress, 0.3, 0.6)
-                laid = workflow.propose(project, survey, count=count, progress=step)
+                step = sub_progress(progress, 0.3, 0.6)
+                laid = workflow.propose_objects(project, survey, count=count, progress=step)
                 if given:
                     objects = (*given, *laid.objects)
-                    laid = workflow.lay(project, survey, objects, laid.boresight)
+                    laid = workflow.place_objects(project, survey, objects, laid.boresight)
             else:
-                laid = workflow.lay(project, survey, given, survey.aligned.mounting.boresight)
-            found = workflow.find(
-                project, survey, laid, pairs=pairs, progress=part(progress, 0.6, 1.0)
+                laid = workflow.place_objects(
+                    project, survey, given, survey.alignment.mounting.boresight
+                )
+            found = workflow.find_boresight(
+                project, survey, laid, pairs=pairs, progress=sub_progress(progress, 0.6, 1.0)
             )
         if arguments.keep:
-            save_project(project.with_opinion(of_the_patch_test(found)))
+            save_project(project.with_alternative_result(patch_test_result(found)))
     if arguments.json:
-        print_json(numbers(found))
+        print_json(patch_test_values(found))
     else:
-        print_answer(found)
+        print_patch_test(found)
 
 
-def print_answer(found: PatchTest) -> None:
-    """Angles with their sigmas, objects, and what to think of them."""
+def print_patch_test(found: PatchTestResult) -> None:
+    """Print the angles with their sigmas, the objects and the remarks."""
     print("LiDAR patch test (deg)     result   sigma  separately   mm per 0.01 deg")
     for k, angle in enumerate(ANGLES):
         sigma = "none" if found.sigma is None else f"{np.degrees(found.sigma[k]):.4f}"
@@ -86,17 +88,17 @@ def print_answer(found: PatchTest) -> None:
         print(message_text(remark))
 
 
-def numbers(found: PatchTest) -> dict[str, Any]:
-    """Everything as plain values, angles in degrees."""
+def patch_test_values(found: PatchTestResult) -> dict[str, Any]:
+    """Patch test as plain values, angles in degrees."""
     sigma = found.sigma
     return {
-        "boresight_deg": _by_angle(np.degrees(found.boresight)),
-        "sigma_deg": None if sigma is None else _by_angle(np.degrees(sigma)),
+        "boresight_deg": _values_by_angle(np.degrees(found.boresight)),
+        "sigma_deg": None if sigma is None else _values_by_angle(np.degrees(sigma)),
         "covariance_deg2": None
         if found.covariance is None
         else (np.degrees(1.0) ** 2 * found.covariance).tolist(),
-        "one_by_one_deg": _by_angle(np.degrees(found.one_by_one)),
-        "curvature_m_per_deg": _by_angle(np.radians(1.0) * found.curvature),
+        "one_by_one_deg": _values_by_angle(np.degrees(found.one_by_one)),
+        "curvature_m_per_deg": _values_by_angle(np.radians(1.0) * found.curvature),
         "mismatch_before_m": found.mismatch_before if np.isfinite(found.mismatch_before) else None,
         "mismatch_m": found.mismatch,
         "rounds": found.rounds,
@@ -119,11 +121,11 @@ def numbers(found: PatchTest) -> dict[str, Any]:
     }
 
 
-def _by_angle(values: Array) -> dict[str, float]:
+def _values_by_angle(values: Array) -> dict[str, float]:
     return {angle: float(value) for angle, value in zip(ANGLES, values, strict=True)}
 
 
-def _object(name: str, text: str) -> PatchObject:
+def _parse_object(name: str, text: str) -> PatchObject:
     try:
         values = [float(word) for word in text.split(",")]
     except ValueError:
@@ -133,10 +135,12 @@ def _object(name: str, text: str) -> PatchObject:
             f"patchtest: {name}={text} is not NAME=N,W,U,A,L,H or NAME=N,W,U,A,L,H,TURN."
         )
     turn = np.radians(values[6]) if len(values) == NUMBERS[1] else 0.0
-    return checked(name, Box(np.array(values[:3]), np.array(values[3:6]), float(turn)))
+    return object_of_box(name, ObjectBox(np.array(values[:3]), np.array(values[3:6]), float(turn)))
 
 
-def _pairs(survey: Survey, kinds: Iterable[str], lines: list[str] | None) -> tuple[LinePair, ...]:
+def _selected_pairs(
+    survey: Survey, kinds: Iterable[str], lines: list[str] | None
+) -> tuple[LinePair, ...]:
     for line in lines or ():
         if line not in survey.clouds:
             raise UsageError(

@@ -6,76 +6,81 @@ from typing import Any
 
 import numpy as np
 
-from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
 from lispac.cli.messages import print_messages
 from lispac.cli.pick_list import pick_list
-from lispac.cli.qualities import as_values
-from lispac.doubles import overlap_warning, overlap_with
+from lispac.cli.sighting_qualities import quality_values
+from lispac.duplicate_targets import find_overlap, overlap_warning
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, note
 from lispac.project import Project, Target
-from lispac.targets.expected import ExpectedTarget
-from lispac.targets.quality import SightingQuality
-from lispac.targets.settings import FinderChoices
+from lispac.targets.expected_target import ExpectedTarget
+from lispac.targets.finder_settings import FinderChoices
+from lispac.targets.sighting_quality import SightingQuality
 from lispac.targets.sphere_finder import SpherePatch
 from lispac.workflow import picking, projects
-from lispac.workflow.coordinates import require_near
-from lispac.workflow.export_request import system_of
-from lispac.workflow.qualities import judge_target
+from lispac.workflow.coordinates import require_near_trajectory
+from lispac.workflow.export_request import output_system_of
+from lispac.workflow.output_crs import LOCAL
+from lispac.workflow.sighting_assessment import assess_target
 from lispac.workflow.survey import load_survey
 from lispac.workflow.target_search import thinned_notes
-from lispac.workflow.target_systems import LOCAL
 
 
 def pick(arguments: Namespace) -> None:
     """Find planes or spheres in every line and save them."""
-    _require_together(arguments)
-    how = _how(arguments)
-    with opened(arguments.project, change=True) as project:
-        _pick(arguments, project, how)
+    _require_matching_options(arguments)
+    how = _search_arguments(arguments)
+    with opened_project(arguments.project, change=True) as project:
+        _pick_in_project(arguments, project, how)
 
 
-def _pick(arguments: Namespace, project: Project, how: dict[str, Any]) -> None:
+def _pick_in_project(arguments: Namespace, project: Project, how: dict[str, Any]) -> None:
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=progress)
-    system = system_of(
+    system = output_system_of(
         project, survey.trajectory, arguments.crs or LOCAL, arguments.height,
         arguments.trajectory_datum, arguments.epoch,
     )  # fmt: skip
     if arguments.seeds is not None:
         pick_list(arguments, project, survey, system, how)
         return
-    place = require_near(np.array(arguments.seed), system, survey.trajectory, arguments.name)
+    place = require_near_trajectory(
+        np.array(arguments.seed), system, survey.trajectory, arguments.name
+    )
     with ConsoleProgress() as progress:
-        project = picking.pick(
+        project = picking.pick_target(
             project, survey, place, name=arguments.name, role=arguments.role or "target",
             line=arguments.line, progress=progress, **how,
         )  # fmt: skip
     projects.save_project(project)
     target = project.target(arguments.name)
     spheres = picking.spheres_of(target, survey) if target.shape == "sphere" else {}
-    found = judge_target(project, survey, target)
+    found = assess_target(project, survey, target)
     double = overlap_warning(target, project.targets)
     notes = (
-        *(() if system is None else system.assumptions), *notes_on(target, how["radius"]),
+        *(() if system is None else system.assumptions), *search_notes(target, how["radius"]),
         *(() if double is None else (double,)),
     )  # fmt: skip
     print_messages(notes)
     if arguments.json:
-        print_json(as_json(target, spheres, found) | {"same_points_as": _common(project, target)})
+        print_json(
+            target_values(target, spheres, found)
+            | {"same_points_as": _shared_points_values(project, target)}
+        )
     else:
-        _print(target, spheres, found)
+        _print_target(target, spheres, found)
 
 
-def _common(project: Project, target: Target) -> dict[str, Any] | None:
-    """The target that has most of the same points, if any has."""
-    found = overlap_with(target, project.targets)
+def _shared_points_values(project: Project, target: Target) -> dict[str, Any] | None:
+    """Values of the target with the most points in common; None if there is none."""
+    found = find_overlap(target, project.targets)
     if found is None:
         return None
     return {"name": found.other, "line": found.line, "share_of_the_smaller": found.share}
 
 
-def _require_together(arguments: Namespace) -> None:
+def _require_matching_options(arguments: Namespace) -> None:
     """Refuse options that do not go together.
 
     Raises
@@ -101,8 +106,8 @@ def _require_together(arguments: Namespace) -> None:
             raise UsageError(f"{option} requires --{'seeds' if one else 'seed'}; omit it")
 
 
-def _how(arguments: Namespace) -> dict[str, Any]:
-    """Settings of the target search: further arguments of `lispac.workflow.picking.find`."""
+def _search_arguments(arguments: Namespace) -> dict[str, Any]:
+    """Search arguments for `lispac.workflow.picking.find_target`, from the options."""
     expected = None
     if arguments.expected is not None:
         width, height, tilt_deg = arguments.expected
@@ -116,7 +121,7 @@ def _how(arguments: Namespace) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def notes_on(target: Target, radius: float | None) -> tuple[Message, ...]:
+def search_notes(target: Target, radius: float | None) -> tuple[Message, ...]:
     """Notes on how a target was searched for; ``radius``, metres, is the one given."""
     usual = picking.DEFAULT_RADII[target.role][0]
     widened: tuple[Message, ...] = ()
@@ -127,12 +132,12 @@ def notes_on(target: Target, radius: float | None) -> tuple[Message, ...]:
     return (*widened, *thinned_notes(target))
 
 
-def as_json(
+def target_values(
     target: Target, spheres: dict[str, SpherePatch], found: dict[str, SightingQuality]
 ) -> dict[str, Any]:
     """A target with its sightings as ``pick --json`` prints it; lengths in metres."""
     lines: dict[str, dict[str, Any]] = {
-        s.line: {"points": len(s.indices), "rms_m": s.rms, "quality": as_values(found[s.line])}
+        s.line: {"points": len(s.indices), "rms_m": s.rms, "quality": quality_values(found[s.line])}
         for s in target.sightings
     }
     for line, patch in spheres.items():
@@ -157,7 +162,7 @@ def as_json(
     }
 
 
-def _print(
+def _print_target(
     target: Target, spheres: dict[str, SpherePatch], found: dict[str, SightingQuality]
 ) -> None:
     for sighting in target.sightings:

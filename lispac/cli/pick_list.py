@@ -6,20 +6,20 @@ from typing import Any
 
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import print_messages
-from lispac.cli.qualities import as_values
+from lispac.cli.sighting_qualities import quality_values
 from lispac.message_texts import english_text, message_text
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.workflow import projects
-from lispac.workflow.qualities import judge_target
 from lispac.workflow.seed_lists import (
-    Outcome,
+    SeedOutcome,
     pick_seeds,
     read_seeds,
     require_all_found,
-    require_found,
-    require_free,
+    require_any_found,
+    require_free_names,
 )
+from lispac.workflow.sighting_assessment import assess_target
 from lispac.workflow.survey import Survey
 from lispac.workflow.target_search import thinned_notes
 
@@ -43,60 +43,64 @@ def pick_list(
         arguments.seeds, project, survey.trajectory, system, columns=columns, role=arguments.role
     )
     if not arguments.replace:
-        require_free(seeds)
+        require_free_names(seeds)
     with ConsoleProgress() as progress:
         project, outcomes = pick_seeds(project, survey, seeds.seeds, how, progress=progress)
-    require_found(seeds, outcomes)
+    require_any_found(seeds, outcomes)
     projects.save_project(project)
     notes = list(seeds.notes)
     for outcome in outcomes:
         notes += thinned_notes(outcome.target) if outcome.target is not None else ()
     print_messages(notes)
     if arguments.json:
-        print_json({"seeds": [_as_json(project, survey, outcome) for outcome in outcomes]})
+        print_json({"seeds": [_outcome_values(project, survey, outcome) for outcome in outcomes]})
     else:
-        _print(outcomes, len(survey.lines))
+        _print_outcomes(outcomes, len(survey.lines))
     sys.stdout.flush()  # the table comes before the messages about it
     require_all_found(seeds, outcomes)
 
 
-def _as_json(project: Project, survey: Survey, outcome: Outcome) -> dict[str, Any]:
+def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> dict[str, Any]:
     seed, target = outcome.seed, outcome.target
     said = {
         "row": seed.row, "name": seed.name, "role": seed.role, "seed_m": list(seed.place),
-        "found": target is not None, "reason": _text(outcome),
+        "found": target is not None, "reason": _remark_text(outcome),
     }  # fmt: skip
     if target is None:
         return said | {"lines": {}, "missing": {}}
-    judged = judge_target(project, survey, target)
+    judged = assess_target(project, survey, target)
     lines = {
-        s.line: {"points": len(s.indices), "rms_m": s.rms, "quality": as_values(judged[s.line])}
+        s.line: {
+            "points": len(s.indices),
+            "rms_m": s.rms,
+            "quality": quality_values(judged[s.line]),
+        }
         for s in target.sightings
     }
     missing = {line: english_text(reason) for line, reason in target.missing.items()}
     return said | {"lines": lines, "missing": missing}
 
 
-def _text(outcome: Outcome) -> str:
+def _remark_text(outcome: SeedOutcome) -> str:
     return "" if outcome.remark is None else english_text(outcome.remark)
 
 
-def _print(outcomes: tuple[Outcome, ...], lines: int) -> None:
-    """One row a seed: what was found on how many lines, and what not and why."""
+def _print_outcomes(outcomes: tuple[SeedOutcome, ...], lines: int) -> None:
+    """Print one row per seed: lines, points and RMS, or the reason why it was not found."""
     width = max(len("name"), *(len(outcome.seed.name) for outcome in outcomes))
     print(f"{'row':>4}  {'name':{width}}  {'role':10}  {'lines':>7}  {'points':>9}  RMS (mm)")
     for outcome in outcomes:
         seed, target = outcome.seed, outcome.target
         head = f"{seed.row:4}  {seed.name:{width}}  {seed.role:10}"
         if target is None:
-            print(f"{head}  {'none':>7}  {_text(outcome)}")
+            print(f"{head}  {'none':>7}  {_remark_text(outcome)}")
             continue
         found = target.sightings
         points = sum(len(sighting.indices) for sighting in found)
         rms = 1000 * max(sighting.rms for sighting in found)
         print(f"{head}  {f'{len(found)} of {lines}':>7}  {points:9,}  {rms:8.1f}")
         if outcome.remark is not None:
-            print(f"      {_text(outcome)}")
+            print(f"      {_remark_text(outcome)}")
         for line, reason in target.missing.items():
             print(f"      not on {line}: {message_text(reason)}")
     count = sum(outcome.target is not None for outcome in outcomes)

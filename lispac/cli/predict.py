@@ -6,21 +6,21 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import print_json
-from lispac.cli.worths import known, without
-from lispac.design.objective import Objective
+from lispac.cli.sigma_format import sigma_degrees, sigma_text
+from lispac.design.objective import PlanObjective
+from lispac.design.plan_search import information_gains
 from lispac.design.prediction import predict as foretold
-from lispac.design.search import worth
 from lispac.io.plan_file import read_plan
 from lispac.message_texts import message_text
-from lispac.workflow.plan_checks import cautions, remarks_on
+from lispac.workflow.plan_checks import observability_remarks, plan_warnings
 
 
 def predict(arguments: Namespace) -> None:
     """Print sigmas, correlations, weaknesses, and the information gain of targets and lines."""
     titled = read_plan(arguments.plan)
     plan = titled.plan
-    found, valued = foretold(plan), worth(plan, Objective())
-    remarks = (*cautions(titled), *remarks_on(plan))
+    found, valued = foretold(plan), information_gains(plan, PlanObjective())
+    remarks = (*plan_warnings(titled), *observability_remarks(plan))
     if arguments.json:
         determined = found.determined
         print_json(
@@ -33,7 +33,7 @@ def predict(arguments: Namespace) -> None:
                     {"target": target, "line": line, "points": round(count)}
                     for (target, line), count in found.points.items()
                 ],
-                "largest_sigma_without_deg": {v.name: known(v.without) for v in valued},
+                "largest_sigma_without_deg": {v.name: sigma_degrees(v.without) for v in valued},
                 "words": list(map(message_text, remarks)),
             }
         )
@@ -55,6 +55,6 @@ def predict(arguments: Namespace) -> None:
         counts = (found.points.get((target.name, c.name)) for c in plan.courses)
         cells = "".join(f"{'-' if n is None else f'{n:,.0f}':>8s}" for n in counts)
         print(f"{target.name:12s}{cells}")
-    print(f"{'without':12s}{'largest sigma, deg':>20s}")
+    print(f"{'sigma_text':12s}{'largest sigma, deg':>20s}")
     for each in valued:
-        print(f"{each.name:12s}{without(each.without):>20s}")
+        print(f"{each.name:12s}{sigma_text(each.without):>20s}")

@@ -5,15 +5,15 @@ from argparse import Namespace
 
 import numpy as np
 
+from lispac.adjustment.display_text import to_plain_text
 from lispac.adjustment.result import ANGLES
-from lispac.adjustment.shown import plain
-from lispac.cli.console import ConsoleProgress, opened, print_json
+from lispac.cli.console import ConsoleProgress, opened_project, print_json
 from lispac.cli.warnings_json import warnings_as_json
 from lispac.errors import ProjectError
 from lispac.message_texts import english_text, message_text
 from lispac.messages import error
 from lispac.workflow import projects
-from lispac.workflow.proposals import propose as proposal_for
+from lispac.workflow.proposals import propose_targets as proposal_for
 from lispac.workflow.survey import load_survey
 from lispac.workflow.target_search import thinned_notes
 
@@ -26,7 +26,7 @@ def propose(arguments: Namespace) -> None:
     ProjectError
         Where the project has targets and more are to be added.
     """
-    with opened(arguments.project, change=arguments.accept) as project:
+    with opened_project(arguments.project, change=arguments.accept) as project:
         if arguments.accept and project.targets:
             raise ProjectError(
                 error("cli.has_targets", project=project.name, count=len(project.targets))
@@ -48,7 +48,7 @@ def propose(arguments: Namespace) -> None:
                 "name": target.name, "role": target.role, "seed_m": list(target.seed),
                 "lines": {s.line: {"points": len(s.indices), "rms_m": s.rms}
                           for s in target.sightings},
-                "reason": plain(english_text(proposal.reasons[target.name])),
+                "reason": to_plain_text(english_text(proposal.reasons[target.name])),
             }
             for target in proposal.targets
         ]  # fmt: skip
@@ -59,7 +59,7 @@ def propose(arguments: Namespace) -> None:
     for target in proposal.targets:
         north, west, up = target.seed
         print(f"{target.name:4s} {target.role:10s} at {north:.2f} {west:.2f} {up:.2f} m")
-        print(f"     {plain(message_text(proposal.reasons[target.name]))}")
+        print(f"     {to_plain_text(message_text(proposal.reasons[target.name]))}")
     print("sigmas " + ", ".join(f"{angle} {value:.3f}" for angle, value in sigma.items()) + " deg")
     for warning in proposal.warnings:
-        print(f"warning: {plain(message_text(warning))}")
+        print(f"warning: {to_plain_text(message_text(warning))}")

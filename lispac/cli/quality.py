@@ -1,4 +1,4 @@
-"""``lispac quality``: how well the lines of a survey fit each other, without any calibration."""
+"""``lispac quality``: differences between the lines of a survey, without calibration."""
 
 import csv
 import sys
@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.foreign_values import as_cell
-from lispac.io.files import written_whole
+from lispac.io.files import atomic_write
 from lispac.message_texts import message_text
-from lispac.progress import part
-from lispac.workflow.line_quality import Figures, LineQuality, line_quality
+from lispac.progress import sub_progress
+from lispac.untrusted_values import as_csv_cell
+from lispac.workflow.line_quality import DifferenceStatistics, LineQuality, line_quality
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import load_survey
 
@@ -30,39 +30,40 @@ def quality(arguments: Namespace) -> None:
     """Print the differences of each two lines, by how the surface faces; draw and list them."""
     with ConsoleProgress() as progress:
         project = open_project(arguments.project)
-        survey = load_survey(project, progress=part(progress, 0.0, 0.3))
+        survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.3))
         found = line_quality(
             project, survey, which=arguments.which, reach=arguments.reach,
-            progress=part(progress, 0.3, 1.0),
+            progress=sub_progress(progress, 0.3, 1.0),
         )  # fmt: skip
     if arguments.map is not None:
-        _draw(found, arguments.map)
+        _draw_map(found, arguments.map)
     if arguments.csv is not None:
-        _list(found, arguments.csv)
+        _write_differences(found, arguments.csv)
     if arguments.json:
         print_json(
             {
                 "boresight": found.which,
                 "differences": [
-                    {"first": one, "second": other, "facing": facing} | _metres(figures)
+                    {"first": one, "second": other, "facing": facing}
+                    | _statistics_in_metres(figures)
                     for one, other, facing, figures in found.rows()
                 ],
                 "not_compared": list(map(message_text, found.not_compared)),
             }
         )
         return
-    _print(found)
+    _print_differences(found)
     sys.stdout.flush()
     for reason in found.not_compared:
         print(f"note: {message_text(reason)}", file=sys.stderr)
 
 
-def _metres(figures: Figures) -> dict[str, float | None]:
+def _statistics_in_metres(figures: DifferenceStatistics) -> dict[str, float | None]:
     shared = {"places", "significant"}
     return {k if k in shared else f"{k}_m": v for k, v in asdict(figures).items()}
 
 
-def _print(found: LineQuality) -> None:
+def _print_differences(found: LineQuality) -> None:
     rows = found.rows()
     width = max(10, *(len(name) for row in rows for name in row[:2])) + 2
     print(f"Differences between lines along the normal of flat places, {found.which} boresight, mm")
@@ -70,24 +71,26 @@ def _print(found: LineQuality) -> None:
     print(f"{'first':{width}s}{'second':{width}s}{'facing':9s}{heads}")
     for one, other, facing, each in rows:
         sizes = (each.rmsd, each.robust_sigma, each.p95, each.largest)
-        cells = _cell(each.median, "+") + "".join(_cell(size) for size in sizes)
+        cells = _millimetre_cell(each.median, "+") + "".join(
+            _millimetre_cell(size) for size in sizes
+        )
         print(f"{one:{width}s}{other:{width}s}{facing:9s}{each.places:9d}{cells}")
 
 
-def _cell(value: float | None, sign: str = "") -> str:
+def _millimetre_cell(value: float | None, sign: str = "") -> str:
     return f"{'-':>9s}" if value is None else f"{1000 * value:{sign}9.1f}"
 
 
-def _draw(found: LineQuality, path: Path) -> None:
-    from lispac.report.line_map import line_map
+def _draw_map(found: LineQuality, path: Path) -> None:
+    from lispac.report.line_map import line_difference_map
 
-    figure = line_map(found.pairs)
-    with written_whole(path) as temporary:
+    figure = line_difference_map(found.pairs)
+    with atomic_write(path) as temporary:
         figure.savefig(temporary, format=path.suffix[1:].lower(), dpi=200)
 
 
-def _list(found: LineQuality, path: Path) -> None:
-    with written_whole(path) as temporary, temporary.open("w", encoding="utf-8") as file:
+def _write_differences(found: LineQuality, path: Path) -> None:
+    with atomic_write(path) as temporary, temporary.open("w", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(LIST_HEADS)
         for pair in found.pairs:
@@ -96,4 +99,4 @@ def _list(found: LineQuality, path: Path) -> None:
             )
             for row in table:
                 values = [f"{value:.4f}" for value in row]
-                writer.writerow([as_cell(pair.first), as_cell(pair.second), *values])
+                writer.writerow([as_csv_cell(pair.first), as_csv_cell(pair.second), *values])

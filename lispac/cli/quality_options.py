@@ -3,12 +3,18 @@
 import argparse
 from pathlib import Path
 
-from lispac.cli.values import Commands, command, json_option, picture_file, positive
+from lispac.cli.argument_types import (
+    Commands,
+    add_command,
+    add_json_option,
+    picture_file,
+    positive_number,
+)
 
 
-def add(commands: "Commands[argparse.ArgumentParser]") -> None:
-    """The command."""
-    quality = command(
+def add_quality_command(commands: "Commands[argparse.ArgumentParser]") -> None:
+    """Add the command ``quality``."""
+    quality = add_command(
         commands, "quality", "compare the lines of a survey with each other, without a calibration"
     )
     quality.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
@@ -17,7 +23,7 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="boresight used to georeference the lines (default prior: no calibration is needed)",
     )  # fmt: skip
     quality.add_argument(
-        "--reach", type=positive, default=1.0, metavar="M",
+        "--reach", type=positive_number, default=1.0, metavar="M",
         help="largest distance between lines to compare (m; default 1)",
     )  # fmt: skip
     quality.add_argument(
@@ -30,4 +36,4 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
         metavar="FILE",
         help="CSV file for a table of all places with their differences",
     )
-    json_option(quality)
+    add_json_option(quality)

@@ -1,4 +1,4 @@
-"""``lispac replay``: a survey against the plan it was sailed by."""
+"""``lispac replay``: comparison of a survey with its plan."""
 
 from argparse import Namespace
 
@@ -7,13 +7,13 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.io.plan_file import read_plan
+from lispac.workflow.plan_comparison import compare_with_plan as replayed
 from lispac.workflow.projects import open_project
-from lispac.workflow.replay import replay as replayed
 from lispac.workflow.survey import load_survey
 
 
 def replay(arguments: Namespace) -> None:
-    """Print the predicted sigmas, the lines as sailed, and the sigmas obtained."""
+    """Print the predicted precision, deviations from the plan and the precision obtained."""
     titled = read_plan(arguments.plan)
     project = open_project(arguments.project)
     with ConsoleProgress() as progress:

@@ -3,19 +3,19 @@
 import argparse
 from pathlib import Path
 
-from lispac.cli.values import Commands, command, json_option
+from lispac.cli.argument_types import Commands, add_command, add_json_option
 from lispac.identity import HINTS, NAMES
 from lispac.language import LANGUAGES
 
 
-def add(commands: "Commands[argparse.ArgumentParser]") -> None:
-    """Describe them."""
-    _identity(commands)
-    _report(commands)
+def add_commands(commands: "Commands[argparse.ArgumentParser]") -> None:
+    """Add the commands ``report`` and ``identity``."""
+    _add_identity(commands)
+    _add_report(commands)
 
 
-def _identity(commands: "Commands[argparse.ArgumentParser]") -> None:
-    identity = command(
+def _add_identity(commands: "Commands[argparse.ArgumentParser]") -> None:
+    identity = add_command(
         commands,
         "identity",
         "set or show the details of the survey for the report (surveyor, dates, instruments)",
@@ -26,11 +26,11 @@ def _identity(commands: "Commands[argparse.ArgumentParser]") -> None:
         if name == "dates":
             hint += "; auto takes them from the times of the lines if these contain the date"
         identity.add_argument(f"--{name.replace('_', '-')}", metavar="TEXT", help=hint)
-    json_option(identity)
+    add_json_option(identity)
 
 
-def _report(commands: "Commands[argparse.ArgumentParser]") -> None:
-    report = command(commands, "report", "write the calibration report")
+def _add_report(commands: "Commands[argparse.ArgumentParser]") -> None:
+    report = add_command(commands, "report", "write the calibration report")
     report.add_argument("project", type=Path, nargs="?", metavar="PROJECT", help="project folder")
     report.add_argument(
         "--output",

@@ -1,4 +1,4 @@
-"""``lispac scenarios``: what one thing changes, whichever it is."""
+"""``lispac scenarios``: effect of single changes of the survey on the sigmas."""
 
 from argparse import Namespace
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.design.scenarios import SCENARIOS, Outcome, outcomes, thesis_setting
+from lispac.design.scenarios import SCENARIOS, ScenarioOutcome, predict_scenarios, thesis_setting
 from lispac.io.plan_file import read_plan
 from lispac.workflow.plan_checks import write_scenarios
 
@@ -15,11 +15,11 @@ def scenarios(arguments: Namespace) -> None:
     """Print a table for each scenario in both stochastic models; write tables and plots."""
     plan = thesis_setting() if arguments.plan is None else read_plan(arguments.plan).plan
     with ConsoleProgress() as progress:
-        found = outcomes(plan, tuple(arguments.only or SCENARIOS), progress=progress)
+        found = predict_scenarios(plan, tuple(arguments.only or SCENARIOS), progress=progress)
     if arguments.output is not None:
         write_scenarios(arguments.output, found)
     if arguments.json:
-        print_json({"outcomes": [_outcome(each) for each in found]})
+        print_json({"outcomes": [_outcome_values(each) for each in found]})
         return
     heads = "".join(f"{angle:>9s}" for angle in ANGLES)
     for scenario in dict.fromkeys(each.scenario for each in found):
@@ -31,19 +31,19 @@ def scenarios(arguments: Namespace) -> None:
         own = [each for each in found if each.scenario == scenario]
         for case in dict.fromkeys(each.case for each in own):
             by = {each.pos_errors: each for each in own if each.case == case}
-            print(f"{case:30s}{_cells(by['correlated'])}{_cells(by['independent'])}")
+            print(f"{case:30s}{_sigma_cells(by['correlated'])}{_sigma_cells(by['independent'])}")
         print()
     if arguments.output is not None:
         print(arguments.output)
 
 
-def _cells(each: Outcome) -> str:
+def _sigma_cells(each: ScenarioOutcome) -> str:
     if not np.isfinite(each.sigma).all():
         return "not determined".rjust(27)
     return "".join(f"{value:9.4f}" for value in np.degrees(each.sigma))
 
 
-def _outcome(each: Outcome) -> dict[str, object]:
+def _outcome_values(each: ScenarioOutcome) -> dict[str, object]:
     known = bool(np.isfinite(each.sigma).all())
     return {
         "scenario": each.scenario,

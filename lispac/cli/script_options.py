@@ -3,21 +3,21 @@
 import argparse
 from pathlib import Path
 
-from lispac.cli.values import Commands, command, json_option
+from lispac.cli.argument_types import Commands, add_command, add_json_option
 
 
-def add(commands: "Commands[argparse.ArgumentParser]") -> None:
-    """Describe them."""
-    script = command(
+def add_commands(commands: "Commands[argparse.ArgumentParser]") -> None:
+    """Add the commands ``script`` and ``batch``."""
+    script = add_command(
         commands, "script", "write a Python script that recreates a project from its raw files"
     )
     script.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     script.add_argument(
         "--output", type=Path, metavar="FILE", help="script file (default: print it)"
     )
-    json_option(script)
+    add_json_option(script)
 
-    batch = command(
+    batch = add_command(
         commands,
         "batch",
         "calibrate all projects in folders with their picked targets and list the results",
@@ -53,4 +53,4 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
         metavar="FILE",
         help="template of the reports; see `lispac report --help`",
     )
-    json_option(batch)
+    add_json_option(batch)

@@ -3,24 +3,24 @@
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from lispac.cli.values import Commands, command, json_option
+from lispac.cli.argument_types import Commands, add_command, add_json_option
 
 if TYPE_CHECKING:
-    from lispac.workflow.sensors import Library
+    from lispac.workflow.sensors import SensorLibrary
 
 
-def add(commands: "Commands[argparse.ArgumentParser]") -> None:
+def add_sensors_command(commands: "Commands[argparse.ArgumentParser]") -> None:
     """Describe ``lispac sensors``."""
-    sensors = command(
+    sensors = add_command(
         commands,
         "sensors",
         "list scanners and INS/GNSS with their sigmas and the sources of these",
     )
-    json_option(sensors)
+    add_json_option(sensors)
 
 
-def pos_option(parser: argparse.ArgumentParser) -> None:
-    """Let a command take the sigmas of a POS by its name."""
+def add_pos_option(parser: argparse.ArgumentParser) -> None:
+    """Add the option ``--pos`` for the sigmas of a POS by its name."""
     parser.add_argument(
         "--pos", metavar="NAME[:SOLUTION]",
         help="use the sigmas of an INS/GNSS listed by `lispac sensors`, e.g. apogee:ppk, unless "
@@ -28,31 +28,31 @@ def pos_option(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
 
 
-def scanner_noise(name: str) -> dict[str, Any]:
+def scanner_noise_settings(name: str) -> dict[str, Any]:
     """LiDAR noise of a scanner of the library, by the names of the settings."""
-    from lispac.workflow.sensors import noise_of
+    from lispac.workflow.sensors import noise_settings
 
-    return noise_of(_library().scanner(name))
+    return noise_settings(_sensor_library().scanner(name))
 
 
-def pos_sigmas(word: str | None) -> dict[str, Any]:
+def pos_sigma_settings(word: str | None) -> dict[str, Any]:
     """Sigmas of a POS of the library, by the names of the settings; none where none is named."""
-    from lispac.workflow.sensors import sigmas_of
+    from lispac.workflow.sensors import sigma_settings
 
-    return {} if word is None else sigmas_of(_library().pos_state(word)[1])
+    return {} if word is None else sigma_settings(_sensor_library().find_pos(word)[1])
 
 
-def titles(scanner: str | None, pos: str | None) -> dict[str, str]:
-    """Titles of what is named, by the fields of the identity."""
+def sensor_titles(scanner: str | None, pos: str | None) -> dict[str, str]:
+    """Titles of the named sensors, by the fields of the identity."""
     found = {}
     if scanner is not None:
-        found["scanner"] = _library().scanner(scanner).title
+        found["scanner"] = _sensor_library().scanner(scanner).title
     if pos is not None:
-        found["pos"] = _library().pos_state(pos)[0].title
+        found["pos"] = _sensor_library().find_pos(pos)[0].title
     return found
 
 
-def _library() -> "Library":
-    from lispac.workflow.sensors import library, own_sensors
+def _sensor_library() -> "SensorLibrary":
+    from lispac.workflow.sensors import own_sensors, read_library
 
-    return library(own_sensors())
+    return read_library(own_sensors())

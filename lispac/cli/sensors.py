@@ -6,13 +6,13 @@ from dataclasses import asdict
 
 from lispac.cli.console import print_json
 from lispac.message_texts import message_text
-from lispac.workflow.sensors import library, origin_of, own_sensors
+from lispac.workflow.sensors import own_sensors, read_library, source_text
 
 
 def sensors(arguments: Namespace) -> None:
     """List the library."""
     folder = own_sensors()
-    found = library(folder)
+    found = read_library(folder)
     for remark in found.remarks:
         print(f"note: {message_text(remark)}", file=sys.stderr)
     if arguments.json:
@@ -29,9 +29,9 @@ def sensors(arguments: Namespace) -> None:
         figures = sensor.figures
         print(
             f"{sensor.name:28s}{1000 * figures.range_sigma:6.1f} mm{figures.angle_sigma_deg:9.4f} "
-            f"deg{figures.divergence_mrad:7.2f} mrad  {figures.title}{_whose(sensor.own)}"
+            f"deg{figures.divergence_mrad:7.2f} mrad  {figures.title}{_own_mark(sensor.own)}"
         )
-        print(f"    {origin_of(figures)}")
+        print(f"    {source_text(figures)}")
     print(f"\n{'INS/GNSS, 1 sigma':28s}{'north, east, down':>22s}{'roll, pitch, heading':>26s}")
     for each in found.pos:
         for state in each.figures.states:
@@ -39,11 +39,11 @@ def sensors(arguments: Namespace) -> None:
             attitude = " ".join(f"{value:.4f}" for value in state.attitude_sigma_deg)
             print(
                 f"{f'{each.name}:{state.name}':28s}{position:>20s} m{attitude:>22s} deg  "
-                f"{each.figures.title}{_whose(each.own)}"
+                f"{each.figures.title}{_own_mark(each.own)}"
             )
-            print(f"    {origin_of(state)}")
+            print(f"    {source_text(state)}")
     print(f"\nUser-defined sensors are stored in {folder}")
 
 
-def _whose(own: bool) -> str:
+def _own_mark(own: bool) -> str:
     return " (user-defined)" if own else ""

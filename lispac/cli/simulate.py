@@ -5,12 +5,12 @@ from typing import Any
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.workflow import simulate as simulated
-from lispac.workflow.planned import is_plan, simulation_of_plan
-from lispac.workflow.simulated_setup import KINDS, Simulation, simulation, supplied
+from lispac.workflow.plan_simulation import is_plan, simulation_of_plan
+from lispac.workflow.simulated_setup import KINDS, Simulation, read_simulation, supplied_titles
 
 
 def simulate(arguments: Namespace) -> None:
-    """Simulate and write, or list what there is.
+    """Simulate a survey and write it, or list the supplied scenes.
 
     Raises
     ------
@@ -18,7 +18,7 @@ def simulate(arguments: Namespace) -> None:
         Where options do not go together.
     """
     if arguments.list:
-        _list(arguments)
+        _print_supplied(arguments)
         return
     if arguments.scene is None or arguments.output is None:
         raise UsageError("simulate: give SCENE and --output DIR, or --list.")
@@ -31,9 +31,9 @@ def simulate(arguments: Namespace) -> None:
     }
     known = {name: value for name, value in errors.items() if value is not None}
     if is_plan(arguments.scene):
-        chosen = _of_plan(arguments, known)
+        chosen = _read_plan_simulation(arguments, known)
     else:
-        chosen = simulation(
+        chosen = read_simulation(
             arguments.scene,
             vessel=arguments.vessel,
             scanner=arguments.scanner,
@@ -76,7 +76,7 @@ def simulate(arguments: Namespace) -> None:
         print(f"spheres    {balls} (for lispac pick --shape sphere --seeds)")
 
 
-def _of_plan(arguments: Namespace, errors: dict[str, Any]) -> Simulation:
+def _read_plan_simulation(arguments: Namespace, errors: dict[str, Any]) -> Simulation:
     if arguments.scanner or arguments.trajectory:
         raise UsageError(
             "simulate: a survey plan contains its scanner and lines; omit --scanner and "
@@ -90,8 +90,8 @@ def _of_plan(arguments: Namespace, errors: dict[str, Any]) -> Simulation:
     )
 
 
-def _list(arguments: Namespace) -> None:
-    known = {f"{kind}s": supplied(kind) for kind in KINDS}
+def _print_supplied(arguments: Namespace) -> None:
+    known = {f"{kind}s": supplied_titles(kind) for kind in KINDS}
     if arguments.json:
         print_json(known)
         return

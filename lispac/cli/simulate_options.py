@@ -3,12 +3,20 @@
 import argparse
 from pathlib import Path
 
-from lispac.cli.values import Commands, command, finite, json_option, positive, triple, whole
+from lispac.cli.argument_types import (
+    Commands,
+    add_command,
+    add_json_option,
+    add_triple_option,
+    finite_number,
+    positive_number,
+    whole_number_from,
+)
 
 
-def add(commands: "Commands[argparse.ArgumentParser]") -> None:
+def add_simulate_command(commands: "Commands[argparse.ArgumentParser]") -> None:
     """Describe ``lispac simulate``."""
-    simulate = command(
+    simulate = add_command(
         commands,
         "simulate",
         "simulate a survey of a scene and write it as a project with known true values",
@@ -24,7 +32,7 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
         "--list", action="store_true", help="list scenes, vessels and scanners and exit"
     )
     simulate.add_argument(
-        "--seed", type=whole(0), default=2019, metavar="N",
+        "--seed", type=whole_number_from(0), default=2019, metavar="N",
         help="seed of the random numbers: the same seed gives the same survey (default 2019)",
     )  # fmt: skip
     for kind in ("vessel", "scanner"):
@@ -40,15 +48,15 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="SBET file to use as the true motion (default: simulated)",
     )
     simulate.add_argument(
-        "--points-per-second", type=positive, metavar="N",
+        "--points-per-second", type=positive_number, metavar="N",
         help="pulses per second over the full rotation of the scanner (default: from the scene or "
              "scanner)",
     )  # fmt: skip
-    triple(
+    add_triple_option(
         simulate, "--boresight", ("ROLL", "PITCH", "YAW"),
         "true boresight (deg; default: that of the vessel)",
     )  # fmt: skip
-    triple(
+    add_triple_option(
         simulate,
         "--lever-error",
         ("X", "Y", "Z"),
@@ -56,17 +64,17 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     )
     simulate.add_argument(
         "--range-offset",
-        type=finite,
+        type=finite_number,
         metavar="M",
         help="true range offset: value to be added to every measured range (m)",
     )
     simulate.add_argument(
-        "--scan-angle-offset", type=finite, metavar="DEG",
+        "--scan-angle-offset", type=finite_number, metavar="DEG",
         help="true scan-angle offset: rotation of every beam about the x axis of the LiDAR (deg)",
     )  # fmt: skip
     simulate.add_argument(
         "--latency",
-        type=finite,
+        type=finite_number,
         metavar="S",
         help="true latency: value to be added to every recorded time (s)",
     )
@@ -78,4 +86,4 @@ def add(commands: "Commands[argparse.ArgumentParser]") -> None:
     simulate.add_argument(
         "--no-pos-errors", action="store_true", help="simulate the POS without errors"
     )
-    json_option(simulate)
+    add_json_option(simulate)

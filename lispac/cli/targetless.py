@@ -1,19 +1,19 @@
-"""``lispac targetless``: the boresight from the scene itself, and what to think of it."""
+"""``lispac targetless``: boresight from natural surfaces of the scene."""
 
 from argparse import Namespace
 
-from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
-from lispac.cli.estimate import numbers, print_result
+from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
+from lispac.cli.estimate import print_result, result_values
 from lispac.message_texts import english_text, message_text
-from lispac.progress import part
-from lispac.workflow.opinions import of_the_scene
+from lispac.progress import sub_progress
+from lispac.workflow.method_runs import targetless_result
 from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
 from lispac.workflow.targetless import targetless as find
 
 
 def targetless(arguments: Namespace) -> None:
-    """Find the boresight of a project from natural surfaces; with ``--keep`` it is kept.
+    """Estimate the boresight from natural surfaces; ``--keep`` stores it.
 
     Raises
     ------
@@ -25,18 +25,18 @@ def targetless(arguments: Namespace) -> None:
             "targetless: a result that uses the targets is not independent of them; omit --keep "
             "or --with-targets."
         )
-    with opened(arguments.project, change=arguments.keep) as project:
+    with opened_project(arguments.project, change=arguments.keep) as project:
         with ConsoleProgress() as progress:
-            survey = load_survey(project, progress=part(progress, 0.0, 0.3))
+            survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.3))
             found = find(
                 project, survey, with_targets=arguments.with_targets,
-                progress=part(progress, 0.3, 1.0),
+                progress=sub_progress(progress, 0.3, 1.0),
             )  # fmt: skip
         if arguments.keep:
-            save_project(project.with_opinion(of_the_scene(found)))
+            save_project(project.with_alternative_result(targetless_result(found)))
     if arguments.json:
         print_json(
-            numbers(found.result, None)
+            result_values(found.result, None)
             | {
                 "rounds": found.rounds,
                 "settled": found.settled,

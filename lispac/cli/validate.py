@@ -1,12 +1,12 @@
-"""``lispac validate``: the lines against each other on planes not used in the adjustment."""
+"""``lispac validate``: distances between the lines on planes not used in the adjustment."""
 
 from argparse import Namespace
 from collections.abc import Mapping
 
-from lispac.adjustment.shown import plain
-from lispac.cli.console import ConsoleProgress, UsageError, opened, print_json
-from lispac.doubles import project_doubts
-from lispac.io.values import encoded
+from lispac.adjustment.display_text import to_plain_text
+from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
+from lispac.duplicate_targets import project_warnings
+from lispac.io.value_conversion import encode_value
 from lispac.message_texts import english_text, message_text
 from lispac.project import Project
 from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
@@ -34,7 +34,7 @@ def validate(arguments: Namespace) -> None:
     model = LocalModel(
         kind, usual if arguments.neighbours is None else arguments.neighbours, arguments.radius
     )
-    with opened(arguments.project, change=True) as project:
+    with opened_project(arguments.project, change=True) as project:
         with ConsoleProgress() as progress:
             survey = load_survey(project, progress=progress)
             project = validated(project, survey, model=model, progress=progress)
@@ -43,12 +43,12 @@ def validate(arguments: Namespace) -> None:
     if arguments.json:
         print_json(
             {
-                "planes": [encoded(comparison) for comparison in project.validation],
+                "planes": [encode_value(comparison) for comparison in project.validation],
                 "rms_truth_m": true,
                 "not_compared": {
                     name: english_text(why) for name, why in project.not_compared.items()
                 },
-                "doubts": [plain(message_text(each)) for each in project_doubts(project)],
+                "doubts": [to_plain_text(message_text(each)) for each in project_warnings(project)],
             }
         )
     else:
@@ -75,5 +75,5 @@ def print_validation(project: Project, true: Mapping[str, float]) -> None:
         print(f"{each.name:12s}{each.after.n:10,}{figures}")
     for reason in project.not_compared.values():
         print(f"not compared: {message_text(reason)}")
-    for message in project_doubts(project):
-        print(f"note: {plain(message_text(message))}")
+    for message in project_warnings(project):
+        print(f"note: {to_plain_text(message_text(message))}")

@@ -1,4 +1,4 @@
-"""``lispac visibility``: what systematic errors do to a board, by its inclination and the line."""
+"""``lispac visibility``: effect of systematic errors on a board by inclination and line."""
 
 from argparse import Namespace
 from dataclasses import asdict
@@ -8,12 +8,12 @@ import numpy as np
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.message_texts import message_text
-from lispac.report.blocks import Table
-from lispac.report.visibility_tables import all_errors_in_words, comparison_table
-from lispac.simulation.thesis_answers import Compared, compared_with_thesis
+from lispac.report.document_blocks import Table
+from lispac.report.visibility_tables import all_errors_text, comparison_table
+from lispac.simulation.thesis_comparison import ThesisComparison, compare_with_thesis
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import BestConfiguration
-from lispac.simulation.visibility_study import visibility as study
+from lispac.simulation.visibility_study import study_visibility as study
 from lispac.workflow.visibility import write_visibility
 
 
@@ -43,10 +43,10 @@ def visibility(arguments: Namespace) -> None:
             {
                 "site": site.name,
                 "beams": found.beams,
-                "best": [_best(found.best(error)) for error in errors],
+                "best": [_best_values(found.best(error)) for error in errors],
                 "thesis": [] if arguments.struck else [
-                    _thesis(each)
-                    for each in compared_with_thesis(found)
+                    _thesis_values(each)
+                    for each in compare_with_thesis(found)
                     if each.best.error in errors
                 ],
                 "files": [str(path) for path in written],
@@ -54,12 +54,12 @@ def visibility(arguments: Namespace) -> None:
         )  # fmt: skip
         return
     if not arguments.struck:
-        _print(comparison_table(found, errors))
-        print(all_errors_in_words(found))
+        _print_table(comparison_table(found, errors))
+        print(all_errors_text(found))
     print(f"{len(written)} files in {arguments.output}")
 
 
-def _best(best: BestConfiguration) -> dict[str, Any]:
+def _best_values(best: BestConfiguration) -> dict[str, Any]:
     chosen = best.inclination
     return {
         "error": best.error,
@@ -69,7 +69,7 @@ def _best(best: BestConfiguration) -> dict[str, Any]:
     }
 
 
-def _thesis(each: Compared) -> dict[str, Any]:
+def _thesis_values(each: ThesisComparison) -> dict[str, Any]:
     return {
         "error": each.best.error,
         **asdict(each.stated),
@@ -79,7 +79,7 @@ def _thesis(each: Compared) -> dict[str, Any]:
     }
 
 
-def _print(table: Table) -> None:
+def _print_table(table: Table) -> None:
     """A table as text; the reasons, which are sentences, come below it."""
     *heads, _why = [column.title for column in table.columns]
     lines = [heads, *(row[:-1] for row in table.rows)]

@@ -3,14 +3,14 @@
 from argparse import Namespace
 from dataclasses import asdict
 
-from lispac.adjustment.shown import plain
-from lispac.causes import RESULT
+from lispac.adjustment.display_text import to_plain_text
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.warnings_json import warnings_as_json
 from lispac.message_texts import message_text
-from lispac.progress import part
+from lispac.progress import sub_progress
+from lispac.warning_causes import RESULT
 from lispac.workflow.projects import open_project
-from lispac.workflow.qualities import qualities
+from lispac.workflow.sighting_assessment import sighting_qualities
 from lispac.workflow.survey import load_survey
 from lispac.workflow.warnings import warnings_of
 
@@ -19,8 +19,8 @@ def warnings(arguments: Namespace) -> None:
     """Print the list, warnings before notes."""
     project = open_project(arguments.project)
     with ConsoleProgress() as progress:
-        survey = load_survey(project, progress=part(progress, 0.0, 0.6))
-        judged = qualities(project, survey, progress=part(progress, 0.6, 1.0))
+        survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.6))
+        judged = sighting_qualities(project, survey, progress=sub_progress(progress, 0.6, 1.0))
     found = warnings_of(project, survey, judged)
     if arguments.json:
         values = [
@@ -36,4 +36,4 @@ def warnings(arguments: Namespace) -> None:
     if not found:
         print("No warnings.")
     for each in found:
-        print(f"{each.level}: {plain(message_text(each))}")
+        print(f"{each.level}: {to_plain_text(message_text(each))}")

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from typing import Any
 
-from lispac.adjustment.shown import plain
+from lispac.adjustment.display_text import to_plain_text
 from lispac.language import in_language
 from lispac.message_texts import message_text
 from lispac.message_texts.former_codes import former_code
@@ -18,7 +18,7 @@ def warnings_as_json(messages: Iterable[Message]) -> list[dict[str, Any]]:
                 "code": each.code,
                 "former_code": former_code(each),
                 "serious": each.is_serious,
-                "text": plain(message_text(each)),
+                "text": to_plain_text(message_text(each)),
                 "params": plain_params(each),
             }
             for each in messages

@@ -1,17 +1,17 @@
-"""Monte Carlo check of predicted sigmas: a plan is simulated and adjusted many times."""
+"""Monte Carlo check of the sigmas: a plan simulated and adjusted many times."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.blas import one_thread
+from lispac.adjustment.blas_threads import single_blas_thread
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.design.plan import Plan
+from lispac.design.plan_search import Mapper
+from lispac.design.plan_simulation import simulate_plan
 from lispac.design.prediction import UNDETERMINED, predict
-from lispac.design.search import Mapper
-from lispac.design.simulated_plan import simulated
 from lispac.errors import AdjustmentError, Cancelled, LispacError, RankDeficient
 from lispac.language import N_, Plural, gettext, gettext_lazy, number
 from lispac.messages import error
@@ -29,8 +29,8 @@ ENOUGH = 20
 
 
 @dataclass(frozen=True, eq=False)
-class Scatter:
-    """What many surveys of a plan gave.
+class MonteCarloResult:
+    """Results of many simulated surveys of a plan.
 
     Attributes
     ----------
@@ -51,28 +51,28 @@ class Scatter:
     failed: int
 
     @property
-    def empirical(self) -> Array:
-        """Standard deviation of the answers about the truth, shape (3,), radians."""
+    def empirical_sigma(self) -> Array:
+        """Standard deviation of the estimates about the truth, shape (3,), radians."""
         return np.asarray(np.sqrt((self.errors**2).mean(axis=0)))
 
     @property
     def stated(self) -> Array:
-        """Mean sigma that the adjustments state, shape (3,), radians."""
+        """Mean sigma of the adjustments, shape (3,), radians."""
         return np.asarray(self.sigmas.mean(axis=0))
 
     @property
     def hits(self) -> Array:
-        """Share of the given 95 % intervals that contain the truth, shape (3,)."""
+        """Share of the 95 % confidence intervals that contain the truth, shape (3,)."""
         return np.asarray((np.abs(self.errors) < 1.96 * self.sigmas).mean(axis=0))
 
     @property
     def ratio(self) -> Array:
         """``empirical`` divided by ``foretold``, shape (3,)."""
-        return self.empirical / self.foretold
+        return self.empirical_sigma / self.foretold
 
     @property
-    def by_chance(self) -> float:
-        """Standard deviation of ``empirical`` over its true value."""
+    def ratio_sigma(self) -> float:
+        """Standard deviation of the ratio of ``empirical`` to its true value."""
         return float(1 / np.sqrt(2 * len(self.errors)))
 
     @property
@@ -82,8 +82,8 @@ class Scatter:
 
     @property
     def sigma_bias(self) -> Array:
-        """Standard deviation of ``bias`` by chance, shape (3,), radians."""
-        return self.empirical / np.sqrt(len(self.errors))
+        """Standard deviation of ``bias``, shape (3,), radians."""
+        return self.empirical_sigma / np.sqrt(len(self.errors))
 
     @property
     def chi_square(self) -> float:
@@ -92,8 +92,8 @@ class Scatter:
         return float(np.einsum("ni,ij,nj->", unit, inverse, unit))
 
     @property
-    def chi_square_expected(self) -> tuple[float, float]:
-        """What ``chi_square`` is within in 95 of 100 campaigns."""
+    def chi_square_bounds(self) -> tuple[float, float]:
+        """Bounds of ``chi_square`` in 95 of 100 campaigns."""
         from scipy.special import chdtri  # takes the upper tail
 
         count = self.errors.size
@@ -105,11 +105,11 @@ class Scatter:
         return tuple(
             (title, *(number(float(value), decimals, sign=sign) for value in values))
             for title, values, decimals, sign in (
-                (gettext("scatter (deg)"), np.degrees(self.empirical), 4, False),
+                (gettext("scatter (deg)"), np.degrees(self.empirical_sigma), 4, False),
                 (gettext("stated σ (deg)"), np.degrees(self.stated), 4, False),
                 (gettext("predicted σ (deg)"), np.degrees(self.foretold), 4, False),
                 (gettext("scatter / predicted σ"), self.ratio, 2, False),
-                (gettext("σ of this ratio"), self.ratio * self.by_chance, 2, False),
+                (gettext("σ of this ratio"), self.ratio * self.ratio_sigma, 2, False),
                 (gettext("coverage (%)"), 100.0 * self.hits, 1, False),
                 (gettext("mean error (deg)"), np.degrees(self.bias), 4, True),
                 (gettext("σ of mean error"), np.degrees(self.sigma_bias), 4, False),
@@ -146,7 +146,7 @@ class Scatter:
             for angle, mean, sigma in zip(names, self.bias, self.sigma_bias, strict=True)
             if abs(mean) > SURE * sigma
         ]  # fmt: skip
-        low, high = self.chi_square_expected
+        low, high = self.chi_square_bounds
         verdict = N_(
             "Chi-square {value:x.0}, expected {low:x.0} to {high:x.0}: the errors agree with the "
             "prediction."
@@ -175,7 +175,7 @@ class Scatter:
         return tuple(found)
 
 
-def surveyed(
+def run_monte_carlo(
     plan: Plan,
     surveys: int,
     *,
@@ -184,7 +184,7 @@ def surveyed(
     enough: int | None = None,
     mapper: Mapper = map,
     progress: Progress = no_progress,
-) -> Scatter:
+) -> MonteCarloResult:
     """Simulate and adjust many surveys of a plan.
 
     Parameters
@@ -196,7 +196,7 @@ def surveyed(
     enough : int, optional
         Surveys that are an answer where ``progress`` cancels the rest.
     mapper : callable
-        As of `lispac.design.search.search`.
+        As of `lispac.design.plan_search.search`.
 
     Raises
     ------
@@ -212,7 +212,7 @@ def surveyed(
     prediction = predict(plan)
     if not prediction.determined:
         raise RankDeficient(UNDETERMINED)
-    trial = _Trial(plan, plan.flatness if flatness_known else None, seed)
+    trial = _SurveyTrial(plan, plan.flatness if flatness_known else None, seed)
     found = []
     try:
         for answer in mapper(trial, range(surveys)):
@@ -230,14 +230,14 @@ def surveyed(
     table = table[np.isfinite(table).all(axis=(1, 2))]
     if not len(table):
         raise LispacError(error("design.none_adjusted"))
-    return Scatter(
+    return MonteCarloResult(
         table[:, 0], table[:, 1], prediction.sigma, prediction.correlation, len(found) - len(table)
     )
 
 
 @dataclass(frozen=True, eq=False)
-class _Trial:
-    """One survey by its number: error and sigma, shape (2, 3), not a number where it fails."""
+class _SurveyTrial:
+    """Simulated survey by its number: error and sigma, shape (2, 3), NaN where it fails."""
 
     plan: Plan
     surface: float | None
@@ -249,8 +249,8 @@ class _Trial:
         model = StochasticModel(
             system.pos_errors, system.pos.time_position, system.pos.time_attitude, self.surface
         )
-        with one_thread():
-            survey = simulated(self.plan, np.random.default_rng(stream))
+        with single_blas_thread():
+            survey = simulate_plan(self.plan, np.random.default_rng(stream))
             try:
                 result = adjust(
                     survey, system.mounting.with_boresight(np.zeros(3)), model, diagnostics=False

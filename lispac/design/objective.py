@@ -1,4 +1,4 @@
-"""What makes one plan better than another: one number of its three sigmas.
+"""Objective of a plan: one number computed from its three sigmas.
 
 A- and D-optimality are those of optimal design (Atkinson and Donev 1992), as angles.
 """
@@ -42,8 +42,8 @@ _OF: dict[Criterion, Callable[[Array], float]] = {
 
 
 @dataclass(frozen=True)
-class Objective:
-    """What is to be small.
+class PlanObjective:
+    """Objective function to be minimised.
 
     Attributes
     ----------
@@ -57,28 +57,28 @@ class Objective:
     pos_factors: tuple[float, ...] = (1.0,)
 
     def of(self, plan: Plan) -> float:
-        """The number of a plan, radians."""
-        return self._mean(plan, None)
+        """Objective value of a plan, radians."""
+        return self._mean_over_pos_factors(plan, None)
 
     def if_determined(self, plan: Plan) -> float:
-        """The same, radians; infinite where the plan leaves an angle open."""
+        """Objective value, radians; infinite where the plan leaves an angle undetermined."""
         found = predict(plan)
-        return self._mean(plan, found) if found.determined else float("inf")
+        return self._mean_over_pos_factors(plan, found) if found.determined else float("inf")
 
-    def _mean(self, plan: Plan, as_stated: Prediction | None) -> float:
+    def _mean_over_pos_factors(self, plan: Plan, as_stated: Prediction | None) -> float:
         found = [
             as_stated
             if as_stated is not None and factor == 1.0
-            else predict(_with_pos(plan, factor))
+            else predict(_scale_pos_errors(plan, factor))
             for factor in self.pos_factors
         ]
-        return float(np.mean([self.of_prediction(each) for each in found]))
+        return float(np.mean([self.value_of_prediction(each) for each in found]))
 
-    def of_prediction(self, prediction: Prediction) -> float:
+    def value_of_prediction(self, prediction: Prediction) -> float:
         """Value of the criterion, radians; that of the worst angle if one is undetermined."""
         covariance = np.linalg.inv(prediction.information + np.eye(3) / BY_EYE**2)
         return _OF[self.criterion if prediction.determined else "largest"](covariance)
 
 
-def _with_pos(plan: Plan, factor: float) -> Plan:
+def _scale_pos_errors(plan: Plan, factor: float) -> Plan:
     return plan if factor == 1.0 else replace(plan, system=plan.system.with_pos_scaled(factor))

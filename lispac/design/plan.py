@@ -1,4 +1,4 @@
-"""A calibration before it is sailed: the targets, the lines past them, and with what."""
+"""Plan of a calibration survey: targets, lines past them, and the system."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -6,8 +6,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.stochastic import PosErrors
-from lispac.simulation.closed_form import Ball, Board, Course
+from lispac.adjustment.stochastic_model import PosErrors
+from lispac.simulation.closed_form_survey import Ball, Board, Course
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
 from lispac.simulation.scanner import Scanner
 from lispac.survey.georeferencing import Mounting
@@ -24,7 +24,7 @@ BEYOND = 5.0
 
 @dataclass(frozen=True, eq=False)
 class System:
-    """What the vessel carries.
+    """System on the vessel: scanner, POS and mounting.
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class System:
     pos_errors: PosErrors = "correlated"
 
     def with_pos_scaled(self, factor: float) -> "System":
-        """The same with a POS whose sigmas are so many times as large."""
+        """System with the sigmas of its POS multiplied by a factor."""
         north, east, up = (factor * sigma for sigma in self.pos.sigma_position)
         roll, pitch, heading = (factor * sigma for sigma in self.pos.sigma_attitude)
         return replace(
@@ -84,7 +84,7 @@ class Line:
         return f"{self.heading_deg % 360:03.0f} deg, {self.distance:g} m to {side}"
 
     def abeam(self, middle: Sequence[float]) -> tuple[float, float]:
-        """Where the vessel is when the middle of the site is abeam: north and west, metres."""
+        """Position of the vessel abeam of the middle of the site: north and west, metres."""
         heading = np.radians(self.heading_deg)
         # From the site to the vessel: to port of the course where the site lies to starboard.
         port = np.array([np.sin(heading), np.cos(heading)])
@@ -120,7 +120,7 @@ class Plan:
 
     @property
     def courses(self) -> tuple[Course, ...]:
-        """The lines where and when they are sailed."""
+        """Courses of the lines in space and time."""
         return tuple(
             Course(
                 f"L{k + 1}",
@@ -133,8 +133,8 @@ class Plan:
         )
 
     @property
-    def runs(self) -> tuple[tuple[float, float], ...]:
-        """From where to where each line is straight, metres after the middle is abeam."""
+    def straight_extents(self) -> tuple[tuple[float, float], ...]:
+        """Start and end of the straight part of each line, metres after abeam of the middle."""
         found = []
         for course in self.courses:
             along = [
@@ -150,15 +150,15 @@ class Plan:
         return len(self.lines) * self.interval
 
     def with_targets(self, targets: Sequence[Board | Ball]) -> "Plan":
-        """The same lines past other targets."""
+        """Plan with the same lines past other targets."""
         return replace(self, targets=tuple(targets))
 
     def with_lines(self, lines: Sequence[Line]) -> "Plan":
-        """Other lines past the same targets."""
+        """Plan with other lines past the same targets."""
         return replace(self, lines=tuple(lines))
 
 
-def pattern(
+def line_pattern(
     headings_deg: Sequence[float] = SIX,
     distance: float = 15.0,
     *,

@@ -1,9 +1,9 @@
-"""Sigmas of a planned survey, predicted with the normal equations of the adjustment.
+"""Predicted sigmas of a survey, computed by the adjustment itself.
 
 No point is simulated: the sigmas of a least-squares adjustment follow from where the points lie,
 not from their errors. A few points stand for all that the scanner would measure on a target, each
 counting as many times as it stands for, and the adjustment's own equations
-(`lispac.adjustment.problem`) are put together once, at the truth.
+(`lispac.adjustment.adjustment_problem`) are put together once, at the truth.
 """
 
 from dataclasses import dataclass, replace
@@ -11,15 +11,21 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.blas import one_thread
+from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.blas_threads import single_blas_thread
 from lispac.adjustment.observability import WORST_SIGMA
 from lispac.adjustment.observations import Observations, Sighting
-from lispac.adjustment.problem import Linearised, Problem
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.design.plan import Plan, System
 from lispac.errors import RankDeficient
 from lispac.messages import error
-from lispac.simulation.closed_form import STEEPEST, Ball, Board, Course, abeam
+from lispac.simulation.closed_form_survey import (
+    STEEPEST,
+    Ball,
+    Board,
+    Course,
+    scanner_position_abeam,
+)
 from lispac.survey.georeferencing import to_lidar
 from lispac.survey.trajectory import Poses
 
@@ -42,7 +48,7 @@ UNSEEN = error("design.no_sightings")
 
 @dataclass(frozen=True, eq=False)
 class Prediction:
-    """What a plan would give.
+    """Predicted precision of a plan.
 
     Attributes
     ----------
@@ -74,18 +80,18 @@ class Prediction:
 
     @property
     def correlation(self) -> Array:
-        """Between roll, pitch, yaw, shape (3, 3); not a number where not determined."""
+        """Correlations of roll, pitch, yaw, shape (3, 3); NaN where undetermined."""
         if not self.determined:
             return np.full((3, 3), np.nan)
         return np.asarray(self.covariance / np.outer(self.sigma, self.sigma))
 
 
 def predict(plan: Plan) -> Prediction:
-    """Sigmas of roll, pitch and yaw that the adjustment would state after a survey."""
+    """Predict the sigmas of roll, pitch and yaw of a survey."""
     seen = _PlanSightings.of(plan)
     if not seen.sightings:
         return Prediction(np.zeros((3, 3)), {})
-    with one_thread():
+    with single_blas_thread():
         try:
             information = seen.linearised().normal.information(3)
         except (RankDeficient, np.linalg.LinAlgError):
@@ -93,8 +99,8 @@ def predict(plan: Plan) -> Prediction:
     return Prediction(information, seen.points)
 
 
-def foretold(plan: Plan) -> Linearised:
-    """The adjustment's equations as they would be after a survey.
+def predicted_equations(plan: Plan) -> LinearisedProblem:
+    """Predicted normal equations of the adjustment of a survey.
 
     Raises
     ------
@@ -104,13 +110,13 @@ def foretold(plan: Plan) -> Linearised:
     seen = _PlanSightings.of(plan)
     if not seen.sightings:
         raise RankDeficient(UNSEEN)
-    with one_thread():
+    with single_blas_thread():
         return seen.linearised()
 
 
 @dataclass(frozen=True, eq=False)
 class _PlanSightings:
-    """The sightings of a plan: points that stand for all, and how many each stands for."""
+    """Sightings of a plan: representative points and the number of points each represents."""
 
     plan: Plan
     sightings: list[Sighting]
@@ -125,8 +131,8 @@ class _PlanSightings:
         for target in plan.targets:
             places = target.grid(GRID) if isinstance(target, Board) else None
             for course in courses:
-                scanner = abeam(plan.system.mounting, target, course)
-                count = count_of_points(plan.system, target, course, scanner)
+                scanner = scanner_position_abeam(plan.system.mounting, target, course)
+                count = expected_point_count(plan.system, target, course, scanner)
                 if count < FEWEST:
                     continue
                 sighting = Sighting(target.name, course.name)
@@ -140,7 +146,7 @@ class _PlanSightings:
         return seen
 
     def observations(self) -> Observations:
-        """The points that stand for all, from a level vessel."""
+        """The representative points, from a level vessel."""
         system, counts = self.plan.system, [len(place) for place in self.places]
         places = np.concatenate(self.places)
         direction, heading, at_abeam, time, speed = (
@@ -182,8 +188,8 @@ class _PlanSightings:
             },
         )
 
-    def linearised(self) -> Linearised:
-        """The equations at the truth, with every point counted as often as it stands for."""
+    def linearised(self) -> LinearisedProblem:
+        """Equations at the truth, each point weighted by the number of points it represents."""
         plan, observations = self.plan, self.observations()
         pos = plan.system.pos
         own_flatness = any(target.flatness is not None for target in plan.targets)
@@ -192,27 +198,27 @@ class _PlanSightings:
             plan.system.pos_errors, pos.time_position, pos.time_attitude, surface=flatness
         )
         targets = {target.name: target for target in plan.targets}
-        shapes = np.stack([_shape(targets[name]) for name in observations.targets])
-        problem = Problem.of(observations, plan.system.mounting, model)
+        shapes = np.stack([_target_shape_vector(targets[name]) for name in observations.targets])
+        problem = AdjustmentProblem.of(observations, plan.system.mounting, model)
         for name, target in targets.items():
             own = [k for k, s in enumerate(self.sightings) if s.target == name]
             if own and target.flatness is not None:
                 flatness = max(target.flatness, FLATTEST)
-                problem = problem.with_surface_of(own, slice(0, 3), flatness)
+                problem = problem.with_sighting_surface_sigma(own, slice(0, 3), flatness)
         linearised = problem.linearised(problem.start(plan.system.mounting, shapes))
         stands_for = np.array(list(self.points.values())) / observations.counts
         weights = stands_for[problem.groups.sighting]
         return replace(linearised, sums=linearised.sums * weights[:, None, None])
 
 
-def _shape(target: Board | Ball) -> Array:
+def _target_shape_vector(target: Board | Ball) -> Array:
     """Plane (normal, offset) or sphere (centre, radius) as the adjustment has it, shape (4,)."""
     if isinstance(target, Ball):
         return np.array([*target.centre, target.radius])
     return np.array([*target.facing, -target.facing @ np.array(target.centre)])
 
 
-def count_of_points(
+def expected_point_count(
     system: System, target: Board | Ball, course: Course, scanner_place: Array
 ) -> float:
     """Points a profiler measures on a target in one pass; 0 where it cannot see it.
@@ -224,14 +230,14 @@ def count_of_points(
     Parameters
     ----------
     scanner_place : ndarray of shape (3,), metres, local
-        From `lispac.simulation.closed_form.abeam`.
+        From `lispac.simulation.closed_form_survey.scanner_position_abeam`.
     """
     ray = np.array(target.centre) - scanner_place
     distance = float(np.linalg.norm(ray))
     if distance > system.scanner.max_range:
         return 0.0
     if isinstance(target, Ball):
-        area = np.pi * target.rim**2
+        area = np.pi * target.visible_radius**2
     else:
         facing = -float(ray @ target.facing) / distance
         if facing < STEEPEST:

@@ -1,4 +1,4 @@
-"""One thing changed at a time: what it does to the sigmas (thesis 4.4.1.2, figure 4.12).
+"""Scenarios that change one thing of a plan at a time (thesis 4.4.1.2, figure 4.12).
 
 The first four are the thesis's: which lines, how inclined, how large, which targets together. The
 others it left out: how far off and how high the targets are, lines sailed again, speed, POS.
@@ -10,12 +10,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.stochastic import PosErrors
-from lispac.design.plan import SIX, Plan, System, pattern
+from lispac.adjustment.stochastic_model import PosErrors
+from lispac.design.plan import SIX, Plan, System, line_pattern
 from lispac.design.prediction import predict
 from lispac.language import N_, LazyText, Plural, gettext_lazy, in_english
 from lispac.progress import Progress, no_progress
-from lispac.simulation.closed_form import Board
+from lispac.simulation.closed_form_survey import Board
 from lispac.simulation.pos_errors import PosErrorModel
 
 Array = NDArray[np.float64]
@@ -78,11 +78,11 @@ def thesis_board(inclination_deg: float = 90.0, size: float = 1.0, height: float
 
 def thesis_setting(pos_errors: PosErrors = "independent") -> Plan:
     """One upright board of 1 x 1 m, 15 m off and 5 m up, and six lines (thesis 4.4.1.2)."""
-    return Plan((thesis_board(),), pattern(), (0.0, -15.0, 0.0), System(pos_errors=pos_errors))
+    return Plan((thesis_board(),), line_pattern(), (0.0, -15.0, 0.0), System(pos_errors=pos_errors))
 
 
 def line_combinations(plan: Plan) -> list[Case]:
-    """Figure 4.12 (a): some of the six lines."""
+    """Scenarios of figure 4.12 (a): some of the six lines."""
     of = dict(zip(SIX, plan.lines, strict=False))
     return [
         (gettext_lazy(name), plan.with_lines([of[heading] for heading in headings]))
@@ -91,16 +91,16 @@ def line_combinations(plan: Plan) -> list[Case]:
     ]
 
 
-def inclinations(plan: Plan) -> list[Case]:
-    """Figure 4.12 (b): one board, from level to upright."""
+def board_inclinations(plan: Plan) -> list[Case]:
+    """Scenarios of figure 4.12 (b): one board, from level to upright."""
     return [
         (gettext_lazy("{angle:x.0} deg", angle=lean), plan.with_targets([thesis_board(lean)]))
         for lean in INCLINATIONS
     ]
 
 
-def sizes(plan: Plan) -> list[Case]:
-    """Figure 4.12 (c): one upright board, small to large."""
+def board_sizes(plan: Plan) -> list[Case]:
+    """Scenarios of figure 4.12 (c): one upright board, small to large."""
     return [
         (
             gettext_lazy("{size:x.0} cm", size=100 * size),
@@ -111,7 +111,7 @@ def sizes(plan: Plan) -> list[Case]:
 
 
 def target_combinations(plan: Plan) -> list[Case]:
-    """Figure 4.12 (d): boards of some inclinations, 1.6 m apart."""
+    """Scenarios of figure 4.12 (d): boards of some inclinations, 1.6 m apart."""
     cases = []
     for leans in CLUSTERED:
         boards = [
@@ -123,8 +123,8 @@ def target_combinations(plan: Plan) -> list[Case]:
     return cases
 
 
-def distances(plan: Plan) -> list[Case]:
-    """All lines nearer or farther: a position error turns a far target less."""
+def line_distances(plan: Plan) -> list[Case]:
+    """Scenarios with all lines nearer or farther."""
     return [
         (
             gettext_lazy("{distance:m.0} m", distance=d),
@@ -134,8 +134,8 @@ def distances(plan: Plan) -> list[Case]:
     ]
 
 
-def heights(plan: Plan) -> list[Case]:
-    """All targets lower or higher, their spread kept."""
+def target_heights(plan: Plan) -> list[Case]:
+    """Scenarios with all targets lower or higher, their spread kept."""
     middle = float(np.mean([target.centre[2] for target in plan.targets]))
     return [
         (
@@ -148,16 +148,16 @@ def heights(plan: Plan) -> list[Case]:
     ]
 
 
-def repeats(plan: Plan) -> list[Case]:
-    """All lines once more and once more: the POS error is another one by then."""
+def line_repeats(plan: Plan) -> list[Case]:
+    """Scenarios with all lines repeated, each time with new POS errors."""
     return [
         (gettext_lazy(Plural("once", "{count:n} times"), count=n), plan.with_lines(plan.lines * n))
         for n in REPEATS
     ]
 
 
-def speeds(plan: Plan) -> list[Case]:
-    """All lines slower or faster: fewer points."""
+def vessel_speeds(plan: Plan) -> list[Case]:
+    """Scenarios with all lines slower or faster: fewer points."""
     return [
         (
             gettext_lazy("{speed:x.1} m/s", speed=v),
@@ -167,8 +167,8 @@ def speeds(plan: Plan) -> list[Case]:
     ]
 
 
-def grades(plan: Plan) -> list[Case]:
-    """Another POS."""
+def pos_grades(plan: Plan) -> list[Case]:
+    """Scenarios with another POS."""
     return [
         (gettext_lazy(name), replace(plan, system=replace(plan.system, pos=pos)))
         for name, pos in GRADES.items()
@@ -177,14 +177,14 @@ def grades(plan: Plan) -> list[Case]:
 
 SCENARIOS: dict[str, Callable[[Plan], list[Case]]] = {
     N_("lines"): line_combinations,
-    N_("inclination"): inclinations,
-    N_("size"): sizes,
+    N_("inclination"): board_inclinations,
+    N_("size"): board_sizes,
     N_("targets"): target_combinations,
-    N_("distance"): distances,
-    N_("height"): heights,
-    N_("repeats"): repeats,
-    N_("speed"): speeds,
-    N_("POS"): grades,
+    N_("distance"): line_distances,
+    N_("height"): target_heights,
+    N_("repeats"): line_repeats,
+    N_("speed"): vessel_speeds,
+    N_("POS"): pos_grades,
 }
 OF_THE_THESIS = ("lines", "inclination", "size", "targets")
 """Scenarios that have the thesis's own boards and lines, whatever the plan's are."""
@@ -193,8 +193,8 @@ STATED: Sequence[PosErrors] = ("independent", "correlated")
 
 
 @dataclass(frozen=True, eq=False)
-class Outcome:
-    """What one case would give.
+class ScenarioOutcome:
+    """Predicted sigmas of one case.
 
     Attributes
     ----------
@@ -220,12 +220,12 @@ class Outcome:
         return in_english(self.label)
 
 
-def outcomes(
+def predict_scenarios(
     plan: Plan,
     scenarios: Sequence[str] = tuple(SCENARIOS),
     *,
     progress: Progress = no_progress,
-) -> tuple[Outcome, ...]:
+) -> tuple[ScenarioOutcome, ...]:
     """The sigmas of every case of some scenarios, in both stochastic models.
 
     Parameters
@@ -247,6 +247,6 @@ def outcomes(
             for errors in STATED:
                 told = predict(replace(changed, system=replace(changed.system, pos_errors=errors)))
                 points = sum(told.points.values())
-                found.append(Outcome(scenario, label, errors, told.sigma, points))
+                found.append(ScenarioOutcome(scenario, label, errors, told.sigma, points))
     progress(1.0)
     return tuple(found)

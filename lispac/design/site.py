@@ -1,4 +1,4 @@
-"""What is allowed on a site: where boards may hang, which lines may be sailed, for how long."""
+"""Constraints of a site: where boards may hang, which lines are allowed, time available."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from lispac.design.plan import BEYOND, Line, Plan, System
 from lispac.errors import InputError
 from lispac.messages import error
-from lispac.simulation.closed_form import Ball, Board
+from lispac.simulation.closed_form_survey import Ball, Board
 
 Array = NDArray[np.float64]
 
@@ -20,7 +20,7 @@ LARGER = 3.0
 
 @dataclass(frozen=True)
 class Wall:
-    """A wall on the water, in the coordinates of an observer there.
+    """A wall on the water, seen from the water.
 
     Attributes
     ----------
@@ -46,12 +46,12 @@ class Wall:
         return np.array([-out[1], out[0]])
 
     def place(self, along: float, off: float, up: float) -> tuple[float, float, float]:
-        """A place from along (right), off (towards the water) and up, metres; local."""
+        """Position from along (right), off (towards the water) and up, metres; local."""
         north, west = np.array(self.middle[:2]) + along * self.right + off * self.out
         return float(north), float(west), float(self.middle[2] + up)
 
     def seen(self, place: Sequence[float]) -> tuple[float, float, float]:
-        """The inverse of `place`."""
+        """Along, off and up of a position; the inverse of `place`."""
         offset = np.array(place[:2]) - self.middle[:2]
         return float(offset @ self.right), float(offset @ self.out), place[2] - self.middle[2]
 
@@ -78,7 +78,7 @@ class Wall:
         normal = (float(level[0]), float(level[1]), float(np.cos(lean)))
         return Board(name, self.place(along, off, up), normal, *size, flatness)
 
-    def facing_of(self, board: Board) -> tuple[float, float]:
+    def board_orientation(self, board: Board) -> tuple[float, float]:
         """Inclination from level and azimuth of a board, degrees; a level one faces as the wall."""
         normal = board.facing
         lean = float(np.degrees(np.arccos(np.clip(normal[2], -1.0, 1.0))))
@@ -169,7 +169,7 @@ class Site:
 
     @property
     def lines_allowed(self) -> tuple[Line, ...]:
-        """Every heading at every distance and speed that keeps off the wall."""
+        """Every heading at every distance and speed that keeps clear of the wall."""
         allowed = []
         for heading in self.headings_deg:
             across, to = (float(f(np.radians(heading - self.facing_deg))) for f in (np.sin, np.cos))
@@ -180,7 +180,7 @@ class Site:
         return tuple(allowed)
 
     def plan(self, boards: Sequence[Board], lines: Sequence[Line]) -> Plan:
-        """A plan with these boards and what is there anyway."""
+        """Create a plan with these boards and the existing surfaces."""
         return Plan(
             (*boards, *self.natural),
             tuple(lines),
@@ -190,40 +190,40 @@ class Site:
             self.flatness,
         )
 
-    def keeps_off(self, plan: Plan) -> bool:
-        """Whether every line keeps off the wall wherever it is straight."""
-        return all(off >= self.closest - 1e-9 for off in least_off(plan, self.wall))
+    def keeps_clear_of_wall(self, plan: Plan) -> bool:
+        """Whether every line keeps clear of the wall wherever it is straight."""
+        return all(off >= self.closest - 1e-9 for off in clearance_from_wall(plan, self.wall))
 
     def minutes(self, plan: Plan) -> float:
-        """What a plan costs: time on the water and time for the boards."""
+        """Duration of a plan, minutes: time on the water and time for the boards."""
         hung = len(plan.targets) - sum(target in self.natural for target in plan.targets)
         return len(plan.lines) * self.minutes_per_line + hung * self.minutes_per_board
 
 
-def least_off(plan: Plan, wall: Wall) -> tuple[float, ...]:
-    """How near each line comes to the wall where it is straight, metres; negative behind it."""
+def clearance_from_wall(plan: Plan, wall: Wall) -> tuple[float, ...]:
+    """Least distance of each line from the wall where straight, metres; negative behind it."""
     if not plan.targets:
         return ()
     found = []
-    for course, (start, stop) in zip(plan.courses, plan.runs, strict=True):
+    for course, (start, stop) in zip(plan.courses, plan.straight_extents, strict=True):
         ends = np.array(course.abeam) + np.outer([start, stop], course.direction[:2])
         found.append(float(((ends - wall.middle[:2]) @ wall.out).min()))
     return tuple(found)
 
 
-def overlapping(targets: Sequence[Board | Ball]) -> tuple[tuple[str, str], ...]:
-    """Names of any two boards that hang over each other; one on a far larger plane does not."""
+def overlapping_targets(targets: Sequence[Board | Ball]) -> tuple[tuple[str, str], ...]:
+    """Names of any two overlapping boards; one on a far larger plane does not overlap it."""
     boards = [target for target in targets if isinstance(target, Board)]
     return tuple(
         (one.name, other.name)
         for one, other in combinations(boards, 2)
         if max(one.width, other.width) < LARGER * min(one.width, other.width)
-        and not apart((one, other))
+        and not are_boards_apart((one, other))
     )
 
 
-def apart(boards: Sequence[Board]) -> bool:
-    """Whether no two boards hang over each other."""
+def are_boards_apart(boards: Sequence[Board]) -> bool:
+    """Whether no two boards overlap."""
     centres = np.array([board.centre for board in boards]).reshape(-1, 3)
     half = np.array([(board.width / 2, board.height / 2) for board in boards]).reshape(-1, 2)
     between = centres[:, None] - centres[None]
@@ -232,7 +232,7 @@ def apart(boards: Sequence[Board]) -> bool:
     return not bool((beside & above & ~np.eye(len(boards), dtype=bool)).any())
 
 
-def steps(low: float, high: float, step: float) -> tuple[float, ...]:
+def evenly_spaced(low: float, high: float, step: float) -> tuple[float, ...]:
     """Evenly spaced values from the lowest to the highest, both in it.
 
     Raises

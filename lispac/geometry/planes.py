@@ -101,7 +101,7 @@ def fit_plane(points: Array, weights: Array | None = None) -> Plane:
     return plane_through(centre, normal)
 
 
-def fit_plane_resisting(points: Array, nearest: float) -> Plane:
+def fit_plane_robustly(points: Array, nearest: float) -> Plane:
     """Fit a plane by the least sum of distances, robust against a third of outliers.
 
     By least squares with weights from the distances (Schlossmacher 1973), a fixed number of times:
@@ -130,7 +130,7 @@ def rms_distance(plane: Plane, points: Array) -> float:
     return float(np.sqrt(np.mean(plane.distances(points) ** 2)))
 
 
-def in_plane_axes(normal: Array) -> Array:
+def plane_axes(normal: Array) -> Array:
     """Two unit vectors in the plane: the level one and the one up the slope.
 
     A plane within a thousandth of level has no slope; there the axes are west and north.
@@ -162,6 +162,6 @@ def extent_in_plane(plane: Plane, points: Array) -> Array:
     -------
     ndarray of shape (2,), metres
     """
-    placed = points @ in_plane_axes(plane.normal).T
+    placed = points @ plane_axes(plane.normal).T
     span: Array = np.ptp(placed, axis=0)
     return span

@@ -1,4 +1,4 @@
-"""Least-squares quadrics over small groups of points: surfaces that may bend.
+"""Least-squares quadrics over small groups of points, for curved surfaces.
 
 Over the plane through each group, as CloudCompare has them in its local models.
 """
@@ -51,7 +51,7 @@ def local_quadrics(
     centroids, normals : ndarrays of shape (n, 3), same frame
         As of `knn.local_planes`.
     """
-    return Quadrics(*_fitted(points, groups, counts, centroids, normals))
+    return Quadrics(*_fit_quadrics(points, groups, counts, centroids, normals))
 
 
 def heights_above(quadrics: Quadrics, offsets: Array, which: Indices) -> Array:
@@ -73,7 +73,7 @@ def heights_above(quadrics: Quadrics, offsets: Array, which: Indices) -> Array:
 
 
 @njit(nogil=True, cache=True)
-def _fitted(
+def _fit_quadrics(
     points: Array, groups: Indices, counts: Indices, centroids: Array, normals: Array
 ) -> tuple[Array, Array, Array]:  # pragma: no cover - compiled
     n = groups.shape[0]
@@ -113,13 +113,13 @@ def _fitted(
                 for b in range(TERMS):
                     normal_matrix[a, b] += row[a] * row[b]
                 normal_matrix[a, TERMS] += row[a] * h
-        if _solve(normal_matrix):
+        if _solve_symmetric(normal_matrix):
             coefficients[g] = normal_matrix[:, TERMS]
     return axes, scales, coefficients
 
 
 @njit(nogil=True, cache=True)
-def _solve(system: Array) -> bool:  # pragma: no cover - compiled
+def _solve_symmetric(system: Array) -> bool:  # pragma: no cover - compiled
     """Gauss-Jordan on a symmetric positive system (k, k + 1); the answer is its last column."""
     size = system.shape[0]
     for k in range(size):

@@ -38,7 +38,7 @@ SINGULAR = 1e-12
 """Cosine of the pitch below which roll and yaw are one angle."""
 
 
-def angles_of(rotation: Array) -> Array:
+def rotation_angles(rotation: Array) -> Array:
     """Roll, pitch and yaw of a rotation matrix; the inverse of `rotation_matrix`.
 
     Parameters

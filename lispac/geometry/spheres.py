@@ -110,18 +110,20 @@ def fit_sphere(
     scaled = np.ascontiguousarray(local / size)
     given = None if start is None else (start.centre - mean) / size
     if radius is None:
-        first = _algebraic(scaled, weights)
+        first = _fit_algebraically(scaled, weights)
         if start is not None and given is not None:
             first = Sphere(given, start.radius / size)
-        sphere = _free(scaled, weights, first)
+        sphere = _fit_free_radius(scaled, weights, first)
         return Sphere(mean + size * sphere.centre, size * sphere.radius)
     if given is None:
         lift = np.sqrt(max((radius / size) ** 2 - 1.0, (0.1 * radius / size) ** 2))
         thin = np.ascontiguousarray(axes[:, 0])
-        centres = [_algebraic(scaled, weights).centre, lift * thin, -lift * thin]
+        centres = [_fit_algebraically(scaled, weights).centre, lift * thin, -lift * thin]
     else:
         centres = [given]
-    sphere = _known(scaled, weights, [Sphere(centre, radius / size) for centre in centres])
+    sphere = _fit_known_radius(
+        scaled, weights, [Sphere(centre, radius / size) for centre in centres]
+    )
     return Sphere(mean + size * sphere.centre, radius)
 
 
@@ -138,7 +140,7 @@ def cap_axis(directions: Array) -> Array:
     return axis
 
 
-def share_seen(sphere: Sphere, points: Array) -> float:
+def seen_surface_share(sphere: Sphere, points: Array) -> float:
     """Share of the whole surface that points (n, 3) in its frame span, 0.5 for a full half.
 
     It is the area inside their outline, drawn in Lambert's equal-area projection about the middle
@@ -157,15 +159,15 @@ def share_seen(sphere: Sphere, points: Array) -> float:
         return 0.0
 
 
-def _free(points: Array, weights: Array, start: Sphere) -> Sphere:
-    """Fit of centre and radius.
+def _fit_free_radius(points: Array, weights: Array, start: Sphere) -> Sphere:
+    """Fit centre and radius.
 
     Raises
     ------
     SphereNotFound
         Where the noise is too large to determine the radius.
     """
-    sphere, square, normal = _settle(points, weights, start, free=True)
+    sphere, square, normal = _refine_sphere(points, weights, start, free=True)
     flat = not sphere.radius < FLAT or np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points)
     if not flat:
         variance = square / max(1, len(points) - 4) * float(np.linalg.inv(normal)[3, 3])
@@ -175,8 +177,8 @@ def _free(points: Array, weights: Array, start: Sphere) -> Sphere:
     return sphere
 
 
-def _algebraic(points: Array, weights: Array) -> Sphere:
-    """The sphere with ``|X|^2 = 2 c.X + k`` in the least-squares sense: near, and in one step."""
+def _fit_algebraically(points: Array, weights: Array) -> Sphere:
+    """Algebraic fit ``|X|^2 = 2 c.X + k``: approximate, in one step."""
     root = np.sqrt(weights)
     rows = np.column_stack([2.0 * points, np.ones(len(points))]) * root[:, None]
     answer = np.linalg.lstsq(rows, (points**2).sum(axis=1) * root, rcond=None)[0]
@@ -184,15 +186,15 @@ def _algebraic(points: Array, weights: Array) -> Sphere:
     return Sphere(centre, float(np.sqrt(max(answer[3] + centre @ centre, 1e-6))))
 
 
-def _known(points: Array, weights: Array, starts: list[Sphere]) -> Sphere:
-    """Fit of the centre from every start value, with a known radius.
+def _fit_known_radius(points: Array, weights: Array, starts: list[Sphere]) -> Sphere:
+    """Fit the centre of spheres of known radius from every start.
 
     Raises
     ------
     SphereNotFound
         Where the points leave the centre open, or its side of them.
     """
-    settled = [_settle(points, weights, start, free=False) for start in starts]
+    settled = [_refine_sphere(points, weights, start, free=False) for start in starts]
     settled.sort(key=lambda answer: answer[1])
     best, square, normal = settled[0]
     if np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points):
@@ -205,29 +207,31 @@ def _known(points: Array, weights: Array, starts: list[Sphere]) -> Sphere:
     return best
 
 
-def _settle(
+def _refine_sphere(
     points: Array, weights: Array, start: Sphere, *, free: bool
 ) -> tuple[Sphere, float, Array]:
-    """Sphere, weighted sum of squares and normal matrix where the fit comes to rest."""
-    centre, radius, square, normal = _descend(points, weights, start.centre, start.radius, free)
+    """Sphere, weighted sum of squares and normal matrix of the converged fit."""
+    centre, radius, square, normal = _minimise_distances(
+        points, weights, start.centre, start.radius, free
+    )
     return Sphere(centre, radius), square, normal
 
 
 @njit(nogil=True, cache=True)
-def _descend(
+def _minimise_distances(
     points: Array, weights: Array, centre: Array, radius: float, free: bool
 ) -> tuple[Array, float, float, Array]:  # pragma: no cover - compiled
     """Gauss-Newton with the damping of Levenberg (1944) and Marquardt (1963)."""
     size = 4 if free else 3
     damping = 1e-3
     total = weights.sum()
-    normal, pull, square = _sums(points, weights, centre, radius, size)
+    normal, pull, square = _sphere_normal_equations(points, weights, centre, radius, size)
     for _ in range(MOST_STEPS):
         damped = normal + damping * total * np.eye(size)
         step = np.linalg.solve(damped, pull)
         there = centre + step[:3]
         radius_there = radius + step[3] if free else radius
-        sums = _sums(points, weights, there, radius_there, size)
+        sums = _sphere_normal_equations(points, weights, there, radius_there, size)
         if radius_there > 0.0 and sums[2] <= square:
             centre, radius = there, radius_there
             normal, pull, square = sums
@@ -240,7 +244,7 @@ def _descend(
 
 
 @njit(nogil=True, cache=True)
-def _sums(
+def _sphere_normal_equations(
     points: Array, weights: Array, centre: Array, radius: float, size: int
 ) -> tuple[Array, Array, float]:  # pragma: no cover - compiled
     """Normal matrix, right-hand side and sum of squares of the conditions |X - c| - r = 0."""

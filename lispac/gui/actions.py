@@ -1,4 +1,4 @@
-"""Menus, toolbar and keys: every action of the window by its name."""
+"""Menus, toolbar and shortcuts: all actions of the window by name."""
 
 from collections.abc import Iterable
 
@@ -7,7 +7,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
 
 from lispac.gui import theme
-from lispac.gui.viewing_actions import (
+from lispac.gui.view_actions import (
     COLOURED,
     INSPECT_ACTIONS,
     INSPECT_MENU,
@@ -194,7 +194,7 @@ _TOOLBAR = (
 )  # fmt: skip
 
 
-def texts(name: str) -> tuple[str, str]:
+def action_texts(name: str) -> tuple[str, str]:
     """Menu text and tip of an action in the language of the window."""
     text, _, _, _, tip = _ACTIONS[name]
     if name in STEP_ACTIONS:
@@ -204,14 +204,14 @@ def texts(name: str) -> tuple[str, str]:
 
 
 class Actions(QObject):
-    """The window's actions, by name."""
+    """Actions of the window, by name."""
 
     def __init__(self, window: QMainWindow, stack: QUndoStack) -> None:
         super().__init__(window)
         self._window = window
         self.recent = QMenu(gettext("Open &recent"), window)
         self.recent.setObjectName("recent_menu")
-        self._by_name = {name: self._made(name) for name in _ACTIONS}
+        self._by_name = {name: self._create_action(name) for name in _ACTIONS}
         for pair in _CHECKABLE:
             group = QActionGroup(window)
             for name in pair:
@@ -222,15 +222,15 @@ class Actions(QObject):
             self[name].setCheckable(True)
         stack.canUndoChanged.connect(self["undo"].setEnabled)
         stack.canRedoChanged.connect(self["redo"].setEnabled)
-        stack.undoTextChanged.connect(self._name_undo)
-        stack.redoTextChanged.connect(self._name_redo)
+        stack.undoTextChanged.connect(self._set_undo_text)
+        stack.redoTextChanged.connect(self._set_redo_text)
         self["undo"].triggered.connect(stack.undo)
         self["redo"].triggered.connect(stack.redo)
         # A window made anew begins with the steps of the former one
         self["undo"].setEnabled(stack.canUndo())
         self["redo"].setEnabled(stack.canRedo())
-        self._name_undo(stack.undoText())
-        self._name_redo(stack.redoText())
+        self._set_undo_text(stack.undoText())
+        self._set_redo_text(stack.redoText())
 
     def __getitem__(self, name: str) -> QAction:
         return self._by_name[name]
@@ -239,12 +239,12 @@ class Actions(QObject):
         """Build the menu bar."""
         self._docks = list(docks)
         for title, names in _MENUS.items():
-            self._fill(self._window.menuBar().addMenu(gettext(title)), names)
+            self._fill_menu(self._window.menuBar().addMenu(gettext(title)), names)
 
-    def _fill(self, menu: QMenu, names: Menu) -> None:
+    def _fill_menu(self, menu: QMenu, names: Menu) -> None:
         for name in names:
             if isinstance(name, tuple):
-                self._fill(menu.addMenu(gettext(name[0])), name[1])
+                self._fill_menu(menu.addMenu(gettext(name[0])), name[1])
             elif name == "RECENT":
                 menu.addMenu(self.recent)
             elif name == "DOCKS":
@@ -268,17 +268,17 @@ class Actions(QObject):
                 bar.addSeparator()
         return bar
 
-    def _name_undo(self, edit: str) -> None:
+    def _set_undo_text(self, edit: str) -> None:
         self["undo"].setText(gettext("&Undo {edit}", edit=edit) if edit else gettext("&Undo"))
         self["undo"].setIconText(gettext("Undo"))
 
-    def _name_redo(self, edit: str) -> None:
+    def _set_redo_text(self, edit: str) -> None:
         self["redo"].setText(gettext("&Redo {edit}", edit=edit) if edit else gettext("&Redo"))
         self["redo"].setIconText(gettext("Redo"))
 
-    def _made(self, name: str) -> QAction:
+    def _create_action(self, name: str) -> QAction:
         _, short, icon, keys, _ = _ACTIONS[name]
-        text, tip = texts(name)
+        text, tip = action_texts(name)
         action = QAction(text, self._window)
         action.setObjectName(f"action_{name}")
         if short:

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QApplication
 
 import lispac
 from lispac import caches
-from lispac.installed import resource
+from lispac.installation_paths import resource_path
 
 if TYPE_CHECKING:
     from lispac.gui.viewport.base import Viewport
@@ -24,12 +24,12 @@ IMPORT_AFTER_MS = 300
 
 
 class Application(QApplication):
-    """Receives the document to open: macOS does not start a second program for it."""
+    """Qt application that opens the documents that macOS asks it to open."""
 
     document_asked = Signal(Path)
 
     def event(self, event: QEvent) -> bool:
-        """Take what is meant for the program as a whole."""
+        """Handle requests of the system to open a document."""
         if isinstance(event, QFileOpenEvent) and event.file():
             self.document_asked.emit(Path(event.file()))
             return True
@@ -37,7 +37,7 @@ class Application(QApplication):
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Open the window, with a project where one is named."""
+    """Run the program with a window; open a project if one is given."""
     parser = argparse.ArgumentParser(
         prog="lispac-gui", description="Boresight calibration of a LiDAR and an INS/GNSS."
     )
@@ -48,38 +48,38 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("--version", action="version", version=f"LISPAC {lispac.__version__}")
     arguments = parser.parse_args(argv)
 
-    if _no_screen():
+    if _is_screen_missing():
         print("lispac-gui: no display found. Use the command lispac instead.", file=sys.stderr)
         return 1
     application = QApplication.instance() or Application(sys.argv[:1])
     application.setApplicationName("LISPAC")
     application.setApplicationVersion(lispac.__version__)
-    application.setWindowIcon(QIcon(str(resource("icons/lispac.png"))))
+    application.setWindowIcon(QIcon(str(resource_path("icons/lispac.png"))))
     # Wayland takes the icon from the desktop entry of this name
     application.setDesktopFileName("lispac")
 
-    message = caches.use(os.environ)
+    message = caches.set_cache_variables(os.environ)
     gc.disable()  # `GarbageCollection` takes over; what is imported holds no garbage
     from lispac.gui.garbage_collection import GarbageCollection
-    from lispac.gui.logbook import Logbook
+    from lispac.gui.log_file import LogFile
     from lispac.gui.session import Session
     from lispac.gui.viewport.lazy_viewport import LazyViewport
     from lispac.message_texts import message_text
 
     tidying = GarbageCollection(application)
-    session = Session(application, lambda: LazyViewport(_viewport))
+    session = Session(application, lambda: LazyViewport(_create_viewport))
     # It is there when the first project has been read, and the window is drawn before
     importing = threading.Thread(target=_import_viewport, name="lispac-import")
     QTimer.singleShot(IMPORT_AFTER_MS, importing.start)
     if isinstance(application, Application):
         application.document_asked.connect(lambda path: session.window.open_project(path))
-    logbook = Logbook(session.log_folder, session.tell_unforeseen)
+    logbook = LogFile(session.log_folder, session.report_uncaught)
     logbook.begin()
     if message is not None:
         session.window.controller.noted.emit(message_text(message))
     if arguments.project is not None:
         QTimer.singleShot(0, lambda: session.window.open_project(arguments.project))
-    elif (crashed := session.left_by_a_crash()) is not None:
+    elif (crashed := session.crashed_project()) is not None:
         QTimer.singleShot(0, lambda: session.window.open_project(crashed))
     elif arguments.demo:
         QTimer.singleShot(0, session.window.controller.open_demo)
@@ -91,18 +91,18 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _import_viewport() -> "type[Viewport]":
-    """When the application exists: VTK and Qt set up their graphics together."""
-    from lispac.gui.viewport.vtk import VtkViewport
+    """Import the VTK viewport; the application must exist, since VTK and Qt share graphics."""
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     return VtkViewport
 
 
-def _viewport() -> "Viewport":
+def _create_viewport() -> "Viewport":
     return _import_viewport()()
 
 
-def _no_screen() -> bool:
-    """Qt would abort the process."""
+def _is_screen_missing() -> bool:
+    """Whether Linux has no display, without which Qt would abort the process."""
     named = ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")
     return sys.platform.startswith("linux") and not any(os.environ.get(name) for name in named)
 

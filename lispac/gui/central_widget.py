@@ -1,4 +1,4 @@
-"""The middle of the window: the view of the lines, or ways to begin where there are none."""
+"""Central widget of the window: the 3D view, or the start page without a project."""
 
 from PySide6.QtCore import QRect
 from PySide6.QtGui import QPainter, QPaintEvent, QRegion
@@ -14,7 +14,7 @@ RING = 2
 
 
 class CentralWidget(QWidget):
-    """The viewport with the start page behind it, and the tour's card above both."""
+    """3D view or start page, with the card of the tour above them."""
 
     def __init__(self, viewport: Viewport) -> None:
         super().__init__()
@@ -28,15 +28,15 @@ class CentralWidget(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
         layout.addWidget(self.card)
-        layout.addWidget(_Ring(self._pages, self._view), 1)
+        layout.addWidget(_FocusFrame(self._pages, self._view), 1)
 
     def show_view(self, wanted: bool) -> None:
-        """Show the view, or where there is nothing to see the ways to begin."""
+        """Show the 3D view, or the start page."""
         self._pages.setCurrentWidget(self._view if wanted else self.start)
 
 
-class _Ring(QWidget):
-    """A frame around the pages, drawn where the view has the focus: it draws none itself."""
+class _FocusFrame(QWidget):
+    """Frame around the pages that is drawn while the 3D view has the focus."""
 
     def __init__(self, pages: QWidget, view: QWidget) -> None:
         super().__init__()
@@ -44,19 +44,19 @@ class _Ring(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(RING, RING, RING, RING)
         layout.addWidget(pages)
-        QApplication.instance().focusChanged.connect(self._follow)
+        QApplication.instance().focusChanged.connect(self._update_frame)
 
-    def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
+    def _update_frame(self, _old: QWidget | None, new: QWidget | None) -> None:
         drawn = new is not None and (new is self._view or self._view.isAncestorOf(new))
         if drawn != self._drawn:
             self._drawn = drawn
-            self.update(QRegion(self.rect()).subtracted(self._inside()))
+            self.update(QRegion(self.rect()).subtracted(self._inner_rect()))
 
-    def _inside(self) -> QRect:
+    def _inner_rect(self) -> QRect:
         return self.rect().adjusted(RING, RING, -RING, -RING)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._drawn:
             painter = QPainter(self)
-            painter.setClipRegion(QRegion(self.rect()).subtracted(self._inside()))
+            painter.setClipRegion(QRegion(self.rect()).subtracted(self._inner_rect()))
             painter.fillRect(self.rect(), theme.colour("accent"))

@@ -1,4 +1,4 @@
-"""The clip box: only what lies in it is drawn, picked and measured."""
+"""Clip box: only points inside it are drawn, picked and measured."""
 
 from collections.abc import Callable
 
@@ -10,9 +10,9 @@ from lispac.gui.panels.clipping import ClippingPanel
 from lispac.gui.scene import Scene
 from lispac.gui.viewport.base import Colour, Handle, Sketch, Viewport
 from lispac.gui.viewport.clipping import EDGES, Array, Box
-from lispac.gui.viewport.decimation import robust_sample
+from lispac.gui.viewport.decimation import trimmed_points
 from lispac.language import gettext
-from lispac.targets.section import common_normal
+from lispac.targets.cross_section import common_normal
 
 COLOUR: Colour = (255, 170, 0)
 SKETCH = "clip"
@@ -20,8 +20,8 @@ MARGIN = 0.5
 """Of the box about a target, metres."""
 
 
-class Clipping(QObject):
-    """Keeps the box; handles on its sides and fields change it."""
+class ClipBoxController(QObject):
+    """Holds the clip box, which handles on its sides and fields of the panel change."""
 
     def __init__(
         self,
@@ -37,12 +37,14 @@ class Clipping(QObject):
         self.panel = ClippingPanel()
         self.box: Box | None = None
         actions["clip"].triggered.connect(lambda on: self.begin() if on else self.reset())
-        self.panel.sized.connect(lambda lengths: self._take(self.box and self.box.sized(lengths)))
+        self.panel.sized.connect(
+            lambda lengths: self._set_box(self.box and self.box.sized(lengths))
+        )
         self.panel.about_asked.connect(self.begin)
         self.panel.reset_asked.connect(self.reset)
         scene.gone_to.connect(self.show)
-        viewport.signals.handle_moved.connect(self._drag)
-        viewport.signals.handle_let_go.connect(self._let_go)
+        viewport.signals.handle_moved.connect(self._move_side)
+        viewport.signals.handle_let_go.connect(self._on_handle_released)
 
     def begin(self) -> None:
         """Place the box around the selected target, or around everything."""
@@ -54,27 +56,27 @@ class Clipping(QObject):
             if not samples:
                 self._actions["clip"].setChecked(False)
                 return
-            everything = robust_sample(np.concatenate(samples), 1.0)
+            everything = trimmed_points(np.concatenate(samples), 1.0)
             box = Box.about(everything, np.array([1.0, 0.0, 0.0]), 0.0)
-        self._take(box)
+        self._set_box(box)
         self._bring(self.panel)
 
     def show(self, points: Array, name: str) -> None:
         """Move the box around points (n, 3) to be shown, if it hides most of them."""
         if self.box is None or 2 * len(self.box.inside(points)) >= len(points):
             return
-        self._take(Box.about(points, common_normal([points]), MARGIN))
+        self._set_box(Box.about(points, common_normal([points]), MARGIN))
         self._note(
             gettext("{name} was outside the clip box. The clip box was moved around it.", name=name)
         )
 
     def reset(self) -> None:
-        """Draw everything."""
+        """Remove the box, so that everything is drawn."""
         if self.box is not None:
-            self._take(None)
+            self._set_box(None)
         self._actions["clip"].setChecked(False)
 
-    def _take(self, box: Box | None) -> None:
+    def _set_box(self, box: Box | None) -> None:
         self.box = box
         self._actions["clip"].setChecked(box is not None)
         self._show()
@@ -82,19 +84,19 @@ class Clipping(QObject):
 
     def _show(self) -> None:
         self.panel.show_box(self.box)
-        self._viewport.show_sketch(SKETCH, None if self.box is None else _sketch(self.box))
+        self._viewport.show_sketch(SKETCH, None if self.box is None else _box_sketch(self.box))
 
-    def _drag(self, name: str, side: int, metres: float) -> None:
+    def _move_side(self, name: str, side: int, metres: float) -> None:
         if name == SKETCH and self.box is not None:
             self.box = self.box.moved(side, metres)
             self._show()  # the points follow when the handle is let go
 
-    def _let_go(self, name: str) -> None:
+    def _on_handle_released(self, name: str) -> None:
         if name == SKETCH and self.box is not None:
             self._viewport.clip(self.box)
 
 
-def _sketch(box: Box) -> Sketch:
+def _box_sketch(box: Box) -> Sketch:
     def place(point: np.ndarray) -> tuple[float, float, float]:
         return float(point[0]), float(point[1]), float(point[2])
 

@@ -1,4 +1,4 @@
-"""What is computed from a project: counts, the comparison, placed lines, and what is exported."""
+"""Computations on a project in the background: counts, validation, placed lines, export."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from lispac.errors import AdjustmentError, Cancelled
 from lispac.gui.controller import Controller
 from lispac.gui.document import Document
-from lispac.gui.panels.histograms import preload
+from lispac.gui.panels.histograms import preload_matplotlib
 from lispac.gui.scene import Scene, Which
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.language import N_, Plural, Template, gettext
@@ -42,7 +42,7 @@ QUADRIC_THROUGH_POINTS = Plural(
 
 @dataclass(frozen=True)
 class PointCount:
-    """Points a subsampling distance keeps.
+    """Number of points that a point spacing keeps.
 
     Attributes
     ----------
@@ -57,7 +57,7 @@ class PointCount:
 
 
 class Computations(QObject):
-    """Starts long work and takes its value over.
+    """Runs long computations and stores their results in the document.
 
     Attributes
     ----------
@@ -86,9 +86,9 @@ class Computations(QObject):
         runner.idle.connect(self._count_again)
 
     def count(self, subsample: float) -> None:
-        """Count the points a distance, metres, would keep; the answer comes by `counted`."""
+        """Count the points that a point spacing, metres, would keep; emits `counted`."""
         self._subsample = subsample
-        project, survey = self._ready()
+        project, survey = self._current_data()
         sightings = _used_sightings(project)
         total = sum(len(sighting.indices) for sighting in sightings)
         if project is None or survey is None or not sightings or subsample <= 0:
@@ -101,10 +101,10 @@ class Computations(QObject):
             return  # counted when the runner is idle
 
         def work(_progress: Progress) -> int | str:
-            from lispac.workflow.calibration import count_of
+            from lispac.workflow.calibration import count_points
 
             try:
-                return count_of(project, survey, replace(project.settings, subsample=subsample))
+                return count_points(project, survey, replace(project.settings, subsample=subsample))
             except AdjustmentError as error:
                 return str(error)
 
@@ -118,13 +118,13 @@ class Computations(QObject):
         title = gettext("Counting points")
         self._counting = self._runner.run(title, work, done, quiet=True, key="count")
 
-    def measure_to(self, model: LocalModel) -> None:
-        """Measure so from the next validation on."""
+    def set_surface_model(self, model: LocalModel) -> None:
+        """Set the surface model of the next validation."""
         self.distance_to = model
 
     def validate(self) -> None:
         """Compare the lines on the validation planes."""
-        project, survey = self._ready()
+        project, survey = self._current_data()
         if project is None or survey is None:
             return
 
@@ -133,12 +133,12 @@ class Computations(QObject):
         def work(progress: Progress) -> Project:
             from lispac.workflow.validation import validate
 
-            preload()
+            preload_matplotlib()
             return validate(project, survey, model=model, progress=progress)
 
         def done(validated: Project) -> None:
             if self._document.project is project:
-                self._document.edit(_validation_name(model), validated, **_model_params(model))
+                self._document.edit(_validation_edit_name(model), validated, **_model_params(model))
                 self.validated.emit()
                 for reason in validated.not_compared.values():
                     self._controller.noted.emit(message_text(reason))
@@ -149,31 +149,33 @@ class Computations(QObject):
                 self._controller.noted.emit(gettext(compared, count=len(validated.validation)))
 
         task = self._runner.run(gettext("Validating"), work, done, key="validate")
-        self._controller.based_on_project(task)
+        self._controller.cancel_on_edit(task)
 
     def show(self, which: Which) -> None:
-        """Show the lines before or after; they are placed first where need be."""
-        project, survey = self._ready()
+        """Show the lines before or after the adjustment; place them first if necessary."""
+        project, survey = self._current_data()
         if which == "prior" or self._scene.has_estimated:
             self._scene.show(which)
             return
         if project is None or survey is None or project.result is None:
             self._scene.show("prior")
             return
-        self._place(project, survey, lambda: self._scene.show("estimated"), "placed")
+        self._place_lines(project, survey, lambda: self._scene.show("estimated"), "placed")
 
-    def with_placed(self, project: Project, survey: Survey, then: Callable[[], None]) -> None:
-        """Do what needs the lines as they lie before and after; they are placed where need be.
+    def run_with_placed_lines(
+        self, project: Project, survey: Survey, then: Callable[[], None]
+    ) -> None:
+        """Call ``then`` once the lines are placed with the prior and the estimated boresight.
 
         An edit meanwhile ends it.
         """
         if project.result is None or self._scene.has_estimated:
             then()
             return
-        task = self._place(project, survey, then)
-        self._controller.based_on_project(task)
+        task = self._place_lines(project, survey, then)
+        self._controller.cancel_on_edit(task)
 
-    def _place(
+    def _place_lines(
         self, project: Project, survey: Survey, then: Callable[[], None], key: str = ""
     ) -> Task:
         def done(clouds: Mapping[str, Cloud]) -> None:
@@ -189,8 +191,8 @@ class Computations(QObject):
         )
 
     def export(self, request: ExportRequest) -> None:
-        """Write lines, targets or the trajectory."""
-        project, survey = self._ready()
+        """Export lines, targets or the trajectory to files."""
+        project, survey = self._current_data()
         if project is None or survey is None:
             return
 
@@ -208,7 +210,7 @@ class Computations(QObject):
 
         self._runner.run(gettext(WRITING[request.what]), work, done, lasting=True)
 
-    def _ready(self) -> tuple[Project | None, Survey | None]:
+    def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current
         return self._document.project, self._document.survey if current else None
 
@@ -221,11 +223,11 @@ class Computations(QObject):
 
 
 def _used_sightings(project: Project | None):
-    targets = () if project is None else project.of_role("target")
+    targets = () if project is None else project.targets_of_role("target")
     return [sighting for target in targets for sighting in target.used_sightings]
 
 
-def _validation_name(model: LocalModel) -> Template:
+def _validation_edit_name(model: LocalModel) -> Template:
     """Name of the edit by the surface that distances are measured to."""
     if model.kind == "point":
         return N_("validation with distances to the nearest point")

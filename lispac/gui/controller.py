@@ -1,4 +1,4 @@
-"""Intents become edits: opening and saving, seeds, and the list of targets."""
+"""Controller of the project: opening, saving, seeds and edits of the targets."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -6,11 +6,11 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from lispac.caches import DEMO, cache_place
-from lispac.doubles import project_doubts
+from lispac.caches import DEMO, usable_cache_folder
+from lispac.duplicate_targets import project_warnings
 from lispac.errors import LispacError, ProjectChanged
 from lispac.gui.document import Document
-from lispac.gui.panels.histograms import preload
+from lispac.gui.panels.histograms import preload_matplotlib
 from lispac.gui.scene import Scene
 from lispac.gui.seed_options import SeedOptions
 from lispac.gui.settings import AppSettings
@@ -19,10 +19,10 @@ from lispac.gui.viewport.base import PickedPoint
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, error
-from lispac.progress import Progress, part
+from lispac.progress import Progress, sub_progress
 from lispac.project import LineSource, Project, Settings, Target, Triple
 from lispac.workflow import edits
-from lispac.workflow.intake import ImportRequest
+from lispac.workflow.input_files import ImportRequest
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.target_search import thinned_notes
 
@@ -30,7 +30,7 @@ Opened = tuple[Project, Survey]
 
 
 class Controller(QObject):
-    """What the user wants done with the project."""
+    """Carries out the actions of the user on the project."""
 
     candidate_changed = Signal()
     accepted = Signal(str)
@@ -58,27 +58,27 @@ class Controller(QObject):
         self.may_save: Callable[[Project], bool] = lambda _project: True
         self.may_overwrite: Callable[[Project], bool] = lambda _project: False
         """Whether a project that another program wrote meanwhile is overwritten."""
-        document.changed.connect(self._follow)
+        document.changed.connect(self._on_document_changed)
 
     @property
     def busy(self) -> bool:
-        """Whether work runs that somebody waits for."""
+        """Whether a task is running that the user waits for."""
         return self._runner.busy
 
     # -- the project's life ------------------------------------------------------------------
 
     def open(self, path: Path) -> None:
-        """Open a project by its folder, its project.json or the file that opens it."""
+        """Open a project from its folder, its project.json or its .lispac file."""
 
         def read() -> tuple[Project, tuple[str, ...]]:
-            from lispac.workflow.projects import opened_with_notes
+            from lispac.workflow.projects import open_project_with_notes
 
-            return opened_with_notes(path)
+            return open_project_with_notes(path)
 
         self._open(path.name, read)
 
-    def open_found(self, project: Project) -> None:
-        """Open a project whose files were found; that is something to save."""
+    def open_relocated(self, project: Project) -> None:
+        """Open a project whose moved files were found, and mark it as modified."""
         self._open(project.name, lambda: (project, ()), found=True)
 
     def _open(
@@ -89,21 +89,21 @@ class Controller(QObject):
         found: bool = False,
     ) -> None:
         def work(progress: Progress) -> Opened | Project:
-            from lispac.workflow.moved import missing
+            from lispac.workflow.moved_files import missing_files
 
             project, notes = read()
-            if missing(project):
+            if missing_files(project):
                 return project
             if project.validation:
-                preload()
-            _, survey = _with_lines(project, progress)
+                preload_matplotlib()
+            _, survey = _load_lines(project, progress)
             return project, replace(survey, notes=(*notes, *survey.notes))
 
         def done(opened: Opened | Project) -> None:
             if isinstance(opened, Project):
                 self.files_missing.emit(opened)
                 return
-            self._opened(opened)
+            self._show_opened_project(opened)
             if found and self._document.project is opened[0]:
                 self._document.undo_stack.resetClean()
                 self.noted.emit(
@@ -113,7 +113,7 @@ class Controller(QObject):
         self._runner.run(gettext("Opening {name}", name=name), work, done, shows=True)
 
     def create(self, request: ImportRequest) -> None:
-        """Make a project and open it."""
+        """Create a project from imported files and open it."""
 
         def work(progress: Progress) -> Opened:
             from lispac.workflow.projects import new_project
@@ -131,7 +131,7 @@ class Controller(QObject):
             )
 
         title = gettext("Creating {name}", name=request.folder.name)
-        self._runner.run(title, work, self._opened, lasting=True, shows=True)
+        self._runner.run(title, work, self._show_opened_project, lasting=True, shows=True)
 
     def add_lines(self, lines: Sequence[LineSource]) -> None:
         """Add lines to the project: one undo step."""
@@ -147,7 +147,7 @@ class Controller(QObject):
 
         def done(added: Opened) -> None:
             edited, survey = added
-            self._drop_candidate()  # it was searched for in the lines of that time
+            self._discard_candidate()  # it was searched for in the lines of that time
             edit = N_("addition of {line}") if count == 1 else N_("addition of {count:n} lines")
             self._document.edit(edit, edited, survey=survey, count=count, line=name)
             for note in survey.notes:
@@ -162,12 +162,12 @@ class Controller(QObject):
 
         template = N_("Adding {line}") if count == 1 else N_("Adding {count:n} lines")
         title = gettext(template, count=count, line=name)
-        self.based_on_project(self._runner.run(title, work, done))
+        self.cancel_on_edit(self._runner.run(title, work, done))
 
     def open_demo(
         self, folder: Path | None = None, *, first: Callable[[], None] = lambda: None
     ) -> None:
-        """Open the built-in survey, simulated on its first use.
+        """Open the demo survey, which is simulated on its first use.
 
         ``first`` is called when it has been read and is about to be shown, and never otherwise.
         """
@@ -180,17 +180,17 @@ class Controller(QObject):
             if (place / "project.json").is_file():
                 project = open_project(place)
             else:
-                project = make_demo(place, progress=part(progress, 0.0, 0.8))
-            return _with_lines(project, part(progress, 0.8, 1.0))
+                project = make_demo(place, progress=sub_progress(progress, 0.0, 0.8))
+            return _load_lines(project, sub_progress(progress, 0.8, 1.0))
 
         def done(opened: Opened) -> None:
             first()
-            self._opened(opened)
+            self._show_opened_project(opened)
 
         self._runner.run(gettext("Opening the demo survey"), work, done, shows=True)
 
     def save(self) -> bool:
-        """Write the project; whether that went well."""
+        """Save the project; return whether it was saved."""
         from lispac.workflow.projects import save_project
 
         project = self._document.project
@@ -216,13 +216,13 @@ class Controller(QObject):
         return True
 
     def save_as(self, folder: Path) -> None:
-        """Save the project in another folder and go on there; its undo steps go along."""
+        """Save the project in another folder and continue there with the same undo steps."""
         project, survey = self._document.project, self._document.survey
         if project is None or survey is None:
             return
 
         def work(progress: Progress) -> Opened:
-            from lispac.workflow.saving_as import save_project_as
+            from lispac.workflow.project_copy import save_project_as
 
             return save_project_as(project, survey, folder, progress=progress)
 
@@ -241,9 +241,9 @@ class Controller(QObject):
         title = gettext("Saving as {name}", name=folder.name)
         self._runner.run(title, work, done, lasting=True)
 
-    def _opened(self, opened: Opened) -> None:
+    def _show_opened_project(self, opened: Opened) -> None:
         project, survey = opened
-        self._drop_candidate()
+        self._discard_candidate()
         self._document.open(project, survey)
         self._settings.add_recent(project.folder)
         if self._document.project is None:  # closed again: another window has it
@@ -252,15 +252,15 @@ class Controller(QObject):
             self.noted.emit(message_text(note))
         self.noted.emit(gettext("Opened {folder}", folder=project.folder))
 
-    def _follow(self) -> None:
-        """Keep data and running work in step with the project."""
+    def _on_document_changed(self) -> None:
+        """Reload the data and cancel dependent tasks after a change of the project."""
         project = self._document.project
         if self._based is not None and self._based[1] is not project:
             self._based[0].cancel.set()
             self._based = None
         if project is None or self._document.survey_is_current:
             return
-        self._drop_candidate()
+        self._discard_candidate()
 
         def done(survey: Survey) -> None:
             if self._document.project is not None:
@@ -273,32 +273,34 @@ class Controller(QObject):
             key="survey",
         )
 
-    def based_on_project(self, task: Task) -> None:
-        """End the task when the project is edited: its value depends on the project as it is."""
+    def cancel_on_edit(self, task: Task) -> None:
+        """Cancel the task when the project is edited, as its result would be out of date."""
         assert self._document.project is not None
         self._based = (task, self._document.project)
 
     # -- seeds -------------------------------------------------------------------------------
 
     def seed(self, point: PickedPoint, seed_options: SeedOptions) -> None:
-        """Find the target under a click and show it for acceptance.
+        """Search for the target at a clicked point and show it as the candidate.
 
         If the search is in one line only and a target is selected, the sighting is for that target,
         with its role and shape.
         """
-        if self._may_seed():
-            self._seek(self._scene.to_prior(point), seed_options, first_line=point.line)
+        if self._can_seed():
+            self._search_target(
+                self._scene.prior_position_finder(point), seed_options, first_line=point.line
+            )
 
     def seek(self, position: Triple, seed_options: SeedOptions, *, name: str = "") -> None:
-        """Find the target at a place and show it for acceptance; ``name`` defaults to a free one.
+        """Search for the target at a position; an empty ``name`` means the next free name.
 
         Parameters
         ----------
         position : metres, local frame
         """
-        self._seek(lambda: position, seed_options, name=name)
+        self._search_target(lambda: position, seed_options, name=name)
 
-    def _seek(
+    def _search_target(
         self,
         position: Callable[[], Triple],
         seed_options: SeedOptions,
@@ -307,11 +309,11 @@ class Controller(QObject):
         first_line: str | None = None,
     ) -> None:
         project, survey = self._document.project, self._document.survey
-        if project is None or survey is None or not self._may_seed():
+        if project is None or survey is None or not self._can_seed():
             return
         from lispac.workflow import picking
 
-        role, line, how = seed_options.role, seed_options.line, seed_options.how
+        role, line, how = seed_options.role, seed_options.line, seed_options.finder_arguments
         if line is not None and seed_options.selected is not None and not name:
             known = project.target(seed_options.selected)
             name, role = known.name, known.role
@@ -319,7 +321,7 @@ class Controller(QObject):
         name = name or picking.next_name(project, role)
 
         def work(progress: Progress) -> Target:
-            return picking.find(
+            return picking.find_target(
                 project, survey, position(), name=name, role=role, line=line, first_line=first_line,
                 progress=progress, **how,
             )  # fmt: skip
@@ -328,9 +330,9 @@ class Controller(QObject):
             title = gettext("Searching for {target} in all lines", target=name)
         else:
             title = gettext("Searching for {target} in {line}", target=name, line=line)
-        self.based_on_project(self._runner.run(title, work, self.offer))
+        self.cancel_on_edit(self._runner.run(title, work, self.set_candidate))
 
-    def _may_seed(self) -> bool:
+    def _can_seed(self) -> bool:
         if self._document.project is None:
             return False
         if self._runner.busy or not self._document.survey_is_current:
@@ -341,11 +343,11 @@ class Controller(QObject):
         return True
 
     def accept(self) -> None:
-        """Keep the candidate: one undo step."""
+        """Add the candidate to the project as one undo step."""
         candidate, project = self.candidate, self._document.project
         if candidate is None or project is None:
             return
-        self._drop_candidate()
+        self._discard_candidate()
         name, sightings = candidate.name, len(candidate.sightings)
         self._document.edit(
             N_("detection of {target}"), project.with_target(candidate), target=name
@@ -363,17 +365,17 @@ class Controller(QObject):
             self.noted.emit(
                 gettext("The detected target {target} was rejected.", target=self.candidate.name)
             )
-            self._drop_candidate()
+            self._discard_candidate()
 
-    def offer(self, candidate: Target) -> None:
-        """Show what was found and wait for a yes or a no."""
+    def set_candidate(self, candidate: Target) -> None:
+        """Show a detected target, which the user then accepts or rejects."""
         self.candidate = candidate
         self._scene.show_candidate(candidate)
         for each in thinned_notes(candidate):
             self.noted.emit(message_text(each))
         self.candidate_changed.emit()
 
-    def _drop_candidate(self) -> None:
+    def _discard_candidate(self) -> None:
         if self.candidate is not None:
             self.candidate = None
             self._scene.show_candidate(None)
@@ -382,11 +384,11 @@ class Controller(QObject):
     # -- edits -------------------------------------------------------------------------------
 
     def rename(self, old: str, new: str) -> None:
-        """Give a target another name."""
+        """Rename a target."""
         if self._project is None:
             return
         try:
-            edited = edits.with_name(self._project, old, new)
+            edited = edits.with_renamed_target(self._project, old, new)
             self._document.edit(N_("renaming of {target}"), edited, target=old)
         except LispacError as error:
             self.refused.emit(error)
@@ -421,7 +423,7 @@ class Controller(QObject):
             self._document.edit(title, edited, follows=True, line=line)
 
     def change_settings(self, settings: Settings) -> None:
-        """Take over edited settings."""
+        """Apply edited settings to the project."""
         if self._project is None:
             return
         try:
@@ -438,12 +440,12 @@ class Controller(QObject):
 
 
 def demo_folder() -> Path:
-    """Where the demo survey is kept: the cache."""
-    return cache_place() / DEMO
+    """Folder of the demo survey in the cache."""
+    return usable_cache_folder() / DEMO
 
 
-def _with_lines(project: Project, progress: Progress) -> Opened:
-    """The lines of a project; and what is searched for now is known when it is to be shown."""
+def _load_lines(project: Project, progress: Progress) -> Opened:
+    """Load the lines of a project, and compute the warnings that are shown first."""
     survey = load_survey(project, progress=progress)
-    project_doubts(project)
+    project_warnings(project)
     return project, survey

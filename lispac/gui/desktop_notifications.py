@@ -15,7 +15,7 @@ LONG = 10.0
 
 
 class DesktopNotifications(QObject):
-    """Notifies the ends of the tasks of a runner.
+    """Notifies the user when a long task of a runner has ended.
 
     Parameters
     ----------
@@ -33,9 +33,9 @@ class DesktopNotifications(QObject):
         self._tell = tell or self._notify
         self._task: Task | None = None
         self._tray: QSystemTrayIcon | None = None
-        runner.changed.connect(self._follow)
+        runner.changed.connect(self._on_tasks_changed)
 
-    def _follow(self) -> None:
+    def _on_tasks_changed(self) -> None:
         ended, self._task = self._task, self._runner.current
         if ended is None or ended is self._task or ended.quiet or ended.cancel.is_set():
             return

@@ -1,4 +1,4 @@
-"""The panels around the view: where each is at first, and which lie behind one another."""
+"""Dock panels of the window: default layout, actions and focus."""
 
 from collections.abc import Mapping
 
@@ -6,7 +6,7 @@ from PySide6.QtCore import QByteArray, Qt, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabWidget, QWidget
 
-from lispac.gui.tab_order import go_into
+from lispac.gui.tab_order import focus_dock_content
 from lispac.language import N_, gettext
 
 Area = Qt.DockWidgetArea
@@ -17,15 +17,15 @@ HISTOGRAMS, LOG = N_("Histograms"), N_("Log")
 """Titles of docks in English: keys of `Docks`, from which the names in a saved layout are made."""
 
 
-def laid_out(window: QMainWindow, panels: Mapping[str, tuple[QWidget, Area]]) -> Docks:
-    """Docks of the panels by their titles; those of one side are tabs, the first in front."""
+def create_docks(window: QMainWindow, panels: Mapping[str, tuple[QWidget, Area]]) -> Docks:
+    """Create the docks of the panels by title; those of one side are tabs, the first in front."""
     # Otherwise Qt leaves the first tab bars behind.
     window.layout().setEnabled(False)
     docks: Docks = {}
     last: dict[Area, QDockWidget] = {}
     first: dict[Area, QDockWidget] = {}
     for title, (panel, area) in panels.items():
-        docks[title] = dock = _dock(window, title, panel)
+        docks[title] = dock = _create_dock(window, title, panel)
         window.addDockWidget(area, dock)
         if area in last:
             window.tabifyDockWidget(last[area], dock)
@@ -44,58 +44,60 @@ def laid_out(window: QMainWindow, panels: Mapping[str, tuple[QWidget, Area]]) ->
     return docks
 
 
-def switches(docks: Mapping[str, QDockWidget]) -> list[QAction]:
-    """An action for each panel: it comes into sight, or is closed where it is in sight.
+def dock_actions(docks: Mapping[str, QDockWidget]) -> list[QAction]:
+    """Actions that bring each panel to the front, or close the panel that is in front.
 
     Those of Qt would close one that lies behind another, which is not what was asked for.
     """
-    return [_switch(dock) for dock in docks.values()]
+    return [_dock_action(dock) for dock in docks.values()]
 
 
-def _switch(dock: QDockWidget) -> QAction:
+def _dock_action(dock: QDockWidget) -> QAction:
     made = QAction(dock.windowTitle(), dock)
     made.setCheckable(True)
     dock.visibilityChanged.connect(made.setChecked)  # false for one behind another, too
-    made.triggered.connect(lambda wanted: bring(dock) if wanted else dock.close())
+    made.triggered.connect(lambda wanted: focus_dock(dock) if wanted else dock.close())
     return made
 
 
-def bring(dock: QDockWidget) -> None:
-    """Have a panel in front, with the focus."""
+def focus_dock(dock: QDockWidget) -> None:
+    """Bring a panel to the front and give it the focus."""
     raise_panel(dock.widget())
     # It has its place when Qt has laid the tabs out
-    QTimer.singleShot(0, dock, lambda: go_into(dock))
+    QTimer.singleShot(0, dock, lambda: focus_dock_content(dock))
 
 
 def raise_panel(panel: QWidget) -> None:
-    """Show the dock of a panel in front of its neighbours, wherever the focus is."""
+    """Bring the dock of a panel to the front without changing the focus."""
     dock = panel.parentWidget()
     assert isinstance(dock, QDockWidget)
     dock.show()
     dock.raise_()
 
 
-def share_out(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
-    """Restore the original sizes of the panels."""
+def set_initial_sizes(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
+    """Set the initial sizes of the panels."""
     sides = [docks[WORKFLOW], docks[RESULTS]]
     window.resizeDocks(sides, [350, 400], Qt.Orientation.Horizontal)
     below = [docks[SIGHTINGS]]
     window.resizeDocks(below, [3 * window.height() // 10], Qt.Orientation.Vertical)
 
 
-def arrange(window: QMainWindow, docks: Mapping[str, QDockWidget], at_first: QByteArray) -> None:
-    """Put every panel back where a first start has it, also those that float or were closed.
+def restore_default_layout(
+    window: QMainWindow, docks: Mapping[str, QDockWidget], at_first: QByteArray
+) -> None:
+    """Restore the initial layout, including closed and floating panels.
 
     Parameters
     ----------
     at_first : state of the window when the panels were laid out
     """
     window.restoreState(at_first)
-    share_out(window, docks)  # the state is older than the size of the window
+    set_initial_sizes(window, docks)  # the state is older than the size of the window
 
 
-def show_all(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
-    """Show a window, then the panels that float: those that are there before lie behind it."""
+def show_window_and_docks(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
+    """Show a window and then its floating panels, so that they are in front of it."""
     floating = [dock for dock in docks.values() if dock.isFloating() and dock.isVisible()]
     for dock in floating:
         dock.hide()
@@ -104,14 +106,14 @@ def show_all(window: QMainWindow, docks: Mapping[str, QDockWidget]) -> None:
         dock.show()
 
 
-def hide_floating(docks: Mapping[str, QDockWidget]) -> None:
-    """Hide the panels that float: they do not go with their window."""
+def hide_floating_docks(docks: Mapping[str, QDockWidget]) -> None:
+    """Hide the floating panels, which do not close with their window."""
     for dock in docks.values():
         if dock.isFloating():
             dock.hide()
 
 
-def _dock(window: QMainWindow, title: str, panel: QWidget) -> QDockWidget:
+def _create_dock(window: QMainWindow, title: str, panel: QWidget) -> QDockWidget:
     dock = QDockWidget(gettext(title), window)
     dock.setObjectName(f"dock_{title.lower().replace(' ', '_')}")
     dock.setWidget(panel)

@@ -1,4 +1,4 @@
-"""The open project, its data in memory, and the way back: one undo command per edit."""
+"""Open project, its data in memory and its undo history: one undo command per edit."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -16,8 +16,8 @@ from lispac.workflow.survey import data_key as data_key
 
 
 @dataclass(eq=False)
-class _State:
-    """A project between two edits; a result that follows from an edit is filled in afterwards.
+class _ProjectState:
+    """Project between two edits; `Document.complete_last_edit` adds the result of an edit.
 
     Attributes
     ----------
@@ -34,31 +34,31 @@ class _State:
 
 @dataclass(frozen=True)
 class _EditName:
-    """Name of an edit, translated when a window shows it."""
+    """Name of an edit, translated when it is shown."""
 
     template: Template
     params: Mapping[str, Any]
 
 
 class _Edit(QUndoCommand):
-    """The state before and after one edit."""
+    """Undo command with the states before and after one edit."""
 
     def __init__(
-        self, name: _EditName, document: "Document", before: _State, after: _State
+        self, name: _EditName, document: "Document", before: _ProjectState, after: _ProjectState
     ) -> None:
         super().__init__(gettext(name.template, **name.params))
         self.name = name
         self._document, self._before, self._after = document, before, after
 
     def redo(self) -> None:
-        self._document._set(self._after)
+        self._document._set_state(self._after)
 
     def undo(self) -> None:
-        self._document._set(self._before)
+        self._document._set_state(self._before)
 
 
 class Document(QObject):
-    """A project value that changes by edits, and the survey loaded for it."""
+    """Project, changed by edits, and the survey loaded for it."""
 
     changed = Signal()
     """The project is another value, or other data are at hand for it."""
@@ -74,7 +74,7 @@ class Document(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._state: _State | None = None
+        self._state: _ProjectState | None = None
         self._folder: Path | None = None
         self.file_digest = ""
         """Digest of the project file as it was read or last saved."""
@@ -87,12 +87,12 @@ class Document(QObject):
 
     @property
     def project(self) -> Project | None:
-        """The project as it stands."""
+        """Current project; None if no project is open."""
         return None if self._state is None else self._state.project
 
     @property
     def awaits_result(self) -> bool:
-        """Whether the project's result is still to follow from the last edit."""
+        """Whether the result after the last edit is still to be computed."""
         state = self._state
         return (
             state is not None
@@ -103,49 +103,49 @@ class Document(QObject):
 
     @property
     def refusal(self) -> Message | str:
-        """Why no result follows from the last edit; empty where one does."""
+        """Reason why the last edit has no result; empty if it has one."""
         return "" if self._state is None else self._state.refusal
 
     @property
     def refused_since(self) -> Message | str:
-        """Why a later estimate was refused; empty if none was."""
+        """Reason why a later estimate was refused while an older result is kept; else empty."""
         return "" if self._state is None else self._state.refused_since
 
     @property
     def reported(self) -> str:
-        """Name of the last report of the project as it stands; empty where there is none."""
+        """Name of the report of the current project; empty if there is none."""
         told, name = self._reported
         return name if told is not None and told is self.project else ""
 
     @property
     def is_modified(self) -> bool:
-        """Whether there is something to save."""
+        """Whether there are unsaved changes."""
         return self.project is not None and not self.undo_stack.isClean()
 
     @property
     def survey_is_current(self) -> bool:
-        """Whether the loaded data are those of the project as it stands."""
+        """Whether the loaded data belong to the current project."""
         return self.project is not None and self._key == data_key(self.project)
 
     def open(self, project: Project | None, survey: Survey | None) -> None:
-        """Put a project in, fresh and unmodified."""
+        """Set a project that is not modified, and clear the undo history."""
         self.undo_stack.clear()
-        self._state = None if project is None else _State(project)
+        self._state = None if project is None else _ProjectState(project)
         self._folder = None if project is None else project.folder
         self.file_digest = "" if project is None else project.file_digest
         self.survey = survey
         self._key = data_key(project) if project is not None and survey is not None else None
-        self.show_again()
+        self.notify_opened()
 
-    def show_again(self) -> None:
-        """Emit the signals of a project that was just opened."""
+    def notify_opened(self) -> None:
+        """Emit the signals of a newly opened project."""
         self.left.emit()
         self.survey_changed.emit()
         self.opened.emit()
         self.changed.emit()
 
     def set_survey(self, project: Project | None, survey: Survey | None) -> None:
-        """Keep the data that were loaded for ``project``."""
+        """Store the data that were loaded for ``project``."""
         self.survey = survey
         self._key = data_key(project) if project is not None and survey is not None else None
         self.survey_changed.emit()
@@ -169,60 +169,63 @@ class Document(QObject):
         survey : Survey, optional
             The data as the edited project places them, where they are at hand already.
         follows : bool
-            Whether a result that the edit drops is to be computed again by itself: `amend` fills
-            it in, and one undo takes back the edit and its result.
+            Whether a result that the edit removes is computed again automatically:
+            `complete_last_edit` adds it, and one undo reverts the edit and its result.
         """
         if self._state is None or project is self._state.project:
             return
         again = follows and (self._state.project.result is not None or self._state.follows)
-        before, after = self._state, _State(self._here(project), follows=again)
+        before, after = (
+            self._state,
+            _ProjectState(self._with_current_folder(project), follows=again),
+        )
         if project.result is before.project.result is not None:
             after.refused_since = before.refused_since
         if survey is not None:
             self.survey, self._key, self._survey_told = survey, data_key(project), False
         self.undo_stack.push(_Edit(_EditName(name, params), self, before, after))
 
-    def amend(self, project: Project) -> None:
-        """Fill in what follows from the last edit; it belongs to that edit's undo step."""
+    def complete_last_edit(self, project: Project) -> None:
+        """Store the result of the last edit within the undo step of that edit."""
         assert self._state is not None
-        self._state.project = self._here(project)
+        self._state.project = self._with_current_folder(project)
         if self.undo_stack.isClean():
             self.undo_stack.resetClean()  # what was saved lacks it
         self.changed.emit()
 
     def refuse(self, reason: Message | str) -> None:
-        """Keep why nothing follows from the last edit."""
+        """Store the reason why the last edit has no result."""
         assert self._state is not None
         self._state.refusal = reason
         self.changed.emit()
 
-    def keep_older(self, reason: Message | str) -> None:
-        """Keep why an estimate was refused: the result is that of one before."""
+    def set_refused_since(self, reason: Message | str) -> None:
+        """Store the reason why an estimate was refused while an older result is kept."""
         if self._state is not None and self._state.project.result is not None:
             self._state.refused_since = reason
             self.changed.emit()
 
     def mark_saved(self, file_digest: str) -> None:
-        """The project on disk is the one in memory; its file has this digest."""
+        """Mark the project as saved to a file with this digest."""
         self.file_digest = file_digest
         self.undo_stack.setClean()
         self.saved.emit()
 
     def mark_reported(self, project: Project, name: str) -> None:
-        """A report of ``project`` was written to a file of this name."""
+        """Record that a report of ``project`` was written to a file of this name."""
         self._reported = (project, name)
         self.changed.emit()
 
     def move(self, project: Project, survey: Survey) -> None:
-        """The project was saved in another folder and goes on there, with every edit before."""
+        """Continue in another folder where the project was saved, with all undo steps."""
         assert self._state is not None
         self._folder, self.file_digest = project.folder, project.file_digest
         self._state.project = project
         self.undo_stack.setClean()
         self.set_survey(project, survey)
 
-    def handed_over(self, parent: QObject | None = None) -> "Document":
-        """The same project with the same way back, for a window made anew."""
+    def copy_for_new_window(self, parent: QObject | None = None) -> "Document":
+        """Copy of the document with its undo steps, for a window that is made again."""
         heir = Document(parent)
         heir._reported = self._reported
         heir._folder, heir.file_digest = self._folder, self.file_digest
@@ -242,8 +245,8 @@ class Document(QObject):
         heir.undo_stack.setIndex(stack.index())
         return heir
 
-    def _here(self, project: Project) -> Project:
-        """The project in the folder it has now; an edit before it moved knows another."""
+    def _with_current_folder(self, project: Project) -> Project:
+        """Project with the current folder; earlier states may hold the former folder."""
         if self._folder is None or project.folder == self._folder:
             return project
         return replace(project, folder=self._folder)
@@ -251,8 +254,8 @@ class Document(QObject):
     def _clean_changed(self, clean: bool) -> None:
         self.modified.emit(not clean)
 
-    def _set(self, state: _State) -> None:
-        state.project = self._here(state.project)
+    def _set_state(self, state: _ProjectState) -> None:
+        state.project = self._with_current_folder(state.project)
         self._state = state
         if not self._survey_told:
             self._survey_told = True

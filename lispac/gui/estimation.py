@@ -10,13 +10,13 @@ from lispac.errors import Cancelled, LispacError
 from lispac.gui import units
 from lispac.gui.controller import Controller
 from lispac.gui.document import Document, data_key
-from lispac.gui.panels.histograms import preload
+from lispac.gui.panels.histograms import preload_matplotlib
 from lispac.gui.scene import Scene
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.language import N_, Plural, gettext, gettext_lazy
 from lispac.message_texts import message_text
 from lispac.messages import Message, error
-from lispac.progress import Progress, part
+from lispac.progress import Progress, sub_progress
 from lispac.project import Project, Settings
 from lispac.survey.cloud import Cloud
 from lispac.workflow.survey import Survey
@@ -42,24 +42,24 @@ ESTIMATED_SAME_POINTS = Plural(
 
 @dataclass(frozen=True, eq=False)
 class _Selection:
-    """The points selected again with the boresight found, and the project they were chosen for."""
+    """Points selected with the estimated boresight, and the project they belong to."""
 
     asked: Project
     survey: Survey
     selected: Project
 
-    def serves(self, project: Project, survey: Survey) -> bool:
-        """Whether the sightings ``project`` uses are all among those selected."""
+    def covers_sightings(self, project: Project, survey: Survey) -> bool:
+        """Whether all sightings used in ``project`` are among the selected ones."""
         if survey is not self.survey or project.settings != self.asked.settings:
             return False
         known = {
             (target.name, sighting.line): sighting.indices
-            for target in self.asked.of_role("target")
+            for target in self.asked.targets_of_role("target")
             for sighting in target.used_sightings
         }
         return all(
             known.get((target.name, sighting.line)) is sighting.indices
-            for target in project.of_role("target")
+            for target in project.targets_of_role("target")
             for sighting in target.used_sightings
         )
 
@@ -74,7 +74,7 @@ class _EstimationResult:
 
 
 class Estimation(QObject):
-    """Runs the adjustment, and keeps the selected points so that the next one is quick."""
+    """Runs the adjustment, and stores the selected points for quick repetitions."""
 
     estimated = Signal()
     """A requested adjustment has a result."""
@@ -93,16 +93,16 @@ class Estimation(QObject):
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST_MS)
-        self._rest.timeout.connect(self._follow)
-        document.changed.connect(self._watch)
-        document.opened.connect(self._forget)
-        runner.idle.connect(self._watch)
-        runner.failed.connect(self._keep_older)
+        self._rest.timeout.connect(self._estimate_again)
+        document.changed.connect(self._wait_for_result)
+        document.opened.connect(self._on_project_opened)
+        runner.idle.connect(self._wait_for_result)
+        runner.failed.connect(self._record_refusal)
         self._asked: Task | None = None
 
     def estimate(self, settings: Settings, cross_check: bool) -> None:
-        """Adjust the boresight with these settings, then show the lines placed with it."""
-        project, survey = self._ready()
+        """Adjust the boresight with these settings and show the lines placed with it."""
+        project, survey = self._current_data()
         if project is None or survey is None:
             return
         asked = project if settings == project.settings else project.with_settings(settings)
@@ -111,7 +111,7 @@ class Estimation(QObject):
         def work(progress: Progress) -> _EstimationResult:
             settings.require_sound()
             placed = survey.with_prior(asked.mounting("prior")) if moved else survey
-            answer = _adjusted(asked, placed, None, cross_check, progress)
+            answer = _adjust(asked, placed, None, cross_check, progress)
             return replace(answer, replaced=placed) if moved else answer
 
         def done(answer: _EstimationResult) -> None:
@@ -128,35 +128,35 @@ class Estimation(QObject):
 
         task = self._runner.run(gettext("Estimating the boresight"), work, done, key="estimate")
         self._asked = task
-        self._controller.based_on_project(task)
+        self._controller.cancel_on_edit(task)
 
     def stop(self) -> None:
         """Stop the timer."""
         self._rest.stop()
 
-    def _ready(self) -> tuple[Project | None, Survey | None]:
+    def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current
         return self._document.project, self._document.survey if current else None
 
-    def _forget(self) -> None:
+    def _on_project_opened(self) -> None:
         project = self._document.project
         self._selection, self._unchecked = None, None
         self._wants_checks = project is not None and project.cross_checks is not None
 
-    def _keep_older(self, error: BaseException) -> None:
-        """Remember that the estimate was refused while the previous result is kept."""
+    def _record_refusal(self, error: BaseException) -> None:
+        """Record that an estimate was refused while an older result is kept."""
         asked = self._asked
         if asked is not None and asked.error is error and isinstance(error, LispacError):
-            self._document.keep_older(error.reason)
+            self._document.set_refused_since(error.reason)
 
     # -- what follows from a click -----------------------------------------------------------
 
-    def _watch(self) -> None:
-        """Start the wait for a result that is to follow, unless it is on its way."""
+    def _wait_for_result(self) -> None:
+        """Start the timer of a result that is to follow, unless it is being computed."""
         if not self._document.awaits_result:
             self._rest.stop()
             self._following = None
-            self._check()
+            self._run_checks()
             return
         task, base = self._following or (None, None)
         if base is self._document.project and task is not None:
@@ -170,18 +170,18 @@ class Estimation(QObject):
                 return
         self._rest.start()
 
-    def _follow(self) -> None:
-        project, survey = self._ready()
+    def _estimate_again(self) -> None:
+        project, survey = self._current_data()
         if project is None or survey is None or not self._document.awaits_result:
             return
         if self._runner.busy:
             return  # the runner tells when it is idle
         kept = self._selection
-        selection = kept if kept is not None and kept.serves(project, survey) else None
+        selection = kept if kept is not None and kept.covers_sightings(project, survey) else None
 
         def work(progress: Progress) -> _EstimationResult | Message | str:
             try:
-                return _adjusted(project, survey, selection, False, progress, advise=False)
+                return _adjust(project, survey, selection, False, progress, advise=False)
             except LispacError as failure:
                 return failure.reason
 
@@ -196,7 +196,7 @@ class Estimation(QObject):
             self._selection = answer.selection
             self._scene.keep_estimated(answer.estimated.result, answer.clouds)
             self._unchecked = answer.estimated
-            self._document.amend(answer.estimated)
+            self._document.complete_last_edit(answer.estimated)
             self._note(answer.estimated, ESTIMATED_SAME_POINTS if selection else ESTIMATED_AGAIN)
 
         # A quick one gives way to what the user asks for; a slow one can be cancelled.
@@ -209,10 +209,10 @@ class Estimation(QObject):
         )
         self._following = (task, project)
         self._asked = task
-        self._controller.based_on_project(task)
+        self._controller.cancel_on_edit(task)
 
-    def _check(self) -> None:
-        """Let what followed from a click be advised on and cross-checked when nothing else runs.
+    def _run_checks(self) -> None:
+        """Run advice and cross-checks for an automatic result when no other task runs.
 
         The advice takes half as long as the adjustment itself, the cross-checks ten times as long.
         """
@@ -221,24 +221,26 @@ class Estimation(QObject):
         last, self._checking = self._checking, None
         if last is not None and last.cancel.is_set() and not last.gave_way:
             self._unchecked = None  # cancelled by hand
-        (project, survey), selection = self._ready(), self._selection
+        (project, survey), selection = self._current_data(), self._selection
         if project is None or project is not self._unchecked or survey is None:
             return
-        if selection is None or not selection.serves(project, survey):
+        if selection is None or not selection.covers_sightings(project, survey):
             return
 
         wanted = self._wants_checks
 
         def work(progress: Progress) -> Project:
-            from lispac.workflow.calibration import check
+            from lispac.workflow.calibration import complete_result
 
-            return check(project, selection.selected, survey, cross_check=wanted, progress=progress)
+            return complete_result(
+                project, selection.selected, survey, cross_check=wanted, progress=progress
+            )
 
         def done(checked: Project) -> None:
             if self._document.project is project and checked.result is not None:
                 self._unchecked = None
-                self._scene.keep_placed(project.result, checked.result)
-                self._document.amend(checked)
+                self._scene.reassign_estimated(project.result, checked.result)
+                self._document.complete_last_edit(checked)
 
         title = (
             gettext("Cross-checking the result")
@@ -261,7 +263,7 @@ class Estimation(QObject):
         )
 
 
-def _adjusted(
+def _adjust(
     project: Project,
     survey: Survey,
     selection: _Selection | None,
@@ -270,22 +272,22 @@ def _adjusted(
     *,
     advise: bool = True,
 ) -> _EstimationResult:
-    """In the worker: select the points where need be, adjust, and place the lines."""
-    from lispac.workflow.calibration import select, solve
+    """Select points if necessary, adjust, and place the lines; runs in the worker."""
+    from lispac.workflow.calibration import adjust_selected, reselect_points
 
-    preload()
+    preload_matplotlib()
     started = perf_counter()
     if selection is None:
-        selected = select(project, survey, progress=part(progress, 0.0, 0.7))
+        selected = reselect_points(project, survey, progress=sub_progress(progress, 0.0, 0.7))
         selection = _Selection(project, survey, selected)
-    solved = solve(
+    solved = adjust_selected(
         project, selection.selected, survey,
-        cross_check=cross_check, advise=advise, progress=part(progress, 0.7, 0.95),
+        cross_check=cross_check, advise=advise, progress=sub_progress(progress, 0.7, 0.95),
     )  # fmt: skip
     assert solved.result is not None
     elapsed = perf_counter() - started
     # The checks hold the very result they stand beside.
     estimated = replace(solved, result=replace(solved.result, elapsed=elapsed))
     progress(0.95, gettext_lazy("Georeferencing the lines with the estimated boresight"))
-    clouds = survey.shown(estimated, "estimated", progress=part(progress, 0.95, 1.0))
+    clouds = survey.shown(estimated, "estimated", progress=sub_progress(progress, 0.95, 1.0))
     return _EstimationResult(estimated, selection, clouds, None)

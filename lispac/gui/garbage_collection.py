@@ -1,4 +1,4 @@
-"""Garbage is collected on the window's thread, and nowhere else.
+"""Garbage collection on the thread of the window only.
 
 Python collects cycles in whatever thread happens to make the object too many. A worker that finds a
 widget or graphics of a window that has gone would delete them there, which Qt and OpenGL do not
@@ -36,7 +36,7 @@ REST_S = 5.0
 
 
 class GarbageCollection(QObject):
-    """Collects in the thread it lives in, from when it is made until it is ended.
+    """Collects garbage in the thread it lives in, until it is ended.
 
     The modules that are there when it is made, and those that come, are not examined again: they
     stay anyhow, and looking takes 0.16 s. What else was there then is, when a window has gone.
@@ -54,11 +54,11 @@ class GarbageCollection(QObject):
         gc.freeze()
         self._looked = time.monotonic()
         self._timer = QTimer(self, interval=EVERY_MS)
-        self._timer.timeout.connect(self.tidy)
+        self._timer.timeout.connect(self.collect_due)
         self._timer.start()
 
-    def tidy(self) -> None:
-        """Collect what is due."""
+    def collect_due(self) -> None:
+        """Collect the generations that are due."""
         young, middle, _old = gc.get_count()
         if young <= YOUNG or IdleTask.taken:
             return
@@ -74,13 +74,13 @@ class GarbageCollection(QObject):
             gc.freeze()
 
     def end(self) -> None:
-        """Leave it to Python again."""
+        """Return garbage collection to Python."""
         self._timer.stop()
         gc.enable()
 
 
 def collect_all() -> None:
-    """Collect what went with a window, though it was there when modules came."""
+    """Collect all garbage, including objects of a closed window that were frozen."""
     if GarbageCollection.with_windows:
         gc.unfreeze()
     gc.collect()
@@ -89,7 +89,7 @@ def collect_all() -> None:
 
 
 class MemoryTrimming:
-    """Gives the system what arrays that have gone leave in holes between others.
+    """Returns freed memory of the C library to the system.
 
     The C library of Linux keeps them for later: after four minutes of changing projects and
     languages the program held 2.7 GB of which it used 1.7. And once an array of 32 MB has gone it
@@ -106,8 +106,8 @@ class MemoryTrimming:
             choose(M_TRIM_THRESHOLD, APART)
         self._last = time.monotonic()
 
-    def when_due(self) -> None:
-        """For a worker that has just finished something."""
+    def trim_if_due(self) -> None:
+        """Return freed memory if it is due; called by a worker after each task."""
         if self._trim is not None and time.monotonic() > self._last + REST_S:
             self._trim(0)
             self._last = time.monotonic()

@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtCore import QObject
 
 from lispac.errors import LispacError
-from lispac.geometry.planes import in_plane_axes
+from lispac.geometry.planes import plane_axes
 from lispac.gui.actions import Actions
 from lispac.gui.controller import Controller
 from lispac.gui.document import Document
@@ -17,7 +17,7 @@ from lispac.gui.theme import CANDIDATE_COLOUR
 from lispac.gui.viewport.base import Array, PickedPoint, Sketch, Viewport
 from lispac.language import gettext
 from lispac.progress import Progress
-from lispac.targets.finder import FinderSettings, PlanePatch, find_plane
+from lispac.targets.plane_finder import FinderSettings, PlanePatch, find_plane
 
 SKETCH = "hover"
 MOST = 2_000
@@ -36,7 +36,7 @@ class PreviewSettings:
 
 
 class HoverPreview(QObject):
-    """Outlines the plane under the mouse; sizes are approximate, from the points drawn.
+    """Outlines the plane under the mouse; sizes are approximate, from the drawn points.
 
     Attributes
     ----------
@@ -58,16 +58,20 @@ class HoverPreview(QObject):
         self._controller = controller
         self._warm = self._on = False
         self.seconds = 0.0
-        viewport.signals.hovered.connect(self._look)
-        self._action.triggered.connect(lambda _on: self._switch())
-        runner.idle.connect(self._switch)  # where warming up gave way to other work
+        viewport.signals.hovered.connect(self._show_preview)
+        self._action.triggered.connect(lambda _on: self._toggle_tool())
+        runner.idle.connect(self._toggle_tool)  # where warming up gave way to other work
         controller.candidate_changed.connect(lambda: viewport.show_sketch(SKETCH, None))
 
-    def _switch(self) -> None:
+    def _toggle_tool(self) -> None:
         on = self._action.isChecked()
         if on and not self._warm:
             self._runner.run(
-                gettext("Preparing the preview"), _warm_up, self._warmed, quiet=True, key="hover"
+                gettext("Preparing the preview"),
+                _prepare_finder,
+                self._on_prepared,
+                quiet=True,
+                key="hover",
             )
         elif on != self._on:
             self._on = on
@@ -75,18 +79,18 @@ class HoverPreview(QObject):
             if not on:
                 self._viewport.show_sketch(SKETCH, None)
 
-    def _warmed(self, _nothing: object) -> None:
+    def _on_prepared(self, _nothing: object) -> None:
         self._warm = True
-        self._switch()
+        self._toggle_tool()
 
-    def _look(self, point: PickedPoint | None) -> None:
+    def _show_preview(self, point: PickedPoint | None) -> None:
         start = time.perf_counter()
         self._viewport.show_sketch(SKETCH, None if point is None else self._preview(point))
         self.seconds = time.perf_counter() - start
 
     def _preview(self, point: PickedPoint) -> Sketch | None:
         project, seed_settings = self._document.project, self._settings()
-        if project is None or not seed_settings.plane or self._is_found(point):
+        if project is None or not seed_settings.plane or self._is_on_candidate(point):
             return None
         usual = FinderSettings()
         radius = seed_settings.radius or usual.radius
@@ -102,29 +106,29 @@ class HoverPreview(QObject):
             patch = find_plane(near, seed, settings)
         except LispacError:
             return None
-        return sketch_of(near, patch, point.line)
+        return patch_sketch(near, patch, point.line)
 
-    def _is_found(self, point: PickedPoint) -> bool:
-        """Whether a candidate is shown, which shows what a click took; labels would collide."""
+    def _is_on_candidate(self, point: PickedPoint) -> bool:
+        """Whether the point lies on the candidate, whose label would collide with the preview."""
         candidate = self._controller.candidate
         if candidate is None:
             return False
         return float(np.linalg.norm(np.subtract(point.position, candidate.seed))) < candidate.radius
 
 
-def _warm_up(_progress: Progress) -> None:
-    """Let the finder's compiled parts be loaded, which takes seconds the first time."""
+def _prepare_finder(_progress: Progress) -> None:
+    """Load the compiled parts of the finder, which takes seconds the first time."""
     across = np.linspace(-0.5, 0.5, 30)
     board = np.stack(np.meshgrid(across, [0.0], across, indexing="ij"), axis=-1).reshape(-1, 3)
     patch = find_plane(board, np.zeros(3), FinderSettings())
-    sketch_of(board, patch, "")
+    patch_sketch(board, patch, "")
 
 
-def sketch_of(points: Array, patch: PlanePatch, line: str) -> Sketch:
-    """The outline of a patch with its size."""
+def patch_sketch(points: Array, patch: PlanePatch, line: str) -> Sketch:
+    """Sketch of the outline of a patch with its size."""
     from scipy.spatial import ConvexHull
 
-    axes = in_plane_axes(patch.plane.normal)
+    axes = plane_axes(patch.plane.normal)
     flat = (points[patch.indices] - patch.centre) @ axes.T
     corners = patch.centre + flat[ConvexHull(flat).vertices] @ axes
     places = tuple((float(x), float(y), float(z)) for x, y, z in corners)

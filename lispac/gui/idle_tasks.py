@@ -1,4 +1,4 @@
-"""Things that each take a tenth of a second, one in each turn of the event loop.
+"""Short tasks of the event loop, run one per turn so that the window stays responsive.
 
 Timers that are due together have one turn in Qt, and the window would hear of keys and the mouse
 only after the last of them.
@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, QTimer
 
 
 class IdleTask(QTimer):
-    """Does something once after it is started, as the only one of its kind in its turn.
+    """Timer that runs a function once, at most one such timer per turn of the event loop.
 
     Parameters
     ----------
@@ -25,17 +25,17 @@ class IdleTask(QTimer):
     def __init__(self, act: Callable[[], object], parent: QObject, after: int = 0) -> None:
         super().__init__(parent, singleShot=True, interval=after)
         self._act, self._after = act, after
-        self.timeout.connect(self._take)
+        self.timeout.connect(self._act_if_free)
 
-    def _take(self) -> None:
+    def _act_if_free(self) -> None:
         if IdleTask.taken:
             self.start(0)
             return
         self.setInterval(self._after)
         IdleTask.taken = True
-        QTimer.singleShot(0, _free)
+        QTimer.singleShot(0, _allow_next)
         self._act()
 
 
-def _free() -> None:
+def _allow_next() -> None:
     IdleTask.taken = False

@@ -23,16 +23,16 @@ LACKING = {
 
 
 class _MissingTexts(QTranslator):
-    """Texts that Qt's own translation lacks; it is asked after that one."""
+    """Translator for the texts that Qt's own translation lacks."""
 
     def isEmpty(self) -> bool:
-        """Qt asks none that is."""
+        """Return False, since Qt ignores empty translators."""
         return False
 
     def translate(
         self, context: str, source: str, disambiguation: str | None = None, n: int = -1
     ) -> str | None:
-        """The text in the user's language; None where it is not one of these."""
+        """Text in the user's language; None if it is not one of these texts."""
         return gettext(source) if source in LACKING.get(context, ()) else None
 
 
@@ -62,5 +62,5 @@ def set_language(code: str) -> None:
 
 
 def local_datetime(seconds: float) -> str:
-    """A time of this computer, seconds since 1970, in the language of the window."""
+    """Text of a local time, seconds since 1970, in the language of the window."""
     return short_datetime(datetime.fromtimestamp(seconds))

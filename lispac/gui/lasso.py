@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject
 
 from lispac.errors import LispacError
 from lispac.gui.actions import Actions
-from lispac.gui.clipping import Clipping
+from lispac.gui.clipping import ClipBoxController
 from lispac.gui.document import Document
 from lispac.gui.mouse_tool import MouseTool
 from lispac.gui.scene import Scene
@@ -48,7 +48,7 @@ class Lasso(QObject):
         viewport: Viewport,
         actions: Actions,
         mouse_tool: MouseTool,
-        clipping: Clipping,
+        clipping: ClipBoxController,
         note: Callable[[str], None],
         refuse: Callable[[LispacError], None],
     ) -> None:
@@ -57,20 +57,20 @@ class Lasso(QObject):
         self._mouse_tool, self._clipping = mouse_tool, clipping
         self._actions, self._note, self._refuse = actions, note, refuse
         for tool in TOOLS:
-            actions[tool].triggered.connect(lambda on, tool=tool: self._switch(tool, on))
-        scene.selection_changed.connect(self._hint)
+            actions[tool].triggered.connect(lambda on, tool=tool: self._toggle_tool(tool, on))
+        scene.selection_changed.connect(self._show_hint)
 
-    def _switch(self, tool: str, on: bool) -> None:
+    def _toggle_tool(self, tool: str, on: bool) -> None:
         if not on:
             self._mouse_tool.end()
         elif not self._scene.selected_points:
             self._actions[tool].setChecked(False)
             self._note(gettext(NOTHING_SELECTED))
         else:
-            self._mouse_tool.begin(tool, "", outlined=self._take, ended=lambda: None)
-            self._hint()
+            self._mouse_tool.begin(tool, "", outlined=self._edit_points, ended=lambda: None)
+            self._show_hint()
 
-    def _hint(self) -> None:
+    def _show_hint(self) -> None:
         tool, selected = self._mouse_tool.tool, self._scene.selected
         if tool not in TOOLS or selected is None:
             return
@@ -78,9 +78,9 @@ class Lasso(QObject):
             template = N_("Draw around points to add them to {sighting}")
         else:
             template = N_("Draw around points to remove them from {sighting}")
-        self._mouse_tool.hint(gettext(template, sighting=_sighting(*selected)), "outline")
+        self._mouse_tool.hint(gettext(template, sighting=_sighting_text(*selected)), "outline")
 
-    def _take(self, corners: Array) -> None:
+    def _edit_points(self, corners: Array) -> None:
         project, selected = self._document.project, self._scene.selected
         if project is None or selected is None or not self._scene.selected_points:
             self._note(gettext(NOTHING_SELECTED))
@@ -95,12 +95,15 @@ class Lasso(QObject):
         }
         try:
             target, changed = edit(
-                project.target(name), shown, lambda points: self._inside(points, corners), line
+                project.target(name),
+                shown,
+                lambda points: self._points_in_outline(points, corners),
+                line,
             )
         except LispacError as error:
             self._refuse(error)
             return
-        sighting = _sighting(name, line)
+        sighting = _sighting_text(name, line)
         if not changed:
             template = N_("No points of {sighting} inside the outline")
             self._note(gettext(template, sighting=sighting))
@@ -110,7 +113,7 @@ class Lasso(QObject):
         )
         self._note(gettext(DONE[tool], count=changed, sighting=sighting))
 
-    def _inside(self, points: Array, corners: Array) -> NDArray[np.bool_]:
+    def _points_in_outline(self, points: Array, corners: Array) -> NDArray[np.bool_]:
         from matplotlib.path import Path
 
         inside = np.zeros(len(points), dtype=bool)
@@ -124,5 +127,5 @@ class Lasso(QObject):
         return inside
 
 
-def _sighting(target: str, line: str) -> str:
+def _sighting_text(target: str, line: str) -> str:
     return f"{target} · {line}" if line else target

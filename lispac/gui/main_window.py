@@ -1,4 +1,4 @@
-"""The window: puts the parts together and joins their signals."""
+"""Main window: creates its parts and connects their signals."""
 
 from functools import partial
 from pathlib import Path
@@ -9,16 +9,17 @@ from PySide6.QtWidgets import QMainWindow
 
 from lispac.gui import docks, status, tab_order
 from lispac.gui.actions import Actions
+from lispac.gui.alternative_methods import AlternativeMethods
 from lispac.gui.central_widget import CentralWidget
 from lispac.gui.computations import Computations
 from lispac.gui.controller import Controller
 from lispac.gui.desktop_notifications import DesktopNotifications
-from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.dialogs.dialog_service import Dialogs
 from lispac.gui.document import Document
-from lispac.gui.drops import FileDrops
 from lispac.gui.estimation import Estimation
-from lispac.gui.logbook import LOG
-from lispac.gui.logbook import NAME as LOG_NAME
+from lispac.gui.file_drops import FileDrops
+from lispac.gui.log_file import LOG
+from lispac.gui.log_file import NAME as LOG_NAME
 from lispac.gui.manual import Manual
 from lispac.gui.panel_refresh import PanelRefresh
 from lispac.gui.panels.adjust import AdjustPanel
@@ -38,25 +39,24 @@ from lispac.gui.panels.validate import ValidatePanel
 from lispac.gui.panels.warnings import TITLE as WARNINGS
 from lispac.gui.panels.warnings import WarningsPanel
 from lispac.gui.panels.workflow import WorkflowPanel
-from lispac.gui.preferences import Preferring
+from lispac.gui.preferences import PreferencesController
 from lispac.gui.project_lifecycle import ProjectLifecycle
 from lispac.gui.recovery_copies import RecoveryCopies
 from lispac.gui.report_export import ReportExport
 from lispac.gui.scene import Scene
 from lispac.gui.script_export import ScriptExport
-from lispac.gui.second_opinions import SecondOpinions
 from lispac.gui.seeds import SeedActions
 from lispac.gui.settings import AppSettings
 from lispac.gui.site_design import SiteDesign
-from lispac.gui.statusbar import TaskBar
+from lispac.gui.statusbar import TaskStatusBar
 from lispac.gui.studies import Studies
-from lispac.gui.target_work import TargetWork
+from lispac.gui.target_actions import TargetActions
 from lispac.gui.tasks import TaskRunner
-from lispac.gui.theme import undressed
-from lispac.gui.tools import Tools
+from lispac.gui.theme import without_style_sheet
+from lispac.gui.tools import InspectionTools
 from lispac.gui.tour import Tour
+from lispac.gui.view_actions import STEP_ACTIONS, THEMED
 from lispac.gui.view_menu import ViewMenu
-from lispac.gui.viewing_actions import STEP_ACTIONS, THEMED
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.gui.warning_list import WarningList
 from lispac.language import current_language, gettext
@@ -113,20 +113,20 @@ class MainWindow(QMainWindow):
         self.view_menu = ViewMenu(
             viewport, self.scene, self.controller, self.actions_, self.settings
         )
-        self.tools = Tools(self)
-        with undressed():
+        self.tools = InspectionTools(self)
+        with without_style_sheet():
             self._build()
-        self._join_panels()
-        self._join_actions()
-        self._join_work()
+        self._connect_panels()
+        self._connect_actions()
+        self._connect_tasks()
         self.panel_refresh = PanelRefresh(self)
-        self.target_work = TargetWork(self)
+        self.target_work = TargetActions(self)
         SeedActions(self)
         ReportExport(self)
         Studies(self)
-        SecondOpinions(self)
+        AlternativeMethods(self)
         ScriptExport(self)
-        Preferring(self)
+        PreferencesController(self)
         Manual(self)
         self.site_design = SiteDesign(self)
         self.recovery_copies = RecoveryCopies(self)
@@ -134,11 +134,11 @@ class MainWindow(QMainWindow):
         self.warning_list.selected.connect(self._select)
         self.notifications = DesktopNotifications(self, self.runner)
         self.tour = Tour(self, self.central_widget.card)
-        FileDrops(self).dropped.connect(self.lifecycle.take_in)
+        FileDrops(self).dropped.connect(self.lifecycle.open_dropped)
         if document is None:
             self.panel_refresh.refresh()
         else:
-            document.show_again()
+            document.notify_opened()
 
     # -- assembly ----------------------------------------------------------------------------
 
@@ -154,30 +154,30 @@ class MainWindow(QMainWindow):
         self.diagnostics = DiagnosticsPanel()
         self.central_widget = CentralWidget(self.viewport)
         self.setCentralWidget(self.central_widget)
-        self.task_bar = TaskBar()
+        self.task_bar = TaskStatusBar()
         self.setStatusBar(self.task_bar)
         self.addToolBar(self.actions_.fill_toolbar())
-        self.docks = self._docks()
+        self.docks = self._create_docks()
         self._at_first = self.saveState()
         # A dock behind another counts as visible; only this signal is reliable.
-        self.docks[SECTION].visibilityChanged.connect(self.tools.sections.be_seen)
-        self.actions_.fill_menus(docks.switches(self.docks))
+        self.docks[SECTION].visibilityChanged.connect(self.tools.sections.set_panel_visible)
+        self.actions_.fill_menus(docks.dock_actions(self.docks))
         screen = self.screen().availableGeometry()
         self.resize(min(1600, screen.width()), min(1000, screen.height()))
         kept = self.settings.layout()
         if kept is None:
             if screen.height() < self.height() + TITLE_BAR:
                 self.setWindowState(Qt.WindowState.WindowMaximized)
-            docks.share_out(self, self.docks)
+            docks.set_initial_sizes(self, self.docks)
         else:
             self.restoreGeometry(kept[0])
             self.restoreState(kept[1])
 
-    def _docks(self) -> docks.Docks:
+    def _create_docks(self) -> docks.Docks:
         left, right, below = (
             Area.LeftDockWidgetArea, Area.RightDockWidgetArea, Area.BottomDockWidgetArea
         )  # fmt: skip
-        return docks.laid_out(
+        return docks.create_docks(
             self,
             {
                 docks.WORKFLOW: (self.workflow, left),
@@ -193,19 +193,19 @@ class MainWindow(QMainWindow):
         )
 
     def sizeHint(self) -> QSize:
-        """The size it likes best, in pixels."""
+        """Preferred size, in pixels."""
         return QSize(1600, 1000)
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        """Tab and Shift+Tab."""
-        return tab_order.go_on(self, forward)
+        """Move the focus with Tab and Shift+Tab."""
+        return tab_order.focus_next(self, forward)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Enter, where what has the focus makes nothing of it."""
-        if not tab_order.enter(self, event):
+        """Press the focused button with Enter."""
+        if not tab_order.press_focused_button(self, event):
             super().keyPressEvent(event)
 
-    def _join_panels(self) -> None:
+    def _connect_panels(self) -> None:
         data, targets, control = self.data, self.targets, self.controller
         data.line_shown.connect(self.viewport.set_line_visible)
         data.settings_edited.connect(control.change_settings)
@@ -234,12 +234,12 @@ class MainWindow(QMainWindow):
         self.adjust.cancel_asked.connect(self.runner.cancel)
         self.validate.validate_asked.connect(self.computations.validate)
         self.validate.shown_changed.connect(self.computations.show)
-        self.validate.model_changed.connect(self.computations.measure_to)
+        self.validate.model_changed.connect(self.computations.set_surface_model)
         self.report.lines_asked.connect(self.lifecycle.export)
         self.central_widget.start.chosen.connect(lambda name: self.actions_[name].trigger())
         self.central_widget.start.project_chosen.connect(self.open_project)
 
-    def _join_actions(self) -> None:
+    def _connect_actions(self) -> None:
         actions = self.actions_
         for name, slot in {
             "new": self.lifecycle.new,
@@ -248,10 +248,10 @@ class MainWindow(QMainWindow):
             "add_lines": self.lifecycle.add_lines,
             "save": self.controller.save,
             "save_as": self.lifecycle.save_as,
-            **self.lifecycle.exports,
+            **self.lifecycle.export_actions,
             "quit": self.close,
-            "seed_target": lambda: self._seed_as("target"),
-            "seed_validation": lambda: self._seed_as("validation"),
+            "seed_target": lambda: self._set_seed_role("target"),
+            "seed_validation": lambda: self._set_seed_role("validation"),
             "accept": self.controller.accept,
             "reject": self.controller.reject,
             "estimate": self.adjust.ask,
@@ -259,12 +259,12 @@ class MainWindow(QMainWindow):
             "cancel": self.runner.cancel,
             "before": lambda: self.computations.show("prior"),
             "after": lambda: self.computations.show("estimated"),
-            "toggle": self._toggle,
+            "toggle": self._toggle_before_after,
             **{name: partial(self.workflow.go_to, k) for k, name in enumerate(STEP_ACTIONS)},
-            "arrange": lambda: docks.arrange(self, self.docks, self._at_first),
-            "english": lambda: self._speak("en"),
-            "french": lambda: self._speak("fr"),
-            **{name: partial(self._dress, choice) for choice, name in THEMED.items()},
+            "arrange": lambda: docks.restore_default_layout(self, self.docks, self._at_first),
+            "english": lambda: self._set_language("en"),
+            "french": lambda: self._set_language("fr"),
+            **{name: partial(self._set_theme, choice) for choice, name in THEMED.items()},
             "keys": self.dialogs.shortcuts,
             "tour": lambda: self.tour.start(),
             "log_file": self._open_log_file,
@@ -273,7 +273,7 @@ class MainWindow(QMainWindow):
             actions[name].triggered.connect(lambda _=False, slot=slot: slot())
         actions.recent.aboutToShow.connect(self._list_recent)
 
-    def _join_work(self) -> None:
+    def _connect_tasks(self) -> None:
         self.document.changed.connect(self.task_bar.clearMessage)  # it was said of what was
         self.task_bar.cancel_asked.connect(self.runner.cancel)
         self.runner.failed.connect(self.dialogs.show_error)
@@ -284,7 +284,7 @@ class MainWindow(QMainWindow):
         self.controller.candidate_changed.connect(self.docks[docks.SIGHTINGS].raise_)
         self.computations.validated.connect(self.docks[docks.HISTOGRAMS].raise_)
         self.scene.placing_wanted.connect(lambda: self.computations.show("estimated"))
-        self.viewport.signals.seed_clicked.connect(self._seeded)
+        self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
         self.viewport.signals.missed.connect(
             lambda: self._note(gettext("No point under the cursor. Ctrl+click on a target."))
         )
@@ -311,11 +311,11 @@ class MainWindow(QMainWindow):
     def _list_recent(self) -> None:
         self.lifecycle.list_recent(self.actions_.recent)
 
-    def _seed_as(self, role: str) -> None:
+    def _set_seed_role(self, role: str) -> None:
         self.targets.set_role(role)
         self.workflow.open(status.TARGETS)
 
-    def _seeded(self, point: PickedPoint) -> None:
+    def _on_seed_clicked(self, point: PickedPoint) -> None:
         self.controller.seed(point, self.targets.seed_options)
 
     def _select(self, name: str, line: str) -> None:
@@ -330,18 +330,18 @@ class MainWindow(QMainWindow):
         if new.strip() in self.targets.names:  # still the one that was chosen
             self._select(new.strip(), "")
 
-    def _speak(self, language: str) -> None:
+    def _set_language(self, language: str) -> None:
         if language != self.settings.language:
             self.settings.language = language
-            self.renew()
+            self.rebuild_window()
 
-    def _dress(self, choice: str) -> None:
+    def _set_theme(self, choice: str) -> None:
         if choice != self.settings.theme:
             self.settings.theme = choice
-            self.renew()
+            self.rebuild_window()
 
-    def renew(self) -> None:
-        """Request a window in the language and theme of the settings, once no task runs."""
+    def rebuild_window(self) -> None:
+        """Request a new window with the language and theme of the settings, once no task runs."""
         for runner in (self.runner, *self.site_design.runners):
             if runner.busy:
                 self._note(
@@ -349,37 +349,37 @@ class MainWindow(QMainWindow):
                         "A task is running. The new language or theme is used when it has ended."
                     )
                 )
-                runner.idle.connect(self.renew, Qt.ConnectionType.SingleShotConnection)
+                runner.idle.connect(self.rebuild_window, Qt.ConnectionType.SingleShotConnection)
                 return
         self.renewal_asked.emit()
 
-    def _toggle(self) -> None:
+    def _toggle_before_after(self) -> None:
         self.computations.show("prior" if self.scene.which == "estimated" else "estimated")
 
     # -- the end -----------------------------------------------------------------------------
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Go, unless something would be lost and the user stays."""
+        """Close the window, unless the user keeps unsaved changes."""
         if not (self.lifecycle.may_leave() and self.site_design.leave()):
             event.ignore()
             return
         self.keep_layout()
         self.recovery_copies.forget()
         self.settings.left_open = None
-        self.retire()
+        self.stop_and_hide()
         event.accept()
 
     def keep_layout(self) -> None:
-        """Remember where window and panels are."""
+        """Store the layout of window and panels in the settings."""
         self.settings.keep_layout(self.saveGeometry(), self.saveState())
         self.settings.sync()
 
-    def retire(self) -> None:
-        """Stop all work, and go without asking.
+    def stop_and_hide(self) -> None:
+        """Hide the window and stop all work without asking.
 
         Out of sight first: work that was asked to stop may take seconds to hear of it.
         """
-        docks.hide_floating(self.docks)
+        docks.hide_floating_docks(self.docks)
         self.hide()
         self.site_design.end()
         self.adjust.stop()

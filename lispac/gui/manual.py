@@ -28,7 +28,7 @@ class Manual(QObject):
         )
 
     def open(self, page: str = "index", place: str = "") -> None:
-        """Show a page, or a place on it, in the language of the window."""
+        """Show a page of the manual, or a place on it, in the language of the window."""
         code = current_language()
 
         def work(progress: Progress) -> Path:
@@ -36,9 +36,11 @@ class Manual(QObject):
 
             return manual_page(code, page, progress=progress)
 
-        self._runner.run(gettext("Opening the manual"), work, lambda file: self._show(file, place))
+        self._runner.run(
+            gettext("Opening the manual"), work, lambda file: self._open_in_browser(file, place)
+        )
 
-    def _show(self, file: Path, place: str) -> None:
+    def _open_in_browser(self, file: Path, place: str) -> None:
         url = QUrl.fromLocalFile(str(file))
         if place:
             url.setFragment(place)

@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import QObject
 
 from lispac.errors import InputError
-from lispac.geometry import measuring
+from lispac.geometry import point_measurements
 from lispac.gui import units
 from lispac.gui.actions import Actions
 from lispac.gui.mouse_tool import MouseTool
@@ -27,7 +27,7 @@ AGAIN = N_("Click to measure again")
 
 
 class Measurements(QObject):
-    """Two clicks give a distance, three an angle; the next click begins anew."""
+    """Measures a distance with two clicks or an angle with three."""
 
     def __init__(
         self,
@@ -40,7 +40,7 @@ class Measurements(QObject):
         self._viewport, self._mouse_tool, self._note = viewport, mouse_tool, note
         self._points: list[Array] = []
         for tool in HINTS:
-            actions[tool].triggered.connect(lambda on, tool=tool: self._switch(tool, on))
+            actions[tool].triggered.connect(lambda on, tool=tool: self._toggle_tool(tool, on))
 
     def restart(self) -> None:
         """Clear the points, because the lines have moved."""
@@ -49,14 +49,14 @@ class Measurements(QObject):
         if self._mouse_tool.tool in HINTS:
             self._mouse_tool.hint(gettext(HINTS[self._mouse_tool.tool][0]))
 
-    def _switch(self, tool: str, on: bool) -> None:
+    def _toggle_tool(self, tool: str, on: bool) -> None:
         if on:
             hint = gettext(HINTS[tool][0])
-            self._mouse_tool.begin(tool, hint, pointed=self._take, ended=self.restart)
+            self._mouse_tool.begin(tool, hint, pointed=self._add_point, ended=self.restart)
         else:
             self._mouse_tool.end()
 
-    def _take(self, point: PickedPoint) -> None:
+    def _add_point(self, point: PickedPoint) -> None:
         tool = self._mouse_tool.tool
         needed = len(HINTS[tool])
         if len(self._points) == needed:
@@ -67,7 +67,7 @@ class Measurements(QObject):
             try:
                 measure = angle_text if needed == 3 else distance_text
                 text = measure(*self._points)
-                with units.standard():
+                with units.standard_units():
                     metric = measure(*self._points)
             except InputError as error:
                 self._note(str(error))
@@ -77,12 +77,12 @@ class Measurements(QObject):
             self._note(one_line)
         hints = (*HINTS[tool], AGAIN)
         self._mouse_tool.hint(gettext(hints[len(self._points)]))
-        self._viewport.show_sketch(SKETCH, _sketch(self._points, text, metric))
+        self._viewport.show_sketch(SKETCH, _measurement_sketch(self._points, text, metric))
 
 
 def distance_text(first: Array, second: Array) -> str:
-    """A distance and its components, one on each line."""
-    found = measuring.distance(first, second)
+    """Text of a distance and its components, one on each line."""
+    found = point_measurements.measure_distance(first, second)
     vertical = units.local_amount(found.vertical, "m", "+.3f")
     return gettext(
         "Slope distance {slope}\nHorizontal {horizontal}\nVertical {vertical}\n"
@@ -95,18 +95,18 @@ def distance_text(first: Array, second: Array) -> str:
 
 
 def angle_text(first: Array, vertex: Array, second: Array) -> str:
-    """An angle and the lengths of its sides, one on each line."""
-    sides = [measuring.distance(vertex, end).slope for end in (first, second)]
+    """Text of an angle and the lengths of its sides, one on each line."""
+    sides = [point_measurements.measure_distance(vertex, end).slope for end in (first, second)]
     one, other = (units.local_amount(each, "m", ".3f") for each in sides)
     return gettext(
         "Angle {angle:deg.2}°\nSides {first} and {second}",
-        angle=measuring.angle(first, vertex, second),
+        angle=point_measurements.measure_angle(first, vertex, second),
         first=one,
         second=other,
     )
 
 
-def _sketch(points: list[Array], text: str, metric: str) -> Sketch:
+def _measurement_sketch(points: list[Array], text: str, metric: str) -> Sketch:
     places = tuple((float(p[0]), float(p[1]), float(p[2])) for p in points)
     edges = tuple((k, k + 1) for k in range(len(places) - 1))
     at = None

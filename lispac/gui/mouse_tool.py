@@ -1,4 +1,4 @@
-"""The tool that has the left mouse button: started by its action and ended by Esc."""
+"""Assignment of the left mouse button to one tool, started by its action, ended by Esc."""
 
 from collections.abc import Callable
 
@@ -11,7 +11,7 @@ from lispac.language import gettext
 
 
 class MouseTool(QObject):
-    """Hands the mouse to tools.
+    """Assigns the left mouse button to one tool at a time.
 
     Esc belongs to the running tool; without one it rejects the plane found, as ever.
     """
@@ -23,14 +23,14 @@ class MouseTool(QObject):
         self._pointed: Callable[[PickedPoint], None] = lambda _point: None
         self._outlined: Callable[[object], None] = lambda _corners: None
         self._ended: Callable[[], None] = lambda: None
-        viewport.signals.pointed.connect(self._take)
+        viewport.signals.pointed.connect(self._pass_point)
         viewport.signals.outlined.connect(lambda corners: self._outlined(corners))
         actions["end_tool"].triggered.connect(lambda _=False: self.end())
         actions["end_tool"].setEnabled(False)
 
     @property
     def tool(self) -> str:
-        """The action of the tool that has the mouse; "" for none."""
+        """Name of the action of the active tool; empty for none."""
         return self._tool
 
     def begin(
@@ -42,7 +42,7 @@ class MouseTool(QObject):
         outlined: Callable[[object], None] | None = None,
         ended: Callable[[], None],
     ) -> None:
-        """Give the mouse to the tool of an action; the one that had it is ended.
+        """Activate the tool of an action and end the former one.
 
         Parameters
         ----------
@@ -63,11 +63,11 @@ class MouseTool(QObject):
         self.hint(hint, mode)
 
     def hint(self, text: str, mode: MouseMode = "point") -> None:
-        """Show what the next click does."""
+        """Show the hint for the next click."""
         self._viewport.set_mouse(mode, gettext("{hint}   ·   Esc: end", hint=text))
 
     def end(self) -> None:
-        """Give the mouse back to the view."""
+        """End the active tool; the mouse then navigates the view."""
         if not self._tool:
             return
         tool, self._tool = self._tool, ""
@@ -78,6 +78,6 @@ class MouseTool(QObject):
         self._viewport.set_mouse("navigate")
         self._ended()
 
-    def _take(self, point: PickedPoint | None) -> None:
+    def _pass_point(self, point: PickedPoint | None) -> None:
         if point is not None:
             self._pointed(point)

@@ -24,22 +24,22 @@ class PanelRefresh(QObject):
         self._window = window
         self._opening = False
         window.document.changed.connect(self.refresh)
-        window.document.changed.connect(self._count)
-        window.document.modified.connect(lambda _modified: self._name_window())
+        window.document.changed.connect(self._count_points)
+        window.document.modified.connect(lambda _modified: self._set_window_title())
         window.workflow.step_opened.connect(lambda _step: self.refresh())
         window.document.opened.connect(self._open_step)
         window.runner.changed.connect(self._show_task)
         window.runner.moved.connect(self._show_progress)
         window.controller.candidate_changed.connect(self._show_candidate)
         window.computations.counted.connect(self._show_count)
-        window.scene.which_changed.connect(self._show_which)
+        window.scene.which_changed.connect(self._show_before_after)
 
     def refresh(self) -> None:
         """Show the current document in all panels."""
         if self._opening:
             return
         window = self._window
-        project, survey, statuses = self._state()
+        project, survey, statuses = self._project_state()
         waiting = window.document.awaits_result
         busy = window.runner.busy
         window.central_widget.show_view(project is not None)
@@ -53,34 +53,34 @@ class PanelRefresh(QObject):
         window.report.show_status(statuses[REPORT], survey is not None, busy)
         window.table.show_project(project, survey)
         window.results.show_project(
-            project, waiting=waiting, refusal=_text_of(window.document.refusal),
+            project, waiting=waiting, refusal=_reason_text(window.document.refusal),
             older=window.document.refused_since,
         )  # fmt: skip
         window.diagnostics.show_project(project, waiting=waiting)
         window.convention.show_project(project)
         window.histograms.show_project(project)
-        self._enable(statuses, busy)
-        self._name_window()
+        self._enable_controls(statuses, busy)
+        self._set_window_title()
 
     def _open_step(self) -> None:
-        """Open the first step that is not done; what all panels show then follows at once."""
+        """Open the first step that is not done, without refreshing the panels twice."""
         self._opening = True
         try:
             self._window.workflow.open(self._first_open_step())
         finally:
             self._opening = False
 
-    def _state(self) -> tuple[Project | None, Survey | None, tuple[status.StepStatus, ...]]:
+    def _project_state(self) -> tuple[Project | None, Survey | None, tuple[status.StepStatus, ...]]:
         window = self._window
         document = window.document
         survey = document.survey if document.survey_is_current else None
-        statuses = status.steps(
+        statuses = status.step_statuses(
             document.project, survey, waiting=document.awaits_result, refusal=document.refusal,
             reported=document.reported,
         )  # fmt: skip
         return document.project, survey, statuses
 
-    def _enable(self, statuses: tuple[status.StepStatus, ...], busy: bool) -> None:
+    def _enable_controls(self, statuses: tuple[status.StepStatus, ...], busy: bool) -> None:
         window = self._window
         project, actions = window.document.project, window.actions_
         ready = statuses[DATA].ready and not busy
@@ -93,7 +93,7 @@ class PanelRefresh(QObject):
             "tour": not busy,
             **dict.fromkeys(("add_lines", "save_as"), statuses[DATA].ready and not busy),
             "report": statuses[REPORT].ready and not busy,
-            **dict.fromkeys(window.lifecycle.exports, ready),
+            **dict.fromkeys(window.lifecycle.export_actions, ready),
             "accept": window.controller.candidate is not None,
             "reject": window.controller.candidate is not None,
             "estimate": statuses[ADJUST].ready and not busy,
@@ -114,12 +114,12 @@ class PanelRefresh(QObject):
 
     def _show_task(self) -> None:
         window = self._window
-        project, survey, statuses = self._state()
+        project, survey, statuses = self._project_state()
         busy = window.runner.busy
         window.adjust.show_project(project, statuses[ADJUST], busy)
         window.validate.show_project(project, statuses[VALIDATE], busy)
         window.report.show_status(statuses[REPORT], survey is not None, busy)
-        self._enable(statuses, busy)
+        self._enable_controls(statuses, busy)
 
     def _show_candidate(self) -> None:
         window = self._window
@@ -136,16 +136,16 @@ class PanelRefresh(QObject):
         window = self._window
         window.adjust.show_count(count.kept, count.total, count.sightings, count.reason)
 
-    def _count(self) -> None:
+    def _count_points(self) -> None:
         window = self._window
         window.computations.count(window.adjust.subsample)
 
-    def _show_which(self, which: str) -> None:
+    def _show_before_after(self, which: str) -> None:
         window = self._window
-        window.validate.show_which(which)
+        window.validate.show_before_after(which)
         window.actions_["after" if which == "estimated" else "before"].setChecked(True)
 
-    def _name_window(self) -> None:
+    def _set_window_title(self) -> None:
         window = self._window
         project = window.document.project
         window.setWindowTitle("LISPAC" if project is None else f"{project.name}[*] – LISPAC")
@@ -157,12 +157,12 @@ class PanelRefresh(QObject):
         project = window.document.project
         if project is None:
             return DATA
-        if not project.of_role("target"):
+        if not project.targets_of_role("target"):
             return TARGETS
         if project.result is None:
             return ADJUST
         return REPORT if project.validation else VALIDATE
 
 
-def _text_of(reason: Message | str) -> str:
+def _reason_text(reason: Message | str) -> str:
     return message_text(reason) if isinstance(reason, Message) else reason

@@ -12,10 +12,10 @@ from lispac.gui.panels.patch_test import PatchTestPanel
 from lispac.gui.viewport.base import Array, PickedPoint
 from lispac.gui.viewport.clipping import Box as ClipBox
 from lispac.language import N_, gettext
-from lispac.patchtest.boxes import SMALLEST, Box, checked
+from lispac.patchtest.object_boxes import SMALLEST, ObjectBox, object_of_box
 from lispac.progress import Progress
 from lispac.project import Project
-from lispac.workflow.patch_test import PlacedObjects, lay, propose
+from lispac.workflow.patch_test import PlacedObjects, place_objects, propose_objects
 from lispac.workflow.survey import Survey
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ BY_HAND = "H"
 
 
 class PatchObjects(QObject):
-    """Places boxes in the worker, and emits them with `laid`.
+    """Places boxes around objects in the worker and emits `laid`.
 
     Parameters
     ----------
@@ -51,33 +51,33 @@ class PatchObjects(QObject):
         self._window, self._present = window, present
         self._document, self._runner, self._scene = window.document, window.runner, window.scene
         self._controller = window.controller
-        window.actions_["patch_point"].triggered.connect(self._switch)
+        window.actions_["patch_point"].triggered.connect(self._toggle_tool)
         panel.propose_asked.connect(self.propose)
         panel.point_asked.connect(window.actions_["patch_point"].trigger)
         panel.target_asked.connect(self._add_target)
         panel.box_asked.connect(self._add_clip_box)
 
     def propose(self) -> None:
-        """Find objects in the worker."""
-        project, survey = self._ready()
+        """Detect objects in the worker."""
+        project, survey = self._current_data()
         if project is None or survey is None:
             return
         task = self._runner.run(
             gettext("Detecting objects"),
-            lambda progress: propose(project, survey, progress=progress),
-            self._take_proposed,
+            lambda progress: propose_objects(project, survey, progress=progress),
+            self._replace_detected,
         )
-        self._controller.based_on_project(task)
+        self._controller.cancel_on_edit(task)
 
-    def _take_proposed(self, laid: PlacedObjects) -> None:
-        """In place of those found before; boxes laid by hand stay."""
+    def _replace_detected(self, laid: PlacedObjects) -> None:
+        """Replace the objects detected before; boxes placed by hand are kept."""
         before = self._present()
         own = [] if before is None else [o.name for o in before.objects if o.name[0] == BY_HAND]
         if before is not None and own:
             laid = before.only(own).joined(laid)
         self.laid.emit(laid, "")
 
-    def _switch(self, on: bool) -> None:
+    def _toggle_tool(self, on: bool) -> None:
         mouse_tool = self._window.tools.mouse_tool
         if not on:
             mouse_tool.end()
@@ -86,7 +86,7 @@ class PatchObjects(QObject):
 
     def _add_point(self, point: PickedPoint) -> None:
         self._window.tools.mouse_tool.end()
-        self._add(Box(np.array(point.position), np.array(ABOUT_POINT)))
+        self._add_box(ObjectBox(np.array(point.position), np.array(ABOUT_POINT)))
 
     def _add_target(self) -> None:
         groups = self._scene.selected_points
@@ -94,8 +94,8 @@ class PatchObjects(QObject):
             self._controller.noted.emit(gettext("Select a target to place a box around it."))
             return
         points = np.concatenate(list(groups.values()))
-        ahead = points.mean(axis=0) - self._vessel()
-        self._add(_own(ClipBox.about(points, ahead, ABOUT_TARGET)))
+        ahead = points.mean(axis=0) - self._vessel_position()
+        self._add_box(_patch_box(ClipBox.about(points, ahead, ABOUT_TARGET)))
 
     def _add_clip_box(self) -> None:
         box = self._window.tools.clipping.box
@@ -104,17 +104,17 @@ class PatchObjects(QObject):
                 gettext("Switch on the clip box (X) and place it around an object.")
             )
             return
-        self._add(_own(box))
+        self._add_box(_patch_box(box))
 
-    def _vessel(self) -> Array:
+    def _vessel_position(self) -> Array:
         survey = self._document.survey
         assert survey is not None
         times = np.array([line.first_time for line in survey.scans.values()])
         return np.asarray(survey.trajectory.at(times).position.mean(axis=0))
 
-    def _add(self, box: Box) -> None:
-        """Lay a box where the view shows what is in it."""
-        project, survey = self._ready()
+    def _add_box(self, box: ObjectBox) -> None:
+        """Place a box where the lines are displayed."""
+        project, survey = self._current_data()
         if project is None or survey is None:
             return
         before = self._present()
@@ -124,7 +124,9 @@ class PatchObjects(QObject):
 
         def work(progress: Progress) -> PlacedObjects | str:
             try:
-                found = lay(project, survey, [checked(name, box)], shown, progress=progress)
+                found = place_objects(
+                    project, survey, [object_of_box(name, box)], shown, progress=progress
+                )
             except LispacError as error:
                 return str(error)
             if not found.sample.seen:
@@ -141,14 +143,14 @@ class PatchObjects(QObject):
             self.laid.emit(found if before is None else before.joined(found), name)
 
         task = self._runner.run(gettext("Placing a box"), work, done)
-        self._controller.based_on_project(task)
+        self._controller.cancel_on_edit(task)
 
-    def _ready(self) -> tuple[Project | None, Survey | None]:
+    def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current
         return self._document.project, self._document.survey if current else None
 
 
-def _own(box: ClipBox) -> Box:
+def _patch_box(box: ClipBox) -> ObjectBox:
     ahead = box.axes[0]
     turn = float(np.arctan2(-ahead[1], ahead[0]))
-    return Box(np.array(box.centre), np.maximum(2 * box.half, SMALLEST), turn)
+    return ObjectBox(np.array(box.centre), np.maximum(2 * box.half, SMALLEST), turn)

@@ -1,4 +1,4 @@
-"""Patch test in the window: objects, angles, and the pictures that follow them."""
+"""Controller of the patch test: objects, angles, and the pictures that depend on them."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -17,16 +17,16 @@ from lispac.gui.viewport.clipping import EDGES
 from lispac.gui.viewport.clipping import Box as ClipBox
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.patchtest.answer import PatchTest
-from lispac.patchtest.boxes import Box, PatchObject
-from lispac.patchtest.mismatch import Mismatch, lowest
-from lispac.patchtest.optimise import Minimum
-from lispac.patchtest.pairs import LinePair
-from lispac.patchtest.sample import Sample
+from lispac.patchtest.line_mismatch import Mismatch, curve_minimum
+from lispac.patchtest.line_pairs import LinePair
+from lispac.patchtest.mismatch_minimisation import MismatchMinimum
+from lispac.patchtest.object_boxes import ObjectBox, PatchObject
+from lispac.patchtest.object_sample import ObjectSample
+from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.progress import Progress
 from lispac.project import Project
-from lispac.workflow.opinions import of_the_patch_test
-from lispac.workflow.patch_test import PlacedObjects, find, find_angle, line_pairs
+from lispac.workflow.method_runs import patch_test_result
+from lispac.workflow.patch_test import PlacedObjects, find_angle, find_boresight, line_pairs
 from lispac.workflow.survey import Survey
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ REST_MS = 200
 
 
 class PatchTestController(QObject):
-    """Keeps the objects, and the pictures in step with the angles."""
+    """Holds the objects, and updates the pictures when the angles change."""
 
     def __init__(self, window: "MainWindow", bring: Callable[[QObject], None]) -> None:
         super().__init__(window)
@@ -58,34 +58,34 @@ class PatchTestController(QObject):
         self._window = window
         self.panel = PatchTestPanel()
         self._laid: PlacedObjects | None = None
-        self._answer: PatchTest | None = None
+        self._answer: PatchTestResult | None = None
         self._survey: Survey | None = None
-        self._dense: Sample | None = None
+        self._dense: ObjectSample | None = None
         self._taking: Task | None = None
         self._live: Mismatch | None = None
         self._angle = 0
         self._curve_at: Array | None = None
         self._drawn = self._stale = False
         self._rest = QTimer(self, singleShot=True, interval=REST_MS)
-        self._rest.timeout.connect(self._ask_curve)
+        self._rest.timeout.connect(self._compute_curve)
         panel = self.panel
         window.actions_["patch_test"].triggered.connect(lambda _=False: self.open())
         panel.remove_asked.connect(self._remove)
-        panel.go_asked.connect(self._go)
+        panel.go_asked.connect(self._zoom_to_object)
         panel.shown_changed.connect(self._show_object)
-        panel.ticked_changed.connect(self._ticked)
+        panel.ticked_changed.connect(self._on_ticks_changed)
         panel.all_asked.connect(self.find_all)
         panel.keep_asked.connect(self.keep)
-        panel.prior_asked.connect(self._to_prior)
-        panel.angles.turned.connect(self._turned)
+        panel.prior_asked.connect(self._reset_to_prior)
+        panel.angles.turned.connect(self._on_angle_turned)
         panel.angles.find_asked.connect(self.find_angle)
-        panel.curve.chosen.connect(self._choose)
-        self._document.survey_changed.connect(self._begin)
-        self._runner.changed.connect(self._enable)
+        panel.curve.chosen.connect(self._set_angle)
+        self._document.survey_changed.connect(self._reset)
+        self._runner.changed.connect(self._enable_controls)
         self._runner.idle.connect(self._when_idle)
         adding = PatchObjects(window, self.panel, lambda: self._laid)
-        adding.laid.connect(self._take)
-        self._begin()
+        adding.laid.connect(self._set_objects)
+        self._reset()
 
     def open(self) -> None:
         """Bring the panel to the front."""
@@ -96,62 +96,69 @@ class PatchTestController(QObject):
     def _remove(self, name: str) -> None:
         if self._laid is not None and name:
             left = [each.name for each in self._laid.objects if each.name != name]
-            self._take(self._laid.only(left) if left else None)
+            self._set_objects(self._laid.only(left) if left else None)
 
-    def _take(self, laid: PlacedObjects | None, shown: str = "") -> None:
+    def _set_objects(self, laid: PlacedObjects | None, shown: str = "") -> None:
         panel = self.panel
-        unticked = {n for n in self._names() if n not in panel.ticked}
+        unticked = {n for n in self._object_names() if n not in panel.ticked_entries}
         self._laid = laid
-        panel.show_objects(self._names(), unticked, shown or panel.shown)
-        self._forget_answer()
+        panel.show_objects(self._object_names(), unticked, shown or panel.shown)
+        self._discard_result()
         self._show_object()
-        self._enable()
+        self._enable_controls()
 
-    def _names(self) -> list[str]:
+    def _object_names(self) -> list[str]:
         return [] if self._laid is None else [each.name for each in self._laid.objects]
 
-    def _go(self, name: str) -> None:
-        each = self._object(name)
+    def _zoom_to_object(self, name: str) -> None:
+        each = self._find_object(name)
         if each is not None:
-            self._viewport.fit(_clip(each.box).corners)
+            self._viewport.fit(_clip_box(each.box).corners)
 
-    def _object(self, name: str) -> PatchObject | None:
+    def _find_object(self, name: str) -> PatchObject | None:
         objects = () if self._laid is None else self._laid.objects
         return next((each for each in objects if each.name == name), None)
 
     # -- what follows the angles -------------------------------------------------------------
 
     def _show_object(self) -> None:
-        """Another object is examined, or otherwise."""
-        each, survey = self._object(self.panel.shown), self._survey
+        """Show the selected object, or update it."""
+        each, survey = self._find_object(self.panel.shown), self._survey
         if each is None or survey is None or self._laid is None:
             self._dense = self._live = None
             self.panel.picture.show_points({}, {}, np.ones(2))
-            self._draw(None)
+            self._draw_sketch(None)
             return
-        corners = _clip(each.box).corners
-        self._draw(Sketch(tuple((float(x), float(y), float(z)) for x, y, z in corners), EDGES,
-                          COLOUR, label=each.name, at=tuple(each.box.centre.tolist())))  # fmt: skip
+        corners = _clip_box(each.box).corners
+        self._draw_sketch(
+            Sketch(
+                tuple((float(x), float(y), float(z)) for x, y, z in corners),
+                EDGES,
+                COLOUR,
+                label=each.name,
+                at=tuple(each.box.centre.tolist()),
+            )
+        )
         one = self._laid.sample.of_objects([each.name])
         self._live = Mismatch(one, PlacedObjects((each,), (self._laid.boresight,), one).blocks(
-            [each.name], self._pairs()))  # fmt: skip
+            [each.name], self._ticked_line_pairs()))  # fmt: skip
         self._curve_at = None
         self.panel.curve.show_curve("", np.empty(0), np.empty(0))
         if self._dense is None or self._dense.seen[0].object is not each:
             self._dense = None
-            self._take_dense(each, self._laid, survey)
-        self._follow()
+            self._extract_dense_points(each, self._laid, survey)
+        self._draw_lines()
 
-    def _take_dense(self, each: PatchObject, laid: PlacedObjects, survey: Survey) -> None:
-        """Take the points that are drawn; until they are there the picture stays as it is."""
+    def _extract_dense_points(self, each: PatchObject, laid: PlacedObjects, survey: Survey) -> None:
+        """Extract the points to draw in the worker; the picture stays until they are there."""
 
-        def work(_progress: Progress) -> Sample:
-            return Sample.of([each], placed_at(laid, survey), survey.scans, most=DENSE)
+        def work(_progress: Progress) -> ObjectSample:
+            return ObjectSample.of([each], placed_lines(laid, survey), survey.scans, most=DENSE)
 
-        def done(dense: Sample) -> None:
-            if self._object(self.panel.shown) is each:
+        def done(dense: ObjectSample) -> None:
+            if self._find_object(self.panel.shown) is each:
                 self._dense = dense
-                self._follow()
+                self._draw_lines()
 
         title = gettext("Extracting the points of {name}", name=each.name)
         self._taking = self._runner.run(title, work, done, quiet=True, key="patching")
@@ -162,23 +169,23 @@ class PatchTestController(QObject):
         if self._stale:
             self._rest.start()
 
-    def _turned(self, angle: int) -> None:
+    def _on_angle_turned(self, angle: int) -> None:
         self._angle = angle
-        self._follow()
+        self._draw_lines()
 
-    def _choose(self, value: float) -> None:
+    def _set_angle(self, value: float) -> None:
         boresight = self.panel.angles.boresight
         boresight[self._angle] = value
-        self.panel.angles.turn_to(boresight)
-        self._follow()
+        self.panel.angles.set_angles(boresight)
+        self._draw_lines()
 
-    def _follow(self) -> None:
-        """Draw the lines with the angles as they are now; the curve follows when they rest."""
-        each = self._object(self.panel.shown)
+    def _draw_lines(self) -> None:
+        """Draw the lines with the current angles; the curve follows after a pause."""
+        each = self._find_object(self.panel.shown)
         if each is None or self._dense is None or self._survey is None or self._live is None:
             return
         boresight = self.panel.angles.boresight
-        across, up, size = _sides(each.box, self.panel.view.currentIndex())
+        across, up, size = _view_axes(each.box, self.panel.view.currentIndex())
         placed = self._dense.placed(boresight) - each.box.centre
         points = {
             seen.line: placed[seen.points] @ np.column_stack([across, up])
@@ -190,12 +197,12 @@ class PatchTestController(QObject):
         mismatch = float("nan")
         if self.panel.of.currentIndex() == 0:
             mismatch = self._live(boresight) if self._live.blocks else float("nan")
-        curve.show_present(value, mismatch)
-        if not self._curve_serves(boresight):
+        curve.mark_current(value, mismatch)
+        if not self._is_curve_current(boresight):
             self._stale = True
             self._rest.start()
 
-    def _curve_serves(self, boresight: Array) -> bool:
+    def _is_curve_current(self, boresight: Array) -> bool:
         at = self._curve_at
         if at is None:
             return False
@@ -204,13 +211,13 @@ class PatchTestController(QObject):
         return bool(self._curve_angle == self._angle and (boresight[others] == at[others]).all()
                     and moved <= INNER * REACH)  # fmt: skip
 
-    def _ask_curve(self) -> None:
-        laid, angle, each = self._laid, self._angle, self._object(self.panel.shown)
+    def _compute_curve(self) -> None:
+        laid, angle, each = self._laid, self._angle, self._find_object(self.panel.shown)
         if laid is None or each is None or self._runner.busy:
             return
         whole = self.panel.of.currentIndex() == 1
-        names = self.panel.ticked if whole else (each.name,)
-        boresight, pairs = self.panel.angles.boresight, self._pairs()
+        names = self.panel.ticked_entries if whole else (each.name,)
+        boresight, pairs = self.panel.angles.boresight, self._ticked_line_pairs()
         steps = STEPS["all" if whole else "one"]
 
         def work(progress: Progress) -> tuple[Array, Array]:
@@ -223,7 +230,7 @@ class PatchTestController(QObject):
                 for k, value in enumerate(values):
                     progress(k / many)
                     found[k] = mismatch.curve(boresight, angle, np.array([value]))[0]
-                if lowest(values, found) is not None:
+                if curve_minimum(values, found) is not None:
                     break
             return values, found
 
@@ -238,7 +245,7 @@ class PatchTestController(QObject):
                     "Mismatch as a function of {angle}: {object}", angle=name, object=each.name
                 )
             self.panel.curve.show_curve(title, *curve)
-            if not self._curve_serves(self.panel.angles.boresight):
+            if not self._is_curve_current(self.panel.angles.boresight):
                 self._rest.start()
 
         self._runner.run(gettext("Computing the curve"), work, done, quiet=True, key="patch_curve")
@@ -246,13 +253,17 @@ class PatchTestController(QObject):
     # -- searching ---------------------------------------------------------------------------
 
     def find_angle(self, angle: int) -> None:
-        """Turn one angle alone to its minimum."""
+        """Minimise the mismatch over one angle."""
         laid = self._laid
         if laid is None:
             return
-        names, pairs, start = self.panel.ticked, self._pairs(), self.panel.angles.boresight
+        names, pairs, start = (
+            self.panel.ticked_entries,
+            self._ticked_line_pairs(),
+            self.panel.angles.boresight,
+        )
 
-        def done(found: Minimum) -> None:
+        def done(found: MismatchMinimum) -> None:
             self._angle = angle
             self.panel.angles.start_at(found.boresight, NEAR)
             degrees = float(np.degrees(found.boresight[angle]))
@@ -263,7 +274,7 @@ class PatchTestController(QObject):
                     value=units.local_amount(degrees, "°", "+.4f"),
                 )
             )
-            self._follow()
+            self._draw_lines()
 
         self._runner.run(
             gettext("Optimising {angle}", angle=gettext(ANGLE_NAMES[angle])),
@@ -274,132 +285,138 @@ class PatchTestController(QObject):
         )
 
     def find_all(self) -> None:
-        """Estimate all three angles and their sigmas."""
-        project, survey = self._ready()
+        """Estimate all three angles with their standard deviations."""
+        project, survey = self._current_data()
         if project is None or survey is None or self._laid is None:
             return
-        laid, pairs = self._laid.only(self.panel.ticked), self._pairs()
+        laid, pairs = self._laid.only(self.panel.ticked_entries), self._ticked_line_pairs()
 
-        def work(progress: Progress) -> PatchTest:
-            start = survey.aligned.mounting.boresight
-            return find(project, survey, laid, pairs=pairs, start=start, progress=progress)
+        def work(progress: Progress) -> PatchTestResult:
+            start = survey.alignment.mounting.boresight
+            return find_boresight(
+                project, survey, laid, pairs=pairs, start=start, progress=progress
+            )
 
-        def done(found: PatchTest) -> None:
+        def done(found: PatchTestResult) -> None:
             self._answer = found
             panel = self.panel
             panel.angles.start_at(found.boresight, NEAR)
             panel.angles.show_found(found.boresight, found.sigma, found.curvature)
-            panel.said.setText(units.signs("\n".join(map(message_text, found.remarks)), "°", "mm"))
-            panel.mark_objects({each.name: each.disagreement for each in found.disagreeing})
-            self._follow()
-            self._enable()
+            panel.said.setText(
+                units.convert_unit_signs("\n".join(map(message_text, found.remarks)), "°", "mm")
+            )
+            panel.mark_objects({each.name: each.disagreement_remark for each in found.disagreeing})
+            self._draw_lines()
+            self._enable_controls()
 
         task = self._runner.run(gettext("Patch test"), work, done)
-        self._controller.based_on_project(task)
+        self._controller.cancel_on_edit(task)
 
     def keep(self) -> None:
-        """Keep what was found beside the other methods' answers: one undo step."""
+        """Add the result to the alternative methods of the project, as one undo step."""
         project = self._document.project
         if project is None or self._answer is None:
             return
         try:
-            opinion = of_the_patch_test(self._answer)
+            opinion = patch_test_result(self._answer)
         except LispacError as error:
             self._controller.refused.emit(error)
             return
-        self._document.edit(N_("result of the patch test"), project.with_opinion(opinion))
+        self._document.edit(
+            N_("result of the patch test"), project.with_alternative_result(opinion)
+        )
         self._controller.noted.emit(
             gettext("The result of the patch test was added to the project.")
         )
 
-    def _to_prior(self) -> None:
+    def _reset_to_prior(self) -> None:
         survey = self._survey
         if survey is not None:
             prior = next(iter(survey.clouds.values())).place.mounting.boresight
             self.panel.angles.start_at(prior)
-            self._follow()
+            self._draw_lines()
 
     # -- state -------------------------------------------------------------------------------
 
     @property
-    def answer(self) -> PatchTest | None:
-        """What was found last."""
+    def answer(self) -> PatchTestResult | None:
+        """Last result."""
         return self._answer
 
     @property
-    def waits(self) -> bool:
-        """Whether the curve is not yet that of the angles as they are."""
+    def is_curve_pending(self) -> bool:
+        """Whether the curve still has to be computed for the current angles."""
         return self._stale
 
-    def _pairs(self) -> tuple[LinePair, ...]:
+    def _ticked_line_pairs(self) -> tuple[LinePair, ...]:
         if self._survey is None:
             return ()
         wanted = self.panel.ticked_pairs
         return tuple(pair for pair in line_pairs(self._survey) if pair.name in wanted)
 
-    def _ticked(self) -> None:
-        self._forget_answer()
+    def _on_ticks_changed(self) -> None:
+        self._discard_result()
         self._show_object()
-        self._enable()
+        self._enable_controls()
 
-    def _forget_answer(self) -> None:
-        """What was found rests on other objects or pairs."""
+    def _discard_result(self) -> None:
+        """Discard the result, which depends on other objects or pairs."""
         self._answer = None
         self.panel.angles.show_found(None)
         self.panel.said.setText("")
         self.panel.mark_objects({})
 
-    def _begin(self) -> None:
-        """Other data: nothing is laid."""
-        _, survey = self._ready()
+    def _reset(self) -> None:
+        """Discard the objects when the data change."""
+        _, survey = self._current_data()
         if survey is not None and survey is self._survey:
             return
         self._survey, self._laid, self._answer = survey, None, None
         self._dense = self._live = self._curve_at = None
         self._stale = False
         many = survey is not None and len(survey.clouds) > 1
-        self.panel.say_empty(EMPTY if many else NO_DATA)
+        self.panel.show_empty(EMPTY if many else NO_DATA)
         self.panel.show_pairs(line_pairs(survey) if survey is not None else ())
         self.panel.curve.show_curve("", np.empty(0), np.empty(0))
-        self._forget_answer()
-        self._draw(None)
-        self._to_prior()
-        self._enable()
+        self._discard_result()
+        self._draw_sketch(None)
+        self._reset_to_prior()
+        self._enable_controls()
 
-    def _ready(self) -> tuple[Project | None, Survey | None]:
+    def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current
         return self._document.project, self._document.survey if current else None
 
-    def _enable(self) -> None:
+    def _enable_controls(self) -> None:
         survey = self._survey
-        self.panel.allow(
+        self.panel.update_enabled(
             ready=survey is not None and len(survey.clouds) > 1,
             busy=self._runner.busy,
             answer=self._answer is not None,
         )
 
-    def _draw(self, sketch: Sketch | None) -> None:
+    def _draw_sketch(self, sketch: Sketch | None) -> None:
         if sketch is not None or self._drawn:
             self._drawn = sketch is not None
             self._viewport.show_sketch(SKETCH, sketch)
 
 
-def placed_at(laid: PlacedObjects, survey: Survey):
-    """The lines as they were placed when the objects were laid, else as the prior places them."""
-    from lispac.survey.cloud import placed_with
+def placed_lines(laid: PlacedObjects, survey: Survey):
+    """Lines placed with the boresight of the objects, or with the prior if it is unknown."""
+    from lispac.survey.cloud import place_clouds
 
     if not np.isfinite(laid.boresight).all():
         return survey.clouds
     mounting = next(iter(survey.clouds.values())).place.mounting
-    return placed_with(survey.clouds, mounting.with_boresight(laid.boresight))
+    return place_clouds(survey.clouds, mounting.with_boresight(laid.boresight))
 
 
-def _clip(box: Box) -> ClipBox:
+def _clip_box(box: ObjectBox) -> ClipBox:
     return ClipBox(box.centre, box.axes, 0.5 * box.size)
 
 
-def _sides(box: Box, view: int) -> tuple[Array, Array, Array]:
-    """Axes to the right and upwards of a picture, and its size with a margin, metres."""
+def _view_axes(box: ObjectBox, view: int) -> tuple[Array, Array, Array]:
+    """Directions to the right and up of a picture, and its size with a margin, metres."""
     ahead, left, up = box.axes
     room = 0.3
     if view == 0:

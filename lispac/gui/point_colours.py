@@ -1,4 +1,4 @@
-"""Colours of the points: by line, or by what was measured at each of them.
+"""Colours of the points: by line, or by a value of each point.
 
 What was left after the adjustment at the points of targets is coloured in `residuals`.
 """
@@ -43,13 +43,13 @@ TITLES: dict[Colouring, str] = {
 _used: Scale = "viridis"
 
 
-def use_scale(scale: Scale) -> None:
-    """Colour by another scale from now on; the window is made anew then."""
+def set_colour_scale(scale: Scale) -> None:
+    """Set the colour scale; the window is made again then."""
     global _used
     _used = scale
 
 
-def shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> Shading | None:
+def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> Shading | None:
     """Colours of the lines' samples; None where each line has its own colour.
 
     Raises
@@ -59,13 +59,15 @@ def shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> Shading | None
     """
     if colouring == "line" or not clouds:
         return None
-    values = {name: _values(colouring, name, cloud) for name, cloud in clouds.items()}
+    values = {name: _point_values(colouring, name, cloud) for name, cloud in clouds.items()}
     looked = np.concatenate([some[:: len(some) // LOOKED_AT + 1] for some in values.values()])
     outer = 0.0 if colouring == "time" else OUTER
     low, high = (float(end) for end in np.percentile(looked, [outer, 100 - outer]))
     start = low if colouring == "time" else 0.0
-    scale = _scale()
-    colours = {name: scale[_places(some, low, high, len(scale))] for name, some in values.items()}
+    scale = _colour_table()
+    colours = {
+        name: scale[_colour_indices(some, low, high, len(scale))] for name, some in values.items()
+    }
     decimals = 0 if high - low >= 20 else 1 if high - low >= 2 else 2
     form, length = f",.{decimals}f", colouring in ("height", "range")
     metric = (
@@ -79,7 +81,7 @@ def shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> Shading | None
     return Shading(colours, gettext(TITLES[colouring]), *shown, scale, metric)
 
 
-def _values(colouring: Colouring, name: str, cloud: Cloud) -> Array:
+def _point_values(colouring: Colouring, name: str, cloud: Cloud) -> Array:
     if colouring == "height":
         return cloud.sample[:, 2]
     if colouring == "range":
@@ -92,12 +94,12 @@ def _values(colouring: Colouring, name: str, cloud: Cloud) -> Array:
     return intensity
 
 
-def _places(values: Array, low: float, high: float, count: int) -> NDArray[np.int64]:
+def _colour_indices(values: Array, low: float, high: float, count: int) -> NDArray[np.int64]:
     span = high - low or 1.0
     return np.clip((values - low) * (count / span), 0, count - 1).astype(np.int64)
 
 
-def _scale() -> NDArray[np.uint8]:
+def _colour_table() -> NDArray[np.uint8]:
     from matplotlib import colormaps
 
     shares = np.linspace(*SCALES[_used], 256)

@@ -1,4 +1,4 @@
-"""What the user prefers for all projects: read from the settings, kept there, and applied."""
+"""Preferences of the user for all projects: read, stored and applied."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Preferences:
-    """One value for each field of the settings; the defaults are those of a new user.
+    """Preferences with one value for each field of the settings dialogue.
 
     Attributes
     ----------
@@ -46,7 +46,7 @@ class Preferences:
 
     @classmethod
     def of(cls, settings: AppSettings) -> "Preferences":
-        """As they are kept."""
+        """Read the preferences from the settings."""
         scanner, pos = settings.usual_sensors
         return cls(
             settings.language_chosen, settings.point_size, settings.point_budget,
@@ -55,7 +55,7 @@ class Preferences:
         )  # fmt: skip
 
     def keep(self, settings: AppSettings) -> None:
-        """Remember them.
+        """Store the preferences in the settings.
 
         Raises
         ------
@@ -75,19 +75,19 @@ class Preferences:
         settings.cache_folder = self.cache
 
 
-class Preferring(QObject):
-    """Shows the settings dialogue and applies changes."""
+class PreferencesController(QObject):
+    """Asks for preferences and applies them to the window."""
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._window = window
-        self._draw()
+        self._set_point_budget()
         window.actions_["settings"].triggered.connect(lambda _=False: self.ask())
 
     def ask(self) -> None:
-        """Show the dialogue and apply changes; a new language or theme needs a new window."""
+        """Show the dialogue and apply the choices; another language or theme renews the window."""
         window, settings = self._window, self._window.settings
-        before = _looks(settings)
+        before = _appearance(settings)
         answer = window.dialogs.preferences(Preferences.of(settings), settings)
         if answer is None:
             return
@@ -96,15 +96,15 @@ class Preferring(QObject):
         except InputError as error:
             window.controller.refused.emit(error)
         window.viewport.set_point_size(answer.point_size)
-        self._draw()
+        self._set_point_budget()
         window.report.show_choice(settings.report_choice())
-        if _looks(settings) != before:
-            window.renew()
+        if _appearance(settings) != before:
+            window.rebuild_window()
 
-    def _draw(self) -> None:
+    def _set_point_budget(self) -> None:
         self._window.viewport.set_point_budget(self._window.settings.point_budget)
 
 
-def _looks(settings: AppSettings) -> tuple[object, ...]:
-    """What a window is made with."""
+def _appearance(settings: AppSettings) -> tuple[object, ...]:
+    """Settings that a window is made with: language, units, theme, colour scale."""
     return settings.language, settings.units, settings.theme, settings.colour_scale

@@ -11,23 +11,23 @@ from PySide6.QtWidgets import QMenu
 from lispac.errors import InputError
 from lispac.gui.computations import Computations
 from lispac.gui.controller import Controller
-from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.dialogs.dialog_service import Dialogs
 from lispac.gui.document import Document
 from lispac.gui.estimation import Estimation
-from lispac.gui.places import kept
+from lispac.gui.proposed_folders import folder_outside_cache
 from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
-from lispac.installed import home_folder
-from lispac.io.seed_file import looks_like_a_list
+from lispac.installation_paths import home_folder
+from lispac.io.seed_file import is_point_list
 from lispac.language import gettext
 from lispac.project import Project, Settings
 from lispac.workflow.export_request import What
-from lispac.workflow.intake import project_among
-from lispac.workflow.moved import missing, with_files_in
+from lispac.workflow.input_files import find_project
+from lispac.workflow.moved_files import missing_files, with_files_in
 
 
 class ProjectLifecycle(QObject):
-    """Asks for files and folders, and before changes would be lost."""
+    """Asks for files and folders, and asks before changes would be lost."""
 
     list_dropped = Signal(object)
     """Path of a list of target coordinates."""
@@ -46,14 +46,14 @@ class ProjectLifecycle(QObject):
         self._document, self._controller, self._computations = document, controller, computing
         self._estimation, self._scene = estimation, scene
         self._dialogs, self._settings = dialogs, settings
-        controller.files_missing.connect(self._seek_files)
+        controller.files_missing.connect(self._find_missing_files)
 
     def may_leave(self) -> bool:
-        """Whether the present project may be closed; asks if it has changes."""
+        """Whether the project may be closed; asks if it has unsaved changes."""
         project = self._document.project
         if project is None or not self._document.is_modified:
             return True
-        answer = self._dialogs.save_changes(project.name)
+        answer = self._dialogs.ask_to_save_changes(project.name)
         if answer == "save":
             return self._controller.save()
         return answer == "discard"
@@ -64,7 +64,7 @@ class ProjectLifecycle(QObject):
             self._controller.open(path)
 
     def new(self, paths: Sequence[Path] = ()) -> None:
-        """Show the import dialogue for a new project and create it; ``paths`` are initial files."""
+        """Show the import dialogue and create a project; ``paths`` are added at once."""
         if self.may_leave():
             answer = self._dialogs.new_project(self._settings, paths)
             if isinstance(answer, Path):
@@ -73,7 +73,7 @@ class ProjectLifecycle(QObject):
                 self._controller.create(answer)
 
     def add_lines(self, paths: Sequence[Path] = ()) -> None:
-        """Ask for more lines of the open project, and add them; ``paths`` are files to begin with.
+        """Show the import dialogue for more lines; ``paths`` are added at once.
 
         Nothing is asked about its changes: they stay, and the addition is one more.
         """
@@ -86,8 +86,8 @@ class ProjectLifecycle(QObject):
         elif answer and self._document.project is project:
             self._controller.add_lines(answer)
 
-    def take_in(self, paths: Sequence[Path]) -> None:
-        """Take files that were dropped on the window.
+    def open_dropped(self, paths: Sequence[Path]) -> None:
+        """Open or import files that were dropped on the window.
 
         A project is opened; a list of target coordinates gives seeds to the open one; others
         become lines of it, or a new project.
@@ -97,13 +97,13 @@ class ProjectLifecycle(QObject):
                 gettext("Wait until the running task has ended, then drop the files again.")
             )
             return
-        project = project_among(paths)
+        project = find_project(paths)
         current = self._document.project
         if project is not None:
             self.open_project(project)
         elif current is None:
             self.new(paths)
-        elif len(paths) == 1 and looks_like_a_list(paths[0]):
+        elif len(paths) == 1 and is_point_list(paths[0]):
             self.list_dropped.emit(paths[0])
         else:
             answer = self._dialogs.add_or_new(current.name)
@@ -120,10 +120,12 @@ class ProjectLifecycle(QObject):
             if path is not None:
                 self._controller.open(path)
 
-    def _seek_files(self, project: Project) -> None:
-        """Ask where the files of a project are now, as long as some are missing."""
+    def _find_missing_files(self, project: Project) -> None:
+        """Ask for the folder of the project's files until all are found."""
         while True:
-            folder = self._dialogs.files_now(project.name, missing(project), project.folder)
+            folder = self._dialogs.ask_files_folder(
+                project.name, missing_files(project), project.folder
+            )
             if folder is None:
                 self._controller.noted.emit(
                     gettext("{project} was not opened: files are missing", project=project.name)
@@ -134,19 +136,19 @@ class ProjectLifecycle(QObject):
             except InputError as error:
                 self._dialogs.show_error(error)
                 continue
-            self._controller.open_found(found)
+            self._controller.open_relocated(found)
             return
 
     def save_as(self) -> None:
-        """Ask for another folder, save the project there and go on with it."""
+        """Ask for another folder, save the project there and continue with it."""
         project = self._document.project
         if project is not None and self._document.survey_is_current:
-            folder = self._dialogs.folder_to_save_in(_beside(project.folder))
+            folder = self._dialogs.folder_to_save_in(_free_folder(project.folder))
             if folder is not None:
                 self._controller.save_as(folder)
 
     def demo(self) -> None:
-        """Open the built-in survey."""
+        """Open the demo survey."""
         if self.may_leave():
             self._controller.open_demo()
 
@@ -165,10 +167,10 @@ class ProjectLifecycle(QObject):
             )
 
     def estimate(self, settings: Settings, cross_check: bool) -> None:
-        """Adjust the boresight; asks where a plane was found and not yet accepted."""
+        """Adjust the boresight; asks first about a candidate that is not yet accepted."""
         candidate = self._controller.candidate
         if candidate is not None:
-            answer = self._dialogs.candidate_waits(candidate.name)
+            answer = self._dialogs.ask_about_candidate(candidate.name)
             if answer == "cancel":
                 return
             if answer == "accept":
@@ -178,8 +180,8 @@ class ProjectLifecycle(QObject):
         self._estimation.estimate(settings, cross_check)
 
     @property
-    def exports(self) -> dict[str, Callable[[], None]]:
-        """What is exported besides the report, by the name of its action."""
+    def export_actions(self) -> dict[str, Callable[[], None]]:
+        """Export functions besides the report, by the names of their actions."""
         return {
             "lines": self.export,
             "targets": lambda: self.export("targets"),
@@ -187,7 +189,7 @@ class ProjectLifecycle(QObject):
         }
 
     def export(self, what: What = "lines") -> None:
-        """Ask how lines, targets or the trajectory are exported, and write them."""
+        """Show the export dialogue and export lines, targets or the trajectory."""
         project, survey = self._document.project, self._document.survey
         if project is not None and survey is not None:
             request = self._dialogs.export(what, self._scene.which, project, survey.trajectory)
@@ -195,9 +197,9 @@ class ProjectLifecycle(QObject):
                 self._computations.export(request)
 
 
-def _beside(folder: Path) -> Path:
-    """A free name beside the project, or at home where nothing can be written or is not kept."""
-    parent = kept(folder.parent)
+def _free_folder(folder: Path) -> Path:
+    """Free folder name beside the project, or in the home folder if that is not writable."""
+    parent = folder_outside_cache(folder.parent)
     if not os.access(parent, os.W_OK):
         parent = home_folder()
     names = (f"{folder.name}-{k}" for k in itertools.count(2))

@@ -1,4 +1,4 @@
-"""Recovery copies of unsaved changes, and the lock of a project that is open in another window.
+"""Recovery copies of unsaved changes, and the lock of the open project.
 
 After every edit the project is written beside its saved state, in a thread of its own so that it is
 on the disk also while an adjustment runs. Saving or discarding the changes removes the copy; one
@@ -14,13 +14,13 @@ from PySide6.QtCore import QLockFile, QObject, Signal
 
 from lispac.errors import InputError, LispacError
 from lispac.gui.language import local_datetime
-from lispac.io.project_file import forget_unsaved, keep_unsaved
+from lispac.io.project_file import remove_unsaved, write_unsaved
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, error
 from lispac.project import Project
-from lispac.workflow.moved import with_files_of
-from lispac.workflow.projects import Unsaved, require_folder, unsaved_work
+from lispac.workflow.moved_files import with_files_of
+from lispac.workflow.projects import UnsavedProject, read_unsaved_project, require_folder
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
@@ -43,79 +43,81 @@ class RecoveryCopies(QObject):
         self._settings, self._note = window.settings, window.controller.noted.emit
         self._writer = ThreadPoolExecutor(1, "lispac-keeping")
         self._wanted: Project | None = None
-        self._failed.connect(self._cannot_keep)
-        self._kept.connect(lambda: self._tell(None) if self.trouble is not None else None)
+        self._failed.connect(self._on_write_failed)
+        self._kept.connect(lambda: self._set_trouble(None) if self.trouble is not None else None)
         self._folder: Path | None = None
         self._lock: QLockFile | None = None
         self._keeps = False
         self.trouble: Message | None = None
         """Why no recovery copy is written; None if it is."""
         window.controller.may_save = self._may_save
-        window.controller.may_overwrite = lambda project: self._dialogs.overwrite(project.name)
-        window.document.opened.connect(self._take)
-        window.document.changed.connect(self._keep)
+        window.controller.may_overwrite = lambda project: self._dialogs.ask_to_overwrite(
+            project.name
+        )
+        window.document.opened.connect(self._on_project_opened)
+        window.document.changed.connect(self._write_copy)
         # An edit is told of before the stack knows that it is no longer clean
         window.document.modified.connect(
-            lambda modified: self._keep() if modified else self.forget()
+            lambda modified: self._write_copy() if modified else self.forget()
         )
-        window.document.saved.connect(self._see)
+        window.document.saved.connect(self._on_saved)
 
     # -- a project comes and goes ----------------------------------------------------------------
 
-    def _take(self) -> None:
-        """Another project, or none, is in the window."""
+    def _on_project_opened(self) -> None:
+        """Lock the project that was opened, and offer unsaved changes for recovery."""
         project = self._document.project
         self.forget()
         self.let_go()
-        self._tell(None)
+        self._set_trouble(None)
         if project is None:
             return
         self._folder, self._keeps = project.folder, True
         self._settings.left_open = project.folder
-        if not self._alone(project):
+        if not self._lock_project(project):
             self._keeps = False
-            if self._dialogs.open_elsewhere(project.name, self._holder()):
-                self._tell(ELSEWHERE)
+            if self._dialogs.ask_to_open_locked(project.name, self._lock_holder()):
+                self._set_trouble(ELSEWHERE)
             else:
                 self._document.open(None, None)
         elif not self._document.is_modified:
-            self._offer(project)
+            self._offer_recovery(project)
 
-    def _alone(self, project: Project) -> bool:
-        """Whether no other window has the project; unknown if nothing can be written."""
+    def _lock_project(self, project: Project) -> bool:
+        """Lock the project; False if another window has it. True where nothing can be written."""
         lock = QLockFile(str(project.folder / LOCK_NAME))
         lock.setStaleLockTime(0)  # one whose program has ended is stale, however young
         self._lock = lock
         return lock.tryLock(0) or lock.error() != QLockFile.LockError.LockFailedError
 
-    def _holder(self) -> str:
-        """Computer and process of the other window."""
+    def _lock_holder(self) -> str:
+        """Computer and process of the window that holds the lock."""
         process, host, _ = self._lock.getLockInfo()
         if not process:
             return gettext("another program")
         return gettext("{host}, process {process}", host=host, process=process)
 
-    def _offer(self, project: Project) -> None:
+    def _offer_recovery(self, project: Project) -> None:
         """Ask whether to recover the changes that a crash left unsaved."""
         try:
-            found = unsaved_work(project.folder)
+            found = read_unsaved_project(project.folder)
         except LispacError as failure:
             self._note(str(failure))
             return
         if found is None:
-            forget_unsaved(project.folder)
-        elif self._dialogs.recover(project.name, _when(found)):
+            remove_unsaved(project.folder)
+        elif self._dialogs.ask_to_recover(project.name, _copy_time_text(found)):
             again = with_files_of(found.project, project)
             self._document.edit(N_("recovery of unsaved changes"), again)
             self._note(gettext("Unsaved changes were recovered. Save the project to keep them."))
         else:
-            forget_unsaved(project.folder)
+            remove_unsaved(project.folder)
 
     def forget(self) -> None:
         """Remove the recovery copy."""
         if self._folder is not None and self._keeps:
             self._wanted = None
-            self._write(forget_unsaved, self._folder)
+            self._run_in_worker(remove_unsaved, self._folder)
 
     def let_go(self) -> None:
         """Release the lock of the project."""
@@ -124,43 +126,43 @@ class RecoveryCopies(QObject):
         self._lock = self._folder = None
 
     def stop(self) -> None:
-        """Write what is still to be written, and end."""
+        """Finish writing, stop the worker and release the lock."""
         self._writer.shutdown(wait=True)
         self.let_go()
 
     # -- an edit, a save -------------------------------------------------------------------------
 
-    def _keep(self) -> None:
+    def _write_copy(self) -> None:
         project = self._document.project
         if project is None:
             return
         if project.folder != self._folder:  # saved as another
             self._folder = project.folder
             self._settings.left_open = project.folder
-            self._keeps = self._alone(project)
+            self._keeps = self._lock_project(project)
         if self._keeps and self._document.is_modified:
             self._wanted = project
-            self._write(self._keep_wanted, project)
+            self._run_in_worker(self._write_latest_copy, project)
 
-    def _keep_wanted(self, project: Project) -> None:
+    def _write_latest_copy(self, project: Project) -> None:
         if project is self._wanted:  # else there was another edit meanwhile
             require_folder(project)
-            keep_unsaved(project)
+            write_unsaved(project)
             self._kept.emit()
 
-    def _write(self, write: Callable[[Any], None], what: object) -> None:
+    def _run_in_worker(self, write: Callable[[Any], None], what: object) -> None:
         def ended(done: Future[None]) -> None:
             if (failure := done.exception()) is not None:
                 self._failed.emit(failure)
 
         self._writer.submit(write, what).add_done_callback(ended)
 
-    def _see(self) -> None:
-        """The project on the disk is ours."""
-        self._tell(None if self._keeps else ELSEWHERE)
+    def _on_saved(self) -> None:
+        """Update the problem shown after the project was saved."""
+        self._set_trouble(None if self._keeps else ELSEWHERE)
 
     def _may_save(self, project: Project) -> bool:
-        """Whether the folder of the project is still there."""
+        """Whether the folder of the project still exists; shows an error otherwise."""
         try:
             require_folder(project)
         except InputError as failure:
@@ -168,21 +170,21 @@ class RecoveryCopies(QObject):
             return False
         return True
 
-    def _cannot_keep(self, failure: BaseException) -> None:
+    def _on_write_failed(self, failure: BaseException) -> None:
         # The next edit tries again: the disk may have space then, or the drive may be back.
         reason = failure.reason if isinstance(failure, LispacError) else str(failure)
         trouble = error("window.unsaved_work_not_kept", reason=reason)
         if trouble != self.trouble:
-            self._tell(trouble)
+            self._set_trouble(trouble)
             self._note(message_text(trouble))
 
-    def _tell(self, trouble: Message | None) -> None:
+    def _set_trouble(self, trouble: Message | None) -> None:
         self.trouble = trouble
         self.troubled.emit()
 
 
-def _when(found: Unsaved) -> str:
-    """Time of the recovery copy, and of a later save of the project."""
+def _copy_time_text(found: UnsavedProject) -> str:
+    """Text of the time of the recovery copy, and of a later save of the project."""
     kept, saved = local_datetime(found.kept), local_datetime(found.saved)
     if found.saved <= found.kept:
         return kept

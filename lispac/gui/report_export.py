@@ -11,9 +11,9 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QImage
 
 from lispac.errors import InputError
-from lispac.gui.photographer import Photographer
-from lispac.gui.places import kept
-from lispac.installed import home_folder
+from lispac.gui.proposed_folders import folder_outside_cache
+from lispac.gui.report_pictures import ReportPictures
+from lispac.installation_paths import home_folder
 from lispac.language import N_, gettext
 from lispac.messages import error
 from lispac.progress import Progress
@@ -37,7 +37,7 @@ class ReportExport(QObject):
         super().__init__(window)
         self._document, self._dialogs = window.document, window.dialogs
         self._runner, self._controller = window.runner, window.controller
-        self._photographer = Photographer(
+        self._photographer = ReportPictures(
             self._document, self._runner, self._controller, window.scene, window.viewport, self
         )
         self._computations = window.computations
@@ -46,13 +46,13 @@ class ReportExport(QObject):
         self._panel.report_asked.connect(self.export)
         self._panel.preview_asked.connect(self.preview)
         self._panel.template_asked.connect(self.ask_template)
-        self._panel.changed.connect(self._remember)
+        self._panel.changed.connect(self._store_choice)
         window.actions_["report"].triggered.connect(lambda _=False: self.export())
         for panel in (window.data, window.report):
             panel.details_asked.connect(self.ask_details)
 
     def ask_details(self) -> None:
-        """Ask for surveyor, dates and equipment, as one undo step."""
+        """Ask for surveyor, dates and equipment, and store them as one undo step."""
         project, survey = self._document.project, self._survey
         if project is None:
             return
@@ -64,22 +64,24 @@ class ReportExport(QObject):
             self._document.edit(N_("change of report details"), current.with_identity(answer))
 
     def ask_template(self) -> None:
-        """Ask for a template."""
+        """Ask for the template of the report."""
         last = self._settings.report_choice()[0]
         path = self._dialogs.report_template(Path(last).parent if last else home_folder())
         if path is not None:
             self._panel.show_template(path)
-            self._remember()
+            self._store_choice()
 
     def export(self) -> None:
-        """Ask where the report goes, and write it with pictures of the view."""
+        """Ask for a file and write the report with pictures of the view."""
         project, survey, options = self._document.project, self._survey, self._options()
         if project is None or project.result is None or survey is None or options is None:
             return
-        path = self._dialogs.report_file(kept(project.folder) / f"{project.name}.pdf")
+        path = self._dialogs.report_file(
+            folder_outside_cache(project.folder) / f"{project.name}.pdf"
+        )
         if path is not None:
             write = partial(self._write, project, survey, options, path)
-            self._computations.with_placed(
+            self._computations.run_with_placed_lines(
                 project, survey, lambda: self._photographer.take(project, write)
             )
 
@@ -96,7 +98,7 @@ class ReportExport(QObject):
         def work(progress: Progress) -> Path:
             from lispac.workflow.export import write_report
 
-            with _as_files(pictures) as files:
+            with _temporary_files(pictures) as files:
                 write_report(
                     project, survey, path, pictures=files, options=options, refused=refused,
                     progress=progress,
@@ -104,19 +106,19 @@ class ReportExport(QObject):
             return path
 
         title = gettext("Writing the report")
-        self._runner.run(title, work, partial(self._written, project), lasting=True)
+        self._runner.run(title, work, partial(self._on_written, project), lasting=True)
 
     def preview(self) -> None:
-        """Show the pages as they will be printed."""
+        """Show the pages of the report as they are printed."""
         project, survey, options = self._document.project, self._survey, self._options()
         if project is None or project.result is None or survey is None or options is None:
             return
-        set_pages = partial(self._set, project, survey, options)
-        self._computations.with_placed(
+        set_pages = partial(self._lay_out_pages, project, survey, options)
+        self._computations.run_with_placed_lines(
             project, survey, lambda: self._photographer.take(project, set_pages)
         )
 
-    def _set(
+    def _lay_out_pages(
         self,
         project: Project,
         survey: Survey,
@@ -129,7 +131,7 @@ class ReportExport(QObject):
         def work(progress: Progress) -> "Preview":
             from lispac.workflow.export import preview_report
 
-            with _as_files(pictures) as files:
+            with _temporary_files(pictures) as files:
                 return preview_report(
                     project, survey, pictures=files, options=options, refused=refused, ppi=ppi,
                     progress=progress,
@@ -138,11 +140,11 @@ class ReportExport(QObject):
         self._runner.run(
             gettext("Laying out the pages"),
             work,
-            lambda preview: self._show(project, preview),
+            lambda preview: self._show_preview(project, preview),
             shows=True,
         )
 
-    def _show(self, project: Project, preview: "Preview") -> None:
+    def _show_preview(self, project: Project, preview: "Preview") -> None:
         def save() -> str:
             path = self._dialogs.pdf_file(project.folder / f"{project.name}.pdf")
             if path is None:
@@ -154,12 +156,12 @@ class ReportExport(QObject):
             except InputError as error:
                 self._controller.refused.emit(error)
                 return ""
-            self._written(project, path)
+            self._on_written(project, path)
             return gettext("Wrote {path}", path=path)
 
         self._dialogs.preview(preview.pages, save)
 
-    def _written(self, project: Project, path: Path) -> None:
+    def _on_written(self, project: Project, path: Path) -> None:
         self._document.mark_reported(project, path.name)
         self._controller.noted.emit(gettext("Wrote {path}", path=path))
 
@@ -171,7 +173,7 @@ class ReportExport(QObject):
             self._controller.refused.emit(error)
             return None
 
-    def _remember(self) -> None:
+    def _store_choice(self) -> None:
         self._settings.keep_report_choice(self._panel.choice)
 
     @property
@@ -180,8 +182,8 @@ class ReportExport(QObject):
 
 
 @contextmanager
-def _as_files(pictures: Mapping[str, QImage]) -> Iterator[dict[str, Path]]:
-    """Pictures as PNG files for as long as this lasts; for the worker, since it takes a while."""
+def _temporary_files(pictures: Mapping[str, QImage]) -> Iterator[dict[str, Path]]:
+    """Write pictures to temporary PNG files; slow, so used in the worker."""
     with tempfile.TemporaryDirectory(prefix="lispac-") as folder:
         files = {caption: Path(folder) / f"{k}.png" for k, caption in enumerate(pictures)}
         for caption, file in files.items():

@@ -29,7 +29,7 @@ Key = tuple[str, str]
 
 
 def residuals(project: Project, survey: Survey) -> dict[Key, Array]:
-    """Signed distances of all points of the sightings that were adjusted.
+    """Signed distances of all points of the adjusted sightings from their surfaces.
 
     Returns
     -------
@@ -58,7 +58,7 @@ def residuals(project: Project, survey: Survey) -> dict[Key, Array]:
     return found
 
 
-def apart(project: Project, clouds: Mapping[str, Cloud]) -> dict[Key, Array]:
+def validation_distances(project: Project, clouds: Mapping[str, Cloud]) -> dict[Key, Array]:
     """Signed distances of the points on validation planes from the plane through all lines.
 
     Parameters
@@ -70,7 +70,7 @@ def apart(project: Project, clouds: Mapping[str, Cloud]) -> dict[Key, Array]:
     ndarray of shape (n,), metres, by plane and line
     """
     found = {}
-    for target in project.of_role("validation"):
+    for target in project.targets_of_role("validation"):
         points = {
             sighting.line: clouds[sighting.line][sighting.indices]
             for sighting in (target.used_sightings if target.used else ())
@@ -82,20 +82,23 @@ def apart(project: Project, clouds: Mapping[str, Cloud]) -> dict[Key, Array]:
     return found
 
 
-def residual_reach(
+def residual_colour_limit(
     project: Project, survey: Survey, states: Iterable[Mapping[str, Cloud]]
 ) -> float:
-    """Distance, metres, that the colours end at: the largest of lines in several states.
+    """Distance, metres, at which the colour scale ends: the largest of several states.
 
     Raises
     ------
     ValueError
         If nothing has been adjusted yet; the text is in the language of the window.
     """
-    return max(_end(residuals(project, survey) | apart(project, clouds)) for clouds in states)
+    return max(
+        _colour_limit(residuals(project, survey) | validation_distances(project, clouds))
+        for clouds in states
+    )
 
 
-def _end(found: Mapping[Key, Array]) -> float:
+def _colour_limit(found: Mapping[Key, Array]) -> float:
     everything = np.abs(np.concatenate(list(found.values())))
     return float(np.percentile(everything, 100 - OUTER)) or 1e-3
 
@@ -103,7 +106,7 @@ def _end(found: Mapping[Key, Array]) -> float:
 def residual_shading(
     project: Project, survey: Survey, clouds: Mapping[str, Cloud], *, reach: float | None = None
 ) -> tuple[Shading, dict[Key, NDArray[np.uint8]]]:
-    """Grey lines with the legend, and the colours of the sightings' points by target and line.
+    """Grey lines with a legend, and colours of the points of the sightings.
 
     Parameters
     ----------
@@ -118,8 +121,8 @@ def residual_shading(
     """
     from matplotlib import colormaps
 
-    found = residuals(project, survey) | apart(project, clouds)
-    reach = _end(found) if reach is None else reach
+    found = residuals(project, survey) | validation_distances(project, clouds)
+    reach = _colour_limit(found) if reach is None else reach
     scale = np.asarray(
         np.round(255 * colormaps["coolwarm"](np.linspace(0, 1, 255))[:, :3]), dtype=np.uint8
     )
@@ -131,12 +134,12 @@ def residual_shading(
         line: np.broadcast_to(np.array(GREY, np.uint8), (len(cloud.sample), 3))
         for line, cloud in clouds.items()
     }
-    low, high = _ends(reach)
-    with units.standard():
-        metric = _ends(reach)
+    low, high = _legend_ends(reach)
+    with units.standard_units():
+        metric = _legend_ends(reach)
     return Shading(grey, gettext(TITLE), low, high, scale, metric), colours
 
 
-def _ends(reach: float) -> tuple[str, str]:
+def _legend_ends(reach: float) -> tuple[str, str]:
     end = units.local_figure(1000 * reach, "mm", ".1f" if reach < 0.02 else ".0f")
     return f"\N{MINUS SIGN}{end}", f"+{end}"

@@ -1,4 +1,4 @@
-"""What the viewport shows: the lines before or after, the sightings, the labels."""
+"""Content of the viewport: lines before or after, sightings and labels."""
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
-from lispac.geometry.neighbours import nearest_point
+from lispac.geometry.radius_search import nearest_point
 from lispac.gui import theme
 from lispac.gui.document import Document
 from lispac.gui.idle_tasks import IdleTask
-from lispac.gui.point_colours import Colouring, shading
-from lispac.gui.residuals import residual_reach, residual_shading
+from lispac.gui.point_colours import Colouring, point_shading
+from lispac.gui.residuals import residual_colour_limit, residual_shading
 from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, Shading, Viewport
 from lispac.project import Target, Triple
 from lispac.survey.cloud import Cloud
@@ -25,7 +25,7 @@ Shaded = tuple[Shading | None, Residuals]
 
 
 class Scene(QObject):
-    """Keeps the viewport in step with the document, the candidate and the before/after switch."""
+    """Updates the viewport from the document, the candidate and the before/after switch."""
 
     which_changed = Signal(str)
     gone_to = Signal(object, str)
@@ -50,15 +50,15 @@ class Scene(QObject):
         self._shaded: Shaded | None = None
         """Colours that wait to be drawn."""
         # Once for all that changes in one: a new project has enough to show.
-        self._lines_due = IdleTask(self._put_lines, self)
-        self._targets_due = IdleTask(self._put_targets, self)
-        document.left.connect(self._leave)
+        self._lines_due = IdleTask(self._draw_due_lines, self)
+        self._targets_due = IdleTask(self._draw_due_targets, self)
+        document.left.connect(self._clear)
         document.survey_changed.connect(self._reload)
         document.changed.connect(self._project_changed)
 
     @property
     def clouds(self) -> Mapping[str, Cloud]:
-        """The lines as they are shown."""
+        """Lines as displayed."""
         survey = self._document.survey
         if survey is None:
             return {}
@@ -68,7 +68,7 @@ class Scene(QObject):
 
     @property
     def has_estimated(self) -> bool:
-        """Whether the lines placed with the present result are at hand."""
+        """Whether the lines are placed with the current result."""
         project = self._document.project
         return (
             self._estimated is not None
@@ -79,7 +79,7 @@ class Scene(QObject):
 
     @property
     def selected_points(self) -> dict[str, Array]:
-        """Points (n, 3) of what is selected, by line, as they are shown; empty without any."""
+        """Points (n, 3) of the selection by line, as displayed; empty without a selection."""
         project = self._document.project
         if project is None or self.selected is None:
             return {}
@@ -87,8 +87,8 @@ class Scene(QObject):
         target = next((target for target in project.targets if target.name == name), None)
         return {} if target is None else self._points_by_line(target, line)
 
-    def to_prior(self, point: PickedPoint) -> Callable[[], Triple]:
-        """What finds, in any thread, where a clicked point lies with the prior boresight.
+    def prior_position_finder(self, point: PickedPoint) -> Callable[[], Triple]:
+        """Function that finds the prior position of a clicked point, for any thread.
 
         Targets are searched for in those lines.
         """
@@ -105,59 +105,59 @@ class Scene(QObject):
         return find
 
     def colour_by(self, colouring: Colouring) -> None:
-        """Colour the points.
+        """Colour the points by line or by a value.
 
         Raises
         ------
         ValueError
             Where a line has nothing to colour by; nothing changes then.
         """
-        shaded = self._shades(colouring)
+        shaded = self._point_colours(colouring)
         self.colouring = colouring
         if self._document.survey is not None:
             self._draw_clouds(shaded)
-            self._draw_targets()
+            self._schedule_targets()
 
     def keep_estimated(self, result: object, clouds: Mapping[str, Cloud]) -> None:
-        """Keep the lines placed with ``result``."""
+        """Store the lines placed with ``result``."""
         self._estimated = (result, clouds)
 
-    def keep_placed(self, old: object, new: object) -> None:
-        """The lines placed with one result are those of another with the same mounting."""
+    def reassign_estimated(self, old: object, new: object) -> None:
+        """Assign the placed lines of one result to another with the same mounting."""
         if self._estimated is not None and self._estimated[0] is old:
             self._estimated = (new, self._estimated[1])
 
     def show(self, which: Which) -> None:
-        """Show the lines before or after."""
+        """Show the lines before or after the adjustment."""
         if which == "estimated" and not self.has_estimated:
             which = "prior"
         if which != self.which or self.clouds is not self._drawn:
             self.which = which
             self._draw_clouds()
-            self._draw_targets()
+            self._schedule_targets()
         self.which_changed.emit(self.which)
 
-    def take_over(self, former: "Scene") -> None:
-        """Show what another scene of the same document shows; what it has placed is not again."""
+    def copy_state_from(self, former: "Scene") -> None:
+        """Copy state and placed lines of another scene of the same document."""
         self._estimated, self.which = former._estimated, former.which
         self.colouring = former.colouring
-        self._draw_lines()
+        self._schedule_lines()
         self.which_changed.emit(self.which)
 
     def show_candidate(self, candidate: Target | None) -> None:
-        """Show a target just found beside the others."""
+        """Show the candidate beside the other targets."""
         self.candidate = candidate
-        self._draw_targets()
+        self._schedule_targets()
         self._viewport.select(None if candidate is None else (candidate.name, ""))
 
     def select(self, name: str) -> None:
-        """Emphasise a target on all its lines, and stay where the view is."""
+        """Highlight a target on all its lines without moving the view."""
         self.selected = (name, "")
         self._viewport.select(self.selected)
         self.selection_changed.emit()
 
     def look_at(self, name: str, line: str) -> None:
-        """Emphasise a sighting, or a target on all its lines with ``line`` "", and go there."""
+        """Highlight a sighting, or a target if ``line`` is empty, and move the view to it."""
         project = self._document.project
         if project is None:
             return
@@ -171,13 +171,13 @@ class Scene(QObject):
         self.selection_changed.emit()
 
     @contextmanager
-    def one_scale(self) -> Iterator[None]:
-        """While this lasts, a colour by residual means the same before and after."""
+    def common_residual_scale(self) -> Iterator[None]:
+        """Context in which residual colours have the same scale before and after."""
         project, survey, shown = self._document.project, self._document.survey, self.which
         estimated = self._estimated
         coloured = self.colouring == "residual" and self.has_estimated
         if coloured and project and survey and estimated:
-            self._reach = residual_reach(project, survey, (survey.clouds, estimated[1]))
+            self._reach = residual_colour_limit(project, survey, (survey.clouds, estimated[1]))
             self._drawn = {}  # drawn anew, with the other colours
         try:
             yield
@@ -186,7 +186,7 @@ class Scene(QObject):
                 self._reach, self._drawn = None, {}
             self.show(shown)
 
-    def _leave(self) -> None:
+    def _clear(self) -> None:
         self.candidate = self.selected = None
         self._viewport.clear()  # nothing of it is drawn once more on the way to another
         self._drawn = {}
@@ -200,8 +200,8 @@ class Scene(QObject):
             self._drawn = {}
         else:
             # Standard views look from the water, where the vessel was while it scanned.
-            self._viewport.set_station(_vessel(survey))
-        self._draw_lines()
+            self._viewport.set_station(_mean_vessel_position(survey))
+        self._schedule_lines()
         self.which_changed.emit(self.which)
 
     def _project_changed(self) -> None:
@@ -214,69 +214,69 @@ class Scene(QObject):
                 self.which_changed.emit(self.which)
         stale = self.colouring == "residual" and not self._document.awaits_result
         if stale or self.clouds is not self._drawn:
-            self._draw_lines()
-        self._draw_targets()
+            self._schedule_lines()
+        self._schedule_targets()
 
     @property
     def awaits_lines(self) -> bool:
-        """Whether lines are drawn in one of the next turns; `drawn` follows."""
+        """Whether lines are still to be drawn; `drawn` follows."""
         return self._lines_due.isActive()
 
     @property
     def is_drawn(self) -> bool:
-        """Whether nothing is to be drawn in the next turns."""
+        """Whether no drawing is pending."""
         return not (self._lines_due.isActive() or self._targets_due.isActive())
 
     def draw_due(self) -> None:
-        """Draw now what would be drawn in the next turns."""
+        """Do the pending drawing now."""
         while self._lines_due.isActive():
-            self._put_lines()
+            self._draw_due_lines()
         if self._targets_due.isActive():
-            self._put_targets()
+            self._draw_due_targets()
 
-    def _draw_lines(self) -> None:
+    def _schedule_lines(self) -> None:
         self._shaded = None
         self._lines_due.start()
 
-    def _put_lines(self) -> None:
+    def _draw_due_lines(self) -> None:
         self._lines_due.stop()
         if self._document.survey is not None:
             if self.colouring != "line" and self._shaded is None:
-                self._shaded = self._shades_of_any()  # in a turn of its own
+                self._shaded = self._available_colours()  # in a turn of its own
                 self._lines_due.start()
                 return
             self._draw_clouds(self._shaded)
-        self._draw_targets()
+        self._schedule_targets()
 
     def _draw_clouds(self, shaded: Shaded | None = None) -> None:
         clouds = self._drawn = self.clouds
         samples = {name: cloud.sample for name, cloud in clouds.items()}
-        shading, self._residuals = shaded or self._shades_of_any()
+        shading, self._residuals = shaded or self._available_colours()
         self._shaded = None
         self._viewport.show_clouds(samples, theme.line_colours(list(clouds)), shading)
         self.drawn.emit()
 
-    def _shades_of_any(self) -> Shaded:
+    def _available_colours(self) -> Shaded:
         try:
-            return self._shades(self.colouring)
+            return self._point_colours(self.colouring)
         except ValueError:  # another survey, without intensities or a result
             self.colouring = "line"
             return None, {}
 
-    def _shades(self, colouring: Colouring) -> Shaded:
-        """Colours of the lines' points, and of the sightings' where these have their own."""
+    def _point_colours(self, colouring: Colouring) -> Shaded:
+        """Colours of the points of the lines, and of sightings with their own colours."""
         if colouring != "residual":
-            return shading(colouring, self.clouds), {}
+            return point_shading(colouring, self.clouds), {}
         project, survey = self._document.project, self._document.survey
         if project is None or survey is None:
             return None, {}
         return residual_shading(project, survey, self.clouds, reach=self._reach)
 
-    def _draw_targets(self) -> None:
+    def _schedule_targets(self) -> None:
         if not self._lines_due.isActive():  # which they follow
             self._targets_due.start()
 
-    def _put_targets(self) -> None:
+    def _draw_due_targets(self) -> None:
         self._targets_due.stop()
         project = self._document.project
         targets = [] if project is None or self._document.survey is None else list(project.targets)
@@ -296,7 +296,7 @@ class Scene(QObject):
                         shades = None  # edited since the adjustment
                     highlights.append(Highlight(key, points, colour, shades))
             label = f"{target.name}?" if target is self.candidate else target.name
-            markers.append(Marker(label, _centre(target, groups), self._colour(target)))
+            markers.append(Marker(label, _label_position(target, groups), self._colour(target)))
         self._viewport.show_highlights(highlights)
         self._viewport.show_markers(markers)
 
@@ -318,16 +318,16 @@ class Scene(QObject):
         return theme.TARGET_COLOUR if target.role == "target" else theme.VALIDATION_COLOUR
 
 
-def _centre(target: Target, groups: dict[str, Array]) -> tuple[float, float, float]:
-    """Where the label of a target stands: amid its points of each line, or at its seed."""
+def _label_position(target: Target, groups: dict[str, Array]) -> tuple[float, float, float]:
+    """Position of the label of a target: the mean of its points, or its seed."""
     if not any(len(points) for points in groups.values()):
         return target.seed
     x, y, z = (float(v) for v in np.concatenate(list(groups.values())).mean(axis=0))
     return x, y, z
 
 
-def _vessel(survey) -> tuple[float, float, float]:
-    """Mean place of the vessel while it scanned: where a standard view looks from."""
+def _mean_vessel_position(survey) -> tuple[float, float, float]:
+    """Mean position of the vessel during the scans, from which standard views look."""
     times = np.concatenate(
         [np.linspace(scan.first_time, scan.last_time, 21) for scan in survey.scans.values()]
     )

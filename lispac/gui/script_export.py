@@ -24,11 +24,11 @@ class ScriptExport(QObject):
         self._action = window.actions_["script"]
         self._action.triggered.connect(lambda _=False: self.show_script())
         for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
-            moved.connect(self._enable)
-        self._enable()
+            moved.connect(self._enable_controls)
+        self._enable_controls()
 
     def show_script(self) -> None:
-        """Make the script of the project as it stands, and show it."""
+        """Create the script of the current project and show it."""
         project, survey = self._document.project, self._document.survey
         if project is None or survey is None or not self._document.survey_is_current:
             return
@@ -44,7 +44,7 @@ class ScriptExport(QObject):
             lambda made: self._show(project, made),
             shows=True,
         )
-        self._controller.based_on_project(task)
+        self._controller.cancel_on_edit(task)
 
     def _show(self, project: Project, script: "Script") -> None:
         def save() -> str:
@@ -64,6 +64,6 @@ class ScriptExport(QObject):
 
         self._dialogs.script(script, save)
 
-    def _enable(self) -> None:
+    def _enable_controls(self) -> None:
         settled = self._document.survey_is_current and not self._document.awaits_result
         self._action.setEnabled(settled and not self._runner.busy)

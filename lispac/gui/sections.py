@@ -10,7 +10,7 @@ from lispac.gui import theme
 from lispac.gui.actions import Actions
 from lispac.gui.document import Document
 from lispac.gui.mouse_tool import MouseTool
-from lispac.gui.panels.histograms import preload
+from lispac.gui.panels.histograms import preload_matplotlib
 from lispac.gui.panels.section import EMPTY, SectionPanel
 from lispac.gui.scene import Scene
 from lispac.gui.tasks import TaskRunner
@@ -18,16 +18,16 @@ from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewpor
 from lispac.gui.viewport.clipping import EDGES, Box
 from lispac.language import N_, gettext
 from lispac.progress import Progress
-from lispac.targets.section import Section
-from lispac.workflow.sections import Cut, cut_between, cut_target
+from lispac.targets.cross_section import Section
+from lispac.workflow.survey_sections import SectionPoints, cut_between_points, section_at_target
 
 SKETCH = "section"
 COLOUR: Colour = (0, 90, 200)
 HINTS = (N_("Click the start of the section"), N_("Click the end of the section"))
 
 
-class Sections(QObject):
-    """Cuts the section in the background, while its panel is visible."""
+class SectionTool(QObject):
+    """Computes the section in the background while its panel is visible."""
 
     def __init__(
         self,
@@ -46,63 +46,65 @@ class Sections(QObject):
         self._ends: list[Array] = []
         self._stale = self._seen = self._drawn = False
         self._shown: tuple[tuple[object, ...], tuple[object, ...]] | None = None
-        self._cuts: Sequence[Cut] = ()
-        self.panel.changed.connect(self._update)
+        self._cuts: Sequence[SectionPoints] = ()
+        self.panel.changed.connect(self._update_section)
         self.panel.points_asked.connect(actions["section_points"].trigger)
         actions["section"].triggered.connect(lambda _=False: self._open())
-        actions["section_points"].triggered.connect(self._switch)
-        scene.selection_changed.connect(self._another)
-        document.opened.connect(self._another)
-        document.changed.connect(self._update)
-        scene.which_changed.connect(lambda _which: self._update())
-        runner.idle.connect(lambda: self._stale and self._update())
+        actions["section_points"].triggered.connect(self._toggle_tool)
+        scene.selection_changed.connect(self._cut_target)
+        document.opened.connect(self._cut_target)
+        document.changed.connect(self._update_section)
+        scene.which_changed.connect(lambda _which: self._update_section())
+        runner.idle.connect(lambda: self._stale and self._update_section())
 
     def _open(self) -> None:
         self._bring(self.panel)
 
-    def be_seen(self, seen: bool) -> None:
-        """The panel is in front of the others, or not."""
+    def set_panel_visible(self, seen: bool) -> None:
+        """Set whether the panel is visible."""
         self._seen = seen
-        self._update()
+        self._update_section()
 
     # -- between two points ------------------------------------------------------------------
 
-    def _switch(self, on: bool) -> None:
+    def _toggle_tool(self, on: bool) -> None:
         if not on:
             self._mouse_tool.end()
             return
         self._ends = []
-        self._draw(None)
+        self._draw_sketch(None)
         hint = gettext(HINTS[0])
-        self._mouse_tool.begin("section_points", hint, pointed=self._take, ended=self._give_up)
+        self._mouse_tool.begin(
+            "section_points", hint, pointed=self._add_point, ended=self._discard_points
+        )
 
-    def _take(self, point: PickedPoint) -> None:
+    def _add_point(self, point: PickedPoint) -> None:
         self._ends.append(np.array(point.position))
         if len(self._ends) == 1:
             self._mouse_tool.hint(gettext(HINTS[1]))
-            self._draw(Sketch((point.position,), (), COLOUR, dots=True))
+            self._draw_sketch(Sketch((point.position,), (), COLOUR, dots=True))
             return
         self._mouse_tool.end()
         self._open()
-        self._update()
+        self._update_section()
 
-    def _give_up(self) -> None:
+    def _discard_points(self) -> None:
         if len(self._ends) < 2:
             self._ends = []
-            self._draw(None)
+            self._draw_sketch(None)
 
     # -- cutting -----------------------------------------------------------------------------
 
-    def _another(self) -> None:
-        """A target was selected: it is cut, and no longer what lies between two points."""
+    def _cut_target(self) -> None:
+        """Cut the newly selected target instead of a section between two points."""
         self._ends = []
-        self._update()
+        self._update_section()
 
-    def _update(self) -> None:
+    def _update_section(self) -> None:
         project, survey = self._document.project, self._document.survey
         panel, selected = self.panel, self._scene.selected
         if not self._seen:
-            self._draw(None)
+            self._draw_sketch(None)
             return
         ends = tuple(self._ends) if len(self._ends) == 2 else None
         known = project is not None and {target.name for target in project.targets}
@@ -116,26 +118,26 @@ class Sections(QObject):
         rests_on = (project.result, target, survey, *(ends or ()))
         asked = (level, size, thickness, *map(id, rests_on))
         if not self._stale and self._shown is not None and asked == self._shown[0]:
-            self._sketch()
+            self._draw_frame()
             return
         self._stale = True
 
-        def work(progress: Progress) -> Sequence[Cut] | str:
-            preload()
+        def work(progress: Progress) -> Sequence[SectionPoints] | str:
+            preload_matplotlib()
             try:
                 if ends is not None:
-                    return cut_between(
+                    return cut_between_points(
                         project, survey, *ends, height=size, thickness=thickness,
                         progress=progress,
                     )  # fmt: skip
-                return cut_target(
+                return section_at_target(
                     project, survey, name, level=level, size=size, thickness=thickness,
                     progress=progress,
                 )  # fmt: skip
             except LispacError as error:
                 return str(error)
 
-        def done(cuts: Sequence[Cut] | str) -> None:
+        def done(cuts: Sequence[SectionPoints] | str) -> None:
             self._stale = False
             self._shown = asked, rests_on  # kept, so that no other object gets their id
             if isinstance(cuts, str):
@@ -149,7 +151,7 @@ class Sections(QObject):
             panel.show_cuts(
                 through, cuts, theme.line_colours(survey.lines), target=ends is None
             )  # fmt: skip
-            self._sketch()
+            self._draw_frame()
 
         title = gettext("Cutting the section")
         self._runner.run(title, work, done, quiet=True, key="section")
@@ -157,21 +159,21 @@ class Sections(QObject):
     def _show_nothing(self, text: str) -> None:
         self._stale, self._shown = False, None
         self.panel.show_nothing(text)
-        self._draw(None)
+        self._draw_sketch(None)
 
-    def _sketch(self) -> None:
-        """Draw the frame of what is cut into the view."""
+    def _draw_frame(self) -> None:
+        """Draw the frame of the section into the view."""
         cut = next((c for c in self._cuts if c.which == self._scene.which), self._cuts[0])
-        self._draw(frame_of(cut.section))
+        self._draw_sketch(section_frame(cut.section))
 
-    def _draw(self, sketch: Sketch | None) -> None:
+    def _draw_sketch(self, sketch: Sketch | None) -> None:
         if sketch is not None or self._drawn:
             self._drawn = sketch is not None
             self._viewport.show_sketch(SKETCH, sketch)
 
 
-def frame_of(section: Section) -> Sketch:
-    """The strip's box."""
+def section_frame(section: Section) -> Sketch:
+    """Sketch of the box of a section."""
     half = 0.5 * np.array([section.width, section.height, section.thickness])
     box = Box(section.centre, np.array([section.right, section.up, section.across]), half)
     places = tuple((float(x), float(y), float(z)) for x, y, z in box.corners)

@@ -1,16 +1,16 @@
-"""What the next seed is to make, as the panel of the targets has it."""
+"""Options of the next seed, as set in the panel of the targets."""
 
 from dataclasses import dataclass
 from typing import Any
 
 from lispac.project import Role, Shape
-from lispac.targets.expected import ExpectedTarget
-from lispac.targets.settings import USUAL, FinderChoices
+from lispac.targets.expected_target import ExpectedTarget
+from lispac.targets.finder_settings import USUAL, FinderChoices
 
 
 @dataclass(frozen=True)
 class SeedOptions:
-    """Options of the target search.
+    """Target to search for, and the options of the search.
 
     Attributes
     ----------
@@ -30,8 +30,8 @@ class SeedOptions:
     choices: FinderChoices = USUAL
 
     @property
-    def how(self) -> dict[str, Any]:
-        """For `lispac.workflow.picking.find`: the search settings, without names."""
+    def finder_arguments(self) -> dict[str, Any]:
+        """Options for `lispac.workflow.picking.find_target`, independent of the target's name."""
         return {
             "shape": self.shape, "sphere_radius": self.sphere_radius, "expected": self.expected,
             "threshold": self.threshold, "radius": self.radius, "choices": self.choices,

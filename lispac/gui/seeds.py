@@ -14,9 +14,9 @@ from lispac.workflow.survey import Survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
-    from lispac.workflow.seed_lists import Outcome
+    from lispac.workflow.seed_lists import SeedOutcome
 
-Picked = tuple[Project, tuple["Outcome", ...]]
+Picked = tuple[Project, tuple["SeedOutcome", ...]]
 
 
 class SeedActions(QObject):
@@ -35,12 +35,12 @@ class SeedActions(QObject):
         for changed in (
             window.document.changed, window.document.survey_changed, window.runner.changed,
         ):  # fmt: skip
-            changed.connect(self._enable)
-        self._enable()
+            changed.connect(self._enable_controls)
+        self._enable_controls()
 
     def type_seed(self) -> None:
         """Ask for coordinates and search for the target there."""
-        project, survey = self._ready()
+        project, survey = self._current_data()
         if project is None or survey is None:
             return
         from lispac.workflow.picking import next_name
@@ -62,7 +62,7 @@ class SeedActions(QObject):
         path : Path, optional
             Asked for if it is not given.
         """
-        project, survey = self._ready()
+        project, survey = self._current_data()
         if project is None or survey is None:
             return
         path = path or self._dialogs.seed_list_file(project.folder)
@@ -78,11 +78,13 @@ class SeedActions(QObject):
         def work(progress: Progress) -> Picked:
             from lispac.workflow.seed_lists import pick_seeds
 
-            return pick_seeds(project, survey, seeds, seed_options.how, progress=progress)
+            return pick_seeds(
+                project, survey, seeds, seed_options.finder_arguments, progress=progress
+            )
 
         def done(picked: Picked) -> None:
             edited, outcomes = picked
-            self._take_over(path, edited, outcomes)
+            self._apply_outcomes(path, edited, outcomes)
 
         title = Plural(
             "Searching for the target of {count:n} seed of {file}",
@@ -90,9 +92,11 @@ class SeedActions(QObject):
         )
         text = gettext(title, count=len(seeds), file=path.name)
         task = self._runner.run(text, work, done, shows=True)
-        self._controller.based_on_project(task)
+        self._controller.cancel_on_edit(task)
 
-    def _take_over(self, path: Path, edited: Project, outcomes: "tuple[Outcome, ...]") -> None:
+    def _apply_outcomes(
+        self, path: Path, edited: Project, outcomes: "tuple[SeedOutcome, ...]"
+    ) -> None:
         from lispac.workflow.target_search import thinned_notes
 
         names = [outcome.seed.name for outcome in outcomes if outcome.target is not None]
@@ -113,12 +117,12 @@ class SeedActions(QObject):
         )
         self._dialogs.seeds_found(outcomes, len(edited.lines))
 
-    def _ready(self) -> tuple[Project | None, Survey | None]:
+    def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current and not self._runner.busy
         return self._document.project, self._document.survey if current else None
 
-    def _enable(self) -> None:
-        ready = self._ready()[1] is not None
+    def _enable_controls(self) -> None:
+        ready = self._current_data()[1] is not None
         for button in (self._targets.type_seed, self._targets.list_seeds):
             button.setEnabled(ready)
         for name in ("seed_at", "seed_list"):
@@ -126,7 +130,7 @@ class SeedActions(QObject):
 
 
 def _search_summary(seed_options: SeedOptions) -> str:
-    """How the targets of a list are searched for."""
+    """Text on how the targets of a list are searched for."""
     if seed_options.shape == "plane":
         return gettext(
             "Planes are searched for in all lines, with the search radius, the threshold and the "

@@ -1,4 +1,4 @@
-"""The window on the screen, replaced by another one if language or theme change.
+"""Window on the screen, and its replacement when language or theme change.
 
 Widgets are given their texts and colours when they are made. So the window is made anew around the
 same document: the project, its data and every undo step stay.
@@ -11,15 +11,15 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication
 
 from lispac.gui import theme, units
-from lispac.gui.dialogs.service import Dialogs
-from lispac.gui.docks import show_all
+from lispac.gui.dialogs.dialog_service import Dialogs
+from lispac.gui.docks import show_window_and_docks
 from lispac.gui.garbage_collection import collect_all
 from lispac.gui.language import set_language
 from lispac.gui.main_window import MainWindow
-from lispac.gui.point_colours import use_scale
+from lispac.gui.point_colours import set_colour_scale
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import Viewport
-from lispac.gui.window_state import carry_over
+from lispac.gui.window_state import transfer_window_state
 from lispac.io.project_file import UNSAVED_NAME
 
 LATER_MS = 500
@@ -49,46 +49,46 @@ class Session(QObject):
         self._unforeseen.connect(self._show_error, Qt.ConnectionType.QueuedConnection)
         self._application, self._viewport = application, viewport
         self._settings, self._dialogs = settings or AppSettings(), dialogs or Dialogs()
-        self.window = self._made(None)
+        self.window = self._create_window(None)
         self._later = QTimer(self, singleShot=True, interval=LATER_MS)
-        self._later.timeout.connect(self._follow_system)
-        application.styleHints().colorSchemeChanged.connect(self._wait_a_little)
+        self._later.timeout.connect(self._follow_system_theme)
+        application.styleHints().colorSchemeChanged.connect(self._delay_theme_change)
 
-    def _made(self, former: MainWindow | None) -> MainWindow:
+    def _create_window(self, former: MainWindow | None) -> MainWindow:
         in_front = QApplication.activeWindow()
         set_language(self._settings.language)
-        units.show_in(*self._settings.units)
-        use_scale(self._settings.colour_scale)
+        units.set_units(*self._settings.units)
+        set_colour_scale(self._settings.colour_scale)
         theme.apply_theme(self._application, self._settings.theme)
-        document = None if former is None else former.document.handed_over()
+        document = None if former is None else former.document.copy_for_new_window()
         window = MainWindow(self._viewport(), self._settings, self._dialogs, document)
         if former is not None:
-            window.log.take_over(former.log)
-            carry_over(former, window)
+            window.log.copy_state_from(former.log)
+            transfer_window_state(former, window)
         # Queued: the action that asks for it belongs to the window that goes.
-        window.renewal_asked.connect(self.renew, Qt.ConnectionType.QueuedConnection)
-        show_all(window, window.docks)
+        window.renewal_asked.connect(self.rebuild_window, Qt.ConnectionType.QueuedConnection)
+        show_window_and_docks(window, window.docks)
         window.activateWindow()
         if former is not None:
-            window.site_design.take_over(former.site_design)
+            window.site_design.copy_state_from(former.site_design)
             designed = in_front is not None and in_front is former.site_design.window
             (window.site_design.window if designed else window).activateWindow()
         return window
 
     @property
     def log_folder(self) -> Path:
-        """Where the log file goes."""
+        """Folder of the log file."""
         return self._settings.folder
 
-    def tell_unforeseen(self, error: BaseException) -> None:
-        """Show an exception that nothing has caught, in whatever thread it was."""
+    def report_uncaught(self, error: BaseException) -> None:
+        """Show an uncaught exception of any thread."""
         if isinstance(error, KeyboardInterrupt):
             self._application.quit()
         else:
             self._unforeseen.emit(error)
 
-    def left_by_a_crash(self) -> Path | None:
-        """The project with unsaved work that the program did not come to close."""
+    def crashed_project(self) -> Path | None:
+        """Project with unsaved changes that the program did not close; None if there is none."""
         folder = self._settings.left_open
         if folder is None or not (folder / UNSAVED_NAME).is_file():
             return None
@@ -97,29 +97,31 @@ class Session(QObject):
     def _show_error(self, error: BaseException) -> None:
         self.window.dialogs.show_error(error)
 
-    def _wait_a_little(self, _looks: Qt.ColorScheme) -> None:
+    def _delay_theme_change(self, _looks: Qt.ColorScheme) -> None:
         self._later.start()
 
-    def _follow_system(self) -> None:
-        """Dress as the system does now; not under a dialogue, nor while a plan is dragged."""
-        if theme.wanted(self._application, self._settings.theme) is theme.scheme():
+    def _follow_system_theme(self) -> None:
+        """Apply the theme of the system, unless a dialogue is open or a plan is dragged."""
+        if theme.choose_scheme(self._application, self._settings.theme) is theme.current_scheme():
             return
         if (
             QApplication.activeModalWidget()
             or QApplication.activePopupWidget()
-            or self.window.site_design.workspace.dragging
+            or self.window.site_design.workspace.is_dragging
         ):
             self._later.start()
         else:
-            self.window.renew()
+            self.window.rebuild_window()
 
-    def renew(self) -> None:
-        """Replace the window by one in the language and theme of the settings."""
+    def rebuild_window(self) -> None:
+        """Replace the window by a new one in the language and theme of the settings."""
         former = self.window
         former.keep_layout()
         former.recovery_copies.stop()
-        self.window = self._made(former)  # shown before the other goes: the last one ends Qt
-        former.retire()
+        self.window = self._create_window(
+            former
+        )  # shown before the other goes: the last one ends Qt
+        former.stop_and_hide()
         former.deleteLater()
         # Its points and graphics: nothing else frees so much, and now everybody waits anyhow
         QCoreApplication.sendPostedEvents(former, QEvent.Type.DeferredDelete)

@@ -1,4 +1,4 @@
-"""What the window remembers between two runs."""
+"""Settings that the window stores between runs."""
 
 import json
 from pathlib import Path
@@ -6,11 +6,11 @@ from pathlib import Path
 from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
 
 from lispac import caches
-from lispac.foreign_values import json_values
 from lispac.gui.point_colours import SCALES, Scale
 from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.decimation import Budget
 from lispac.language import LANGUAGES
+from lispac.untrusted_values import json_values
 from lispac.workflow.sensors import own_sensors
 
 MOST_RECENT = 8
@@ -22,7 +22,7 @@ POINT_BUDGETS = range(100_000, 20_000_001)
 
 
 class AppSettings:
-    """Recent projects, layout and theme, kept in the user's cache folder.
+    """Recent projects, layout and preferences, stored in the user's cache folder.
 
     Parameters
     ----------
@@ -36,8 +36,8 @@ class AppSettings:
         cache = QStandardPaths.writableLocation(
             QStandardPaths.StandardLocation.GenericCacheLocation
         )
-        place = caches.place_in(Path(cache))
-        path = caches.writable_or_temporary(place) / "window.ini" if file is None else file
+        place = caches.cache_folder_in(Path(cache))
+        path = caches.writable_or_temporary_folder(place) / "window.ini" if file is None else file
         self.folder = path.parent
         # One's own sensors are work, so they are kept where nothing is thrown away.
         self._config = None if file is None else path.parent
@@ -45,18 +45,18 @@ class AppSettings:
         self._store = QSettings(str(path), QSettings.Format.IniFormat)
 
     def recent(self) -> list[Path]:
-        """Project folders opened last, the newest first."""
+        """Folders of the recent projects, the newest first."""
         stored = self._store.value("recent", [])
         names = [stored] if isinstance(stored, str) else list(stored or [])
         return [Path(name) for name in names if name]
 
     def add_recent(self, folder: Path) -> None:
-        """Put a project folder in front."""
+        """Put a project folder first in the list of recent projects."""
         others = [known for known in self.recent() if known != folder]
         self._store.setValue("recent", [str(p) for p in [folder, *others][:MOST_RECENT]])
 
     def forget_recent(self) -> None:
-        """Empty the list."""
+        """Clear the list of recent projects."""
         self._store.setValue("recent", [])
 
     @property
@@ -71,14 +71,14 @@ class AppSettings:
         self._store.sync()
 
     def layout(self) -> tuple[QByteArray, QByteArray] | None:
-        """Geometry and dock state of the window, if it has been open before."""
+        """Geometry and state of the window; None if it has not been open before."""
         geometry, state = self._store.value("geometry"), self._store.value("docks")
         if isinstance(geometry, QByteArray) and isinstance(state, QByteArray):
             return geometry, state
         return None
 
     def keep_layout(self, geometry: QByteArray, state: QByteArray) -> None:
-        """Remember geometry and dock state."""
+        """Store geometry and state of the window."""
         self._store.setValue("geometry", geometry)
         self._store.setValue("docks", state)
 
@@ -91,14 +91,14 @@ class AppSettings:
         return {str(k): str(v) for k, v in stored.items()} if isinstance(stored, dict) else {}
 
     def keep_column_mappings(self, mappings: dict[str, str]) -> None:
-        """Remember columns for the next file laid out alike."""
+        """Store the columns for the next file with the same layout."""
         if mappings:
             kept = self.column_mappings() | mappings
             self._store.setValue("columns", json.dumps(kept))
 
     @property
     def point_size(self) -> int:
-        """Pixels of a drawn point."""
+        """Size of a drawn point, pixels."""
         stored = str(self._store.value("point_size", POINT_SIZE))
         known = {str(size): size for size in POINT_SIZES}
         return known.get(stored, POINT_SIZE)
@@ -109,7 +109,7 @@ class AppSettings:
 
     @property
     def point_budget(self) -> int:
-        """Points drawn at rest, at most."""
+        """Largest number of points drawn at rest."""
         stored = str(self._store.value("point_budget", ""))
         known = stored.isdecimal() and int(stored) in POINT_BUDGETS
         return int(stored) if known else Budget().resting
@@ -120,13 +120,13 @@ class AppSettings:
 
     @property
     def language_chosen(self) -> str:
-        """Code of the language that was chosen; empty for that of the system."""
+        """Code of the chosen language; empty for that of the system."""
         chosen = str(self._store.value("language", ""))
         return chosen if chosen in LANGUAGES else ""
 
     @property
     def language(self) -> str:
-        """Code of the window's language; the system's where none was chosen and we speak it."""
+        """Code of the window's language: the chosen one, or the system's if available."""
         chosen = str(self._store.value("language", ""))
         system = QLocale.system().name().partition("_")[0]
         return next((code for code in (chosen, system) if code in LANGUAGES), "en")
@@ -137,7 +137,7 @@ class AppSettings:
 
     @property
     def theme(self) -> str:
-        """One of `THEMES`: as the system, light or dark."""
+        """Theme, one of `THEMES`: system, light or dark."""
         chosen = str(self._store.value("theme", ""))
         return chosen if chosen in THEMES else THEMES[0]
 
@@ -147,7 +147,7 @@ class AppSettings:
 
     @property
     def colour_scale(self) -> Scale:
-        """What is measured at the points is coloured by this scale."""
+        """Colour scale of measured values at the points."""
         chosen = str(self._store.value("colour_scale", ""))
         return next((scale for scale in SCALES if scale == chosen), next(iter(SCALES)))
 
@@ -157,7 +157,7 @@ class AppSettings:
 
     @property
     def sensors(self) -> Path:
-        """The folder of the user's own sensors."""
+        """Folder of the user's own sensors."""
         return self._sensors
 
     @property
@@ -186,23 +186,23 @@ class AppSettings:
 
     @property
     def cache_folder(self) -> Path | None:
-        """The folder that the cache lies in; None for the system's."""
+        """Folder that contains the cache; None for the system's."""
         return caches.chosen_folder(self._config)
 
     @cache_folder.setter
     def cache_folder(self, folder: Path | None) -> None:
-        caches.choose(folder, self._config)
+        caches.choose_folder(folder, self._config)
 
     def report_choice(self) -> tuple[str, str, str, str]:
-        """Template, page, convention and language of the report, as they were chosen last."""
+        """Last template, page, convention and language of the report."""
         a, b, c, d = (str(self._store.value(f"report_{k}", "")) for k in REPORT_KEYS)
         return a, b, c, d
 
     def keep_report_choice(self, choice: tuple[str, str, str, str]) -> None:
-        """Remember them for the next report."""
+        """Store the choices for the next report."""
         for key, text in zip(REPORT_KEYS, choice, strict=True):
             self._store.setValue(f"report_{key}", text)
 
     def sync(self) -> None:
-        """Write now."""
+        """Write the settings now."""
         self._store.sync()

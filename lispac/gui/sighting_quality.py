@@ -10,15 +10,15 @@ from lispac.gui.tasks import Task, TaskRunner
 from lispac.language import gettext
 from lispac.progress import Progress
 from lispac.project import Project, Target
-from lispac.targets.quality import SightingQuality
-from lispac.workflow.qualities import AssessedQuality, judge
+from lispac.targets.sighting_quality import SightingQuality
+from lispac.workflow.sighting_assessment import AssessedQuality, assess_sightings
 from lispac.workflow.survey import Survey
 
 Key = tuple[str, str]
 
 
 class QualityComputation(QObject):
-    """Keeps the quality of every sighting in step with the project."""
+    """Updates the quality of every sighting after changes of the project."""
 
     judged = Signal(object)
     """Qualities by the names of target and line, those that are known by now."""
@@ -32,22 +32,22 @@ class QualityComputation(QObject):
         self._asked: tuple[Task, Project] | None = None
         self._candidate: Target | None = None
         self._asked_candidate: tuple[Task, Target] | None = None
-        document.changed.connect(self._watch)
-        runner.idle.connect(self._judge)
+        document.changed.connect(self._on_document_changed)
+        runner.idle.connect(self._rate_sightings)
 
-    def _watch(self) -> None:
-        self._tell()
+    def _on_document_changed(self) -> None:
+        self._emit_qualities()
         if not self._runner.active:
-            self._judge()
+            self._rate_sightings()
 
-    def judge_candidate(self, candidate: Target | None) -> None:
-        """Judge a target just found, before it is accepted."""
+    def rate_candidate(self, candidate: Target | None) -> None:
+        """Rate a candidate before it is accepted."""
         self._candidate = candidate
         if not self._runner.active:
-            self._judge()
+            self._rate_sightings()
 
-    def _still_known(self) -> dict[Key, SightingQuality]:
-        """The qualities that are those of the sightings as they are now.
+    def _current_qualities(self) -> dict[Key, SightingQuality]:
+        """Known qualities that are valid for the current sightings.
 
         While a new result is on its way those of the last one stay: it moves little.
         """
@@ -58,48 +58,52 @@ class QualityComputation(QObject):
                 each = self._known.get((target.name, sighting.line))
                 if each is None or each.indices is not sighting.indices:
                     continue
-                if waits or each.holds(project, target, sighting):
+                if waits or each.is_current(project, target, sighting):
                     still[target.name, sighting.line] = each.quality
         return still
 
-    def _tell(self) -> None:
-        self.judged.emit(self._still_known())
+    def _emit_qualities(self) -> None:
+        self.judged.emit(self._current_qualities())
 
-    def _judge(self) -> None:
+    def _rate_sightings(self) -> None:
         document, known = self._document, self._known
         project, survey = document.project, document.survey
         if project is None or survey is None or not document.survey_is_current:
             return
         if self._runner.active or document.awaits_result:
             return  # the runner emits a signal when it is idle
-        if self._candidate is not None and self._judges_candidate(self._candidate, project, survey):
+        if self._candidate is not None and self._start_candidate_rating(
+            self._candidate, project, survey
+        ):
             return
         task, asked = self._asked or (None, None)
         if task is not None and asked is project and not task.gave_way:
             return  # it failed, or was cancelled by hand
-        if len(self._still_known()) == sum(len(target.sightings) for target in project.targets):
+        if len(self._current_qualities()) == sum(
+            len(target.sightings) for target in project.targets
+        ):
             return
 
         def work(progress: Progress) -> dict[Key, AssessedQuality]:
-            return judge(project, survey, known=known, progress=progress)
+            return assess_sightings(project, survey, known=known, progress=progress)
 
         def done(judged: dict[Key, AssessedQuality]) -> None:
             self._known = judged
-            self._tell()
+            self._emit_qualities()
 
         title = gettext("Computing the quality of the sightings")
         task = self._runner.run(title, work, done, quiet=True, key="quality")
         self._asked = (task, project)
 
-    def _judges_candidate(self, candidate: Target, project: Project, survey: Survey) -> bool:
-        """Give the candidate to the worker, unless it was judged or failed; whether that was so."""
+    def _start_candidate_rating(self, candidate: Target, project: Project, survey: Survey) -> bool:
+        """Rate the candidate in the worker unless done or failed; return whether it was started."""
         task, asked = self._asked_candidate or (None, None)
         if task is not None and asked is candidate and not task.gave_way:
             return False
 
         def work(progress: Progress) -> dict[Key, AssessedQuality]:
             alone = replace(project, targets=(candidate,))
-            return judge(alone, survey, progress=progress)
+            return assess_sightings(alone, survey, progress=progress)
 
         def done(judged: dict[Key, AssessedQuality]) -> None:
             if self._candidate is not candidate:

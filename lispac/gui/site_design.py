@@ -1,4 +1,4 @@
-"""Design of a site: the window of the workspace, its files and its long tasks."""
+"""Controller of the survey design: its window, files and long tasks."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -6,25 +6,29 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject
 
-from lispac.design.monte_carlo import Scatter
+from lispac.design.monte_carlo import MonteCarloResult
 from lispac.design.objective import CRITERIA
-from lispac.design.scenarios import Outcome
-from lispac.design.search import Design
+from lispac.design.plan_search import DesignResult
+from lispac.design.scenarios import ScenarioOutcome
 from lispac.errors import LispacError, ProjectError
 from lispac.gui.design import edits
-from lispac.gui.design.campaigns import all_scenarios, best_plan, simulated_surveys
+from lispac.gui.design.plan_computations import (
+    compute_scenarios,
+    find_best_plan,
+    run_survey_simulation,
+)
 from lispac.gui.design.search import SearchResult
 from lispac.gui.design.window import DesignWindow
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.panels.histograms import preload
+from lispac.gui.panels.histograms import preload_matplotlib
 from lispac.gui.tasks import TaskRunner
-from lispac.installed import home_folder
+from lispac.installation_paths import home_folder
 from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
 from lispac.language import gettext, gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress
-from lispac.workflow.plan_checks import headline, write_field_plan
-from lispac.workflow.replay import Replay, replay
+from lispac.workflow.plan_checks import result_heading, write_field_plan
+from lispac.workflow.plan_comparison import PlanComparison, compare_with_plan
 from lispac.workflow.survey import load_survey
 
 if TYPE_CHECKING:
@@ -32,7 +36,7 @@ if TYPE_CHECKING:
 
 
 class SiteDesign(QObject):
-    """Controls the design window; it has a worker of its own, so that both windows can be used.
+    """Controls the design window; has its own worker, so that both windows can be used.
 
     Attributes
     ----------
@@ -51,18 +55,18 @@ class SiteDesign(QObject):
         self._path: Path | None = None
         window.actions_["design"].triggered.connect(lambda _=False: self.open())
 
-    def take_over(self, former: "SiteDesign") -> None:
-        """Go on with the plan of a window that goes, and with what is shown of it."""
+    def copy_state_from(self, former: "SiteDesign") -> None:
+        """Take over the plan and the results of a former window."""
         self._path = former._path
-        self.workspace.take_over(former.workspace)
+        self.workspace.copy_state_from(former.workspace)
         if former.window is not None:
-            self.window = self._made()
-            self.window.take_over(former.window)
+            self.window = self._create_window()
+            self.window.copy_state_from(former.window)
             if former.window.isVisible():
                 self.window.show()
 
-    def take_sensors(self) -> None:
-        """Ask for sensors of the library, and put their sigmas into the plan."""
+    def choose_sensors(self) -> None:
+        """Ask for sensors of the library and use their standard deviations in the plan."""
         chosen = self._dialogs.sensors_of_plan(self._main.settings)
         if chosen is None or chosen == (None, None):
             return
@@ -71,23 +75,23 @@ class SiteDesign(QObject):
         )
 
     def open(self) -> None:
-        """Show the window, in front."""
+        """Show the window in front."""
         if self.window is None:
-            self.window = self._made()
+            self.window = self._create_window()
         self.window.show()
         self.window.raise_()
         self.window.activateWindow()
 
-    def _made(self) -> DesignWindow:
-        window = DesignWindow(self.workspace, self._main.viewport.another, self._main)
+    def _create_window(self) -> DesignWindow:
+        window = DesignWindow(self.workspace, self._main.viewport.new_viewport, self._main)
         for name, slot in {
             "new": self.new, "open": self.open_plan, "save": self.save, "save_as": self.save_as,
-            "page": self.write_page, "scenarios": self.scenarios, "cancel": self.runner.cancel,
+            "page": self.save_field_plan, "scenarios": self.scenarios, "cancel": self.runner.cancel,
             "compare": self.compare, "keys": self._dialogs.shortcuts,
         }.items():  # fmt: skip
             window.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
         window.search.asked.connect(self.search)
-        window.system.library_asked.connect(self.take_sensors)
+        window.system.library_asked.connect(self.choose_sensors)
         window.search.cancel_asked.connect(self.runner.cancel)
         window.surveys.asked.connect(self.surveys)
         window.surveys.cancel_asked.connect(self.runner.cancel)
@@ -107,16 +111,16 @@ class SiteDesign(QObject):
     # -- files -------------------------------------------------------------------------------
 
     def new(self) -> None:
-        """Begin with the thesis's plan."""
-        if self._may_lose():
+        """Start with the plan of the thesis."""
+        if self._may_discard_plan():
             self._path = None
-            self.workspace.start(edits.usual())
+            self.workspace.start(edits.default_plan())
 
     def open_plan(self) -> None:
         """Open a plan from its file."""
-        if not self._may_lose():
+        if not self._may_discard_plan():
             return
-        path = self._dialogs.design_file("open", self._start)
+        path = self._dialogs.design_file("open", self._start_folder)
         if path is None:
             return
         try:
@@ -128,17 +132,17 @@ class SiteDesign(QObject):
         self.workspace.start(titled)
 
     def save(self) -> bool:
-        """Save the plan, where it was opened or last saved; whether it was."""
+        """Save the plan to its file; return whether it was saved."""
         return self.save_as() if self._path is None else self._write(self._path)
 
     def save_as(self) -> bool:
-        """Save the plan in a file that is asked for."""
-        path = self._dialogs.design_file("save", self._start / "plan.toml")
+        """Ask for a file and save the plan; return whether it was saved."""
+        path = self._dialogs.design_file("save", self._start_folder / "plan.toml")
         return path is not None and self._write(path)
 
     def _write(self, path: Path) -> bool:
         try:
-            self._whole()
+            self._require_complete_plan()
             write_plan(path, self.workspace.history.now)  # not what a drag may still give up
         except (LispacError, OSError) as error:
             self._dialogs.show_error(error)
@@ -149,13 +153,13 @@ class SiteDesign(QObject):
         self._note(gettext("Saved {file}", file=str(path)))
         return True
 
-    def write_page(self) -> None:
-        """Write the field plan."""
-        path = self._dialogs.design_file("page", self._start / "field-plan.pdf")
+    def save_field_plan(self) -> None:
+        """Ask for a file and write the field plan."""
+        path = self._dialogs.design_file("page", self._start_folder / "field-plan.pdf")
         if path is None:
             return
         try:
-            self._whole()
+            self._require_complete_plan()
         except LispacError as error:
             self._dialogs.show_error(error)
             return
@@ -167,9 +171,9 @@ class SiteDesign(QObject):
         )  # fmt: skip
 
     def read_site(self) -> None:
-        """Take the limits of a site from its file."""
+        """Ask for a site file and read its limits."""
         assert self.window is not None
-        path = self._dialogs.design_file("site", self._start)
+        path = self._dialogs.design_file("site", self._start_folder)
         if path is None:
             return
         try:
@@ -178,10 +182,10 @@ class SiteDesign(QObject):
             self._dialogs.show_error(error)
 
     @property
-    def _start(self) -> Path:
+    def _start_folder(self) -> Path:
         return home_folder() if self._path is None else self._path.parent
 
-    def _whole(self) -> None:
+    def _require_complete_plan(self) -> None:
         plan = self.workspace.titled.plan
         if not plan.targets or not plan.lines:
             raise LispacError(error("window.plan_incomplete"))
@@ -193,22 +197,22 @@ class SiteDesign(QObject):
     # -- long work ---------------------------------------------------------------------------
 
     def scenarios(self) -> None:
-        """Change one thing at a time, in the background."""
+        """Compute the scenarios in the background."""
         assert self.window is not None
         plan, window = self.workspace.titled.plan, self.window
         try:
-            self._whole()
+            self._require_complete_plan()
         except LispacError as error:
             self._note(str(error))
             return
 
-        def work(progress: Progress) -> tuple[Outcome, ...]:
-            preload()
-            return all_scenarios(plan, progress)
+        def work(progress: Progress) -> tuple[ScenarioOutcome, ...]:
+            preload_matplotlib()
+            return compute_scenarios(plan, progress)
 
-        def done(found: tuple[Outcome, ...]) -> None:
+        def done(found: tuple[ScenarioOutcome, ...]) -> None:
             window.pictures.show_outcomes(found)
-            window.show_pictures()
+            window.show_figures()
 
         self.runner.run(gettext("Scenarios"), work, done)
 
@@ -224,11 +228,11 @@ class SiteDesign(QObject):
             return
         objective, plans = panel.objective, round(panel.plans.value())
 
-        def work(progress: Progress) -> Design:
-            preload()
-            return best_plan(site, objective, plans, before.plan, progress)
+        def work(progress: Progress) -> DesignResult:
+            preload_matplotlib()
+            return find_best_plan(site, objective, plans, before.plan, progress)
 
-        def done(found: Design) -> None:
+        def done(found: DesignResult) -> None:
             best = TitledPlan(title, found.plan, site.wall)
             self.workspace.edit(gettext_lazy("best survey design"), best)
             value = float(np.degrees(found.value))
@@ -241,23 +245,27 @@ class SiteDesign(QObject):
     def surveys(self) -> None:
         """Simulate and adjust many surveys of the plan, in the background."""
         assert self.window is not None
-        titled, window, asked = self.workspace.titled, self.window, self.window.surveys.wanted
+        titled, window, asked = (
+            self.workspace.titled,
+            self.window,
+            self.window.surveys.simulation_request,
+        )
         try:
-            self._whole()
+            self._require_complete_plan()
         except LispacError as error:
             self._note(str(error))
             return
 
-        def work(progress: Progress) -> Scatter:
-            preload()
-            return simulated_surveys(titled.plan, asked, progress)
+        def work(progress: Progress) -> MonteCarloResult:
+            preload_matplotlib()
+            return run_survey_simulation(titled.plan, asked, progress)
 
-        def done(found: Scatter) -> None:
-            head = headline(titled.title, found, asked.surveys)
+        def done(found: MonteCarloResult) -> None:
+            head = result_heading(titled.title, found, asked.surveys)
             window.surveys.answer.show_result(head, found, titled.plan)
             window.surveys.answer.follow(self.workspace.titled.plan)
             window.pictures.show_errors(found)
-            window.show_pictures()
+            window.show_figures()
 
         # Cancelled, it still has an answer where enough surveys were finished.
         self.runner.run(gettext("Simulating surveys"), work, done, lasting=True)
@@ -268,45 +276,45 @@ class SiteDesign(QObject):
         project, survey = self._main.document.project, self._main.document.survey
         titled, window = self.workspace.titled, self.window
         try:
-            self._whole()
+            self._require_complete_plan()
             if project is None:
                 raise ProjectError(error("window.no_project_to_compare"))
         except LispacError as failure:
             self._dialogs.show_error(failure)
             return
 
-        def work(progress: Progress) -> Replay:
+        def work(progress: Progress) -> PlanComparison:
             loaded = load_survey(project, progress=progress) if survey is None else survey
-            return replay(project, loaded, titled)
+            return compare_with_plan(project, loaded, titled)
 
         self.runner.run(
             gettext("Comparing the survey design with the survey"), work,
-            lambda found: window.show_compared(found, project.name, titled),
+            lambda found: window.show_comparison(found, project.name, titled),
         )  # fmt: skip
 
     # -- the end -----------------------------------------------------------------------------
 
     @property
     def runners(self) -> tuple[TaskRunner, TaskRunner]:
-        """What works for this window."""
+        """Task runners of this window."""
         return self.runner, self.paper
 
-    def _may_lose(self) -> bool:
-        """Whether the plan may be closed: it is saved, or the user confirms."""
+    def _may_discard_plan(self) -> bool:
+        """Whether the plan may be discarded; asks to save unsaved changes."""
         if not self.workspace.history.changed:
             return True
-        answer = self._dialogs.save_changes(self.workspace.titled.title)
+        answer = self._dialogs.ask_to_save_changes(self.workspace.titled.title)
         return self.save() if answer == "save" else answer == "discard"
 
     def leave(self) -> bool:
-        """End with the program; whether it may."""
-        if not self._may_lose():
+        """End the design with the program; return whether the user agrees."""
+        if not self._may_discard_plan():
             return False
         self.end()
         return True
 
     def end(self) -> None:
-        """Let window and work go without asking; harmless when repeated."""
+        """Stop all work and release the window without asking; may be repeated."""
         if self.window is not None:
             self.window.hide()
         self.runner.close()

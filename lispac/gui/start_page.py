@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme
 from lispac.gui.language import local_datetime
 from lispac.gui.panels import widgets
-from lispac.gui.tab_order import in_turn
+from lispac.gui.tab_order import set_tab_order
 from lispac.io.project_file import FILE_NAME, UNSAVED_NAME
 from lispac.language import N_, gettext
 
@@ -39,7 +39,7 @@ QWIDGETSIZE_MAX = (1 << 24) - 1
 
 
 class StartPage(QScrollArea):
-    """Recent projects, and ways to begin."""
+    """Page with recent projects and ways to begin."""
 
     chosen = Signal(str)
     """Name of one of the ways."""
@@ -78,7 +78,7 @@ class StartPage(QScrollArea):
             side.addWidget(widgets.label(head, "heading"))
             sides.addLayout(side, 1)
         self.ways = {
-            name: _link(icon, gettext(title), gettext(description))
+            name: _link_button(icon, gettext(title), gettext(description))
             for name, icon, title, description in WAYS
         }
         for name, way in self.ways.items():
@@ -93,15 +93,15 @@ class StartPage(QScrollArea):
         self.setWidget(body)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep all ways in sight: in a low window their descriptions become tooltips."""
+        """Show descriptions as tooltips in a low window, so that all ways stay visible."""
         super().resizeEvent(event)
-        self._describe(True)
+        self._show_descriptions(True)
         place = self._begin.geometry()
         lowest = place.top() + self._begin.heightForWidth(place.width())
         if lowest > self.viewport().height():
-            self._describe(False)
+            self._show_descriptions(False)
 
-    def _describe(self, whole: bool) -> None:
+    def _show_descriptions(self, whole: bool) -> None:
         """Show the descriptions below the titles, or as tooltips."""
         self._outer.setContentsMargins(40, 28 if whole else 12, 40, 28)
         for name, _, _, description in WAYS:
@@ -119,13 +119,15 @@ class StartPage(QScrollArea):
             old.hide()  # until it goes, it would stand where it was
             self._recent.removeWidget(old)
             old.deleteLater()
-        self._projects = [self._project(folder) for folder in folders] or [_nothing()]
+        self._projects = [self._project_button(folder) for folder in folders] or [
+            _no_projects_label()
+        ]
         for k, each in enumerate(self._projects):
             self._recent.insertWidget(k + 1, each)
-        in_turn(self.ways[WAYS[-1][0]], self._projects)
+        set_tab_order(self.ways[WAYS[-1][0]], self._projects)
 
-    def _project(self, folder: Path) -> QCommandLinkButton:
-        made = _link("folder-outline", folder.name, _state(folder))
+    def _project_button(self, folder: Path) -> QCommandLinkButton:
+        made = _link_button("folder-outline", folder.name, _project_state_text(folder))
         made.setObjectName("start_recent")
         made.setToolTip(widgets.plain_tip(str(folder)))
         made.setEnabled((folder / FILE_NAME).is_file())
@@ -133,7 +135,7 @@ class StartPage(QScrollArea):
         return made
 
 
-def _link(icon: str, title: str, description: str) -> QCommandLinkButton:
+def _link_button(icon: str, title: str, description: str) -> QCommandLinkButton:
     made = QCommandLinkButton(title, description)
     made.setIcon(theme.icon(icon, theme.ACCENT))
     made.setIconSize(QSize(24, 24))
@@ -141,8 +143,8 @@ def _link(icon: str, title: str, description: str) -> QCommandLinkButton:
     return made
 
 
-def _state(folder: Path) -> str:
-    """Date of the last save of a project, and its folder."""
+def _project_state_text(folder: Path) -> str:
+    """Text with the date of the last save of a project, and its folder."""
     try:
         saved = local_datetime((folder / FILE_NAME).stat().st_mtime)
     except OSError:
@@ -154,7 +156,7 @@ def _state(folder: Path) -> str:
     return gettext("Saved {time} in {folder}", time=saved, folder=folder.parent)
 
 
-def _nothing() -> QLabel:
+def _no_projects_label() -> QLabel:
     return widgets.label(
         gettext("Projects appear here after you have opened them."), "muted", wrap=True
     )

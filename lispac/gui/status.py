@@ -3,12 +3,12 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from lispac.doubles import doubts_of
+from lispac.duplicate_targets import all_warnings
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, note
 from lispac.project import Project
-from lispac.workflow.orientation_check import face_one_way
+from lispac.workflow.orientation_check import do_targets_face_one_way
 from lispac.workflow.survey import Survey
 
 State = Literal["empty", "todo", "done", "warning"]
@@ -27,7 +27,7 @@ VALIDATION_PLANES = Plural("{count:n} validation plane", "{count:n} validation p
 
 @dataclass(frozen=True)
 class StepStatus:
-    """State of one step.
+    """Status of one step.
 
     Attributes
     ----------
@@ -42,24 +42,24 @@ class StepStatus:
     ready: bool = False
 
 
-def counted(number: int, word: str, many: str = "") -> str:
-    """``1 line``, ``6 lines``."""
+def count_text(number: int, word: str, many: str = "") -> str:
+    """Text of a number with its noun: ``1 line``, ``6 lines``."""
     return f"{number:,} {word if number == 1 else many or word + 's'}"
 
 
 def point_count(number: int) -> str:
-    """A number of points: ``812 points``, ``4.9 M points``, in the language of the window."""
+    """Text of a number of points: ``812 points``, ``4.9 M points``."""
     if number >= 1_000_000:
         return gettext("{millions:x.1} M points", millions=number / 1e6)
     return gettext(POINTS, count=number)
 
 
 def line_count(number: int) -> str:
-    """A number of lines in the language of the window."""
+    """Text of a number of lines in the language of the window."""
     return gettext(Plural("{count:n} line", "{count:n} lines"), count=number)
 
 
-def steps(
+def step_statuses(
     project: Project | None,
     survey: Survey | None,
     *,
@@ -91,15 +91,15 @@ def steps(
         )
         return (first, *[nothing] * 4)
     return (
-        _data(project, survey),
-        _targets(project, survey),
-        _adjust(project, survey, waiting, refusal),
-        _validate(project, survey),
-        _report(project, survey, reported),
+        _data_status(project, survey),
+        _targets_status(project, survey),
+        _adjust_status(project, survey, waiting, refusal),
+        _validation_status(project, survey),
+        _report_status(project, survey, reported),
     )
 
 
-def _data(project: Project, survey: Survey | None) -> StepStatus:
+def _data_status(project: Project, survey: Survey | None) -> StepStatus:
     lines = len(project.lines)
     if survey is None:
         reading = Plural("reading {count:n} line", "reading {count:n} lines")
@@ -115,9 +115,9 @@ def _data(project: Project, survey: Survey | None) -> StepStatus:
     )
 
 
-def _targets(project: Project, survey: Survey | None) -> StepStatus:
-    used = [target for target in project.of_role("target") if target.used]
-    planes = project.of_role("validation")
+def _targets_status(project: Project, survey: Survey | None) -> StepStatus:
+    used = [target for target in project.targets_of_role("target") if target.used]
+    planes = project.targets_of_role("validation")
     if survey is None:
         return StepStatus(
             "empty", gettext("waiting for data"), gettext("Wait until the data are read.")
@@ -151,11 +151,11 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
         return StepStatus(
             "warning",
             gettext("{targets}: second target required", targets=sentence),
-            _single_target(),
+            _single_target_text(),
             ready=True,
         )
-    if project.result is None and face_one_way(project, survey):
-        return StepStatus("warning", sentence, _one_facing(), ready=True)
+    if project.result is None and do_targets_face_one_way(project, survey):
+        return StepStatus("warning", sentence, _one_facing_text(), ready=True)
     if planes:
         advice = gettext(
             "There are enough targets and planes for the adjustment and the validation."
@@ -168,15 +168,15 @@ def _targets(project: Project, survey: Survey | None) -> StepStatus:
     return StepStatus("done", sentence, advice, ready=True)
 
 
-def _adjust(
+def _adjust_status(
     project: Project, survey: Survey | None, waiting: bool, refusal: Message | str
 ) -> StepStatus:
-    used = [target for target in project.of_role("target") if target.used]
+    used = [target for target in project.targets_of_role("target") if target.used]
     ready = survey is not None and bool(used)
     if project.result is not None:
         factor = project.result.variance_factor
         passed = project.result.chi_square.passed
-        serious = any(message.is_serious for message in doubts_of(project))
+        serious = any(message.is_serious for message in all_warnings(project))
         if serious:
             sentence = gettext("done, with warnings: variance factor {factor:x.2}", factor=factor)
             advice = gettext("Read the warnings on the right before you use the angles.")
@@ -210,15 +210,15 @@ def _adjust(
         )
     if len(used) < 2:
         sentence = gettext("second target required")
-        return StepStatus("warning", sentence, _single_target(), ready=True)
-    if survey is not None and face_one_way(project, survey):
+        return StepStatus("warning", sentence, _single_target_text(), ready=True)
+    if survey is not None and do_targets_face_one_way(project, survey):
         sentence = gettext("target with another orientation required")
-        return StepStatus("warning", sentence, _one_facing(), ready=True)
+        return StepStatus("warning", sentence, _one_facing_text(), ready=True)
     return StepStatus("todo", gettext("ready to estimate"), gettext("Press Estimate."), ready=True)
 
 
-def _validate(project: Project, survey: Survey | None) -> StepStatus:
-    planes = [plane for plane in project.of_role("validation") if plane.used]
+def _validation_status(project: Project, survey: Survey | None) -> StepStatus:
+    planes = [plane for plane in project.targets_of_role("validation") if plane.used]
     if project.validation:
         better = sum(c.after.rms < c.before.rms for c in project.validation)
         total = len(project.validation)
@@ -273,7 +273,7 @@ def _validate(project: Project, survey: Survey | None) -> StepStatus:
     )
 
 
-def _report(project: Project, survey: Survey | None, reported: str) -> StepStatus:
+def _report_status(project: Project, survey: Survey | None, reported: str) -> StepStatus:
     if project.result is None:
         return StepStatus(
             "empty",
@@ -305,9 +305,9 @@ def _report(project: Project, survey: Survey | None, reported: str) -> StepStatu
     )
 
 
-def _single_target() -> str:
+def _single_target_text() -> str:
     return message_text(note("project.single_target"))
 
 
-def _one_facing() -> str:
+def _one_facing_text() -> str:
     return message_text(note("project.one_facing"))

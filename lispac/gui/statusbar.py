@@ -9,14 +9,14 @@ from lispac.gui.panels import widgets
 from lispac.gui.panels.warnings import WarningsButton
 from lispac.gui.tasks import Task
 from lispac.language import duration_text, gettext
-from lispac.progress import PointStep
+from lispac.progress import PointProgress
 
 QUIET_FOR = 0.3
 """Seconds a quiet task may take before it is shown."""
 
 
-class TaskBar(QStatusBar):
-    """The window's status bar."""
+class TaskStatusBar(QStatusBar):
+    """Status bar of the window."""
 
     cancel_asked = Signal()
 
@@ -46,7 +46,7 @@ class TaskBar(QStatusBar):
             each.hide()
 
     def show_task(self, task: Task | None) -> None:
-        """Show how far the running task is; None where none runs."""
+        """Show the progress of the running task; None if none runs."""
         shown = task is not None and not (
             task.quiet and time.monotonic() - task.started < QUIET_FOR
         )
@@ -63,14 +63,14 @@ class TaskBar(QStatusBar):
 
 
 def _progress_text(task: Task) -> str:
-    """What the task does, its rate and the time left for all of it."""
+    """Text of a task: its step, rate and time left."""
     step = task.title if task.step is None else task.step
     elapsed = time.monotonic() - task.started
     left = task.seconds_left()
     if left is None or elapsed <= 1.0:
         return str(step)
     time_left = duration_text(left)
-    if isinstance(step, PointStep) and step.rate is not None:
+    if isinstance(step, PointProgress) and step.rate is not None:
         return "  ·  ".join((step.without_time_left(), gettext("{time} left", time=time_left)))
     pace = gettext(
         "{rate:percent.0} %/s, {time} left", rate=task.fraction / elapsed, time=time_left

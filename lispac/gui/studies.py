@@ -8,22 +8,22 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from lispac.gui.panels.histograms import preload
-from lispac.installed import home_folder
+from lispac.gui.panels.histograms import preload_matplotlib
+from lispac.installation_paths import home_folder
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.progress import Progress, part
+from lispac.progress import Progress, sub_progress
 from lispac.project import Project
-from lispac.report.absolute_values import Absolute
-from lispac.report.budget_values import Budget
+from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.thesis_site import SITES
-from lispac.simulation.visibility_study import Visibility, visibility
-from lispac.workflow.absolute import check_absolute
-from lispac.workflow.budget import budget_of
-from lispac.workflow.history import History, histories
+from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
+from lispac.workflow.absolute_check import check_absolute
+from lispac.workflow.budget import error_budget_of
+from lispac.workflow.history import History, read_histories
 from lispac.workflow.line_quality import LineQuality, line_quality
-from lispac.workflow.subsampling import USUAL, Subsampled, subsampling_study
+from lispac.workflow.subsampling import USUAL, SubsamplingResult, subsampling_study
 from lispac.workflow.survey import Survey
 
 if TYPE_CHECKING:
@@ -48,8 +48,8 @@ class Studies(QObject):
         }.items():
             self._actions[name].triggered.connect(lambda _=False, study=study: study())
         for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
-            moved.connect(self._enable)
-        self._enable()
+            moved.connect(self._enable_controls)
+        self._enable_controls()
 
     def history(self) -> None:
         """Show the calibrations of a vessel's system in a folder of projects."""
@@ -60,10 +60,10 @@ class Studies(QObject):
             return
 
         def work(progress: Progress) -> tuple[tuple[History, ...], tuple[Message, ...]]:
-            preload()
+            preload_matplotlib()
             # An answer that is not saved yet counts too.
             current = [] if project is None or project.result is None else [project]
-            return histories([folder], also=current, progress=progress)
+            return read_histories([folder], also=current, progress=progress)
 
         self._runner.run(
             gettext("Reading the calibrations"),
@@ -73,8 +73,8 @@ class Studies(QObject):
         )
 
     def check(self) -> None:
-        """Compare the lines with a static scan or surveyed points: one undo step."""
-        project, survey = self._ready()
+        """Compare the lines with a static scan or surveyed points, as one undo step."""
+        project, survey = self._current_data()
         if project is None or survey is None:
             return
         request = self._dialogs.check(project, survey.trajectory)
@@ -82,7 +82,7 @@ class Studies(QObject):
             return
 
         def work(progress: Progress) -> tuple[Project, tuple[Message, ...]]:
-            preload()
+            preload_matplotlib()
             return check_absolute(
                 project, survey, request.path, crs=request.crs, height=request.height,
                 sigma=request.sigma, reach=request.reach, progress=progress,
@@ -94,78 +94,80 @@ class Studies(QObject):
             for note in notes:
                 self._controller.noted.emit(message_text(note))
             assert found.absolute is not None
-            self._dialogs.checked(Absolute.of(found.absolute))
+            self._dialogs.checked(AbsoluteCheckValues.of(found.absolute))
 
         title = gettext("Checking against {file}", file=request.path.name)
         task = self._runner.run(title, work, done, shows=True)
-        self._controller.based_on_project(task)
+        self._controller.cancel_on_edit(task)
 
     def budget(self) -> None:
         """Show the effect of each source of error on a point."""
-        project, survey = self._ready()
+        project, survey = self._current_data()
         if project is None or survey is None:
             return
         task = self._runner.run(
             gettext("Computing the error budget"),
-            lambda _progress: Budget.of(budget_of(project, survey)),
+            lambda _progress: ErrorBudgetValues.of(error_budget_of(project, survey)),
             self._dialogs.budget,
             shows=True,
         )
-        self._controller.based_on_project(task)
+        self._controller.cancel_on_edit(task)
 
     def line_quality(self) -> None:
         """Show the differences between the lines as they are shown."""
-        project, survey = self._ready()
+        project, survey = self._current_data()
         if project is None or survey is None:
             return
         which = self._scene.which
 
         def work(progress: Progress) -> LineQuality:
-            preload()
+            preload_matplotlib()
             return line_quality(project, survey, which=which, progress=progress)
 
         task = self._runner.run(
             gettext("Comparing the lines"), work, self._dialogs.line_quality, shows=True
         )  # fmt: skip
-        self._controller.based_on_project(task)
+        self._controller.cancel_on_edit(task)
 
     def subsampling(self) -> None:
         """Adjust with smaller and larger point spacings."""
-        project, survey = self._ready()
+        project, survey = self._current_data()
         if project is None or survey is None:
             return
         used = project.settings.subsample
 
-        def work(progress: Progress) -> tuple[Subsampled, ...]:
+        def work(progress: Progress) -> tuple[SubsamplingResult, ...]:
             return subsampling_study(project, survey, sorted({*USUAL, used}), progress=progress)
 
         task = self._runner.run(
             gettext("Subsampling study"), work,
             lambda found: self._dialogs.subsampling(found, used), shows=True,
         )  # fmt: skip
-        self._controller.based_on_project(task)
+        self._controller.cancel_on_edit(task)
 
     def visibility(self) -> None:
         """Show the boards and lines that make each error visible; no project is needed."""
 
-        def work(progress: Progress) -> list[Visibility]:
-            preload()
+        def work(progress: Progress) -> list[VisibilityStudy]:
+            preload_matplotlib()
             sites = list(SITES.values())
             return [
-                visibility(site, progress=part(progress, k / len(sites), (k + 1) / len(sites)))
+                study_visibility(
+                    site, progress=sub_progress(progress, k / len(sites), (k + 1) / len(sites))
+                )
                 for k, site in enumerate(sites)
             ]
 
         self._runner.run(gettext("Simulating boards"), work, self._dialogs.visibility, shows=True)
 
-    def _ready(self) -> tuple[Project | None, Survey | None]:
+    def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current
         return self._document.project, self._document.survey if current else None
 
-    def _enable(self) -> None:
-        (project, survey), busy = self._ready(), self._runner.busy
+    def _enable_controls(self) -> None:
+        (project, survey), busy = self._current_data(), self._runner.busy
         ready = survey is not None and not busy
-        picked = project is not None and bool(project.of_role("target"))
+        picked = project is not None and bool(project.targets_of_role("target"))
         estimated = project is not None and project.result is not None
         for name in ("history", "visibility"):
             self._actions[name].setEnabled(not busy)

@@ -1,13 +1,13 @@
-"""A scheme's palette and rules for Qt."""
+"""Palette and style sheet of a colour scheme."""
 
 from PySide6.QtGui import QColor, QPalette
 
-from lispac.gui.schemes import DARK, Scheme
-from lispac.installed import resource
+from lispac.gui.colour_schemes import DARK, ColourScheme
+from lispac.installation_paths import resource_path
 
 
-def palette(scheme: Scheme) -> QPalette:
-    """A palette with every role set: nothing is left to what the system has in mind."""
+def palette(scheme: ColourScheme) -> QPalette:
+    """Palette of a scheme with all roles set, so that none comes from the system."""
     role, group = QPalette.ColorRole, QPalette.ColorGroup
     shade = (QColor(scheme.edge), QColor(scheme.window))
     made = QPalette()
@@ -28,11 +28,11 @@ def palette(scheme: Scheme) -> QPalette:
         role.Link: scheme.accent,
         role.LinkVisited: scheme.accent,
         role.PlaceholderText: scheme.placeholder,
-        role.Light: shade[1].lighter(130).name() if scheme.dark else "#ffffff",
-        role.Midlight: shade[1].lighter(115).name() if scheme.dark else scheme.bar,
+        role.Light: shade[1].lighter(130).name() if scheme.is_dark else "#ffffff",
+        role.Midlight: shade[1].lighter(115).name() if scheme.is_dark else scheme.bar,
         role.Mid: scheme.border,
         role.Dark: scheme.edge_strong,
-        role.Shadow: "#000000" if scheme.dark else scheme.muted,
+        role.Shadow: "#000000" if scheme.is_dark else scheme.muted,
     }.items():
         made.setColor(which, QColor(colour))
     for which in (role.WindowText, role.Text, role.ButtonText, role.HighlightedText):
@@ -48,8 +48,8 @@ FRAMED = ("QCheckBox", "QRadioButton", "QLineEdit", "QAbstractSpinBox", "QComboB
 """Classes of what is ticked or typed into."""
 
 
-def framed(scheme: Scheme) -> QPalette:
-    """The palette of `FRAMED`.
+def framed_palette(scheme: ColourScheme) -> QPalette:
+    """Palette of the widgets named in `FRAMED`.
 
     Fusion draws their frames darker than the window by 1.4, and darker than the highlight by 1.25
     where they have the focus, which nobody sees on a dark window. They do not paint the window's
@@ -64,16 +64,16 @@ def framed(scheme: Scheme) -> QPalette:
     return made
 
 
-def _dock_icons(scheme: Scheme) -> str:
-    """On a dark ground Qt's own, which are black, would not be seen."""
+def _dock_icons(scheme: ColourScheme) -> str:
+    """Style rules with light icons for docks in the dark scheme, as the icons of Qt are black."""
     if scheme is not DARK:
         return ""
-    icons = [resource(f"icons/dock-{name}-dark.png").as_posix() for name in ("close", "float")]
+    icons = [resource_path(f"icons/dock-{name}-dark.png").as_posix() for name in ("close", "float")]
     return f'titlebar-close-icon: url("{icons[0]}"); titlebar-normal-icon: url("{icons[1]}");'
 
 
-def rules(scheme: Scheme) -> str:
-    """The style sheet of the application."""
+def style_sheet(scheme: ColourScheme) -> str:
+    """Style sheet of the application."""
     s = scheme
     return f"""
 QToolTip {{ color: {s.text}; background: {s.paper}; border: 1px solid {s.border}; padding: 4px; }}
@@ -104,7 +104,7 @@ QPushButton[primary="true"] {{ background: {s.fill}; border-color: {s.fill}; col
 QPushButton[primary="true"]:hover {{ background: {s.fill_hover}; }}
 QPushButton[primary="true"]:focus {{ border: 2px solid {s.fill_edge}; padding: 4px 11px; }}
 QPushButton[primary="true"]:disabled {{ background: {s.disabled_fill};
-    border-color: {s.disabled_fill}; color: {s.muted if not s.dark else s.disabled}; }}
+    border-color: {s.disabled_fill}; color: {s.muted if not s.is_dark else s.disabled}; }}
 QPushButton[segment="true"] {{ padding: 5px 8px; }}
 QPushButton[segment="true"]:focus {{ padding: 4px 7px; }}
 QPushButton[segment="true"]:checked {{ background: {s.chosen}; border-color: {s.accent};

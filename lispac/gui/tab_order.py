@@ -1,4 +1,4 @@
-"""Where Tab leads in the window: to what is in sight, or comes into sight; what Enter presses.
+"""Tab order of the window, limited to visible widgets, and Enter on focused buttons.
 
 Qt keeps a dock that lies behind another visible and only moves it away, so that its fields would
 take keys unseen. An area that scrolls shows no focus, and scrolls by the keys of what is in it.
@@ -25,9 +25,9 @@ Reason = Qt.FocusReason
 ENTERS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
-def go_on(window: QMainWindow, forward: bool) -> bool:
-    """Give the focus to the next widget, or the one before; whether there is one."""
-    found = _next(window, forward)
+def focus_next(window: QMainWindow, forward: bool) -> bool:
+    """Move the focus to the next or previous widget; return whether there is one."""
+    found = _next_stop(window, forward)
     if found is None:
         return False
     # Chosen before it is given: a list that is only passed would select its first row
@@ -36,8 +36,8 @@ def go_on(window: QMainWindow, forward: bool) -> bool:
     return True
 
 
-def go_into(dock: QDockWidget) -> None:
-    """Give the focus to the first widget of a panel that takes it."""
+def focus_dock_content(dock: QDockWidget) -> None:
+    """Move the focus to the first widget of a panel that accepts it."""
     window = dock.parentWidget()
     each = dock.nextInFocusChain()
     while each != dock and not (dock.isAncestorOf(each) and _is_stop(each, window)):
@@ -46,14 +46,14 @@ def go_into(dock: QDockWidget) -> None:
         each.setFocus(Reason.TabFocusReason)
 
 
-def in_turn(first: QWidget, others: Iterable[QWidget]) -> None:
-    """Have Tab lead from one widget to others, which were made later and would come last."""
+def set_tab_order(first: QWidget, others: Iterable[QWidget]) -> None:
+    """Set the tab order from one widget to others that were created later."""
     for before, after in pairwise([first, *others]):
         QWidget.setTabOrder(before, after)
 
 
-def enter(window: QMainWindow, event: QKeyEvent) -> bool:
-    """Press the button that has the focus on Enter; return whether this was done."""
+def press_focused_button(window: QMainWindow, event: QKeyEvent) -> bool:
+    """Press the focused button on Enter; return whether it was pressed."""
     focused = window.focusWidget()
     pressed = (
         event.key() in ENTERS
@@ -66,7 +66,7 @@ def enter(window: QMainWindow, event: QKeyEvent) -> bool:
     return pressed
 
 
-def _next(window: QMainWindow, forward: bool) -> QWidget | None:
+def _next_stop(window: QMainWindow, forward: bool) -> QWidget | None:
     step = QWidget.nextInFocusChain if forward else QWidget.previousInFocusChain
     start = window.focusWidget() or window
     each = step(start)
@@ -78,13 +78,13 @@ def _next(window: QMainWindow, forward: bool) -> QWidget | None:
 
 
 def _is_stop(widget: QWidget, window: QMainWindow) -> bool:
-    """Whether Tab stops there: as Qt has it, but not behind another dock."""
+    """Whether Tab stops at a widget: as in Qt, but not in a hidden dock."""
     return (
         _takes_tab(widget)
         and widget.isVisible()
         and widget.window() == window
-        and _is_in_front(_above(widget, QDockWidget))
-        and not (isinstance(widget, QScrollArea) and _is_led_through(widget))
+        and _is_in_front(_ancestor(widget, QDockWidget))
+        and not (isinstance(widget, QScrollArea) and _is_passed_over(widget))
     )
 
 
@@ -97,8 +97,8 @@ def _is_in_front(dock: QWidget | None) -> bool:
     return dock is None or not dock.visibleRegion().isEmpty()
 
 
-def _is_led_through(area: QScrollArea) -> bool:
-    """Whether there is nothing to scroll, or Tab stops within: its keys scroll the area."""
+def _is_passed_over(area: QScrollArea) -> bool:
+    """Whether an area needs no focus: nothing to scroll, or it contains tab stops."""
     bars = area.verticalScrollBar(), area.horizontalScrollBar()
     return not any(bar.maximum() for bar in bars) or any(
         _takes_tab(each) and each.isVisible() for each in area.widget().findChildren(QWidget)
@@ -106,13 +106,13 @@ def _is_led_through(area: QScrollArea) -> bool:
 
 
 def _scroll_to(widget: QWidget) -> None:
-    area = _above(widget, QScrollArea)
+    area = _ancestor(widget, QScrollArea)
     while area is not None:
         area.ensureWidgetVisible(widget)
-        area = _above(area, QScrollArea)
+        area = _ancestor(area, QScrollArea)
 
 
-def _above(widget: QWidget, kind: type[Kind]) -> Kind | None:
+def _ancestor(widget: QWidget, kind: type[Kind]) -> Kind | None:
     above = widget.parentWidget()
     while above is not None and not isinstance(above, kind):
         above = above.parentWidget()

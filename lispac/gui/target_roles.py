@@ -15,7 +15,7 @@ NOTHING_SELECTED = N_("Select a target or validation plane first, then change it
 
 
 class TargetRoles(QObject):
-    """Turns a target into a validation plane, or the reverse."""
+    """Changes a target into a validation plane, or the reverse."""
 
     def __init__(
         self,
@@ -28,16 +28,16 @@ class TargetRoles(QObject):
         super().__init__(actions)
         self._document, self._scene = document, scene
         self._note, self._refuse = note, refuse
-        actions["change_role"].triggered.connect(lambda _=False: self._change())
+        actions["change_role"].triggered.connect(lambda _=False: self._change_role())
 
-    def _change(self) -> None:
+    def _change_role(self) -> None:
         project, selected = self._document.project, self._scene.selected
         if project is None or selected is None or not self._scene.selected_points:
             self._note(gettext(NOTHING_SELECTED))
             return
         name = selected[0]
         try:
-            edited = edits.with_other_role(project, name)
+            edited = edits.with_switched_role(project, name)
         except LispacError as error:
             self._refuse(error)
             return

@@ -1,4 +1,4 @@
-"""Long work: one runner on the GUI thread, one worker thread, one cancel flag per task.
+"""Background tasks: one runner on the GUI thread, one worker, one cancel flag per task.
 
 The worker runs a function that takes `progress` and returns a value. It only sets numbers of the
 task and checks the cancel flag; the GUI thread reads them twenty times a second, and it alone
@@ -27,7 +27,7 @@ REFRESH_MS = 50
 
 @dataclass(eq=False)
 class Task:
-    """A piece of work on its way.
+    """Task that runs in the worker or waits.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Task:
     error: BaseException | None = None
 
     def report(self, fraction: float, step: Step | None = None) -> None:
-        """The `progress` the work is given."""
+        """Report the progress of the task; raises `Cancelled` if it was cancelled."""
         if self.cancel.is_set():
             raise Cancelled
         self.fraction = min(max(fraction, 0.0), 1.0)
@@ -64,13 +64,13 @@ class Task:
             self.step = step
 
     def let_go(self) -> None:
-        """Keep that it was, and how it ended: not the lines it worked on, nor what it found."""
-        self.work, self.done, self.value = _nothing, _nothing, None
+        """Release the data of an ended task; how it ended is kept."""
+        self.work, self.done, self.value = _ignore, _ignore, None
         if self.error is not None:
             self.error.__traceback__ = None  # its frames hold them as well
 
     def seconds_left(self) -> float | None:
-        """Seconds still to go at the mean rate so far; None while too little is known."""
+        """Estimated seconds left at the mean rate; None while too little is known."""
         elapsed = time.monotonic() - self.started
         if elapsed < 0.5 or self.fraction < 0.02:
             return None
@@ -105,17 +105,17 @@ class TaskRunner(QObject):
         self._timer.setInterval(REFRESH_MS)
         self._timer.timeout.connect(self.moved)
         self.changed.connect(self.moved)
-        self._ended.connect(self._finish, Qt.ConnectionType.QueuedConnection)
+        self._ended.connect(self._finish_task, Qt.ConnectionType.QueuedConnection)
 
     @property
     def busy(self) -> bool:
-        """Whether work runs, or waits, that somebody waits for."""
-        return any(not task.quiet for task in self._all())
+        """Whether a task runs or waits that the user waits for."""
+        return any(not task.quiet for task in self._unfinished_tasks())
 
     @property
     def active(self) -> bool:
-        """Whether any work runs or waits."""
-        return bool(self._all())
+        """Whether any task runs or waits."""
+        return bool(self._unfinished_tasks())
 
     def run(
         self,
@@ -128,9 +128,9 @@ class TaskRunner(QObject):
         lasting: bool = False,
         shows: bool = False,
     ) -> Task:
-        """Give work to the worker; ``done`` gets its value on the GUI thread."""
+        """Add a task for the worker; ``done`` gets its value on the GUI thread."""
         task = Task(title, work, done, quiet, key, lasting, shows)
-        for other in self._all():
+        for other in self._unfinished_tasks():
             replaced = key and other.key == key
             gives_way = other.quiet and not quiet
             if replaced or gives_way:
@@ -138,18 +138,18 @@ class TaskRunner(QObject):
                 other.cancel.set()
         self._waiting = [other for other in self._waiting if not other.cancel.is_set()]
         self._waiting.append(task)
-        self._next()
+        self._start_next()
         return task
 
     def cancel(self) -> None:
-        """Cancel the running and waiting tasks."""
-        for task in self._all():
+        """Cancel the running and the waiting tasks."""
+        for task in self._unfinished_tasks():
             task.cancel.set()
         self._waiting = []
         self.changed.emit()
 
     def close(self) -> None:
-        """Stop everything and wait for the worker to end."""
+        """Cancel all tasks and wait until the worker has ended."""
         self._closed = True
         self.cancel()
         self._timer.stop()
@@ -159,17 +159,17 @@ class TaskRunner(QObject):
             self._worker = None
         self.current = None
 
-    def _all(self) -> list[Task]:
+    def _unfinished_tasks(self) -> list[Task]:
         return [*([self.current] if self.current else []), *self._waiting]
 
-    def _next(self) -> None:
+    def _start_next(self) -> None:
         if self.current is not None or self._closed:
             return
         if not self._waiting:
             self.idle.emit()
             return
         if self._worker is None:
-            self._worker = threading.Thread(target=self._loop, name="lispac-worker")
+            self._worker = threading.Thread(target=self._run_worker, name="lispac-worker")
             self._worker.start()
         self.current = self._waiting.pop(0)
         self.current.started = time.monotonic()
@@ -177,7 +177,7 @@ class TaskRunner(QObject):
         self._timer.start()
         self.changed.emit()
 
-    def _loop(self) -> None:
+    def _run_worker(self) -> None:
         memory = MemoryTrimming()
         while (task := self._inbox.get()) is not None:
             try:
@@ -186,13 +186,13 @@ class TaskRunner(QObject):
             except BaseException as error:  # noqa: BLE001, RUF100 - handed to the GUI thread whole
                 task.error = error
             self._ended.emit()
-            memory.when_due()
+            memory.trim_if_due()
 
-    def _finish(self) -> None:
+    def _finish_task(self) -> None:
         if self.current is None or self._closed:
             return
         if self.current.shows and QApplication.activeModalWidget() is not None:
-            QTimer.singleShot(REFRESH_MS, self, self._finish)
+            QTimer.singleShot(REFRESH_MS, self, self._finish_task)
             return
         task, self.current = self.current, None
         self._timer.stop()
@@ -215,8 +215,8 @@ class TaskRunner(QObject):
         finally:
             self.changed.emit()
             task.let_go()
-            self._next()
+            self._start_next()
 
 
-def _nothing(_ignored: object) -> None:
-    """What an ended task still does."""
+def _ignore(_ignored: object) -> None:
+    """Replacement for the functions of an ended task."""

@@ -1,8 +1,8 @@
-"""Colours, fonts and the theme of the window, light or dark.
+"""Colours, fonts and icons of the window, light or dark.
 
-``theme.TEXT``, ``theme.MUTED`` and so on are the colours of the scheme in use (`Scheme.text`,
-`Scheme.muted`): they are looked up whenever they are read, so a module reads them where it paints
-and never keeps one under a name of its own.
+``theme.TEXT``, ``theme.MUTED`` and so on are the colours of the scheme in use (`ColourScheme.text`,
+`ColourScheme.muted`). They are looked up whenever they are read, so a module reads them where it
+paints and never keeps one under a name of its own.
 """
 
 from collections.abc import Iterator, Sequence
@@ -15,8 +15,8 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QIcon, QPixmap
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
-from lispac.gui.schemes import LIGHT, SCHEMES, Scheme
-from lispac.gui.style import FRAMED, framed, palette, rules
+from lispac.gui.colour_schemes import LIGHT, SCHEMES, ColourScheme
+from lispac.gui.style import FRAMED, framed_palette, palette, style_sheet
 
 if TYPE_CHECKING:
     from lispac.gui.viewport.base import Colour
@@ -30,11 +30,11 @@ UNUSED_COLOUR: "Colour" = (130, 138, 146)
 SPACE = 8
 """Pixels between neighbours; margins of a panel are twice that."""
 
-_used: Scheme = LIGHT
+_used: ColourScheme = LIGHT
 
 
 def __getattr__(name: str) -> str:
-    """``theme.TEXT`` is the text colour of the scheme in use."""
+    """Colour of the scheme in use by upper-case name, such as ``theme.TEXT``."""
     if name.isupper():
         value = getattr(_used, name.lower(), None)
         if isinstance(value, str):
@@ -42,27 +42,27 @@ def __getattr__(name: str) -> str:
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
-def scheme() -> Scheme:
-    """The scheme in use."""
+def current_scheme() -> ColourScheme:
+    """Colour scheme in use."""
     return _used
 
 
 def colour(name: str, opacity: float = 1.0) -> QColor:
-    """A colour of the scheme in use by the name of its field, 0 to 1 opaque."""
+    """Colour of the scheme in use by field name, with an opacity from 0 to 1."""
     made = QColor(getattr(_used, name))
     made.setAlphaF(opacity)
     return made
 
 
 def rgb(name: str) -> "Colour":
-    """The same for the view."""
+    """Colour of the scheme in use by field name, as red, green, blue."""
     red, green, blue, _ = colour(name).getRgb()
     return red, green, blue
 
 
 @contextmanager
-def on_paper() -> Iterator[None]:
-    """Light for a while: what is saved, copied or printed goes onto white paper."""
+def paper_colours() -> Iterator[None]:
+    """Context with the light scheme, for pictures on white paper."""
     global _used
     before, _used = _used, LIGHT
     try:
@@ -72,12 +72,12 @@ def on_paper() -> Iterator[None]:
 
 
 def line_colours(lines: Sequence[str]) -> dict[str, "Colour"]:
-    """A colour for each line, by its place in the project."""
+    """Colour of each line, by its place in the project."""
     return {line: _used.lines[k % len(_used.lines)] for k, line in enumerate(lines)}
 
 
 def swatch(colour: "Colour", size: int = 12) -> QIcon:
-    """A filled square of that colour."""
+    """Icon of a square filled with a colour."""
     pixmap = QPixmap(size, size)
     pixmap.fill(QColor(*colour))
     return QIcon(pixmap)
@@ -92,15 +92,15 @@ PICTURES_PX = (16, 20, 24, 28, 32, 48, 64)
 """So that there is one for each scaling of the screen."""
 
 
-def light(which: str) -> QIcon:
-    """Colour and symbol of a quality: good, doubtful or poor."""
+def quality_icon(which: str) -> QIcon:
+    """Traffic-light icon of a quality: good, doubtful or poor."""
     name, said = LIGHTS[which]
-    return _painted(name, getattr(_used, said))
+    return _pixmap_icon(name, getattr(_used, said))
 
 
 @cache
-def _painted(name: str, colour: str) -> QIcon:
-    """An icon as pictures: a table shows a hundred, and a letter of a font is painted each time."""
+def _pixmap_icon(name: str, colour: str) -> QIcon:
+    """Icon painted to pixmaps once, which is faster in tables than a font icon."""
     written = icon(name, colour)
     pictures = QIcon()
     for size in PICTURES_PX:
@@ -109,34 +109,34 @@ def _painted(name: str, colour: str) -> QIcon:
 
 
 def icon(name: str, colour: str = "") -> QIcon:
-    """An icon of the Material Design set by its name, in the colour of the text or another."""
+    """Material Design icon by name, in the colour of the text or another."""
     return qtawesome.icon(
         f"mdi6.{name}", color=colour or _used.text, color_disabled=_used.disabled_icon
     )
 
 
-def tabular(font: QFont, *, bold: bool = False) -> QFont:
-    """The same font with digits of one width, for columns of numbers."""
+def tabular_font(font: QFont, *, bold: bool = False) -> QFont:
+    """Font with digits of equal width, for columns of numbers."""
     numbers = QFont(font)
     numbers.setFeature(QFont.Tag("tnum"), 1)
     numbers.setBold(bold)
     return numbers
 
 
-def system_is_dark(application: QApplication) -> bool:
-    """Whether the theme of the system is dark; light if it has none."""
+def is_system_dark(application: QApplication) -> bool:
+    """Whether the system uses a dark theme; False if it has none."""
     return application.styleHints().colorScheme() == Qt.ColorScheme.Dark
 
 
-def wanted(application: QApplication, choice: str) -> Scheme:
-    """The scheme of a choice, which may leave it to the system."""
+def choose_scheme(application: QApplication, choice: str) -> ColourScheme:
+    """Colour scheme of a theme choice, which may be that of the system."""
     if choice == "system":
-        return SCHEMES["dark" if system_is_dark(application) else "light"]
+        return SCHEMES["dark" if is_system_dark(application) else "light"]
     return SCHEMES[choice]
 
 
 def apply_theme(application: QApplication, choice: str = "light") -> None:
-    """Dress the application: Fusion style, palette and rules of a scheme.
+    """Apply Fusion style, palette and style sheet of a theme to the application.
 
     Parameters
     ----------
@@ -146,20 +146,20 @@ def apply_theme(application: QApplication, choice: str = "light") -> None:
     asked = {"light": Qt.ColorScheme.Light, "dark": Qt.ColorScheme.Dark}
     # The frame of the window and the system's own dialogues follow.
     application.styleHints().setColorScheme(asked.get(choice, Qt.ColorScheme.Unknown))
-    _used = wanted(application, choice)
-    if application.styleSheet() == rules(_used):
+    _used = choose_scheme(application, choice)
+    if application.styleSheet() == style_sheet(_used):
         return
     application.setStyle(QStyleFactory.create("Fusion"))
     application.setPalette(palette(_used))
     for name in FRAMED:
-        application.setPalette(framed(_used), name)
-    application.setFont(_font(application.font()))
-    application.setStyleSheet(rules(_used))
+        application.setPalette(framed_palette(_used), name)
+    application.setFont(_window_font(application.font()))
+    application.setStyleSheet(style_sheet(_used))
 
 
 @contextmanager
-def undressed() -> Iterator[None]:
-    """Without the rules while a window is put together, and with them in one go after that.
+def without_style_sheet() -> Iterator[None]:
+    """Context without style sheet while a window is built; it is applied once at the end.
 
     Qt would apply them anew to all that a widget holds whenever it is put into another one.
     """
@@ -173,7 +173,7 @@ def undressed() -> Iterator[None]:
         application.setStyleSheet(sheet)
 
 
-def _font(default: QFont) -> QFont:
+def _window_font(default: QFont) -> QFont:
     families = set(QFontDatabase.families())
     wanted = ("Segoe UI", "SF Pro Text", "Inter", "Noto Sans", "Open Sans", "DejaVu Sans")
     family = next((name for name in wanted if name in families), default.family())

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QWidget
 
-from lispac.gui.clipping import Clipping
-from lispac.gui.curtain import Curtain
+from lispac.gui.before_after_wipe import BeforeAfterWipe
+from lispac.gui.clipping import ClipBoxController
 from lispac.gui.docks import raise_panel
 from lispac.gui.hover_preview import HoverPreview, PreviewSettings
 from lispac.gui.lasso import Lasso
@@ -16,15 +16,15 @@ from lispac.gui.panels.clipping import TITLE as CLIPPING
 from lispac.gui.panels.patch_test import TITLE as PATCH_TEST
 from lispac.gui.panels.section import TITLE as SECTION
 from lispac.gui.patch_test import PatchTestController
-from lispac.gui.pictures import Pictures
-from lispac.gui.sections import Sections
+from lispac.gui.picture_export import PictureExport
+from lispac.gui.sections import SectionTool
 from lispac.gui.target_roles import TargetRoles
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
 
-class Tools(QObject):
+class InspectionTools(QObject):
     """Creates the tools and connects them with the window."""
 
     def __init__(self, window: "MainWindow") -> None:
@@ -33,7 +33,7 @@ class Tools(QObject):
         view, actions, note = window.viewport, window.actions_, window.controller.noted.emit
         self.mouse_tool = MouseTool(view, actions)
         self.measurements = Measurements(view, actions, self.mouse_tool, note)
-        self.sections = Sections(
+        self.sections = SectionTool(
             window.document,
             window.runner,
             window.scene,
@@ -42,10 +42,10 @@ class Tools(QObject):
             self.mouse_tool,
             raise_panel,
         )
-        self.curtain = Curtain(
+        self.curtain = BeforeAfterWipe(
             window.document, window.scene, window.computations, view, actions, note
         )
-        self.clipping = Clipping(window.scene, view, actions, raise_panel, note)
+        self.clipping = ClipBoxController(window.scene, view, actions, raise_panel, note)
         self.patch_test_controller = PatchTestController(window, raise_panel)
         self.lasso = Lasso(
             window.document, window.scene, view, actions, self.mouse_tool, self.clipping, note,
@@ -54,7 +54,7 @@ class Tools(QObject):
         self.hover_preview = HoverPreview(
             window.document, window.runner, view, actions, self._preview_settings, window.controller
         )
-        self.pictures = Pictures(
+        self.pictures = PictureExport(
             window.document, window.runner, view, self.sections.panel, actions, window.dialogs,
             note,
         )  # fmt: skip

@@ -17,7 +17,7 @@ from lispac.gui.status import TARGETS
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.workflow.demo import demo_seeds
-from lispac.workflow.orientation_check import face_one_way
+from lispac.workflow.orientation_check import do_targets_face_one_way
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
@@ -27,7 +27,7 @@ AROUND = 2.5
 
 
 @dataclass(frozen=True)
-class Step:
+class TourStep:
     """One step of the tour: instruction, place and the test for its end.
 
     Attributes
@@ -42,30 +42,30 @@ class Step:
     done: Callable[[Project, bool], bool]
 
 
-def _targets(project: Project, role: str) -> int:
-    return len(project.of_role(role))
+def _target_count(project: Project, role: str) -> int:
+    return len(project.targets_of_role(role))
 
 
 STEPS = (
-    Step(N_("The vessel has passed this quay six times; each line has its own colour. The "
+    TourStep(N_("The vessel has passed this quay six times; each line has its own colour. The "
             "prior boresight is wrong, so the same wall appears in six places. Hold Ctrl and "
             "click the board in the middle of the view."), "T1",
-         lambda project, waits: waits or _targets(project, "target") >= 1),
-    Step(N_("The plane of the board was found in every line. Press Enter to accept it."), "T1",
-         lambda project, _waits: _targets(project, "target") >= 1),
-    Step(N_("One board does not determine all three angles. Ctrl+click this second board, "
+         lambda project, waits: waits or _target_count(project, "target") >= 1),
+    TourStep(N_("The plane of the board was found in every line. Press Enter to accept it."), "T1",
+         lambda project, _waits: _target_count(project, "target") >= 1),
+    TourStep(N_("One board does not determine all three angles. Ctrl+click this second board, "
             "which leans back, and press Enter."), "T2",
-         lambda project, _waits: _targets(project, "target") >= 2),
-    Step(N_("Press F9 to estimate the boresight. Roll, pitch and yaw appear on the right, with "
+         lambda project, _waits: _target_count(project, "target") >= 2),
+    TourStep(N_("Press F9 to estimate the boresight. Roll, pitch and yaw appear on the right, with "
             "standard deviations that include the errors of the trajectory."), "",
          lambda project, _waits: project.result is not None),
-    Step(N_("Now check that the lines agree on a validation plane, which is not used in the "
+    TourStep(N_("Now check that the lines agree on a validation plane, which is not used in the "
             "adjustment. Press F7, Ctrl+click the plane in the middle and press Enter."), "V1",
-         lambda project, _waits: _targets(project, "validation") >= 1),
-    Step(N_("Press F10: the histograms below show the distances between the lines before and "
+         lambda project, _waits: _target_count(project, "validation") >= 1),
+    TourStep(N_("Press F10: the histograms below show the distances between the lines before and "
             "after the calibration. Press B to switch the view between before and after."), "",
          lambda project, _waits: bool(project.validation)),
-    Step(N_("The calibration is complete. Press Ctrl+E to write the report. Each step on the "
+    TourStep(N_("The calibration is complete. Press Ctrl+E to write the report. Each step on the "
             "left shows its state and the next action."), "",
          lambda _project, _waits: False),
 )  # fmt: skip
@@ -79,7 +79,7 @@ ALIKE = N_(
 
 
 class TourCard(QFrame):
-    """Instruction of the current step, above the view."""
+    """Card with the instruction of the current step, above the view."""
 
     ended = Signal()
 
@@ -111,7 +111,7 @@ class TourCard(QFrame):
 
 
 class Tour(QObject):
-    """Follows the project through the steps of the tour."""
+    """Guides the user through the steps of the tour."""
 
     def __init__(self, window: "MainWindow", card: TourCard) -> None:
         super().__init__(window)
@@ -122,37 +122,37 @@ class Tour(QObject):
         self._place: str | None = None
         """What is to be brought into view once the lines are drawn."""
         card.ended.connect(self.end)
-        window.document.opened.connect(self._opened)
-        window.document.changed.connect(self._follow)
-        window.controller.candidate_changed.connect(self._follow)
-        window.scene.drawn.connect(self._look)
+        window.document.opened.connect(self._on_project_opened)
+        window.document.changed.connect(self._show_current_step)
+        window.controller.candidate_changed.connect(self._show_current_step)
+        window.scene.drawn.connect(self._look_at_place)
 
     @property
     def on(self) -> bool:
-        """Whether it leads."""
+        """Whether the tour is running."""
         return self._at is not None
 
     def start(self) -> None:
-        """Open the demo without its targets, and lead through it."""
+        """Open the demo without its targets and start the tour."""
         window = self._window
         if window.lifecycle.may_leave():
-            window.controller.open_demo(first=self._begin)
+            window.controller.open_demo(first=self._mark_start)
 
-    def _begin(self) -> None:
+    def _mark_start(self) -> None:
         # Only now: had the demo been cancelled, the next project would lose its targets to the tour
         self._starting = True
 
     def go_on(self) -> None:
-        """Lead on through the project as it is: another window led before."""
+        """Continue the tour with the project as it is, in a new window."""
         self._at = -1
-        self._follow()
+        self._show_current_step()
 
     def end(self) -> None:
-        """Leave the user alone."""
+        """End the tour."""
         self._at = self._place = None
         self._card.hide()
 
-    def _opened(self) -> None:
+    def _on_project_opened(self) -> None:
         starting, self._starting = self._starting, False
         if not starting:
             self.end()
@@ -167,7 +167,7 @@ class Tour(QObject):
         self._window.workflow.open(TARGETS)
         self.go_on()
 
-    def _follow(self) -> None:
+    def _show_current_step(self) -> None:
         project = self._window.document.project
         if self._at is None or project is None:
             return
@@ -176,15 +176,15 @@ class Tour(QObject):
         document, text = self._window.document, STEPS[at].text
         if project.result is None and document.survey_is_current:
             assert document.survey is not None
-            text = ALIKE if face_one_way(project, document.survey) else text
+            text = ALIKE if do_targets_face_one_way(project, document.survey) else text
         if (at, text) != (self._at, self._text):
             self._at, self._text = at, text
             self._card.show_step(at, text)
             self._place = STEPS[at].place
             if not self._window.scene.awaits_lines:
-                self._look()
+                self._look_at_place()
 
-    def _look(self) -> None:
+    def _look_at_place(self) -> None:
         place, self._place = self._place, None
         if place is None:
             return

@@ -1,4 +1,4 @@
-"""Units of the numbers shown and typed in the window; files, reports and scripts have their own.
+"""Units of the numbers in the window; files, reports and scripts have their own.
 
 Values are in a base unit: metres, millimetres, degrees, thousandths of a degree. Only numbers as
 text, signs of units and fields convert them to the unit chosen. Azimuths and inclinations are in
@@ -20,7 +20,7 @@ Base = Literal["m", "mm", "°", "m°"]
 
 @dataclass(frozen=True)
 class Unit:
-    """What stands in place of a base.
+    """Unit that is shown instead of a base unit.
 
     Attributes
     ----------
@@ -34,14 +34,18 @@ class Unit:
     finer: int = 0
 
 
-def _feet(sign: str, metres: float) -> Mapping[Base, Unit]:
+def _feet_units(sign: str, metres: float) -> Mapping[Base, Unit]:
     return {"m": Unit(sign, 1.0 / metres), "mm": Unit(sign, 1e-3 / metres, 3)}
 
 
 METRES: Mapping[Base, Unit] = {"m": Unit("m"), "mm": Unit("mm")}
 DEGREES: Mapping[Base, Unit] = {"°": Unit("°"), "m°": Unit("0.001°")}
 LENGTHS: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
-    {"metres": METRES, "feet": _feet("ft", 0.3048), "survey feet": _feet("ftUS", 1200 / 3937)}
+    {
+        "metres": METRES,
+        "feet": _feet_units("ft", 0.3048),
+        "survey feet": _feet_units("ftUS", 1200 / 3937),
+    }
 )
 """By the key that is kept; small lengths are in feet, too, as surveyors who use them do."""
 ANGLES: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
@@ -67,29 +71,29 @@ _SIGNS: Mapping[Base, str] = {
 _FORM = re.compile(r"(?P<before>[+,]*)\.(?P<decimals>\d+)f")
 
 
-def show_in(angles: str, lengths: str) -> None:
-    """Use units from now on, by their keys; the window is made anew then."""
+def set_units(angles: str, lengths: str) -> None:
+    """Set the units by their keys; the window is made again then."""
     _used.update({**ANGLES[angles], **LENGTHS[lengths]})
 
 
 @contextmanager
-def standard() -> Iterator[None]:
-    """Metres and degrees for a while: for pictures that go into a file or a report."""
+def standard_units() -> Iterator[None]:
+    """Context with metres and degrees, for pictures in files and reports."""
     kept = dict(_used)
-    show_in("degrees", "metres")
+    set_units("degrees", "metres")
     try:
         yield
     finally:
         _used.update(kept)
 
 
-def unit(base: Base) -> Unit:
-    """What is shown in place of a base."""
+def shown_unit(base: Base) -> Unit:
+    """Unit shown instead of a base unit."""
     return _used[base]
 
 
 def figure(value: float, base: Base, form: str) -> str:
-    """A value in the base as a figure in the unit shown.
+    """Text of a value, given in the base unit, in the unit shown, without its sign.
 
     Parameters
     ----------
@@ -99,18 +103,18 @@ def figure(value: float, base: Base, form: str) -> str:
     shown = _used[base]
     fixed = _FORM.fullmatch(form)
     if fixed is not None and shown.finer:
-        form = f"{fixed['before']}.{decimals(int(fixed['decimals']), base)}f"
+        form = f"{fixed['before']}.{shown_decimals(int(fixed['shown_decimals']), base)}f"
     return f"{value * shown.factor:{form}}"
 
 
 def amount(value: float, base: Base, form: str) -> str:
-    """The same with its sign, as it stands in a sentence."""
+    """Text of a value, given in the base unit, with the sign of the unit shown."""
     sign = _used[base].sign
     return figure(value, base, form) + (sign if sign in "°′″" else f" {sign}")
 
 
 def localised(text: str) -> str:
-    """A figure in English notation as in the user's language, with a true minus sign."""
+    """Convert a number in English notation to the user's language, with a true minus sign."""
     if "e" not in text:
         decimals = len(text.partition(".")[2])
         text = number(float(text.replace(",", "")), decimals, sign=text.startswith("+"))
@@ -118,45 +122,45 @@ def localised(text: str) -> str:
 
 
 def local_figure(value: float, base: Base, form: str) -> str:
-    """A figure as `figure` makes it, written as in the user's language."""
+    """Text of `figure` in the user's language."""
     return localised(figure(value, base, form))
 
 
 def local_sign(base: Base) -> str:
-    """The sign of the unit shown, written as in the user's language."""
+    """Sign of the unit shown, in the user's language."""
     sign = _used[base].sign
     return f"{localised(sign[:-1])}°" if sign[0].isdigit() else sign
 
 
 def local_amount(value: float, base: Base, form: str) -> str:
-    """A value with the sign of its unit, written as in the user's language."""
+    """Text of a value with the sign of its unit, in the user's language."""
     sign = local_sign(base)
     blank = "" if sign in "°′″" else "\N{NO-BREAK SPACE}"
     return f"{local_figure(value, base, form)}{blank}{sign}"
 
 
-def limit(value: float, base: Base) -> str:
-    """The end of a range, to four digits where it is converted."""
-    shown = float(f"{value * _used[base].factor:.4g}") if differs(base) else value
+def limit_text(value: float, base: Base) -> str:
+    """Text of the end of a range, to four digits if it is converted."""
+    shown = float(f"{value * _used[base].factor:.4g}") if is_converted(base) else value
     return f"{shown:,.10g}"
 
 
-def ended(value: float, base: Base | None, low: float, high: float) -> float:
-    """A value in the base; what lies beyond an end by its rounding in `limit` is that end."""
-    if not differs(base):
+def snap_to_limits(value: float, base: Base | None, low: float, high: float) -> float:
+    """Value in the base unit, set to the end of the range if only rounding exceeds it."""
+    if not is_converted(base):
         return value
     if low - ROUNDED * abs(low) <= value < low:
         return low
     return high if high < value <= high + ROUNDED * abs(high) else value
 
 
-def decimals(usual: int, base: Base) -> int:
-    """How many are shown where the base has so many."""
+def shown_decimals(usual: int, base: Base) -> int:
+    """Number of decimals in the unit shown, for ``usual`` decimals in the base unit."""
     return max(usual + _used[base].finer, 0)
 
 
-def step(usual: float, base: Base) -> float:
-    """In the base: what an arrow of a field adds, the nearest 1, 2 or 5 of the unit shown."""
+def shown_step(usual: float, base: Base) -> float:
+    """Step of a field in the base unit, rounded to 1, 2 or 5 of the unit shown."""
     shown = _used[base]
     if shown.factor == 1.0:
         return usual
@@ -165,13 +169,13 @@ def step(usual: float, base: Base) -> float:
     return min((1.0, 2.0, 5.0, 10.0), key=lambda k: abs(k * power - wanted)) * power / shown.factor
 
 
-def differs(base: Base | None) -> bool:
-    """Whether another unit is shown."""
+def is_converted(base: Base | None) -> bool:
+    """Whether the unit shown differs from the base unit."""
     return base is not None and _used[base].factor != 1.0
 
 
-def signs(said: str, *bases: Base, figures: bool = True) -> str:
-    """A text in the user's language with the signs of the units shown instead of the bases'.
+def convert_unit_signs(said: str, *bases: Base, figures: bool = True) -> str:
+    """Replace the signs of base units in a text by those of the units shown.
 
     Parameters
     ----------

@@ -8,10 +8,10 @@ from lispac.gui.controller import Controller
 from lispac.gui.point_colours import COLOURINGS, Colouring
 from lispac.gui.scene import Scene
 from lispac.gui.settings import POINT_SIZES, AppSettings
-from lispac.gui.viewing_actions import COLOURED, VIEWS
+from lispac.gui.view_actions import COLOURED, VIEWS
 from lispac.gui.viewport.base import Array, Viewport
 from lispac.language import N_, gettext
-from lispac.targets.section import common_normal
+from lispac.targets.cross_section import common_normal
 
 NOTHING_SELECTED = N_("Select a target first, in the list of targets or in the table.")
 

@@ -1,4 +1,4 @@
-"""List of warnings: collected after every change, shown, and followed to their causes.
+"""List of warnings: collected after each change, displayed, and linked to their causes.
 
 They are collected in a thread of their own, so that the list is up to date also while an adjustment
 runs.
@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QScrollArea, QWidget
 
-from lispac.causes import Cause
 from lispac.gui.docks import raise_panel
-from lispac.gui.panels.fields import Fold
+from lispac.gui.panels.fields import FoldableGroup
 from lispac.gui.status import ADJUST, DATA, STEPS, TARGETS
 from lispac.messages import Message
-from lispac.targets.quality import SightingQuality
+from lispac.targets.sighting_quality import SightingQuality
+from lispac.warning_causes import Cause
 from lispac.workflow.warnings import warnings_of
 
 if TYPE_CHECKING:
@@ -48,16 +48,16 @@ class WarningList(QObject):
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(REST_MS)
-        self._rest.timeout.connect(self._gather)
+        self._rest.timeout.connect(self._collect_warnings)
         self._gathered.connect(self._show)
-        window.document.opened.connect(self._forget)
-        window.document.changed.connect(self._watch)
-        window.target_work.quality_computation.judged.connect(self._judged)
-        window.recovery_copies.troubled.connect(self._watch)
+        window.document.opened.connect(self._on_project_opened)
+        window.document.changed.connect(self._on_project_changed)
+        window.target_work.quality_computation.judged.connect(self._on_qualities_judged)
+        window.recovery_copies.troubled.connect(self._on_project_changed)
         window.actions_["warnings"].triggered.connect(lambda _=False: self.open())
         self._button.clicked.connect(self.open)
         self._panel.followed.connect(self.follow)
-        self._watch()
+        self._on_project_changed()
 
     @property
     def is_current(self) -> bool:
@@ -65,27 +65,27 @@ class WarningList(QObject):
         return self._asked == self._told and not self._rest.isActive()
 
     def open(self) -> None:
-        """Bring the list to the front, and the keyboard into it."""
+        """Bring the list to the front and give it the focus."""
         raise_panel(self._panel)
         self._panel.take_focus()
 
     def stop(self) -> None:
-        """Let the worker end."""
+        """Stop the worker."""
         self._rest.stop()
         self._asked += 1
         self._worker.shutdown(wait=True)
 
     # -- gathering -------------------------------------------------------------------------------
 
-    def _judged(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
+    def _on_qualities_judged(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
         self._qualities = qualities
-        self._watch()
+        self._on_project_changed()
 
-    def _forget(self) -> None:
-        """Another project has no result yet that an edit could make out of date."""
+    def _on_project_opened(self) -> None:
+        """Reset the flag of an earlier result when another project is opened."""
         self._had_result = False
 
-    def _watch(self) -> None:
+    def _on_project_changed(self) -> None:
         if self._document.project is None:
             self._rest.stop()
             self._asked += 1
@@ -99,7 +99,7 @@ class WarningList(QObject):
         else:
             self._rest.start()
 
-    def _gather(self) -> None:
+    def _collect_warnings(self) -> None:
         document = self._document
         project, refusal = document.project, document.refusal
         refused_since = document.refused_since
@@ -120,10 +120,10 @@ class WarningList(QObject):
             )  # fmt: skip
             return asked, found
 
-        self._worker.submit(work).add_done_callback(self._done)
+        self._worker.submit(work).add_done_callback(self._emit_result)
 
-    def _done(self, future: "Future[Gathered]") -> None:
-        """In the worker."""
+    def _emit_result(self, future: "Future[Gathered]") -> None:
+        """Pass on the result; called in the worker."""
         if (error := future.exception()) is not None:
             self._window.runner.failed.emit(error)
         else:
@@ -140,30 +140,30 @@ class WarningList(QObject):
     # -- following -------------------------------------------------------------------------------
 
     def follow(self, cause: Cause) -> None:
-        """Go to the cause of a warning: open, select, show, and give it the keyboard."""
+        """Go to the cause of a warning: open, select and focus it."""
         go = {
-            "line": self._to_line,
-            "target": self._to_sighting,
-            "sighting": self._to_sighting,
-            "parameter": self._to_parameter,
-            "field": self._to_field,
-            "page": self._to_page,
-            "step": self._to_step,
-            "result": self._to_result,
+            "line": self._go_to_line,
+            "target": self._go_to_sighting,
+            "sighting": self._go_to_sighting,
+            "parameter": self._go_to_parameter,
+            "field": self._go_to_field,
+            "page": self._go_to_page,
+            "step": self._go_to_step,
+            "result": self._go_to_result,
         }
         go[cause.kind](cause)
 
-    def _to_line(self, cause: Cause) -> None:
+    def _go_to_line(self, cause: Cause) -> None:
         data, scene = self._window.data, self._window.scene
         self._open_step(DATA)
         if data.select_line(cause.name):
-            _focus(data.lines)
+            _focus_widget(data.lines)
         cloud = scene.clouds.get(cause.name)
         if cloud is not None:
             scene.gone_to.emit(cloud.sample[::50], cause.name)
             self._window.viewport.fit(cloud.sample)
 
-    def _to_sighting(self, cause: Cause) -> None:
+    def _go_to_sighting(self, cause: Cause) -> None:
         project = self._document.project
         if project is None or cause.name not in {target.name for target in project.targets}:
             return
@@ -171,21 +171,21 @@ class WarningList(QObject):
         self.selected.emit(cause.name, cause.line)
         if cause.kind == "target":
             self._open_step(TARGETS)
-            _focus(window.targets.table)
+            _focus_widget(window.targets.table)
         else:
             raise_panel(window.table)
             window.table.go_to(cause.name, cause.line)
-            _focus(window.table)
+            _focus_widget(window.table)
 
-    def _to_parameter(self, cause: Cause) -> None:
+    def _go_to_parameter(self, cause: Cause) -> None:
         switch = self._window.adjust.parameters.switches.get(cause.name)
         if switch is None:
-            self._to_result(cause)
+            self._go_to_result(cause)
         else:
             self._open_step(ADJUST)
-            _focus(switch)
+            _focus_widget(switch)
 
-    def _to_field(self, cause: Cause) -> None:
+    def _go_to_field(self, cause: Cause) -> None:
         data, adjust = self._window.data, self._window.adjust
         longest = max(data.lever_arm.fields, key=lambda field: abs(field.value()))
         step, field = {
@@ -196,31 +196,31 @@ class WarningList(QObject):
             "position_time": (ADJUST, adjust.model.position_time),
         }[cause.name]
         self._open_step(step)
-        _focus(field)
+        _focus_widget(field)
 
-    def _to_page(self, cause: Cause) -> None:
+    def _go_to_page(self, cause: Cause) -> None:
         diagnostics = self._window.diagnostics
         raise_panel(diagnostics)
         diagnostics.open(cause.name)
-        _focus(diagnostics.list)
+        _focus_widget(diagnostics.list)
 
-    def _to_step(self, cause: Cause) -> None:
+    def _go_to_step(self, cause: Cause) -> None:
         self._window.workflow.go_to(STEPS.index(cause.name))
 
-    def _to_result(self, _cause: Cause) -> None:
+    def _go_to_result(self, _cause: Cause) -> None:
         raise_panel(self._window.results)
-        _focus(self._window.results.angles)
+        _focus_widget(self._window.results.angles)
 
     def _open_step(self, step: int) -> None:
         raise_panel(self._window.workflow)
         self._window.workflow.open(step)
 
 
-def _focus(widget: QWidget) -> None:
-    """Give a widget the keyboard: unfold what it is in, and scroll to it."""
+def _focus_widget(widget: QWidget) -> None:
+    """Give a widget the focus, unfold the groups around it and scroll to it."""
     above, areas = widget.parentWidget(), []
     while above is not None:
-        if isinstance(above, Fold):
+        if isinstance(above, FoldableGroup):
             above.open()
         if isinstance(above, QScrollArea):
             areas.append(above)

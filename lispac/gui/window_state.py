@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QWidget
 from lispac.errors import InputError
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.number_field import NumberField
-from lispac.gui.viewing_actions import COLOURED
+from lispac.gui.view_actions import COLOURED
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 Kind = TypeVar("Kind", bound=QWidget)
 
 
-def carry_over(former: "MainWindow", heir: "MainWindow") -> None:
+def transfer_window_state(former: "MainWindow", heir: "MainWindow") -> None:
     """Transfer fields and choices of the steps, the open step, the view and the candidate."""
     for before, after in (
         (former.data, heir.data),
@@ -23,38 +23,38 @@ def carry_over(former: "MainWindow", heir: "MainWindow") -> None:
         (former.adjust, heir.adjust),
         (former.validate, heir.validate),
     ):
-        fill_in(before, after)
+        copy_fields(before, after)
     heir.workflow.open(former.workflow.opened)
     if former.controller.candidate is not None:
-        heir.controller.offer(former.controller.candidate)
-    _shown(former, heir)
+        heir.controller.set_candidate(former.controller.candidate)
+    _transfer_view(former, heir)
     if former.tour.on:
         heir.tour.go_on()
 
 
-def fill_in(before: QWidget, after: QWidget) -> None:
+def copy_fields(before: QWidget, after: QWidget) -> None:
     """Copy choices and numbers between the fields that have the same names.
 
     Choices first: they may set the unit of a number.
     """
-    _choices(before, after)
-    _numbers(before, after)
+    _copy_choices(before, after)
+    _copy_numbers(before, after)
 
 
-def _choices(before: QWidget, after: QWidget) -> None:
-    for list_, own in _pairs(QComboBox, before, after):
+def _copy_choices(before: QWidget, after: QWidget) -> None:
+    for list_, own in _matching_fields(QComboBox, before, after):
         if list_.count() == own.count():
             own.setCurrentIndex(list_.currentIndex())
-    for button, own in _pairs(QAbstractButton, before, after):
+    for button, own in _matching_fields(QAbstractButton, before, after):
         # A radio button cannot be switched off, only another one on.
         if button.isCheckable() and (button.isChecked() or not own.autoExclusive()):
             own.setChecked(button.isChecked())
 
 
-def _numbers(before: QWidget, after: QWidget) -> None:
-    for number, own in _pairs(NumberField, before, after):
+def _copy_numbers(before: QWidget, after: QWidget) -> None:
+    for number, own in _matching_fields(NumberField, before, after):
         own.setValue(number.value())
-    for optional, own in _pairs(OptionalNumber, before, after):
+    for optional, own in _matching_fields(OptionalNumber, before, after):
         try:
             own.show_value(optional.value())
         except InputError:
@@ -62,15 +62,15 @@ def _numbers(before: QWidget, after: QWidget) -> None:
         own.textChanged.emit(own.text())
 
 
-def _shown(former: "MainWindow", heir: "MainWindow") -> None:
+def _transfer_view(former: "MainWindow", heir: "MainWindow") -> None:
     """Transfer the state and the colouring of the view."""
-    heir.scene.take_over(former.scene)
+    heir.scene.copy_state_from(former.scene)
     for name in ("wipe", COLOURED[former.scene.colouring]):
         heir.actions_[name].setChecked(former.actions_[name].isChecked())
 
 
-def _pairs(kind: type[Kind], before: QWidget, after: QWidget) -> list[tuple[Kind, Kind]]:
-    """Fields of one kind that have the same name in both."""
+def _matching_fields(kind: type[Kind], before: QWidget, after: QWidget) -> list[tuple[Kind, Kind]]:
+    """Pairs of fields of one kind with the same name in both widgets."""
     named = {each.objectName(): each for each in after.findChildren(kind) if each.objectName()}
     return [
         (each, named[each.objectName()])

@@ -1,1 +1,1 @@
-"""Reading and writing files: one module a format. Nothing here computes."""
+"""Reading and writing files: one module per format, without computations."""

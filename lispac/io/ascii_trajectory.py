@@ -14,17 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.foreign_values import is_count
-from lispac.io.registry import LIKELY, NOT, POSSIBLE, SURE, Choice, Finding
-from lispac.io.text_export import written_options
+from lispac.io.format_types import LIKELY, NOT, POSSIBLE, SURE, Choice, FilePreview
+from lispac.io.text_export import options_in_header
 from lispac.io.text_table import (
-    fields_of,
     first_lines,
     is_clock,
-    is_data,
+    is_data_row,
     is_number,
-    lines_of,
-    number,
+    numbered_lines,
+    parse_number,
+    split_fields,
 )
 from lispac.io.trajectory_columns import (
     ATTITUDE,
@@ -41,7 +40,7 @@ from lispac.io.trajectory_columns import (
     trajectory_of,
 )
 from lispac.io.trajectory_grid import UNSTATED
-from lispac.io.trajectory_preview import TextLayout, look_at_text, sign_assumed
+from lispac.io.trajectory_preview import TextLayout, preview_text, sign_assumed_warning
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import (
     ANGLE_CODES,
@@ -50,11 +49,12 @@ from lispac.io.units import (
     is_units_row,
     split_title,
     stated_unit,
-    with_units,
+    titles_with_units,
 )
 from lispac.messages import Action, Level, Message, Value, error, note, warning
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 from lispac.survey.trajectory import Trajectory
+from lispac.untrusted_values import is_whole_number
 
 COLUMNS_ASSUMED = "trajectory.columns_assumed"
 """Code of the warning that a file does not name its columns."""
@@ -91,15 +91,15 @@ _COMMENT = ("#", "%", "//", ";")
 
 
 def sniff_ascii(path: Path) -> float:
-    """How likely this is a trajectory: a row of names that mean one, or enough numbers a row."""
+    """Likelihood that a text is a trajectory, by its row of names or its numbers per row."""
     lines = first_lines(path, 60)
-    if written_options(lines):
+    if options_in_header(lines):
         return SURE
     names = _header_names(lines)
-    data = [fields for line in lines if is_data(fields := _split(line, "auto"))]
+    data = [fields for line in lines if is_data_row(fields := _split_row(line, "auto"))]
     if not data:
         return NOT
-    found = {role_of(_bare(name)) for name in names}
+    found = {role_of(_name_without_unit(name)) for name in names}
     if found.issuperset({"time", "roll", "pitch", "heading"}):
         return LIKELY
     width = len(data[0])
@@ -108,8 +108,8 @@ def sniff_ascii(path: Path) -> float:
     return POSSIBLE if even and numeric >= 7 else NOT
 
 
-def layout_of(path: Path, choice: Choice) -> TextLayout:
-    """Columns as the user names them.
+def layout_by_choice(path: Path, choice: Choice) -> TextLayout:
+    """Text layout with the columns that the user has chosen.
 
     Raises
     ------
@@ -135,13 +135,13 @@ def layout_of(path: Path, choice: Choice) -> TextLayout:
             raise InputError(error("text.duplicate_columns", file=str(path), names=(token,)))
         field = sample[index] if index < len(sample) else ""
         title = titles[index] if len(titles) == len(tokens) else ""
-        columns.append(Column(role, index, token, _unit(role, token, field, chosen, title)))
+        columns.append(Column(role, index, token, _column_unit(role, token, field, chosen, title)))
 
     def rows(path: Path) -> Rows:
         return ascii_rows(path, separator, header)
 
     velocities = velocity_columns(
-        [_bare(name) for name in titles], [stated_unit(name) for name in titles]
+        [_name_without_unit(name) for name in titles], [stated_unit(name) for name in titles]
     )
     return TextLayout(
         tuple(columns), tuple(tokens), separator, rows, {"Header": note("fact.text")}, (),
@@ -162,28 +162,28 @@ def ascii_rows(path: Path, separator: str = "auto", header: str = "auto") -> Row
     InputError
         Where ``header`` is neither ``auto`` nor a number.
     """
-    if header != "auto" and not is_count(header, MOST_HEADER_ROWS):
+    if header != "auto" and not is_whole_number(header, MOST_HEADER_ROWS):
         raise InputError(error("trajectory.header_rows", file=str(path), value=header))
     skipped = int(header) if header != "auto" else 0
     started = header != "auto"
-    for row, line in lines_of(path, "text"):
+    for row, line in numbered_lines(path, "text"):
         if row <= skipped or not line.strip() or line.lstrip().startswith(_COMMENT):
             continue
-        fields = _split(line, separator)
-        started = started or is_data(fields)
+        fields = _split_row(line, separator)
+        started = started or is_data_row(fields)
         if started:
             yield row, fields
 
 
-def look_ascii(path: Path, choice: Choice) -> Finding:
+def preview_ascii(path: Path, choice: Choice) -> FilePreview:
     """Detected columns and units, first rows and warnings."""
     path = Path(path)
     # Reading the first line detects a missing, empty or binary file.
-    next(lines_of(path, "text"), None)
-    detected, doubts = _detected(path, choice)
+    next(numbered_lines(path, "text"), None)
+    detected, doubts = _detect_options(path, choice)
     found = DEFAULTS | detected | dict(choice)
-    layout = layout_of(path, found)
-    finding = look_at_text(path, layout, _conventions(found), found)
+    layout = layout_by_choice(path, found)
+    finding = preview_text(path, layout, _conventions(found), found)
     titles = _header_names(first_lines(path, 60))
     return replace(
         finding,
@@ -194,25 +194,25 @@ def look_ascii(path: Path, choice: Choice) -> Finding:
 
 
 def read_ascii(path: Path, choice: Choice) -> Trajectory:
-    """Read the trajectory by the columns and conventions chosen; nothing is detected here.
+    """Read the trajectory by the chosen columns and conventions, without detection.
 
     Raises
     ------
     InputError
     """
     path = Path(path)
-    layout = layout_of(path, choice)
+    layout = layout_by_choice(path, choice)
     given = note("assumed.given_columns", columns=layout.names)
     return trajectory_of(
         path, layout.rows(path), layout.columns, _conventions(DEFAULTS | dict(choice)), (given,)
     )
 
 
-def _split(line: str, separator: str) -> list[str]:
-    return [] if line.lstrip().startswith(_COMMENT) else fields_of(line, separator)
+def _split_row(line: str, separator: str) -> list[str]:
+    return [] if line.lstrip().startswith(_COMMENT) else split_fields(line, separator)
 
 
-def _bare(title: str) -> str:
+def _name_without_unit(title: str) -> str:
     """Name of a column without its unit."""
     return split_title(title)[0]
 
@@ -224,21 +224,21 @@ def _header_names(lines: list[str]) -> list[str]:
     """
     titles: list[str] = []
     for line in lines:
-        if is_data(_split(line, "auto")):
+        if is_data_row(_split_row(line, "auto")):
             break
         bare = line.strip().lstrip("#%/; \t")
-        fields = fields_of(bare)
-        if sum(bool(role_of(_bare(name))) for name in fields) >= 3:
+        fields = split_fields(bare)
+        if sum(bool(role_of(_name_without_unit(name))) for name in fields) >= 3:
             titles = fields
         elif titles and is_units_row(fields) and len(fields) == len(titles):
-            titles = with_units(titles, fields)
+            titles = titles_with_units(titles, fields)
     return titles
 
 
-def _unit(role: str, token: str, field: str, chosen: dict[str, str], title: str) -> str:
+def _column_unit(role: str, token: str, field: str, chosen: dict[str, str], title: str) -> str:
     """Unit of a column by its role, the user's name, first value, options, title in the file."""
     if role == "time":
-        return "clock" if is_clock(field) else _stated(title).partition(UNKNOWN)[0] or "s"
+        return "clock" if is_clock(field) else _unit_in_title(title).partition(UNKNOWN)[0] or "s"
     if role == "latitude_hemisphere":
         return "hemisphere"
     if role == "longitude_hemisphere":
@@ -248,31 +248,33 @@ def _unit(role: str, token: str, field: str, chosen: dict[str, str], title: str)
     if role == "date":
         return "date"
     if role in POSITION:
-        unit = _angle(chosen["position"], title)
+        unit = _angle_unit(chosen["position"], title)
         way = direction_of(title)
         if way == UNKNOWN:
             return f"{UNKNOWN}{split_title(title)[1]}"
         turned = (role, way) in (("longitude", "west"), ("latitude", "south"))
         return f"{unit}-{way}" if turned and not unit.startswith(UNKNOWN) else unit
     if role.removesuffix("_sd") in ATTITUDE:
-        return _angle(chosen["attitude"], title)
+        return _angle_unit(chosen["attitude"], title)
     if role in GRID:
-        return _length(chosen["grid_unit"], title)
-    return _length(chosen["heights"], title) if role in HEIGHTS else _stated(title) or "m"
+        return _length_unit(chosen["grid_unit"], title)
+    return (
+        _length_unit(chosen["heights"], title) if role in HEIGHTS else _unit_in_title(title) or "m"
+    )
 
 
-def _stated(title: str) -> str:
-    """Unit in a title; one that is not known with its words."""
+def _unit_in_title(title: str) -> str:
+    """Unit in a title; an unknown unit is returned with its words."""
     unit = stated_unit(title)
     return f"{UNKNOWN}{split_title(title)[1]}" if unit == UNKNOWN else unit
 
 
-def _angle(option: str, title: str) -> str:
-    return (_stated(title) or "deg") if option == HEADER else _ANGLES[option]
+def _angle_unit(option: str, title: str) -> str:
+    return (_unit_in_title(title) or "deg") if option == HEADER else _ANGLES[option]
 
 
-def _length(option: str, title: str) -> str:
-    return _stated(title) if option == HEADER else _LENGTHS[option]
+def _length_unit(option: str, title: str) -> str:
+    return _unit_in_title(title) if option == HEADER else _LENGTHS[option]
 
 
 def _conventions(chosen: dict[str, str]) -> Conventions:
@@ -281,33 +283,33 @@ def _conventions(chosen: dict[str, str]) -> Conventions:
     )
 
 
-def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[Message]]:
+def _detect_options(path: Path, choice: Choice) -> tuple[dict[str, str], list[Message]]:
     """Columns, units and time base by a row of names and by the first values."""
     lines = first_lines(path, 60)
-    if own := written_options(lines):
+    if own := options_in_header(lines):
         return own, []
     names = _header_names(lines)
     found: dict[str, str] = {}
     doubts: list[Message] = []
     file = printable(path.name)
     if names:
-        _require_one_column_each(path, names)
-        found["columns"] = " ".join(_tokens(names))
-        found |= _stated_options(names)
+        _require_single_angle_columns(path, names)
+        found["columns"] = " ".join(_column_roles(names))
+        found |= _unit_options(names)
     elif "columns" not in choice:
         doubts.append(warning(COLUMNS_ASSUMED, file=file, columns=DEFAULT_COLUMNS.split()))
     tokens = (choice.get("columns") or found.get("columns") or DEFAULT_COLUMNS).split()
     separator = choice.get("separator", "auto")
-    data = [fields for line in lines if is_data(fields := _split(line, separator))]
+    data = [fields for line in lines if is_data_row(fields := _split_row(line, separator))]
     if names and "columns" not in choice:
-        _require_names_for_all(path, names, lines, separator)
-        tokens = _hemispheres(path, tokens, data)
+        _require_all_columns_named(path, names, lines, separator)
+        tokens = _mark_hemisphere_columns(path, tokens, data)
         found["columns"] = " ".join(tokens)
-    data = _with_positions(path, tokens, data, choice)
+    data = _rows_with_position(path, tokens, data, choice)
     values = {
         role_of(token): column
         for index, token in enumerate(tokens)
-        if (column := _values(data, index)) is not None
+        if (column := _column_values(data, index)) is not None
     }
     written = {
         role_of(token): [fields[index] for fields in data if index < len(fields)]
@@ -325,16 +327,16 @@ def _detected(path: Path, choice: Choice) -> tuple[dict[str, str], list[Message]
     if (clocks or "date" in roles) and "time" not in choice:
         doubts.append(warning("times.utc_assumed", file=file))
     doubts += [
-        sign_assumed(path, angle, sign)
+        sign_assumed_warning(path, angle, sign)
         for angle, sign in (("roll", "starboard-down"), ("pitch", "bow-up"))
         if angle not in choice
     ]
     return found, doubts
 
 
-def _tokens(names: list[str]) -> list[str]:
-    """Role of each column; the exact name of a role goes before its synonyms."""
-    bares = [_bare(name) for name in names]
+def _column_roles(names: list[str]) -> list[str]:
+    """Role of each column; the exact name of a role takes precedence over its synonyms."""
+    bares = [_name_without_unit(name) for name in names]
     exact = {bare.strip().lower() for bare in bares} & set(ROLES.values())
     taken: set[str] = set()
     tokens = []
@@ -357,11 +359,13 @@ _UNIT_OPTIONS: tuple[tuple[str, tuple[str, ...], dict[str, str]], ...] = (
 """Option, roles of its columns, and unit of each of its choices."""
 
 
-def _stated_options(titles: Sequence[str]) -> dict[str, str]:
+def _unit_options(titles: Sequence[str]) -> dict[str, str]:
     """Options for the units that titles state."""
     found: dict[str, str] = {}
     for option, roles, units in _UNIT_OPTIONS:
-        stated = [stated_unit(title) for title in titles if role_of(_bare(title)) in roles]
+        stated = [
+            stated_unit(title) for title in titles if role_of(_name_without_unit(title)) in roles
+        ]
         if option == "heights":
             stated = [unit for unit in stated if unit not in ANGLE_CODES]
         if not any(stated):
@@ -372,7 +376,7 @@ def _stated_options(titles: Sequence[str]) -> dict[str, str]:
     return found
 
 
-def _require_one_column_each(path: Path, titles: Sequence[str]) -> None:
+def _require_single_angle_columns(path: Path, titles: Sequence[str]) -> None:
     """Refuse an angle in several columns, of degrees, minutes and seconds.
 
     Raises
@@ -394,19 +398,19 @@ def _require_one_column_each(path: Path, titles: Sequence[str]) -> None:
             )
 
 
-def _require_names_for_all(
+def _require_all_columns_named(
     path: Path, names: Sequence[str], lines: Sequence[str], separator: str
 ) -> None:
-    """Refuse rows between blanks with more columns than names, which shift against each other.
+    """Refuse rows with more blank-separated columns than column names.
 
     Raises
     ------
     InputError
     """
     for line in lines:
-        fields = _split(line, separator)
+        fields = _split_row(line, separator)
         between_blanks = separator == "blank" or not any(mark in line for mark in ";,\t")
-        if between_blanks and is_data(fields) and len(fields) > len(names):
+        if between_blanks and is_data_row(fields) and len(fields) > len(names):
             raise InputError(
                 error(
                     "trajectory.unnamed_columns", file=str(path), found=len(fields),
@@ -415,7 +419,7 @@ def _require_names_for_all(
             )  # fmt: skip
 
 
-def _hemispheres(path: Path, tokens: list[str], data: list[list[str]]) -> list[str]:
+def _mark_hemisphere_columns(path: Path, tokens: list[str], data: list[list[str]]) -> list[str]:
     """Columns without a meaning whose values are letters of hemispheres, by their values.
 
     Raises
@@ -446,10 +450,10 @@ SEARCHED = 200_000
 SAMPLE = 60
 
 
-def _with_positions(
+def _rows_with_position(
     path: Path, tokens: Sequence[str], data: list[list[str]], choice: Choice
 ) -> list[list[str]]:
-    """Rows with a position, without those before the first fix (zeros)."""
+    """Rows with a position; rows of zeros before the first fix are left out."""
     places = [k for k, token in enumerate(tokens) if role_of(token) in POSITION]
     if len(places) < len(POSITION):
         return data
@@ -465,15 +469,15 @@ def _with_positions(
 
 
 def _is_zero(field: str) -> bool:
-    return is_number(field) and number(field) == 0
+    return is_number(field) and parse_number(field) == 0
 
 
-def _values(data: list[list[str]], index: int) -> NDArray[np.float64] | None:
+def _column_values(data: list[list[str]], index: int) -> NDArray[np.float64] | None:
     """First values of a column; None where they are not numbers."""
     fields = [row[index] for row in data if index < len(row)]
     if not fields or not all(is_number(field) for field in fields):
         return None
-    values = np.array([number(field) for field in fields])
+    values = np.array([parse_number(field) for field in fields])
     return values if np.isfinite(values).all() else None
 
 
@@ -496,22 +500,22 @@ def _detect_units(
         largest = float(max(latitude.max(), longitude.max()))
         beyond = largest > 360 or min(latitude.max(), longitude.max()) > 90
         minutes = np.concatenate([latitude, longitude]) % 100
-        if (beyond or _is_padded(written)) and (minutes < 60).all():
+        if (beyond or _has_padded_degrees(written)) and (minutes < 60).all():
             found.setdefault("position", "degrees-minutes")
         if _is_in_radians("position", largest, found, choice):
-            actions = (use_degrees("position"),)
+            actions = (degrees_action("position"),)
             yield warning("trajectory.position_in_radians", file=file, actions=actions)
     elif not {"latitude", "longitude"} & set(values) and "easting" not in values and written:
         # A unit of degrees in the title is no contradiction to degrees with letters or minutes.
-        found["position"] = "degrees-minutes" if _is_padded(written) else "dms"
+        found["position"] = "degrees-minutes" if _has_padded_degrees(written) else "dms"
     if "heading" in values:
         largest = float(np.abs(values["heading"]).max())
         if _is_in_radians("attitude", largest, found, choice):
-            actions = (use_degrees("attitude"),)
+            actions = (degrees_action("attitude"),)
             yield warning("trajectory.attitude_in_radians", file=file, actions=actions)
 
 
-def use_degrees(option: str) -> Action:
+def degrees_action(option: str) -> Action:
     """Read an angle as degrees."""
     return Action("use_degrees", {"name": option, "value": "degrees"})
 
@@ -523,7 +527,7 @@ _PADDED = {
 """Degrees and minutes with all their zeros, as NMEA 0183 prescribes."""
 
 
-def _is_padded(written: Mapping[str, Sequence[str]]) -> bool:
+def _has_padded_degrees(written: Mapping[str, Sequence[str]]) -> bool:
     return all(
         form.fullmatch(field.strip()) for role, form in _PADDED.items() for field in written[role]
     )
@@ -540,22 +544,22 @@ def _is_in_radians(option: str, largest: float, found: dict[str, str], choice: C
 def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Iterator[Message]:
     """Warnings about titles that the reading does not follow."""
     file = printable(path.name)
-    for option, stated in _stated_options(titles).items():
+    for option, stated in _unit_options(titles).items():
         given = str(choice.get(option, stated))
         if given == stated or given == "dms" or given in _KINDS_OF.get(stated, ()):
             continue
         yield Message(
             "text.unit_overridden", Level.WARNING,
-            {"file": file, "option": option, "stated": _stated_words(titles, option),
+            {"file": file, "option": option, "stated": _titles_with_unit(titles, option),
              "given": given},
             actions=(Action("set_option", {"name": option, "value": stated}),),
         )  # fmt: skip
     roles: dict[str, list[str]] = {}
     for title in titles:
-        if role := role_of(_bare(title)):
+        if role := role_of(_name_without_unit(title)):
             roles.setdefault(role, []).append(title)
     for role, own in roles.items():
-        exact = [title for title in own if _bare(title).strip().lower() == role]
+        exact = [title for title in own if _name_without_unit(title).strip().lower() == role]
         if len(own) > 1 and len(exact) != 1:
             used = (exact or own)[0]
             yield Message(
@@ -577,6 +581,10 @@ _KINDS_OF = {"feet": ("international-feet", "us-survey-feet")}
 """Units that specify a title more precisely."""
 
 
-def _stated_words(titles: Sequence[str], option: str) -> tuple[str, ...]:
+def _titles_with_unit(titles: Sequence[str], option: str) -> tuple[str, ...]:
     roles = next(own for name, own, _ in _UNIT_OPTIONS if name == option)
-    return tuple(title for title in titles if role_of(_bare(title)) in roles and stated_unit(title))
+    return tuple(
+        title
+        for title in titles
+        if role_of(_name_without_unit(title)) in roles and stated_unit(title)
+    )

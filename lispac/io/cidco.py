@@ -12,25 +12,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.points import (
+from lispac.io.first_points import check_first_points
+from lispac.io.format_types import LIKELY, NOT, Choice, FileFormat, FilePreview, PointChunk
+from lispac.io.point_reading import (
     CHUNK,
     PLACE,
     PREVIEW,
     SCANNER_COLUMNS,
-    place_facts,
-    plainly,
-    require_filled,
-    require_points,
-    scale_of,
-    sniffer,
-    table,
-    time_base,
-    usable_numbers,
+    coordinate_scale,
+    frame_facts,
+    head_sniffer,
+    preview_table,
+    report_damage,
+    require_not_empty,
+    require_usable_points,
+    time_base_message,
+    usable_mask,
 )
-from lispac.io.registry import LIKELY, NOT, Choice, Finding, Format, PointChunk
-from lispac.io.sight import sight
 from lispac.messages import error, note
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 
 COLUMNS = 22
 RECORD = 8 * COLUMNS
@@ -45,16 +45,16 @@ NAMES = (
 LONGEST_LEVER = 50.0  # metres between POS and LiDAR on any vessel
 
 
-@sniffer
+@head_sniffer
 def sniff(head: bytes, path: Path) -> float:
-    """No signature, but in every record the distance from the POS agrees with the LiDAR."""
+    """Likelihood by the geometry of each record: POS to point is as long as the LiDAR range."""
     if path.stat().st_size % RECORD:
         return NOT
     records = np.frombuffer(head[: len(head) // RECORD * RECORD], "<f8").reshape(-1, COLUMNS)
-    return LIKELY if len(records) and _closed(records).all() else NOT
+    return LIKELY if len(records) and _are_consistent_records(records).all() else NOT
 
 
-def _closed(records: NDArray[np.float64]) -> NDArray[np.bool_]:
+def _are_consistent_records(records: NDArray[np.float64]) -> NDArray[np.bool_]:
     sigmas = records[:, [7, 8, 9, 13, 14, 15, 19, 20, 21]]
     angles = records[:, 10:13]
     with np.errstate(all="ignore"):  # a stranger's bytes make any numbers
@@ -66,7 +66,7 @@ def _closed(records: NDArray[np.float64]) -> NDArray[np.bool_]:
         return finite & near & sound & (measured < 1e4) & (np.abs(records[:, 3]) < 1e10)
 
 
-def look(path: Path, choice: Choice) -> Finding:
+def preview_file(path: Path, choice: Choice) -> FilePreview:
     """Read the first points.
 
     Raises
@@ -74,19 +74,19 @@ def look(path: Path, choice: Choice) -> Finding:
     InputError
         Where the file cannot be read or does not hold such records.
     """
-    path = require_filled(path, "CIDCO")
+    path = require_not_empty(path, "CIDCO")
     settled = CIDCO.settled(choice)
-    records = next(records_of(path, PREVIEW))
-    seen = sight(records[:, 4:7], records[:, 3], file=printable(path.name), crs="")
+    records = next(record_chunks(path, PREVIEW))
+    seen = check_first_points(records[:, 4:7], records[:, 3], file=printable(path.name), crs="")
     facts = {
         "format": note("fact.cidco"),
         "points": path.stat().st_size // RECORD,
-        **place_facts(settled),
-        "time base": time_base(records[:, 3], settled["time_base"]),
+        **frame_facts(settled),
+        "time base": time_base_message(records[:, 3], settled["time_base"]),
         **seen.facts,
     }
     assumptions = (note("assumed.cidco_columns"), *SCANNER_COLUMNS)
-    return Finding(facts, table(NAMES, tuple(records.T)), {}, seen.doubts, assumptions)
+    return FilePreview(facts, preview_table(NAMES, tuple(records.T)), {}, seen.doubts, assumptions)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -97,14 +97,14 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     InputError
         Where the file is missing, cut short, empty, or does not hold such records.
     """
-    path = require_filled(path, "CIDCO")
-    scale, total = scale_of(CIDCO.settled(choice)), path.stat().st_size // RECORD
-    for records in records_of(path, CHUNK):
+    path = require_not_empty(path, "CIDCO")
+    scale, total = coordinate_scale(CIDCO.settled(choice)), path.stat().st_size // RECORD
+    for records in record_chunks(path, CHUNK):
         extra = {name: records[:, columns].copy() for name, columns in PARTS.items()}
         yield PointChunk(records[:, 4:7] * scale, records[:, 3].copy(), extra, total)
 
 
-def records_of(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
+def record_chunks(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
     """All records, shape (n, 22), some at a time.
 
     Raises
@@ -116,14 +116,14 @@ def records_of(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
         raise InputError(
             error("cidco.cut_short", file=str(path), bytes=size, record=RECORD, rest=size % RECORD)
         )
-    with plainly(path, "CIDCO binary"), path.open("rb") as file:
+    with report_damage(path, "CIDCO binary"), path.open("rb") as file:
         done = 0
         while data := file.read(rows * RECORD):
             whole = len(data) // RECORD * RECORD
             records = np.frombuffer(data[:whole], "<f8").reshape(-1, COLUMNS).astype(np.float64)
-            require_points(records[:, 4:7], records[:, 3], path, done)
-            usable = usable_numbers(records[:, 4:7], records[:, 3])
-            bad = usable & ~_closed(records)
+            require_usable_points(records[:, 4:7], records[:, 3], path, done)
+            usable = usable_mask(records[:, 4:7], records[:, 3])
+            bad = usable & ~_are_consistent_records(records)
             if bad.any():
                 point = done + int(np.argmax(bad)) + 1
                 raise InputError(error("cidco.inconsistent_point", file=str(path), point=point))
@@ -131,4 +131,4 @@ def records_of(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
             yield records
 
 
-CIDCO = Format(note("format.cidco"), "cidco", "points", (), PLACE, sniff, look, read)
+CIDCO = FileFormat(note("format.cidco"), "cidco", "points", (), PLACE, sniff, preview_file, read)

@@ -13,20 +13,20 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
-from lispac.geometry.rotations import angles_of, rotation_matrix
-from lispac.io.cidco import NAMES, records_of
+from lispac.geometry.rotations import rotation_angles, rotation_matrix
+from lispac.io.cidco import NAMES, record_chunks
 from lispac.io.cidco import sniff as sniff_points
-from lispac.io.points import CHUNK, PREVIEW, plainly, require_filled, table
-from lispac.io.registry import NOT, POSSIBLE, Choice, Fact, Finding, Option
+from lispac.io.format_types import NOT, POSSIBLE, Choice, Fact, FilePreview, FormatOption
+from lispac.io.point_reading import CHUNK, PREVIEW, preview_table, report_damage, require_not_empty
 from lispac.io.trajectory_facts import span_facts
 from lispac.language import N_
 from lispac.messages import Message, error, note, warning
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
-ORIGIN = Option(
+ORIGIN = FormatOption(
     "origin",
     N_(
         "Origin of the local frame of the file: latitude and longitude in degrees, height in "
@@ -41,23 +41,23 @@ SAME = 1e-6
 
 
 def sniff_states(path: Path) -> float:
-    """Not more likely than points, which the same file contains."""
+    """Likelihood that a CIDCO file holds states, never above that of its points."""
     return POSSIBLE if sniff_points(path) > NOT else NOT
 
 
-def look_states(path: Path, choice: Choice) -> Finding:
+def preview_states(path: Path, choice: Choice) -> FilePreview:
     """Read the whole file; such files are small.
 
     Raises
     ------
     InputError
     """
-    states = _states(path)
-    return Finding(
-        _facts(states),
-        _first(path),
+    states = _state_table(path)
+    return FilePreview(
+        _state_facts(states),
+        _preview_rows(path),
         {},
-        _doubts(path, choice),
+        _origin_warnings(path, choice),
         _assumptions(choice),
     )
 
@@ -70,17 +70,17 @@ def read_states(path: Path, choice: Choice) -> Trajectory:
     InputError
         Where the file cannot be read, the origin is none, or states of one time differ.
     """
-    states = _states(path)
-    frame = _frame(choice)
+    states = _state_table(path)
+    frame = _origin_frame(choice)
     latitude, longitude, height = frame.to_geodetic(states[:, 7:10])
     rotation_level_local = np.swapaxes(frame.rotation_local_level(latitude, longitude), -1, -2)
-    attitude = angles_of(rotation_level_local @ rotation_matrix(*states[:, 1:4].T))
+    attitude = rotation_angles(rotation_level_local @ rotation_matrix(*states[:, 1:4].T))
     return Trajectory(states[:, 0], latitude, longitude, height, attitude, _assumptions(choice))
 
 
-def look_sigmas(path: Path, choice: Choice) -> Finding:
-    """As `look_states`."""
-    return Finding(_facts(_states(path)), _first(path))
+def preview_sigmas(path: Path, choice: Choice) -> FilePreview:
+    """Read the whole file and describe the standard deviations of its states."""
+    return FilePreview(_state_facts(_state_table(path)), _preview_rows(path))
 
 
 def read_sigmas(path: Path, choice: Choice) -> TrajectoryAccuracy:
@@ -90,11 +90,11 @@ def read_sigmas(path: Path, choice: Choice) -> TrajectoryAccuracy:
     ------
     InputError
     """
-    states = _states(path)
+    states = _state_table(path)
     return TrajectoryAccuracy(states[:, 0], states[:, 10:13], states[:, 4:7])
 
 
-def _states(path: Path) -> Array:
+def _state_table(path: Path) -> Array:
     """Time, attitude, its sigmas, position, its sigmas; shape (n, 13), each time once.
 
     Raises
@@ -102,9 +102,9 @@ def _states(path: Path) -> Array:
     InputError
         Where they are not those of one trajectory.
     """
-    path = require_filled(path, "CIDCO")
-    with plainly(path, "CIDCO binary"):
-        records = np.concatenate(list(records_of(path, CHUNK)))
+    path = require_not_empty(path, "CIDCO")
+    with report_damage(path, "CIDCO binary"):
+        records = np.concatenate(list(record_chunks(path, CHUNK)))
     states = np.column_stack([records[:, 3], records[:, STATES]])
     states = states[np.argsort(states[:, 0], kind="stable")]
     repeated = np.diff(states[:, 0]) == 0
@@ -118,7 +118,7 @@ def _states(path: Path) -> Array:
     return np.ascontiguousarray(states)
 
 
-def _frame(choice: Choice) -> LocalFrame:
+def _origin_frame(choice: Choice) -> LocalFrame:
     text = choice.get("origin", ORIGIN.default) or ORIGIN.default
     try:
         latitude, longitude, height = (float(word) for word in text.replace(",", " ").split())
@@ -129,12 +129,12 @@ def _frame(choice: Choice) -> LocalFrame:
     return LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
 
 
-def _first(path: Path) -> tuple[tuple[str, ...], ...]:
-    records = next(records_of(path, PREVIEW))
-    return table(NAMES, tuple(records.T))
+def _preview_rows(path: Path) -> tuple[tuple[str, ...], ...]:
+    records = next(record_chunks(path, PREVIEW))
+    return preview_table(NAMES, tuple(records.T))
 
 
-def _facts(states: Array) -> dict[str, Fact]:
+def _state_facts(states: Array) -> dict[str, Fact]:
     low, high = states[:, 7:10].min(axis=0), states[:, 7:10].max(axis=0)
     facts: dict[str, Fact] = {"Records": note("fact.states", count=len(states))}
     facts |= span_facts(states[:, 0])
@@ -143,7 +143,7 @@ def _facts(states: Array) -> dict[str, Fact]:
     return facts
 
 
-def _doubts(path: Path, choice: Choice) -> tuple[Message, ...]:
+def _origin_warnings(path: Path, choice: Choice) -> tuple[Message, ...]:
     if choice.get("origin", ORIGIN.default) not in ("", ORIGIN.default):
         return ()
     return (warning("cidco.no_origin", file=printable(path.name)),)

@@ -8,42 +8,42 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.e57_scans import Scan, invalid_count, opened, scans_of, stored_points
-from lispac.io.points import (
-    CHUNK,
-    GEOREFERENCED,
-    PLACE,
-    PREVIEW,
-    base_doubts,
-    place_facts,
-    plainly,
-    require_filled,
-    scale_of,
-    sniffer,
-    table,
-    time_base,
-    usable_points,
-)
-from lispac.io.registry import (
+from lispac.io.e57_scans import Scan, find_scans, invalid_count, opened_e57, stored_points
+from lispac.io.first_points import check_first_points
+from lispac.io.format_types import (
     NOT,
     SAME_TIME_BASE,
     SURE,
     Choice,
     Fact,
-    Finding,
-    Format,
-    Option,
+    FileFormat,
+    FilePreview,
+    FormatOption,
     PointChunk,
 )
-from lispac.io.sight import sight
+from lispac.io.point_reading import (
+    CHUNK,
+    GEOREFERENCED,
+    PLACE,
+    PREVIEW,
+    coordinate_scale,
+    frame_facts,
+    head_sniffer,
+    preview_table,
+    report_damage,
+    require_not_empty,
+    time_base_message,
+    time_base_warnings,
+    usable_points,
+)
 from lispac.language import N_
 from lispac.messages import Level, Message, Value, error, note, warning
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 
 Array = NDArray[np.float64]
 
 START, ZERO = "start", "zero"
-TIME_FROM = Option(
+TIME_FROM = FormatOption(
     "time_from",
     N_("Time from which time stamps count: the start of their scan, as in the standard, or zero."),
     (START, ZERO), START,
@@ -51,13 +51,13 @@ TIME_FROM = Option(
 DAY = 86_400.0
 
 
-@sniffer
+@head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """E57 starts with its name."""
     return SURE if head[:8] == b"ASTM-E57" else NOT
 
 
-def look(path: Path, choice: Choice) -> Finding:
+def preview_file(path: Path, choice: Choice) -> FilePreview:
     """Read the metadata of the scans, and the first points.
 
     Raises
@@ -65,11 +65,11 @@ def look(path: Path, choice: Choice) -> Finding:
     InputError
         Where the file cannot be read or has no time stamps.
     """
-    path = require_filled(path, "E57")
-    with plainly(path, "E57"), opened(path) as image:
-        scans = scans_of(image, path)
-        system = _text(image.root(), "coordinateMetadata")
-        writer = _text(image.root(), "e57LibraryVersion")
+    path = require_not_empty(path, "E57")
+    with report_damage(path, "E57"), opened_e57(path) as image:
+        scans = find_scans(image, path)
+        system = _text_field(image.root(), "coordinateMetadata")
+        writer = _text_field(image.root(), "e57LibraryVersion")
         # A scan of which no point is valid is passed over, as where points are read.
         looked = (
             (scan, columns)
@@ -96,8 +96,8 @@ def look(path: Path, choice: Choice) -> Finding:
         doubts.append(warning("e57.poses", file=file))
     base = "gps-full" if {**found, **choice}["time_from"] == START else ""
     found["time_base"] = base
-    posed = usable_points(_chunk(stored, scan, {"frame": GEOREFERENCED, **found}, count))
-    seen = sight(posed.xyz, posed.time, file=file, crs=system)
+    posed = usable_points(_point_chunk(stored, scan, {"frame": GEOREFERENCED, **found}, count))
+    seen = check_first_points(posed.xyz, posed.time, file=file, crs=system)
     found["frame"] = seen.frame
     settled = E57.settled({**found, **choice})
     time = posed.time
@@ -105,8 +105,8 @@ def look(path: Path, choice: Choice) -> Finding:
         "format": "E57",
         "points": note("fact.points_in_scans", points=count, scans=len(scans)),
         "coordinate system": system[:200] or note("fact.none"),
-        **place_facts(settled),
-        "time base": time_base(time, settled["time_base"]),
+        **frame_facts(settled),
+        "time base": time_base_message(time, settled["time_base"]),
         **seen.facts,
         "fields": ", ".join(scan.fields),
         "written by": writer or note("fact.not_specified"),
@@ -117,13 +117,13 @@ def look(path: Path, choice: Choice) -> Finding:
         else (note("assumed.time_stamps_as_they_are"), SAME_TIME_BASE)
     )
     names = tuple(stored)
-    return Finding(
+    return FilePreview(
         facts,
-        table(names, tuple(stored.values())),
+        preview_table(names, tuple(stored.values())),
         {name: value for name, value in found.items() if value},
-        (*doubts, *seen.doubts, *base_doubts(time, base, file)),
+        (*doubts, *seen.doubts, *time_base_warnings(time, base, file)),
         assumptions,
-        _invalid_messages(path, invalid, count),
+        _invalid_point_messages(path, invalid, count),
     )
 
 
@@ -138,65 +138,65 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     InputError
         Where the file is missing, damaged, empty, or without time stamps.
     """
-    path = require_filled(path, "E57")
+    path = require_not_empty(path, "E57")
     settled = E57.settled(choice)
     done = 0
-    with plainly(path, "E57"), opened(path) as image:
-        scans = scans_of(image, path)
+    with report_damage(path, "E57"), opened_e57(path) as image:
+        scans = find_scans(image, path)
         total = sum(scan.count for scan in scans)
         if settled["time_from"] == START and not all(scan.start for scan in scans):
             raise InputError(error("e57.no_start", file=str(path)))
         for scan in scans:
             for stored in stored_points(image, scan, path, CHUNK, done):
                 done += len(stored["timeStamp"])
-                yield _chunk(stored, scan, settled, total)
+                yield _point_chunk(stored, scan, settled, total)
 
 
-def places(path: Path) -> Iterator[Array]:
-    """Coordinates alone, shape (n, 3), with the poses applied; valid points, timed or not.
+def read_coordinates(path: Path) -> Iterator[Array]:
+    """Coordinates of the valid points, shape (n, 3), with the poses of the scans applied.
 
     Raises
     ------
     InputError
         Where the file is missing, damaged or empty.
     """
-    path = require_filled(path, "E57")
-    with plainly(path, "E57"), opened(path) as image:
-        for scan in scans_of(image, path, timed=False):
+    path = require_not_empty(path, "E57")
+    with report_damage(path, "E57"), opened_e57(path) as image:
+        for scan in find_scans(image, path, timed=False):
             for stored in stored_points(image, scan, path, CHUNK, 0, timed=False):
                 xyz = np.stack([stored[axis] for axis in "xyz"], axis=1)
                 yield xyz @ scan.rotation.T + scan.translation
 
 
-def stated_of(path: Path) -> tuple[str, tuple[Message, ...]]:
-    """Coordinate system as the file states it, empty where it does not, and messages.
+def stated_crs(path: Path) -> tuple[str, tuple[Message, ...]]:
+    """Coordinate system stated in the file, empty if there is none, and messages.
 
     Raises
     ------
     InputError
     """
-    path = require_filled(path, "E57")
-    with plainly(path, "E57"), opened(path) as image:
-        scans = scans_of(image, path, timed=False)
+    path = require_not_empty(path, "E57")
+    with report_damage(path, "E57"), opened_e57(path) as image:
+        scans = find_scans(image, path, timed=False)
         invalid = sum(invalid_count(image, scan, timed=False) for scan in scans)
         total = sum(scan.count for scan in scans)
-        system = _text(image.root(), "coordinateMetadata")
-    return system, _invalid_messages(path, invalid, total)
+        system = _text_field(image.root(), "coordinateMetadata")
+    return system, _invalid_point_messages(path, invalid, total)
 
 
-def _invalid_messages(path: Path, count: int, total: int) -> tuple[Message, ...]:
+def _invalid_point_messages(path: Path, count: int, total: int) -> tuple[Message, ...]:
     params: dict[str, Value] = {"file": path.name, "count": count, "total": total}
     return (Message("file.invalid_points", Level.NOTE, params),) if count else ()
 
 
-def _chunk(
+def _point_chunk(
     stored: Mapping[str, NDArray[Any]], scan: Scan, settled: Choice, total: int
 ) -> PointChunk:
     xyz = np.stack([stored[axis] for axis in "xyz"], axis=1)
     if settled["frame"] == GEOREFERENCED:
         xyz = xyz @ scan.rotation.T + scan.translation
     else:
-        xyz = xyz * scale_of(settled)
+        xyz = xyz * coordinate_scale(settled)
     time = stored["timeStamp"].astype(np.float64)
     if settled["time_from"] == START:
         time = time + scan.start
@@ -205,8 +205,10 @@ def _chunk(
     return PointChunk(xyz, time, extra, total)
 
 
-def _text(root: Any, name: str) -> str:
+def _text_field(root: Any, name: str) -> str:
     return str(root[name].value()).strip() if root.isDefined(name) else ""
 
 
-E57 = Format(note("format.e57"), "e57", "points", (".e57",), (TIME_FROM, *PLACE), sniff, look, read)
+E57 = FileFormat(
+    note("format.e57"), "e57", "points", (".e57",), (TIME_FROM, *PLACE), sniff, preview_file, read
+)

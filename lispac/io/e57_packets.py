@@ -18,8 +18,8 @@ REGISTER = 64
 """Bits that packed integers are padded to at most."""
 
 
-def surplus(path: Path, points: list[Any]) -> Iterator[tuple[int, int]]:
-    """Counted and held number of records of each vector of points that holds more than it counts.
+def excess_records(path: Path, points: list[Any]) -> Iterator[tuple[int, int]]:
+    """Counted and actual number of records of each vector that holds more than it counts.
 
     Parameters
     ----------
@@ -27,11 +27,11 @@ def surplus(path: Path, points: list[Any]) -> Iterator[tuple[int, int]]:
         Those of all scans, in the order of the file.
     """
     with path.open("rb") as file:
-        offsets = _offsets(file)
+        offsets = _vector_offsets(file)
         if len(offsets) != len(points):
             return
         for node, offset in zip(points, offsets, strict=True):
-            counted, bits = int(node.childCount()), _bits(node)
+            counted, bits = int(node.childCount()), _field_bits(node)
             held = counted
             for total, width in zip(_stream_bytes(file, offset), bits, strict=False):
                 slack = 0 if width in (32, 64) else REGISTER
@@ -43,7 +43,7 @@ def surplus(path: Path, points: list[Any]) -> Iterator[tuple[int, int]]:
                 yield counted, held
 
 
-def _bits(node: Any) -> list[int]:
+def _field_bits(node: Any) -> list[int]:
     """Bits of one value of each field; 0 where they vary, as in text."""
     from pye57 import libe57
 
@@ -66,11 +66,11 @@ def _bits(node: Any) -> list[int]:
     return found
 
 
-def _offsets(file: IO[bytes]) -> list[int]:
+def _vector_offsets(file: IO[bytes]) -> list[int]:
     """Physical position of each vector of points, by the XML."""
     file.seek(24)
     start, length = struct.unpack("<QQ", file.read(16))
-    xml = _read(file, _logical(start), length)
+    xml = _read_logical(file, _logical_position(start), length)
     tags = re.findall(rb"<points\b[^>]*>", xml)
     found = [re.search(rb'fileOffset="(\d+)"', tag) for tag in tags]
     return [int(each[1]) for each in found if each]
@@ -78,31 +78,31 @@ def _offsets(file: IO[bytes]) -> list[int]:
 
 def _stream_bytes(file: IO[bytes], offset: int) -> list[int]:
     """Bytes of each field in all data packets of a vector that begins at a physical position."""
-    at = _logical(offset)
-    head = _read(file, at, 32)
+    at = _logical_position(offset)
+    head = _read_logical(file, at, 32)
     if len(head) < 32 or head[0] != DATA:
         return []
     length, first = struct.unpack_from("<QQ", head, 8)
-    end, at = at + length, _logical(first)
+    end, at = at + length, _logical_position(first)
     totals: list[int] = []
     while at + 4 <= end:
-        head = _read(file, at, 6)
+        head = _read_logical(file, at, 6)
         if len(head) < 6:
             break
         kind, _, size, streams = struct.unpack("<BBHH", head)
         if kind == DATA:
-            lengths = struct.unpack(f"<{streams}H", _read(file, at + 6, 2 * streams))
+            lengths = struct.unpack(f"<{streams}H", _read_logical(file, at + 6, 2 * streams))
             totals = [a + b for a, b in zip(totals or [0] * streams, lengths, strict=True)]
         at += size + 1
     return totals
 
 
-def _logical(physical: int) -> int:
+def _logical_position(physical: int) -> int:
     page, within = divmod(physical, PAGE)
     return page * PAYLOAD + within
 
 
-def _read(file: IO[bytes], logical: int, count: int) -> bytes:
+def _read_logical(file: IO[bytes], logical: int, count: int) -> bytes:
     """Bytes from a logical position, without the checksums between them."""
     page, within = divmod(logical, PAYLOAD)
     pages = -(-(within + count) // PAYLOAD)

@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.e57_packets import surplus
-from lispac.io.files import plain_name
-from lispac.io.points import CHUNK, require_points
+from lispac.io.e57_packets import excess_records
+from lispac.io.files import library_path
+from lispac.io.point_reading import CHUNK, require_usable_points
 from lispac.messages import error
 
 Array = NDArray[np.float64]
@@ -60,12 +60,12 @@ class Scan:
 
     @property
     def has_pose(self) -> bool:
-        """Whether the scan is turned or moved in the file."""
+        """True if the file rotates or translates the scan."""
         return bool((self.rotation != np.eye(3)).any() or self.translation.any())
 
 
 @contextmanager
-def opened(path: Path) -> Iterator[Any]:
+def opened_e57(path: Path) -> Iterator[Any]:
     """Open a file of a sound header.
 
     Raises
@@ -77,7 +77,7 @@ def opened(path: Path) -> Iterator[Any]:
         from pye57 import libe57
     except ImportError as failure:
         raise InputError(error("e57.not_supported", file=str(path))) from failure
-    with plain_name(path) as name:
+    with library_path(path) as name:
         image = libe57.ImageFile(str(name), "r")
         try:
             yield image
@@ -102,7 +102,7 @@ def _require_sound_header(path: Path) -> None:
         raise InputError(error("e57.size", file=str(path), header=length, size=size))
 
 
-def scans_of(image: Any, path: Path, *, timed: bool = True) -> list[Scan]:
+def find_scans(image: Any, path: Path, *, timed: bool = True) -> list[Scan]:
     """Scans that hold points.
 
     Parameters
@@ -115,9 +115,9 @@ def scans_of(image: Any, path: Path, *, timed: bool = True) -> list[Scan]:
     InputError
     """
     nodes = image.root()["data3D"]
-    for counted, held in surplus(path, [nodes[k]["points"] for k in range(len(nodes))]):
+    for counted, held in excess_records(path, [nodes[k]["points"] for k in range(len(nodes))]):
         raise InputError(error("e57.points_not_counted", file=str(path), header=counted, held=held))
-    scans = [_scan(nodes[k], path, timed) for k in range(len(nodes))]
+    scans = [_read_scan(nodes[k], path, timed) for k in range(len(nodes))]
     scans = [scan for scan in scans if scan.count]
     if not scans:
         raise InputError(error("file.no_points", file=str(path)))
@@ -127,7 +127,7 @@ def scans_of(image: Any, path: Path, *, timed: bool = True) -> list[Scan]:
     return scans
 
 
-def _scan(node: Any, path: Path, timed: bool) -> Scan:
+def _read_scan(node: Any, path: Path, timed: bool) -> Scan:
     from pye57 import libe57
 
     points = node["points"]
@@ -149,14 +149,14 @@ def _scan(node: Any, path: Path, timed: bool) -> Scan:
         fields["timeStamp"] = np.dtype(np.float32)
     if not any(set(axes) <= set(fields) for axes in (CARTESIAN, SPHERICAL)):
         raise InputError(error("e57.no_coordinates", file=str(path)))
-    rotation, translation = _pose(node, path)
+    rotation, translation = _scan_pose(node, path)
     start = 0.0
     if node.isDefined("acquisitionStart"):
         start = float(node["acquisitionStart"]["dateTimeValue"].value())
     return Scan(node, int(points.childCount()), fields, start, rotation, translation)
 
 
-def _pose(node: Any, path: Path) -> tuple[Array, Array]:
+def _scan_pose(node: Any, path: Path) -> tuple[Array, Array]:
     """Rotation matrix and translation from the scan to the file; a part left out is zero.
 
     Raises
@@ -202,22 +202,22 @@ def stored_points(
         Where the scan has fewer points than its header states.
     """
     done = 0
-    for some in _columns(image, scan, tuple(scan.fields), rows):
+    for some in _read_columns(image, scan, tuple(scan.fields), rows):
         done += len(next(iter(some.values())))
-        xyz, valid = _cartesian(some)
+        xyz, valid = _cartesian_coordinates(some)
         if timed:
             valid &= some.get(TIME_STATE, 0) == np.zeros(len(valid))
         some = {name: column[valid] for name, column in some.items() if name not in STATES}
         if not valid.any():
             continue
         if "timeStamp" in some:
-            require_points(xyz[valid], some["timeStamp"], path, before + done - len(valid))
+            require_usable_points(xyz[valid], some["timeStamp"], path, before + done - len(valid))
         yield dict(zip("xyz", xyz[valid].T, strict=True)) | some
     if done != scan.count:
         raise InputError(error("e57.points_missing", file=str(path), header=scan.count, held=done))
 
 
-def _columns(
+def _read_columns(
     image: Any, scan: Scan, names: tuple[str, ...], rows: int
 ) -> Iterator[dict[str, NDArray[Any]]]:
     """Fields of all points of a scan, some points at a time."""
@@ -249,7 +249,7 @@ def invalid_count(image: Any, scan: Scan, *, timed: bool = True) -> int:
     if not names:
         return 0
     count = 0
-    for some in _columns(image, scan, names, CHUNK):
+    for some in _read_columns(image, scan, names, CHUNK):
         cartesian, spherical = _valid_coordinates(some, set(scan.fields))
         valid = (cartesian | spherical) & (some.get(TIME_STATE, 0) == np.zeros(len(cartesian)))
         count += int((~valid).sum())
@@ -273,7 +273,7 @@ def _valid_coordinates(
     return cartesian, spherical
 
 
-def _cartesian(columns: dict[str, NDArray[Any]]) -> tuple[Array, NDArray[np.bool_]]:
+def _cartesian_coordinates(columns: dict[str, NDArray[Any]]) -> tuple[Array, NDArray[np.bool_]]:
     """Coordinates (n, 3), taken out of ``columns``, and flags (n,) of those that are valid."""
     cartesian, spherical = _valid_coordinates(columns, set(columns))
     xyz = np.zeros((len(cartesian), 3))

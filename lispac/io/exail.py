@@ -16,8 +16,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.registry import LIKELY, NOT, SURE, Choice, Fact, Finding
-from lispac.io.text_table import fields_of, first_lines, is_clock, lines_of
+from lispac.io.format_types import LIKELY, NOT, SURE, Choice, Fact, FilePreview
+from lispac.io.text_table import first_lines, is_clock, numbered_lines, split_fields
 from lispac.io.trajectory_columns import (
     GRID,
     HEIGHTS,
@@ -35,14 +35,14 @@ from lispac.io.trajectory_grid import UNSTATED
 from lispac.io.trajectory_preview import (
     TextLayout,
     has_sigmas,
-    look_at_accuracy,
-    look_at_text,
-    sign_assumed,
+    preview_accuracy,
+    preview_text,
+    sign_assumed_warning,
 )
 from lispac.io.trajectory_velocities import velocity_columns
-from lispac.io.units import direction_of, unit_of
+from lispac.io.units import direction_of, parse_unit
 from lispac.messages import Level, Message, error, note, warning
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 _MAKER = re.compile(r"delph|ixblue|ixsea|exail|\bapps\b", re.IGNORECASE)
@@ -56,11 +56,11 @@ _SIGNS = {
 
 
 def sniff_exail(path: Path) -> float:
-    """How sure it is that this is such an export: its comments name the maker and the columns."""
+    """Likelihood of such an export, by the maker and the columns named in its comments."""
     comments = [line for line in first_lines(path) if line.startswith("#")]
     if not comments:
         return NOT
-    names = _names(comments)
+    names = _column_names(comments)
     if len({role_of(name) for name in names} - {""}) < 5:
         return NOT
     if any(_MAKER.search(line) for line in comments):
@@ -71,7 +71,7 @@ def sniff_exail(path: Path) -> float:
 
 
 def sniff_exail_accuracy(path: Path) -> float:
-    """As `sniff_exail`, where all standard deviations are there."""
+    """Likelihood of such an export with all standard deviations."""
     sureness = sniff_exail(path)
     if not sureness:
         return NOT
@@ -88,17 +88,17 @@ def exail_layout(path: Path) -> TextLayout:
     """
     lines = first_lines(path)
     comments = [line for line in lines if line.startswith("#")]
-    names = _names(comments)
+    names = _column_names(comments)
     if not names:
         # Reading the first line detects a missing, empty or binary file.
-        next(lines_of(path, "Exail text"), None)
+        next(numbered_lines(path, "Exail text"), None)
         raise InputError(error("trajectory.exail_header", file=str(path)))
     described = {
         match[1].lower(): match[2] for line in comments if (match := _DESCRIPTION.match(line))
     }
     sample = next((line for line in lines if line.strip() and not line.startswith("#")), "")
     separator = "tab" if "\t" in sample else "auto"
-    fields = fields_of(sample, separator)
+    fields = split_fields(sample, separator)
     columns, doubts = [], []
     for index, name in enumerate(names):
         role = role_of(name)
@@ -107,7 +107,7 @@ def exail_layout(path: Path) -> TextLayout:
         words = described.get(name.lower(), "")
         if role == "sea_height" and "ellips" in words.lower():
             role = "height"
-        unit = "hemisphere" if role in HEMISPHERES else unit_of(words)
+        unit = "hemisphere" if role in HEMISPHERES else parse_unit(words)
         way = direction_of(f"{name} [{words}]") if role in POSITION else ""
         if (role, way) in (("longitude", "west"), ("latitude", "south")):
             unit = f"{unit or 'deg'}-{way}"
@@ -115,17 +115,17 @@ def exail_layout(path: Path) -> TextLayout:
             unit = "clock" if is_clock(fields[index]) else unit or "s"
         if not unit:
             unit = default_unit(role)
-            doubts.append(unstated(path, name, unit))
+            doubts.append(unit_assumed_warning(path, name, unit))
         columns.append(Column(role, index, name, unit))
     facts: dict[str, Fact] = {"Header": comments[0].lstrip("# ").strip() or note("fact.no_title")}
     signs = {
         column.role: sign
         for column in columns
-        if (sign := sign_in(described.get(column.name.lower(), "")))
+        if (sign := sign_in_description(described.get(column.name.lower(), "")))
     }
     for angle, sign in signs.items():
         facts[f"Sign of {angle}"] = SIGN_NAMES[sign]
-    units = [unit_of(described.get(name.lower(), "")) for name in names]
+    units = [parse_unit(described.get(name.lower(), "")) for name in names]
     return TextLayout(
         tuple(columns), names, separator, exail_rows, facts, tuple(doubts),
         velocity_columns(names, units), signs,
@@ -133,7 +133,7 @@ def exail_layout(path: Path) -> TextLayout:
 
 
 def default_unit(role: str) -> str:
-    """Assumed unit of a column whose header names none; an assumption is reported."""
+    """Unit that is assumed for a column without a unit in the header."""
     if role in ("time", "date"):
         return {"time": "s", "date": "date"}[role]
     if role in (*GRID, *HEIGHTS):
@@ -142,8 +142,8 @@ def default_unit(role: str) -> str:
     return "deg" if role.removesuffix("_sd") in angles else "m"
 
 
-def unstated(path: Path, name: str, unit: str) -> Message:
-    """The warning that a header states no unit for a column and ``unit`` is assumed."""
+def unit_assumed_warning(path: Path, name: str, unit: str) -> Message:
+    """Warning that a header states no unit for a column and that ``unit`` is assumed."""
     return Message(_ASSUMED[unit], Level.WARNING, {"file": printable(path.name), "column": name})
 
 
@@ -155,7 +155,7 @@ _ASSUMED = {
 """Code of the warning by the unit that is assumed (`default_unit`)."""
 
 
-def sign_in(words: str) -> str:
+def sign_in_description(words: str) -> str:
     """Sign that a description states (``positive bow down``), as an option; empty where none."""
     if "positive" not in words.lower() and "+" not in words:
         return ""
@@ -165,23 +165,23 @@ def sign_in(words: str) -> str:
 def exail_rows(path: Path) -> Rows:
     """Rows of data, split."""
     separator = ""
-    for row, line in lines_of(path, "Exail text"):
+    for row, line in numbered_lines(path, "Exail text"):
         if not line.strip() or line.startswith("#"):
             continue
         separator = separator or ("tab" if "\t" in line else "auto")
-        yield row, fields_of(line, separator)
+        yield row, split_fields(line, separator)
 
 
-def look_exail(path: Path, choice: Choice) -> Finding:
+def preview_exail(path: Path, choice: Choice) -> FilePreview:
     """Header, first rows, detected options and warnings."""
     path = Path(path)
     layout = exail_layout(path)
-    found = _detected(layout) | dict(choice)
-    finding = look_at_text(path, layout, _conventions(layout, found), found)
+    found = _detect_options(layout) | dict(choice)
+    finding = preview_text(path, layout, _conventions(layout, found), found)
     doubts = list(finding.doubts)
     for angle in ("roll", "pitch"):
         if angle not in layout.signs and angle not in choice:
-            doubts.append(sign_assumed(path, angle, found[angle]))
+            doubts.append(sign_assumed_warning(path, angle, found[angle]))
     if any(column.unit == "clock" for column in layout.columns) and "time" not in choice:
         doubts.append(warning("times.utc_assumed", file=printable(path.name)))
     return replace(finding, choice=found, doubts=tuple(doubts))
@@ -196,18 +196,20 @@ def read_exail(path: Path, choice: Choice) -> Trajectory:
     """
     path = Path(path)
     layout = exail_layout(path)
-    conventions = _conventions(layout, _detected(layout) | dict(choice))
+    conventions = _conventions(layout, _detect_options(layout) | dict(choice))
     header = note("assumed.header_columns", format=note("format.exail"))
     return trajectory_of(
         path, exail_rows(path), layout.columns, conventions, (header, *layout.doubts)
     )
 
 
-def look_exail_accuracy(path: Path, choice: Choice) -> Finding:
+def preview_exail_accuracy(path: Path, choice: Choice) -> FilePreview:
     """Size of the standard deviations."""
     path = Path(path)
     layout = exail_layout(path)
-    return look_at_accuracy(path, layout, _conventions(layout, _detected(layout) | dict(choice)))
+    return preview_accuracy(
+        path, layout, _conventions(layout, _detect_options(layout) | dict(choice))
+    )
 
 
 def read_exail_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
@@ -219,20 +221,20 @@ def read_exail_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
     """
     path = Path(path)
     layout = exail_layout(path)
-    conventions = _conventions(layout, _detected(layout) | dict(choice))
+    conventions = _conventions(layout, _detect_options(layout) | dict(choice))
     return accuracy_of(path, exail_rows(path), layout.columns, conventions)
 
 
-def _names(comments: list[str]) -> tuple[str, ...]:
+def _column_names(comments: list[str]) -> tuple[str, ...]:
     """Names in the last comment line that has at least three that mean something."""
     for line in reversed(comments):
-        names = fields_of(line.lstrip("# \t"), "tab" if "\t" in line.strip() else "auto")
+        names = split_fields(line.lstrip("# \t"), "tab" if "\t" in line.strip() else "auto")
         if sum(bool(role_of(name)) for name in names) >= 3:
             return tuple(names)
     return ()
 
 
-def _detected(layout: TextLayout) -> dict[str, str]:
+def _detect_options(layout: TextLayout) -> dict[str, str]:
     roles = {column.role: column for column in layout.columns}
     time = "gps-week"
     if "date" in roles:

@@ -1,4 +1,4 @@
-"""Opening files with plain errors, and writing them so that a crash leaves no half."""
+"""Opening files with plain errors, and writing them so that a crash leaves no partial file."""
 
 import errno
 import math
@@ -17,12 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, LispacError, system_reason
-from lispac.foreign_values import LARGEST_QUANTITY
-from lispac.io.packed import require_unpacked
+from lispac.io.compressed_files import require_uncompressed
 from lispac.locks import is_locked, try_lock
 from lispac.messages import Message, error, note
-from lispac.survey.source import printable
-from lispac.survey.time_quality import time_quality
+from lispac.survey.line_source import printable
+from lispac.survey.time_quality import assess_times
+from lispac.untrusted_values import LARGEST_QUANTITY
 
 KINDS: Mapping[str, Message] = {
     "line": note("file.kind_line"),
@@ -52,8 +52,8 @@ KINDS: Mapping[str, Message] = {
 """Kinds of files with a name to be translated; the others are names of formats."""
 
 
-def kind_of_file(what: str) -> Message | str:
-    """What a file is, as the parameter ``kind`` of a message: ``line``, ``SBET``."""
+def file_kind_message(what: str) -> Message | str:
+    """Kind of a file, as the parameter ``kind`` of a message: ``line``, ``SBET``."""
     return KINDS.get(what, what)
 
 
@@ -66,7 +66,7 @@ def require_file(path: Path, what: str) -> Path:
     ------
     InputError
     """
-    path, kind = Path(path), kind_of_file(what)
+    path, kind = Path(path), file_kind_message(what)
     try:
         there = path.exists()
     except PermissionError as failure:  # of a folder on the way
@@ -76,19 +76,19 @@ def require_file(path: Path, what: str) -> Path:
     if not there:
         raise InputError(error("file.not_found", file=str(path), kind=kind))
     if not path.is_file():
-        raise InputError(_not_a_file(path, kind))
+        raise InputError(_not_a_file_message(path, kind))
     if not os.access(path, os.R_OK):
         raise InputError(error("file.no_permission", file=str(path), kind=kind))
     try:
-        require_unpacked(path, text=True)
+        require_uncompressed(path, text=True)
     except OSError as failure:
         reason = failure.strerror or str(failure)
         raise InputError(error("file.not_readable", file=str(path), reason=reason)) from failure
     return path
 
 
-def _not_a_file(path: Path, kind: Message | str) -> Message:
-    """What a path is instead of a file."""
+def _not_a_file_message(path: Path, kind: Message | str) -> Message:
+    """Message that a path is a folder or another thing instead of a file."""
     if path.is_fifo():
         return error("file.pipe", file=str(path), kind=kind)
     if path.is_socket():
@@ -101,8 +101,8 @@ def _not_a_file(path: Path, kind: Message | str) -> Message:
 
 
 @contextmanager
-def plain_name(path: Path, ending: str = "") -> Iterator[Path]:
-    """Yield a name of a file for libraries that need UTF-8, or an ending, in names of files.
+def library_path(path: Path, ending: str = "") -> Iterator[Path]:
+    """Yield a path with a UTF-8 name or a given ending, for libraries that require it.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def plain_name(path: Path, ending: str = "") -> Iterator[Path]:
 def read_records(
     path: Path, columns: int, what: str, *, byte_order: str = "<"
 ) -> NDArray[np.float64]:
-    """Read a file of float64 records, little-endian (``<``) by default, or big-endian (``>``).
+    """Read a file of float64 records, little-endian (``<``) by default or big-endian (``>``).
 
     Returns
     -------
@@ -141,7 +141,7 @@ def read_records(
         Where the file is missing, empty, cut short or holds values that are not numbers.
     """
     require_file(path, what)
-    size, record, kind = path.stat().st_size, 8 * columns, kind_of_file(what)
+    size, record, kind = path.stat().st_size, 8 * columns, file_kind_message(what)
     if size == 0:
         raise InputError(error("file.empty", file=str(path), kind=kind))
     if size % record:
@@ -187,10 +187,10 @@ def require_increasing(
     ------
     InputError
     """
-    quality = time_quality(time)
+    quality = assess_times(time)
     if quality.first_disorder is None:
         return
-    k, file, kind = quality.first_disorder, str(path), kind_of_file(what)
+    k, file, kind = quality.first_disorder, str(path), file_kind_message(what)
     row = None if numbers is None else int(numbers[k])
     if quality.resolution is not None:
         step = quality.resolution
@@ -216,8 +216,8 @@ def require_increasing(
     )  # fmt: skip
 
 
-def message_about(failure: LispacError, path: Path) -> Message:
-    """The message of an error about a file, with the name of the file instead of its path."""
+def message_with_file_name(failure: LispacError, path: Path) -> Message:
+    """Message of an error about a file, with the name of the file instead of its path."""
     name = printable(path.name)
     message = failure.message
     if message is None:
@@ -232,7 +232,7 @@ TEMPORARY = ".part"
 
 
 @contextmanager
-def written_whole(path: Path) -> Iterator[Path]:
+def atomic_write(path: Path) -> Iterator[Path]:
     """Yield a temporary name beside ``path`` and rename it to ``path`` when all went well.
 
     Where it did not, neither the file nor a folder made for it is left.
@@ -249,16 +249,16 @@ def written_whole(path: Path) -> Iterator[Path]:
         if path.exists() and not path.is_file():
             code = "file.is_folder" if path.is_dir() else "file.is_device"
             raise InputError(error(code, file=str(path)))
-        remove_abandoned(path)
+        remove_abandoned_files(path)
         path.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(
             prefix=f".{path.stem}-", suffix=f"{TEMPORARY}{path.suffix}", dir=path.parent
         )
     except ValueError as failure:
-        raise bad_name(path) from failure
+        raise bad_name_error(path) from failure
     except OSError as failure:
-        remove_empty(made)
-        raise not_written(path, failure) from failure
+        remove_empty_folders(made)
+        raise write_error(path, failure) from failure
     temporary = Path(name)
     # The lock shows others that somebody writes it. Windows renames no file that is open.
     if sys.platform == "win32" or not try_lock(handle):
@@ -272,12 +272,12 @@ def written_whole(path: Path) -> Iterator[Path]:
         temporary.chmod(0o666 & ~mask)
         temporary.replace(path)
     except OSError as failure:
-        raise not_written(path, failure) from failure
+        raise write_error(path, failure) from failure
     finally:
         temporary.unlink(missing_ok=True)
         if handle >= 0:
             os.close(handle)
-        remove_empty(made)
+        remove_empty_folders(made)
 
 
 ABANDONED_AFTER, LOCKED_AFTER = 60.0, 0.1
@@ -285,8 +285,8 @@ ABANDONED_AFTER, LOCKED_AFTER = 60.0, 0.1
 writes it has locked it, on systems where this is done."""
 
 
-def remove_abandoned(path: Path) -> None:
-    """Remove what `written_whole` left beside ``path`` where it was killed."""
+def remove_abandoned_files(path: Path) -> None:
+    """Remove the temporary files that interrupted writing left beside ``path``."""
     named = re.compile(
         rf"\.{re.escape(path.stem)}-[a-z0-9_]{{8}}{TEMPORARY}{re.escape(path.suffix)}"
     )
@@ -295,24 +295,24 @@ def remove_abandoned(path: Path) -> None:
             found = [entry for entry in entries if named.fullmatch(entry.name)]
         for entry in found:
             age = time.time() - entry.stat(follow_symlinks=False).st_mtime
-            if entry.is_file(follow_symlinks=False) and age > _patience(Path(entry.path)):
+            if entry.is_file(follow_symlinks=False) and age > _abandonment_delay(Path(entry.path)):
                 os.unlink(entry.path)
     except OSError:
         return  # a folder that may be read only, or somebody else was faster
 
 
-def _patience(path: Path) -> float:
+def _abandonment_delay(path: Path) -> float:
     """Seconds that a temporary file may stand unchanged before it counts as abandoned."""
     locked = None if sys.platform == "win32" else is_locked(path)
     return {True: math.inf, False: LOCKED_AFTER, None: ABANDONED_AFTER}[locked]
 
 
-def bad_name(path: Path) -> InputError:
+def bad_name_error(path: Path) -> InputError:
     """Make the error of a name with a null character or half of a pair of characters."""
     return InputError(error("file.bad_name", file=repr(str(path))))
 
 
-def not_written(path: Path, failure: OSError) -> InputError:
+def write_error(path: Path, failure: OSError) -> InputError:
     """Make the error of a file that cannot be written."""
     reason = system_reason(failure)
     if failure.errno in (errno.ENOSPC, errno.EDQUOT):
@@ -320,7 +320,7 @@ def not_written(path: Path, failure: OSError) -> InputError:
     return InputError(error("file.not_writable", file=str(path), reason=reason))
 
 
-def remove_empty(folders: list[Path]) -> None:
+def remove_empty_folders(folders: list[Path]) -> None:
     """Remove folders, the innermost first, up to one that holds something."""
     for folder in folders:
         try:

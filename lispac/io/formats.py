@@ -1,10 +1,10 @@
-"""The list of formats; nothing else knows which there are."""
+"""The list of all formats of files."""
 
 from pathlib import Path
 
 from lispac.errors import InputError
+from lispac.io.format_types import NOT, FileFormat, Kind
 from lispac.io.point_formats import POINTS
-from lispac.io.registry import NOT, Format, Kind
 from lispac.io.trajectory_formats import (
     ASCII,
     CIDCO_ACCURACY,
@@ -18,8 +18,8 @@ from lispac.io.trajectory_formats import (
 )
 from lispac.messages import error
 
-TRAJECTORIES: tuple[Format, ...] = (SBET, EXAIL, POSPAC, ASCII, CIDCO_STATES)
-ACCURACIES: tuple[Format, ...] = (SMRMSG, EXAIL_ACCURACY, POSPAC_ACCURACY, CIDCO_ACCURACY)
+TRAJECTORIES: tuple[FileFormat, ...] = (SBET, EXAIL, POSPAC, ASCII, CIDCO_STATES)
+ACCURACIES: tuple[FileFormat, ...] = (SMRMSG, EXAIL_ACCURACY, POSPAC_ACCURACY, CIDCO_ACCURACY)
 
 __all__ = [
     "ACCURACIES",
@@ -27,18 +27,18 @@ __all__ = [
     "TRAJECTORIES",
     "format_of",
     "formats_of",
+    "has_suggested_time_base",
     "is_las",
-    "recognised",
-    "suggests_time",
+    "recognise_formats",
 ]
 
 
-def formats_of(kind: Kind) -> tuple[Format, ...]:
+def formats_of(kind: Kind) -> tuple[FileFormat, ...]:
     """All formats of a kind, the more usual first."""
     return {"trajectory": TRAJECTORIES, "accuracy": ACCURACIES, "points": POINTS}[kind]
 
 
-def format_of(key: str) -> Format:
+def format_of(key: str) -> FileFormat:
     """The format of that key.
 
     Raises
@@ -51,8 +51,8 @@ def format_of(key: str) -> Format:
     return known[key]
 
 
-def suggests_time(format: Format) -> bool:
-    """Whether files of a format do not specify their time base, so that the values suggest it.
+def has_suggested_time_base(format: FileFormat) -> bool:
+    """True if files of a format do not state their time base, so that the values suggest it.
 
     Exail's exports have dates, or are UTC; LAS and other files of points say it where they can.
     """
@@ -60,17 +60,17 @@ def suggests_time(format: Format) -> bool:
 
 
 def is_las(path: Path) -> bool:
-    """Whether a line whose format is not given is LAS or LAZ, and not text.
+    """True if a line without a stated format is LAS or LAZ and not text.
 
     By its content; by its ending where the file is missing or no format knows it.
     """
     path, las = Path(path), format_of("las")
     if las.sniff(path) > NOT:
         return True
-    return path.suffix.lower() in las.endings and not recognised(path, "points")
+    return path.suffix.lower() in las.endings and not recognise_formats(path, "points")
 
 
-def recognised(path: Path, kind: Kind) -> list[tuple[Format, float]]:
+def recognise_formats(path: Path, kind: Kind) -> list[tuple[FileFormat, float]]:
     """Formats that a file may be in and how sure that is, the surest first.
 
     Among equally sure ones those come first whose files end so, then the more usual ones.

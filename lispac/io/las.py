@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.files import written_whole
+from lispac.io.files import atomic_write
 from lispac.io.las_chunks import read
 from lispac.messages import error, note
 from lispac.survey.scan import Scan
@@ -81,5 +81,5 @@ def write_points(
     las.number_of_returns[:] = 1
     if intensity is not None:
         las.intensity = intensity.astype(np.uint16)
-    with written_whole(path) as temporary:
+    with atomic_write(path) as temporary:
         las.write(temporary)

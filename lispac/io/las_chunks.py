@@ -10,43 +10,43 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.cloud_record import CloudRecord
-from lispac.io.las_crs import StatedSystem, stated_system
-from lispac.io.las_crs_written import is_in_local_frame
-from lispac.io.las_guard import require_sound_header
-from lispac.io.points import (
-    CHUNK,
-    GEOREFERENCED,
-    PLACE,
-    PREVIEW,
-    USE_FEET,
-    base_doubts,
-    place_facts,
-    plainly,
-    require_filled,
-    require_points,
-    scale_of,
-    sniffer,
-    table,
-    time_base,
-    usable_numbers,
-)
-from lispac.io.registry import (
+from lispac.io.first_points import check_first_points
+from lispac.io.format_types import (
     NOT,
     SAME_TIME_BASE,
     SURE,
     Choice,
     Fact,
-    Finding,
-    Format,
+    FileFormat,
+    FilePreview,
     PointChunk,
 )
-from lispac.io.sight import sight
+from lispac.io.las_crs import HeaderCrs, read_header_crs
+from lispac.io.las_crs_writer import is_in_local_frame
+from lispac.io.las_header_check import require_sound_header
+from lispac.io.mounting_record import MountingRecord
+from lispac.io.point_reading import (
+    CHUNK,
+    GEOREFERENCED,
+    PLACE,
+    PREVIEW,
+    USE_FEET,
+    coordinate_scale,
+    frame_facts,
+    head_sniffer,
+    preview_table,
+    report_damage,
+    require_not_empty,
+    require_usable_points,
+    time_base_message,
+    time_base_warnings,
+    usable_mask,
+)
 from lispac.messages import Message, error, note, warning
-from lispac.survey.crs import local_text
-from lispac.survey.kernels import scaled
-from lispac.survey.screening import LARGEST
-from lispac.survey.source import printable
+from lispac.survey.crs import local_frame_text
+from lispac.survey.kernels import coordinates_from_integers
+from lispac.survey.line_source import printable
+from lispac.survey.point_screening import LARGEST
 
 LARGEST_CHUNK = 1 << 28
 """Bytes of point records read at once, whatever size a header claims for one."""
@@ -59,7 +59,7 @@ SHOWN = ("X", "Y", "Z", "gps_time", "intensity", "return_number", "classificatio
 
 
 class PackedColumns(Mapping[str, NDArray[Any]]):
-    """Attributes of LAS points, unpacked when asked for; as a mapping of name to array.
+    """Attributes of LAS points as a mapping of name to array, unpacked on access.
 
     A record holds several attributes in one byte and extra bytes as scaled whole numbers: who
     copies points to another LAS file takes ``record``, and nothing is unpacked or rounded.
@@ -92,13 +92,13 @@ class PackedColumns(Mapping[str, NDArray[Any]]):
         return len(self._known)
 
 
-@sniffer
+@head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """LAS and LAZ start with LASF."""
     return SURE if head[:4] == b"LASF" else NOT
 
 
-def look(path: Path, choice: Choice) -> Finding:
+def preview_file(path: Path, choice: Choice) -> FilePreview:
     """Read the header and the first points.
 
     Raises
@@ -106,16 +106,16 @@ def look(path: Path, choice: Choice) -> Finding:
     InputError
         Where the file cannot be read or has no time.
     """
-    path = require_filled(path, "LAS")
+    path = require_not_empty(path, "LAS")
     file = printable(path.name)
-    with plainly(path, "LAS or LAZ"), opened(path) as reader:
+    with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
         header = reader.header
-        record = CloudRecord.of(header)
+        record = MountingRecord.of(header)
         frame = None if record is None else record.frame
         if is_in_local_frame(header) and frame is None and "frame" not in choice:
             raise InputError(error("las.local_frame", file=str(path)))
-        stated = stated_system(header, file)
-        points = reader.read_points(min(PREVIEW, _rows_at_once(header)))
+        stated = read_header_crs(header, file)
+        points = reader.read_points(min(PREVIEW, _chunk_size(header)))
         xyz = np.stack([points.x, points.y, points.z], axis=1)
         time = np.asarray(points.gps_time)
         names = [name for name in header.point_format.dimension_names if name in SHOWN]
@@ -123,8 +123,8 @@ def look(path: Path, choice: Choice) -> Finding:
             xyz[:, "XYZ".index(name)] if name in "XYZ" else np.asarray(points[name])
             for name in names
         ]
-    require_points(xyz, time, path)
-    good = usable_numbers(xyz, time)
+    require_usable_points(xyz, time, path)
+    good = usable_mask(xyz, time)
     xyz, time = xyz[good], time[good]
     low, high = np.asarray(header.mins), np.asarray(header.maxs)
     bounded = bool((np.abs([low, high]) <= LARGEST).all()) and bool(
@@ -132,13 +132,13 @@ def look(path: Path, choice: Choice) -> Finding:
     )
     if not bounded:
         low, high = xyz.min(axis=0), xyz.max(axis=0)
-    seen = sight(xyz, time, file=file, crs=stated.text, low=low, high=high)
+    seen = check_first_points(xyz, time, file=file, crs=stated.text, low=low, high=high)
     if frame is not None:  # what is unusual for a map is usual there
         seen = replace(seen, frame=GEOREFERENCED, doubts=())
     base = _time_base(header)
     found = {
         "frame": seen.frame,
-        "crs": stated.text if frame is None else local_text(frame),
+        "crs": stated.text if frame is None else local_frame_text(frame),
         "height_unit": stated.height_unit,
         "time_base": base,
     }
@@ -151,22 +151,22 @@ def look(path: Path, choice: Choice) -> Finding:
         ),
         "points": int(header.point_count),
         "coordinate system": stated.name or note("fact.none"),
-        **place_facts(settled),
+        **frame_facts(settled),
         "resolution": ", ".join(f"{scale:g}" for scale in header.scales),
-        "time base": time_base(time, settled["time_base"]),
+        "time base": time_base_message(time, settled["time_base"]),
         **seen.facts,
         "attributes": ", ".join(header.point_format.dimension_names),
-        "written by": _text(header.generating_software) or note("fact.not_specified"),
+        "written by": _decode_text(header.generating_software) or note("fact.not_specified"),
     }  # fmt: skip
-    return Finding(
+    return FilePreview(
         facts,
-        table(names, values),
+        preview_table(names, values),
         {name: value for name, value in found.items() if value},
         (
             *stated.doubts,
             *seen.doubts,
-            *(() if choice.get("time_base") else base_doubts(time, base, file)),
-            *_header_doubts(header, stated.text, xyz, file),
+            *(() if choice.get("time_base") else time_base_warnings(time, base, file)),
+            *_header_warnings(header, stated.text, xyz, file),
         ),
         (SAME_TIME_BASE, *_waveform_notes(header)),
         (
@@ -185,11 +185,11 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     InputError
         Where the file is missing, damaged, cut short, empty, or without time.
     """
-    return read_from(path, choice, 0)
+    return read_from_point(path, choice, 0)
 
 
-def read_from(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
-    """As `read`, from the point with that index on.
+def read_from_point(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
+    """Read in chunks from the point with the index ``first`` on.
 
     LAZ is decoded from the beginning of the chunk of 50,000 points or so that the point is in.
 
@@ -197,9 +197,9 @@ def read_from(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
     ------
     InputError
     """
-    scale = scale_of(LAS.settled(choice))
-    path = require_filled(path, "LAS")
-    with plainly(path, "LAS or LAZ"), opened(path) as reader:
+    scale = coordinate_scale(LAS.settled(choice))
+    path = require_not_empty(path, "LAS")
+    with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
         header = reader.header
         others = [
             name for name in header.point_format.dimension_names
@@ -208,12 +208,14 @@ def read_from(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
         done = min(first, header.point_count)
         if 0 < done < header.point_count:
             reader.seek(done)
-        for points in _chunks(reader, path) if done < header.point_count else ():
+        for points in _record_chunks(reader, path) if done < header.point_count else ():
             xyz = np.empty((len(points), 3))
             steps = (points.array[axis] for axis in "XYZ")
-            scaled(*steps, np.asarray(header.scales), np.asarray(header.offsets), xyz)
+            coordinates_from_integers(
+                *steps, np.asarray(header.scales), np.asarray(header.offsets), xyz
+            )
             time = np.array(points.gps_time)
-            require_points(xyz, time, path, done)
+            require_usable_points(xyz, time, path, done)
             done += len(time)
             extra = PackedColumns(points, others)
             yield PointChunk(xyz * scale if scale != 1 else xyz, time, extra, header.point_count)
@@ -223,30 +225,30 @@ def read_from(path: Path, choice: Choice, first: int) -> Iterator[PointChunk]:
             )
 
 
-def places(path: Path) -> Iterator[NDArray[np.float64]]:
-    """Coordinates alone, shape (n, 3), as the file has them, of any point format.
+def read_coordinates(path: Path) -> Iterator[NDArray[np.float64]]:
+    """Coordinates, shape (n, 3), as the file has them, of any point format.
 
     Raises
     ------
     InputError
         Where the file is missing, damaged or empty.
     """
-    path = require_filled(path, "LAS")
-    with plainly(path, "LAS or LAZ"), opened(path, timed=False) as reader:
-        for points in _chunks(reader, path):
+    path = require_not_empty(path, "LAS")
+    with report_damage(path, "LAS or LAZ"), opened_las(path, timed=False) as reader:
+        for points in _record_chunks(reader, path):
             yield np.stack([points.x, points.y, points.z], axis=1)
 
 
-def stated_of(path: Path) -> StatedSystem:
-    """Coordinate system as the header states it, with messages about the header.
+def stated_crs(path: Path) -> HeaderCrs:
+    """Coordinate system stated in the header, with messages about the header.
 
     Raises
     ------
     InputError
     """
-    path = require_filled(path, "LAS")
-    with plainly(path, "LAS or LAZ"), opened(path, timed=False) as reader:
-        stated = stated_system(reader.header, path.name)
+    path = require_not_empty(path, "LAS")
+    with report_damage(path, "LAS or LAZ"), opened_las(path, timed=False) as reader:
+        stated = read_header_crs(reader.header, path.name)
     counts = require_sound_header(path).messages(path)
     return replace(stated, messages=(*stated.messages, *counts))
 
@@ -258,11 +260,11 @@ def point_count(path: Path) -> int:
     ------
     InputError
     """
-    with plainly(path, "LAS or LAZ"), opened(path) as reader:
+    with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
         return int(reader.header.point_count)
 
 
-def opened(path: Path, *, timed: bool = True) -> laspy.LasReader:
+def opened_las(path: Path, *, timed: bool = True) -> laspy.LasReader:
     """Open a file to read all points that it holds, whatever its header counts.
 
     Parameters
@@ -287,9 +289,9 @@ def opened(path: Path, *, timed: bool = True) -> laspy.LasReader:
     return reader
 
 
-def _chunks(reader: laspy.LasReader, path: Path) -> Iterator[laspy.ScaleAwarePointRecord]:
-    """Points in chunks; a file that is truncated meanwhile is refused."""
-    chunks = reader.chunk_iterator(_rows_at_once(reader.header))
+def _record_chunks(reader: laspy.LasReader, path: Path) -> Iterator[laspy.ScaleAwarePointRecord]:
+    """Points in chunks; raises an error if the file is truncated while it is read."""
+    chunks = reader.chunk_iterator(_chunk_size(reader.header))
     while True:
         try:
             points = next(chunks, None)
@@ -302,7 +304,7 @@ def _chunks(reader: laspy.LasReader, path: Path) -> Iterator[laspy.ScaleAwarePoi
         yield points
 
 
-def _rows_at_once(header: laspy.LasHeader) -> int:
+def _chunk_size(header: laspy.LasHeader) -> int:
     return max(1, min(CHUNK, LARGEST_CHUNK // header.point_format.size))
 
 
@@ -319,7 +321,7 @@ def _waveform_notes(header: laspy.LasHeader) -> Iterator[Message]:
             yield note("assumed.waveforms_mixed_up")
 
 
-def _header_doubts(
+def _header_warnings(
     header: laspy.LasHeader, crs: str, xyz: np.ndarray, file: str
 ) -> Iterator[Message]:
     """Warnings about scales that are too coarse or made from feet."""
@@ -338,11 +340,19 @@ def _header_doubts(
             )  # fmt: skip
 
 
-def _text(value: str | bytes) -> str:
+def _decode_text(value: str | bytes) -> str:
     text = value.decode("ascii", "replace") if isinstance(value, bytes) else value
     return text.strip("\0 ")
 
 
-LAS = Format(
-    note("format.las"), "las", "points", (".las", ".laz"), PLACE, sniff, look, read, read_from
+LAS = FileFormat(
+    note("format.las"),
+    "las",
+    "points",
+    (".las", ".laz"),
+    PLACE,
+    sniff,
+    preview_file,
+    read,
+    read_from_point,
 )

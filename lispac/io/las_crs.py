@@ -15,7 +15,7 @@ from laspy.vlrs.known import GeoAsciiParamsVlr, GeoKeyDirectoryVlr, WktCoordinat
 from pyproj import CRS
 from pyproj.exceptions import CRSError
 
-from lispac.io.points import CHOOSE_SYSTEM
+from lispac.io.point_reading import CHOOSE_SYSTEM
 from lispac.messages import Action, Level, Message, warning
 
 CHECK_SYSTEM = Action("check_system", {"name": "crs"})
@@ -31,8 +31,8 @@ UTM = (16000, 16100)
 
 
 @dataclass(frozen=True)
-class StatedSystem:
-    """Coordinate system in a header.
+class HeaderCrs:
+    """Coordinate system stated in a LAS header.
 
     Attributes
     ----------
@@ -54,11 +54,11 @@ class StatedSystem:
 
     @property
     def label(self) -> str:
-        """Name, with the code where there is one."""
+        """Name of the system, with its code if it has one."""
         return f"{self.name} ({self.text})" if self.text.startswith("EPSG:") else self.name
 
 
-def stated_system(header: LasHeader, file: str = "") -> StatedSystem:
+def read_header_crs(header: LasHeader, file: str = "") -> HeaderCrs:
     """Read the coordinate system of a LAS header.
 
     Parameters
@@ -73,16 +73,16 @@ def stated_system(header: LasHeader, file: str = "") -> StatedSystem:
         warnings.simplefilter("ignore")  # PROJ's remarks on old WKT
         for record in records:
             if isinstance(record, WktCoordinateSystemVlr) and record.string.strip("\0 \n"):
-                by_wkt = by_wkt or _of_wkt(record.string.strip("\0 \n"), file)
+                by_wkt = by_wkt or _crs_from_wkt(record.string.strip("\0 \n"), file)
             elif isinstance(record, GeoKeyDirectoryVlr) and record.geo_keys:
-                by_keys = by_keys or _of_keys(*_keys(record, records), file)
+                by_keys = by_keys or _crs_from_keys(*_geotiff_keys(record, records), file)
         if by_wkt is None or by_keys is None:
-            return by_wkt or by_keys or StatedSystem()
+            return by_wkt or by_keys or HeaderCrs()
         pair = (by_wkt, by_keys) if header.global_encoding.wkt else (by_keys, by_wkt)
-        return _reconciled(*pair, file)
+        return _reconcile_systems(*pair, file)
 
 
-def _reconciled(used: StatedSystem, other: StatedSystem, file: str) -> StatedSystem:
+def _reconcile_systems(used: HeaderCrs, other: HeaderCrs, file: str) -> HeaderCrs:
     """The system that applies, with a warning where the other one contradicts it.
 
     The other one counts where the first is not usable, or is the same without heights.
@@ -92,8 +92,8 @@ def _reconciled(used: StatedSystem, other: StatedSystem, file: str) -> StatedSys
     if not used.text:
         note = Message("file.unusable_system", Level.NOTE, {"file": file, "system": other.label})
         return replace(other, messages=(note,))
-    place, heights = _parts(used.text)
-    other_place, other_heights = _parts(other.text)
+    place, heights = _horizontal_and_vertical(used.text)
+    other_place, other_heights = _horizontal_and_vertical(other.text)
     if place.equals(other_place, ignore_axis_order=True):
         if heights is None and other_heights is not None:
             return other
@@ -107,7 +107,7 @@ def _reconciled(used: StatedSystem, other: StatedSystem, file: str) -> StatedSys
     return replace(used, messages=(conflict,))
 
 
-def _parts(text: str) -> tuple[CRS, CRS | None]:
+def _horizontal_and_vertical(text: str) -> tuple[CRS, CRS | None]:
     """Horizontal system, or all of an earth-centred one, and that of heights."""
     crs = CRS.from_user_input(text)
     crs = crs.source_crs if crs.is_bound and crs.source_crs is not None else crs
@@ -118,17 +118,15 @@ def _parts(text: str) -> tuple[CRS, CRS | None]:
     return place.to_2d(), parts[1] if len(parts) > 1 else None
 
 
-def _of_wkt(wkt: str, file: str) -> StatedSystem:
-    crs = _parsed(wkt)
+def _crs_from_wkt(wkt: str, file: str) -> HeaderCrs:
+    crs = _parse_crs(wkt)
     if crs is None:
-        return StatedSystem(
-            doubts=(warning("las.unknown_wkt", file=file, actions=(CHOOSE_SYSTEM,)),)
-        )
+        return HeaderCrs(doubts=(warning("las.unknown_wkt", file=file, actions=(CHOOSE_SYSTEM,)),))
     code = crs.to_epsg()
-    return StatedSystem(f"EPSG:{code}" if code and CRS(code) == crs else wkt, crs.name)
+    return HeaderCrs(f"EPSG:{code}" if code and CRS(code) == crs else wkt, crs.name)
 
 
-def _keys(
+def _geotiff_keys(
     directory: GeoKeyDirectoryVlr, records: list[Any]
 ) -> tuple[Mapping[int, int], Mapping[int, str]]:
     """Keys with numbers and keys with texts."""
@@ -146,17 +144,17 @@ def _keys(
     return numbers, texts
 
 
-def _of_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: str) -> StatedSystem:
+def _crs_from_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: str) -> HeaderCrs:
     doubts: list[Message] = []
     crs: CRS | None = None
     if numbers.get(MODEL) == GEOCENTRIC_MODEL:
-        crs = _geocentric(numbers.get(GEOGRAPHIC, 0))
+        crs = _geocentric_crs(numbers.get(GEOGRAPHIC, 0))
     else:
-        crs = _epsg(numbers.get(PROJECTED, 0))
+        crs = _crs_by_epsg(numbers.get(PROJECTED, 0))
         if crs is None and PROJECTED not in numbers:
-            crs = _epsg(numbers.get(GEOGRAPHIC, 0))
+            crs = _crs_by_epsg(numbers.get(GEOGRAPHIC, 0))
     if crs is None:
-        crs = _by_name(numbers, texts)
+        crs = _crs_by_citation(numbers, texts)
         if crs is not None:
             doubts.append(
                 warning(
@@ -170,7 +168,7 @@ def _of_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: str) ->
             unknown = warning("las.system_without_code", file=file, name=name, actions=actions)
         else:
             unknown = warning("las.system_not_named", file=file, actions=actions)
-        return StatedSystem(doubts=(unknown,))
+        return HeaderCrs(doubts=(unknown,))
     unit = UNIT_CODES.get(numbers.get(LINEAR_UNIT, 0), "")
     own = UNIT_NAMES.get(crs.axis_info[0].unit_name, "")
     if unit and own and unit != own:
@@ -180,13 +178,13 @@ def _of_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: str) ->
                 system_unit=own, actions=(CHOOSE_SYSTEM,),
             )
         )  # fmt: skip
-        return StatedSystem(doubts=tuple(doubts))
+        return HeaderCrs(doubts=tuple(doubts))
     text = f"EPSG:{crs.to_epsg()}"
     name = crs.name
     vertical = numbers.get(VERTICAL, 0)
     if 5001 <= vertical <= 5033:
         pass  # GeoTIFF's codes for heights above an ellipsoid
-    elif vertical and (heights := _epsg(vertical)) is not None and heights.is_vertical:
+    elif vertical and (heights := _crs_by_epsg(vertical)) is not None and heights.is_vertical:
         text, name = f"{text}+{vertical}", f"{name} + {heights.name}"
     elif 0 < vertical < 32767:
         doubts.append(
@@ -196,21 +194,21 @@ def _of_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: str) ->
             )
         )  # fmt: skip
     height_unit = UNIT_CODES.get(numbers.get(VERTICAL_UNIT, 0), "")
-    return StatedSystem(text, name, height_unit, tuple(doubts))
+    return HeaderCrs(text, name, height_unit, tuple(doubts))
 
 
-def _geocentric(code: int) -> CRS | None:
-    crs = _epsg(code)
+def _geocentric_crs(code: int) -> CRS | None:
+    crs = _crs_by_epsg(code)
     if crs is None or crs.is_geocentric:
         return crs
     # Writers give the code of the geographic system of the same datum.
     return CRS.from_epsg(4978) if code in (4326, 4979) else None
 
 
-def _by_name(numbers: Mapping[int, int], texts: Mapping[int, str]) -> CRS | None:
+def _crs_by_citation(numbers: Mapping[int, int], texts: Mapping[int, str]) -> CRS | None:
     for key in (PROJECTED_CITATION, CITATION, GEOGRAPHIC_CITATION):
         name = texts.get(key, "").split("|")[0].strip()
-        crs = _parsed(name) if name else None
+        crs = _parse_crs(name) if name else None
         # PROJ also finds what is spelled alike; only the very name will do.
         if crs is None or crs.name != name or crs.to_epsg() is None:
             continue
@@ -223,11 +221,11 @@ def _by_name(numbers: Mapping[int, int], texts: Mapping[int, str]) -> CRS | None
     return None
 
 
-def _epsg(code: int) -> CRS | None:
-    return _parsed(f"EPSG:{code}") if 1024 <= code <= 32766 else None
+def _crs_by_epsg(code: int) -> CRS | None:
+    return _parse_crs(f"EPSG:{code}") if 1024 <= code <= 32766 else None
 
 
-def _parsed(text: str) -> CRS | None:
+def _parse_crs(text: str) -> CRS | None:
     try:
         return CRS.from_user_input(text)
     except CRSError:

@@ -1,6 +1,6 @@
-"""Clouds written as LAS or LAZ, chunk by chunk, with everything their source had.
+"""Writing clouds as LAS or LAZ in chunks, with all attributes of their source.
 
-A `Pattern` describes the records: those of the source where it is LAS, otherwise point
+A `RecordLayout` describes the records: those of the source where it is LAS, otherwise point
 format 6 or 7 with the source's other columns as extra bytes.
 """
 
@@ -21,17 +21,17 @@ from numpy.typing import NDArray
 from lispac import __version__
 from lispac.errors import InputError, system_reason
 from lispac.geometry.frames import LocalFrame
-from lispac.io.cloud_record import CloudRecord
+from lispac.io.format_types import PointChunk
 from lispac.io.las_chunks import MIXED_UP, PackedColumns
-from lispac.io.las_crs_written import state_system
-from lispac.io.las_guard import require_sound_header
-from lispac.io.points import damaged
-from lispac.io.registry import PointChunk
+from lispac.io.las_crs_writer import write_crs
+from lispac.io.las_header_check import require_sound_header
+from lispac.io.mounting_record import MountingRecord
+from lispac.io.point_reading import damaged_file_error
 from lispac.messages import Message, error, note
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import Mounting
-from lispac.survey.kernels import quantised
-from lispac.survey.source import printable
+from lispac.survey.kernels import integers_from_coordinates
+from lispac.survey.line_source import printable
 
 STEP = 1e-4
 """Metres in which coordinates are stored: a cloud gives the scanner's points back to 0.1 mm."""
@@ -56,8 +56,8 @@ LONGEST_NAME = 31
 
 
 @dataclass(frozen=True, eq=False)
-class Pattern:
-    """Layout of the records of a written cloud.
+class RecordLayout:
+    """Header, columns and constants of the records of a written cloud.
 
     Attributes
     ----------
@@ -77,7 +77,7 @@ class Pattern:
     constants: Mapping[str, int] = field(default_factory=dict)
 
 
-def write_header_alone(path: Path, to: Path) -> None:
+def write_header_copy(path: Path, to: Path) -> None:
     """Write the header and records of a LAS or LAZ file as a LAS file without points.
 
     Raises
@@ -88,27 +88,27 @@ def write_header_alone(path: Path, to: Path) -> None:
     try:
         with laspy.open(path) as reader:
             header = deepcopy(reader.header)
-        described = _extra_bytes(header)
+        described = _extra_bytes_record(header)
         for records in (header.vlrs, header.evlrs or []):
-            records[:] = [record for record in records if not _is_of_the_file(record)]
+            records[:] = [record for record in records if not _is_file_specific(record)]
         with to.open("wb") as file, laspy.LasWriter(file, header, closefd=False) as writer:
             if header.evlrs and header.version.minor >= 4:
                 writer.write_evlrs(header.evlrs)
         with laspy.open(to) as reader:
-            emptied = _extra_bytes(reader.header)
+            emptied = _extra_bytes_record(reader.header)
         if emptied != described:  # without points laspy writes no sensible least and largest value
             to.write_bytes(to.read_bytes().replace(emptied, described, 1))
     except (LaspyException, LazrsError, ValueError) as failure:
-        raise damaged(path, "LAS or LAZ", failure) from failure
+        raise damaged_file_error(path, "LAS or LAZ", failure) from failure
 
 
-def _extra_bytes(header: laspy.LasHeader) -> bytes:
+def _extra_bytes_record(header: laspy.LasHeader) -> bytes:
     """The record that describes the extra bytes; empty where there are none."""
     return b"".join(record.record_data_bytes() for record in header.vlrs.get("ExtraBytesVlr"))
 
 
-def pattern_of_las(path: Path, shown: Path | None = None) -> Pattern:
-    """The pattern of a LAS or LAZ file: its own point format, extra bytes and records.
+def layout_of_las(path: Path, shown: Path | None = None) -> RecordLayout:
+    """Record layout of a LAS or LAZ file: its own point format, extra bytes and records.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def pattern_of_las(path: Path, shown: Path | None = None) -> Pattern:
         with laspy.open(path) as reader:
             header = deepcopy(reader.header)
     except (LaspyException, LazrsError, OSError, ValueError) as failure:
-        raise damaged(path, "LAS or LAZ", failure) from failure
+        raise damaged_file_error(path, "LAS or LAZ", failure) from failure
     notes: tuple[Message, ...] = ()
     names = list(header.point_format.dimension_names)
     if all(name in names for name in WAVEFORMS):
@@ -135,20 +135,20 @@ def pattern_of_las(path: Path, shown: Path | None = None) -> Pattern:
         header.start_of_waveform_data_packet_record = 0
         notes = (note("export.waveforms", file=printable((shown or path).name)),)
     for records in (header.vlrs, header.evlrs or []):
-        records[:] = [record for record in records if not _is_of_the_file(record)]
+        records[:] = [record for record in records if not _is_file_specific(record)]
     header.creation_date = date.today()
     header.generating_software = f"LISPAC {__version__}"
-    return Pattern(header, {name: (name, None) for name in names if name not in PLACED}, notes)
+    return RecordLayout(header, {name: (name, None) for name in names if name not in PLACED}, notes)
 
 
-def _is_of_the_file(record: Any) -> bool:
-    """Whether a record describes the layout of its own file: LAZ, COPC, or waveforms."""
+def _is_file_specific(record: Any) -> bool:
+    """True if a record describes the storage of its own file: LAZ, COPC or waveforms."""
     waveforms = (record.user_id, record.record_id) == ("LASF_Spec", 65535)
     return waveforms or record.user_id in ("laszip encoded", "copc")
 
 
-def pattern_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Pattern:
-    """The pattern of a source that is not LAS: its columns by their names and types.
+def layout_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> RecordLayout:
+    """Record layout of a source that is not LAS, by the names and types of its columns.
 
     A column goes into the LAS dimension of its name where every value of its type fits; otherwise
     it becomes extra bytes. An intensity that is not whole numbers goes to both, rounded in one.
@@ -165,7 +165,7 @@ def pattern_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Pat
     notes: list[Message] = []
     taken: set[str] = {*STANDARD, *PLACED}
     for name, values in chunk.extra.items():
-        if name in STANDARD and _fits(name, values):
+        if name in STANDARD and _fits_dimension(name, values):
             columns[name] = (name, None)
             continue
         if values.dtype.kind not in "iufb" or values.dtype.itemsize > 8 or values.ndim > 2:
@@ -176,7 +176,7 @@ def pattern_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Pat
         kind = "u1" if values.dtype.kind == "b" else "f4" if values.dtype == np.float16 else None
         parts = [None] if values.ndim == 1 else list(range(values.shape[1]))
         for part in parts:
-            own = _free(name if part is None else f"{name}_{part + 1}", taken)
+            own = _free_dimension_name(name if part is None else f"{name}_{part + 1}", taken)
             taken.add(own)
             stored = np.dtype(kind or values.dtype.newbyteorder("="))
             extra.append(laspy.ExtraBytesParams(own, stored, name[:LONGEST_NAME]))
@@ -188,16 +188,16 @@ def pattern_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Pat
     header.global_encoding.gps_time_type = kinds.STANDARD if standard_time else kinds.WEEK_TIME
     header.generating_software = f"LISPAC {__version__}"
     single = {name: 1 for name in ("return_number", "number_of_returns") if name not in columns}
-    return Pattern(header, columns, tuple(notes), single)
+    return RecordLayout(header, columns, tuple(notes), single)
 
 
-def _fits(name: str, values: NDArray[Any]) -> bool:
+def _fits_dimension(name: str, values: NDArray[Any]) -> bool:
     if values.ndim != 1 or not np.can_cast(values.dtype, STANDARD[name]):
         return False
     return name not in BITS or int(values.max(initial=0)) < 1 << BITS[name]
 
 
-def _free(name: str, taken: set[str]) -> str:
+def _free_dimension_name(name: str, taken: set[str]) -> str:
     plain = name.encode("ascii", "replace").decode().strip() or "column"
     if plain in STANDARD or plain in PLACED:
         plain = f"source_{plain}"
@@ -209,11 +209,11 @@ def _free(name: str, taken: set[str]) -> str:
     return short
 
 
-class Cloud:
-    """A LAS or LAZ file being written; made by `cloud_file`."""
+class CloudWriter:
+    """A LAS or LAZ file being written; made by `open_cloud_writer`."""
 
     def __init__(
-        self, writer: laspy.LasWriter, pattern: Pattern, header: laspy.LasHeader, path: Path,
+        self, writer: laspy.LasWriter, pattern: RecordLayout, header: laspy.LasHeader, path: Path,
         *, one_channel: bool,
     ) -> None:  # fmt: skip
         self._writer = writer
@@ -257,7 +257,7 @@ class Cloud:
         else:
             record = laspy.ScaleAwarePointRecord.zeros(len(points), header=header)
         raw = record.array
-        if not quantised(
+        if not integers_from_coordinates(
             points, np.asarray(header.offsets), np.asarray(header.scales),
             raw["X"], raw["Y"], raw["Z"],
         ):  # fmt: skip
@@ -334,9 +334,9 @@ class Cloud:
 
 
 @contextmanager
-def cloud_file(
+def open_cloud_writer(
     path: Path,
-    pattern: Pattern,
+    pattern: RecordLayout,
     system: CoordinateSystem | None,
     centre: NDArray[np.float64],
     *,
@@ -344,7 +344,7 @@ def cloud_file(
     frame: LocalFrame,
     compressed: bool,
     shown: Path | None = None,
-) -> Iterator[Cloud]:
+) -> Iterator[CloudWriter]:
     """Open a cloud for writing, and close it with header and bounds as written.
 
     Parameters
@@ -371,11 +371,11 @@ def cloud_file(
     """
     shown = shown or path
     header = deepcopy(pattern.header)
-    header.scales = steps(system)
+    header.scales = coordinate_resolution(system)
     header.offsets = np.round(centre, 0)
     local = frame if system is None else system.frame
-    state_system(header, None if system is None or local is not None else system.written)
-    header.vlrs.extend(CloudRecord(mounting, local).vlrs())
+    write_crs(header, None if system is None or local is not None else system.written)
+    header.vlrs.extend(MountingRecord(mounting, local).vlrs())
     try:
         with (
             path.open("wb") as file,
@@ -388,7 +388,7 @@ def cloud_file(
             ) as writer,
         ):
             mixes_up = compressed and header.point_format.id in MIXED_UP
-            yield Cloud(writer, pattern, header, shown, one_channel=mixes_up)
+            yield CloudWriter(writer, pattern, header, shown, one_channel=mixes_up)
             if header.evlrs and header.version.minor >= 4:
                 writer.write_evlrs(header.evlrs)
     except (LazrsError, OSError, LaspyException) as failure:
@@ -396,7 +396,7 @@ def cloud_file(
         raise InputError(error("las.not_writable", file=str(shown), reason=reason)) from failure
 
 
-def steps(system: CoordinateSystem | None) -> NDArray[np.float64]:
+def coordinate_resolution(system: CoordinateSystem | None) -> NDArray[np.float64]:
     """Resolution of stored coordinates in their own units, shape (3,): 0.1 mm or finer."""
     if system is None:
         return np.full(3, STEP)

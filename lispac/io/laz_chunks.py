@@ -30,7 +30,7 @@ EXTRA_BYTES = 14
 
 @dataclass(frozen=True)
 class LazChunks:
-    """Where the chunks of a LAZ file lie.
+    """Positions of the chunks of a LAZ file.
 
     Attributes
     ----------
@@ -78,7 +78,7 @@ class LazChunks:
 
 @dataclass(frozen=True)
 class _LastChunk:
-    """Compressed points of one chunk of an unknown number of points."""
+    """Compressed last chunk, whose number of points is unknown."""
 
     data: bytes
     record: bytes
@@ -91,18 +91,18 @@ class _LastChunk:
         lazrs.LazrsError
             Where no number does.
         """
-        if 0 < likely <= most and self._decodes(likely) and not self._decodes(likely, 1):
+        if 0 < likely <= most and self._can_decode(likely) and not self._can_decode(likely, 1):
             return likely
         low, high = 0, most
         while low < high:
             middle = (low + high + 1) // 2
-            low, high = (middle, high) if self._decodes(middle, 1) else (low, middle - 1)
-        if not self._decodes(low + 1):
+            low, high = (middle, high) if self._can_decode(middle, 1) else (low, middle - 1)
+        if not self._can_decode(low + 1):
             raise lazrs.LazrsError("the last chunk is damaged")
         return low + 1
 
-    def _decodes(self, count: int, missing: int = 0) -> bool:
-        """Whether so many points can be decoded without the last ``missing`` bytes."""
+    def _can_decode(self, count: int, missing: int = 0) -> bool:
+        """True if ``count`` points can be decoded without the last ``missing`` bytes."""
         laz = lazrs.LazVlr(self.record)
         stream = io.BytesIO()
         stream.write(struct.pack("<q", 8 + len(self.data)) + self.data)
@@ -117,7 +117,7 @@ class _LastChunk:
         return True
 
 
-def laz_chunks(
+def read_chunk_table(
     path: Path, header_size: int, points_start: int, records: int, point_size: int
 ) -> LazChunks | None:
     """Read the chunk table; None where it does not fit the file.
@@ -148,7 +148,7 @@ def laz_chunks(
             found = tuple(entry for entry in lazrs.read_chunk_table(file, laz) if entry[1])
         except (lazrs.LazrsError, OSError, ValueError):
             return None
-        if record[0] == LAYERED and not _layers_fit(file, points_start + 8, record, found):
+        if record[0] == LAYERED and not _do_layers_fit(file, points_start + 8, record, found):
             return None
     held = sum(length for _, length in found)
     most = max((count for count, _ in found), default=0)
@@ -163,8 +163,10 @@ def laz_chunks(
     return LazChunks(path, points_start + 8, record, found) if sound else None
 
 
-def _layers_fit(file: BinaryIO, at: int, record: bytes, table: tuple[tuple[int, int], ...]) -> bool:
-    """Whether the layers of each chunk are in it: lazrs allocates what their sizes claim.
+def _do_layers_fit(
+    file: BinaryIO, at: int, record: bytes, table: tuple[tuple[int, int], ...]
+) -> bool:
+    """True if the layers of each chunk lie within it; lazrs allocates the sizes they state.
 
     A chunk of these holds its first point, the number of points, the sizes of its layers and these.
     """

@@ -9,15 +9,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.las_chunks import opened, point_count
-from lispac.io.points import FRAME, SCANNER, plainly, require_times, scale_of, usable_points
-from lispac.io.registry import Choice, Format, PointChunk
+from lispac.io.format_types import Choice, FileFormat, PointChunk
+from lispac.io.las_chunks import opened_las, point_count
+from lispac.io.point_reading import (
+    FRAME,
+    SCANNER,
+    coordinate_scale,
+    report_damage,
+    require_distinct_times,
+    usable_points,
+)
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
-from lispac.survey.recovery import require_scanner_frame
-from lispac.survey.source import RESTART
-from lispac.survey.time_restart import PERIODS, counted_on, restart_of
+from lispac.survey.line_source import RESTART
+from lispac.survey.scanner_frame_recovery import require_scanner_frame
+from lispac.survey.time_rollover import PERIODS, find_rollover, resolve_rollover
 
 Array = NDArray[np.float64]
 
@@ -34,7 +41,7 @@ LONGEST = 15.0
 
 @dataclass(frozen=True, eq=False)
 class LineTimes:
-    """Times of a line's points, as in the file.
+    """Times of a line's points, in the time base of the file.
 
     Attributes
     ----------
@@ -51,7 +58,7 @@ class LineTimes:
     place : ndarray of shape (3,), frame and unit of the file
         Coordinates of one point, as the file has them.
     restart : str
-        Where the times start again, as given or found (`lispac.survey.time_restart`); empty where
+        Where the times start again, as given or found (`lispac.survey.time_rollover`); empty where
         they do not.
     """
 
@@ -65,10 +72,10 @@ class LineTimes:
     restart: str = ""
 
 
-def line_times(
-    path: Path, format: Format, choice: Choice, *, progress: Progress = no_progress
+def read_line_times(
+    path: Path, format: FileFormat, choice: Choice, *, progress: Progress = no_progress
 ) -> LineTimes:
-    """Examine the times of a line.
+    """Read the times of a line: all of a short one, a sample of a long one.
 
     Raises
     ------
@@ -80,29 +87,31 @@ def line_times(
     settled = format.settled(choice)
     scanner = settled[FRAME.name] == SCANNER
     if format.key == "las" and (count := point_count(path)) > READ_WHOLE:
-        found, places = _sampled(path, count, progress)
+        found, places = _sample_times(path, count, progress)
         if scanner:
-            require_scanner_frame(places * scale_of(settled), path)
-        return _counted_on(found, stated)
+            require_scanner_frame(places * coordinate_scale(settled), path)
+        return _resolve_rollover(found, stated)
     chunks = format.read(path, choice)
     assert isinstance(chunks, Iterator)
-    return _counted_on(_read(path, chunks, scanner, progress), stated)
+    return _resolve_rollover(_read_times(path, chunks, scanner, progress), stated)
 
 
-def _counted_on(found: LineTimes, stated: str) -> LineTimes:
-    restart = stated or restart_of(np.append(found.sample, [found.start, found.end]))
+def _resolve_rollover(found: LineTimes, stated: str) -> LineTimes:
+    restart = stated or find_rollover(np.append(found.sample, [found.start, found.end]))
     if restart not in PERIODS:
         return found
     # Earliest and latest lie on the two sides of the start, and the sample may have missed one.
     ends = np.append(found.sample, [found.start, found.end])
-    counted = counted_on(ends, restart)
+    counted = resolve_rollover(ends, restart)
     return replace(
         found, sample=counted[:-2], start=float(counted.min()), end=float(counted.max()),
         restart=restart,
     )  # fmt: skip
 
 
-def _read(path: Path, chunks: Iterator[PointChunk], scanner: bool, progress: Progress) -> LineTimes:
+def _read_times(
+    path: Path, chunks: Iterator[PointChunk], scanner: bool, progress: Progress
+) -> LineTimes:
     started, done, read = clock.monotonic(), 0, 0
     parts: list[Array] = []
     place = np.zeros(3)
@@ -130,13 +139,13 @@ def _read(path: Path, chunks: Iterator[PointChunk], scanner: bool, progress: Pro
     if not done:
         raise InputError(error("line.no_points", file=str(path)))
     if ended:
-        require_times(start, end, done, path)
+        require_distinct_times(start, end, done, path)
     sample = np.concatenate(parts)
     sample = sample[:: max(1, len(sample) // KEPT)]
     return LineTimes(sample, start, end, read if ended else total, ended, ended, place)
 
 
-def _sampled(path: Path, count: int, progress: Progress) -> tuple[LineTimes, Array]:
+def _sample_times(path: Path, count: int, progress: Progress) -> tuple[LineTimes, Array]:
     """Times of points all over a long line, and coordinates (n, 3) of some, in the file's unit.
 
     Raises
@@ -145,7 +154,7 @@ def _sampled(path: Path, count: int, progress: Progress) -> tuple[LineTimes, Arr
         Where no time is usable.
     """
     parts, places = [], []
-    with plainly(path, "LAS or LAZ"), opened(path) as reader:
+    with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
         for k, first in enumerate(np.linspace(0, count - BLOCK, BLOCKS).astype(int)):
             progress(
                 k / BLOCKS,

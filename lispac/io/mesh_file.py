@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.files import plain_name, require_file
+from lispac.io.files import library_path, require_file
 from lispac.messages import error
 from lispac.simulation.meshes import Mesh
 
@@ -32,7 +32,7 @@ ASCII STL with its corners takes about one for each byte, one of binary PLY ten.
 
 
 class MeshReader:
-    """Open3D's reader of meshes in a process of its own, since a damaged file may end it.
+    """Open3D's reader of meshes in a separate process, which a damaged file may end.
 
     A context that keeps the process for several files; a new one is made where it was ended.
     """
@@ -58,9 +58,9 @@ class MeshReader:
         """
         if self._pool is None:
             self._pool = ProcessPoolExecutor(1, get_context("spawn"))
-        with plain_name(path, ending) as name:
+        with library_path(path, ending) as name:
             try:
-                return self._pool.submit(_read_alone, str(name)).result()
+                return self._pool.submit(_read_in_process, str(name)).result()
             except (BrokenProcessPool, MemoryError, RuntimeError) as failure:
                 self.__exit__()
                 raise InputError(error("mesh.damaged", file=str(path))) from failure
@@ -80,9 +80,9 @@ def read_mesh(
         Where the file is missing, of another kind, or holds no triangle.
     """
     path = require_file(Path(path), "mesh")
-    ending = _ending(path)
+    ending = _mesh_ending(path)
     if ending == ".obj":
-        vertices, triangles = _of_obj(path)
+        vertices, triangles = _read_obj(path)
     else:
         with nullcontext(reader) if reader is not None else MeshReader() as used:
             vertices, triangles = used.read(path, ending)
@@ -99,7 +99,7 @@ def read_mesh(
     return Mesh(name, vertices, triangles[wide], reflectance)
 
 
-def _ending(path: Path) -> str:
+def _mesh_ending(path: Path) -> str:
     """Ending of the format that a mesh is in, by its first bytes, else by its name.
 
     Raises
@@ -121,7 +121,7 @@ def _ending(path: Path) -> str:
     return path.suffix.lower()
 
 
-def _read_alone(name: str) -> tuple[Array, NDArray[np.int64]]:
+def _read_in_process(name: str) -> tuple[Array, NDArray[np.int64]]:
     """Vertices and triangles; runs in a process of its own."""
     null = os.open(os.devnull, os.O_WRONLY)
     os.dup2(null, 2)  # an abort prints its own words
@@ -146,7 +146,7 @@ def _limit_memory(more: int) -> None:
         resource.setrlimit(resource.RLIMIT_AS, (most, hard))
 
 
-def _of_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:
+def _read_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:
     """Vertices (``v``) and faces (``f``); of a corner the first number counts, from 1 or back.
 
     Raises
@@ -164,7 +164,7 @@ def _of_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:
                 x, y, z = (float(word) for word in words[:3])
                 vertices.append([x, y, z])
             elif kind == "f":
-                corners = [_corner(word, len(vertices)) for word in words]
+                corners = [_vertex_index(word, len(vertices)) for word in words]
                 first, *others = corners
                 if len(others) < 2:
                     raise ValueError(line)
@@ -177,7 +177,7 @@ def _of_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:
     return np.array(vertices).reshape(-1, 3), np.array(triangles, dtype=np.int64).reshape(-1, 3)
 
 
-def _corner(word: str, known: int) -> int:
+def _vertex_index(word: str, known: int) -> int:
     """Index of a vertex among those known so far.
 
     Raises

@@ -14,21 +14,28 @@ from numba import njit
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.foreign_values import LARGEST_INTEGER, is_count
+from lispac.io.format_types import NOT, SURE, Choice, Fact, FileFormat, FilePreview, PointChunk
 from lispac.io.point_counts import PointCounts
-from lispac.io.points import (
+from lispac.io.point_reading import (
     CHUNK,
     HEAD,
     PLACE,
     TIME_FIELD,
     TIME_UNIT,
-    plainly,
-    require_filled,
-    sniffer,
+    head_sniffer,
+    report_damage,
+    require_not_empty,
 )
-from lispac.io.records import Columns, Records, finding, points_of, require_axes, stored
-from lispac.io.registry import NOT, SURE, Choice, Fact, Finding, Format, PointChunk
+from lispac.io.point_records import (
+    Columns,
+    PointRecords,
+    point_chunk,
+    preview_records,
+    read_record_columns,
+    require_xyz_fields,
+)
 from lispac.messages import error, note
+from lispac.untrusted_values import LARGEST_INTEGER, is_whole_number
 
 TYPES = {
     ("I", 1): "<i1", ("I", 2): "<i2", ("I", 4): "<i4", ("I", 8): "<i8",
@@ -40,14 +47,14 @@ EXPANSION = 300
 """LZF makes at most 264 bytes out of three; a header that claims more is damaged."""
 
 
-@sniffer
+@head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """PCD names its version and fields in the first lines."""
     start = head[:2048]
     return SURE if b"VERSION" in start and b"FIELDS" in start and b"\0" not in start[:20] else NOT
 
 
-def look(path: Path, choice: Choice) -> Finding:
+def preview_file(path: Path, choice: Choice) -> FilePreview:
     """Read the header and the first points.
 
     Raises
@@ -55,10 +62,10 @@ def look(path: Path, choice: Choice) -> Finding:
     InputError
         Where the file cannot be read or has no time.
     """
-    records, kind = _header(path)
-    with plainly(records.path, "PCD"):
-        columns = _returns(next(_columns(records, kind, 100_000)))
-        return finding(PCD, columns, choice, records)
+    records, kind = _read_header(path)
+    with report_damage(records.path, "PCD"):
+        columns = _without_missing_returns(next(_read_columns(records, kind, 100_000)))
+        return preview_records(PCD, columns, choice, records)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -72,31 +79,35 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         Where the file is missing, damaged, cut short, empty, or without time.
     """
     settled = PCD.settled(choice)
-    records, kind = _header(path)
+    records, kind = _read_header(path)
     done = 0
-    with plainly(records.path, "PCD"):
-        for columns in _columns(records, kind, CHUNK):
-            returns = _returns(columns)
+    with report_damage(records.path, "PCD"):
+        for columns in _read_columns(records, kind, CHUNK):
+            returns = _without_missing_returns(columns)
             if len(returns["x"]):
-                yield points_of(returns, settled, records.path, done=done, total=records.count)
+                yield point_chunk(returns, settled, records.path, done=done, total=records.count)
             done += len(columns["x"])
 
 
-def _returns(columns: Columns) -> Columns:
+def _without_missing_returns(columns: Columns) -> Columns:
     missing = np.isnan(columns["x"]) & np.isnan(columns["y"]) & np.isnan(columns["z"])
     return (
         {name: values[~missing] for name, values in columns.items()} if missing.any() else columns
     )
 
 
-def _columns(records: Records, kind: str, rows: int) -> Iterator[Columns]:
-    blocks = stored(records, rows) if kind != "binary_compressed" else _unpacked(records, rows)
+def _read_columns(records: PointRecords, kind: str, rows: int) -> Iterator[Columns]:
+    blocks = (
+        read_record_columns(records, rows)
+        if kind != "binary_compressed"
+        else _read_compressed(records, rows)
+    )
     for columns in blocks:
         yield {name: values for name, values in columns.items() if not name.startswith("_")}
 
 
-def _header(path: Path) -> tuple[Records, str]:
-    path = require_filled(path, "PCD")
+def _read_header(path: Path) -> tuple[PointRecords, str]:
+    path = require_not_empty(path, "PCD")
     with path.open("rb") as file:
         head = file.read(HEAD)
     entries: dict[str, list[str]] = {}
@@ -115,36 +126,36 @@ def _header(path: Path) -> tuple[Records, str]:
     if kind not in ("ascii", "binary", "binary_compressed"):
         raise InputError(error("pcd.data_kind", file=str(path), kind=kind[:20]))
     try:
-        dtype, count = _dtype(path, entries), _whole(entries["POINTS"][0])
+        dtype, count = _record_dtype(path, entries), _parse_whole_number(entries["POINTS"][0])
     except ValueError as failure:
         raise InputError(
             error("pcd.header_damaged", file=str(path), reason=str(failure))
         ) from failure
     if count < 0:
         raise InputError(error("pcd.point_count", file=str(path), header=count))
-    require_axes(path, dtype.names or ())
+    require_xyz_fields(path, dtype.names or ())
     facts: dict[str, Fact] = {"format": f"PCD, {kind}"}
     view = entries.get("VIEWPOINT", [])
     if view and view != ["0", "0", "0", "1", "0", "0", "0"]:
         facts["viewpoint"] = note("fact.viewpoint", values=" ".join(view)[:100])
-    records = Records(path, dtype, count, start, kind == "ascii", facts)
-    return _unpacked_count(records) if kind == "binary_compressed" else records.counted(), kind
+    records = PointRecords(path, dtype, count, start, kind == "ascii", facts)
+    return _with_unpacked_count(records) if kind == "binary_compressed" else records.counted(), kind
 
 
-def _dtype(path: Path, entries: Mapping[str, list[str]]) -> np.dtype[Any]:
+def _record_dtype(path: Path, entries: Mapping[str, list[str]]) -> np.dtype[Any]:
     names, sizes, kinds = entries["FIELDS"], entries["SIZE"], entries["TYPE"]
     counts = entries.get("COUNT", ["1"] * len(names))
     fields: list[tuple[str, str] | tuple[str, str, tuple[int]]] = []
     for k, (name, size, kind, many) in enumerate(zip(names, sizes, kinds, counts, strict=True)):
-        number = _whole(many)
-        if (kind.upper(), _whole(size)) not in TYPES or not 1 <= number <= 4096:
+        number = _parse_whole_number(many)
+        if (kind.upper(), _parse_whole_number(size)) not in TYPES or not 1 <= number <= 4096:
             raise InputError(
                 error(
                     "pcd.field_type", file=str(path), field=name[:20], type=kind[:5],
                     size=size[:5], number=many[:9],
                 )
             )  # fmt: skip
-        own = TYPES[kind.upper(), _whole(size)]
+        own = TYPES[kind.upper(), _parse_whole_number(size)]
         key = f"_{k}" if name == "_" else name  # padding has no name
         fields.append((key, own) if number == 1 else (key, own, (number,)))
     if len({field[0] for field in fields}) != len(fields):
@@ -152,7 +163,7 @@ def _dtype(path: Path, entries: Mapping[str, list[str]]) -> np.dtype[Any]:
     return np.dtype(fields)
 
 
-def _whole(text: str) -> int:
+def _parse_whole_number(text: str) -> int:
     """A whole number of a header.
 
     Raises
@@ -160,13 +171,13 @@ def _whole(text: str) -> int:
     ValueError
         With the text, where it is none.
     """
-    if not is_count(text.removeprefix("-"), LARGEST_INTEGER):
+    if not is_whole_number(text.removeprefix("-"), LARGEST_INTEGER):
         raise ValueError(text[:20])
     return int(text)
 
 
-def _unpacked_count(records: Records) -> Records:
-    """The same with the number of points that the compressed data unpack to, where it is larger."""
+def _with_unpacked_count(records: PointRecords) -> PointRecords:
+    """Records with the number of points after unpacking, where it is larger than the header's."""
     with records.path.open("rb") as file:
         file.seek(records.start + 4)
         data = file.read(4)
@@ -179,7 +190,7 @@ def _unpacked_count(records: Records) -> Records:
     return replace(records, count=held, messages=counts.messages(records.path))
 
 
-def _unpacked(records: Records, rows: int) -> Iterator[Columns]:
+def _read_compressed(records: PointRecords, rows: int) -> Iterator[Columns]:
     """Compressed data: one field after the other for all points, so all of it is unpacked.
 
     Raises
@@ -203,7 +214,7 @@ def _unpacked(records: Records, rows: int) -> Iterator[Columns]:
     if whole > EXPANSION * len(packed):
         raise InputError(error("pcd.compressed_damaged", file=str(path)))
     data = np.empty(whole, np.uint8)
-    if _lzf(packed, data) != whole:
+    if _unpack_lzf(packed, data) != whole:
         raise InputError(error("pcd.compressed_damaged", file=str(path)))
     columns, at = {}, 0
     for name in records.dtype.names or ():
@@ -217,7 +228,7 @@ def _unpacked(records: Records, rows: int) -> Iterator[Columns]:
 
 
 @njit(nogil=True, cache=True)
-def _lzf(packed: NDArray[np.uint8], data: NDArray[np.uint8]) -> int:
+def _unpack_lzf(packed: NDArray[np.uint8], data: NDArray[np.uint8]) -> int:
     """Unpack LZF; bytes written, or -1 where the packed bytes make no sense."""
     i = o = 0
     while i < len(packed):
@@ -250,13 +261,13 @@ def _lzf(packed: NDArray[np.uint8], data: NDArray[np.uint8]) -> int:
     return o
 
 
-PCD = Format(
+PCD = FileFormat(
     note("format.pcd"),
     "pcd",
     "points",
     (".pcd",),
     (TIME_FIELD, TIME_UNIT, *PLACE),
     sniff,
-    look,
+    preview_file,
     read,
 )

@@ -10,12 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
-from lispac.adjustment.stochastic import POS_ERRORS
+from lispac.adjustment.stochastic_model import POS_ERRORS
 from lispac.design.plan import Line, Plan, System
 from lispac.design.site import Site, Wall
-from lispac.io.files import written_whole
-from lispac.io.toml_table import Table, quoted
-from lispac.simulation.closed_form import Ball, Board
+from lispac.io.files import atomic_write
+from lispac.io.toml_table import TomlTable, toml_string
+from lispac.simulation.closed_form_survey import Ball, Board
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
 from lispac.simulation.scanner import Scanner
 from lispac.survey.georeferencing import Mounting
@@ -27,7 +27,7 @@ USUAL_INTERVAL = 1.5
 
 @dataclass(frozen=True, eq=False)
 class TitledPlan:
-    """A plan with the other contents of its file.
+    """A plan with the title and the wall of its file.
 
     Attributes
     ----------
@@ -48,12 +48,12 @@ def read_plan(path: Path) -> TitledPlan:
     InputError
         With file and key, and what to do.
     """
-    with Table.read(path, "plan") as table:
+    with TomlTable.read(path, "plan") as table:
         title = table.text("title", path.stem)
         wall = Wall((0.0, 0.0, 0.0), table.number("facing_deg", 270.0))
-        system, flatness = _system(table)
-        targets = _targets(table, wall)
-        lines = tuple(_line(each) for each in table.tables("lines"))
+        system, flatness = _read_system(table)
+        targets = _read_targets(table, wall)
+        lines = tuple(_read_line(each) for each in table.tables("lines"))
         if not targets:
             raise table.refuse("boards", "plan.no_targets")
         if not lines:
@@ -69,20 +69,20 @@ def read_plan(path: Path) -> TitledPlan:
 
 
 def read_site(path: Path) -> tuple[str, Site]:
-    """What is allowed on a site, and its title.
+    """Title of a site, and the limits on targets and lines there.
 
     Raises
     ------
     InputError
         With file and key, and what to do.
     """
-    with Table.read(path, "site") as table:
+    with TomlTable.read(path, "site") as table:
         title = table.text("title", path.stem)
         wall = Wall((0.0, 0.0, 0.0), table.number("facing_deg", 270.0))
-        system, flatness = _system(table)
-        natural = _targets(table, wall, "natural", "natural_balls")
+        system, flatness = _read_system(table)
+        natural = _read_targets(table, wall, "natural", "natural_balls")
         with table.table("hang") as hang:
-            count = _whole(hang, "boards", 2, least=0, most=6)
+            count = _read_whole_number(hang, "boards", 2, least=0, most=6)
             along = hang.numbers("along_m", None, Site.along)
             heights = hang.numbers("up_m", None, Site.heights)
             leans = hang.numbers(
@@ -95,7 +95,7 @@ def read_site(path: Path) -> tuple[str, Site]:
                     "height_m", "plan.sizes_differ", widths=len(width), heights=len(tall)
                 )
         with table.table("sail") as sail:
-            lines = _whole(sail, "lines", 6, least=2, most=12)
+            lines = _read_whole_number(sail, "lines", 6, least=2, most=12)
             headings = sail.numbers("headings_deg", None, Site.headings_deg)
             distances = sail.numbers("distances_m", None, Site.distances, least=1.0)
             speeds = sail.numbers("speeds_m_s", None, Site.speeds, least=0.05)
@@ -111,21 +111,25 @@ def read_site(path: Path) -> tuple[str, Site]:
         )  # fmt: skip
 
 
-def _whole(table: Table, key: str, usual: int, *, least: int, most: int) -> int:
+def _read_whole_number(table: TomlTable, key: str, usual: int, *, least: int, most: int) -> int:
     value = table.number(key, float(usual), least=float(least), most=float(most))
     if value != int(value):
         raise table.refuse(key, "plan.not_whole", value=f"{value:g}")
     return int(value)
 
 
-def _system(table: Table) -> tuple[System, float]:
+def _read_system(table: TomlTable) -> tuple[System, float]:
     """The system, and how flat targets are, metres."""
     usual, scanner = HYDROGRAPHIC_INS, Scanner(150_000.0)
     with table.table("system") as own:
-        lever = own.three("lever_arm_m", (0.0, 0.0, 2.0))
+        lever = own.three_numbers("lever_arm_m", (0.0, 0.0, 2.0))
         pos = PosErrorModel(
-            own.three("position_sigma_m", usual.sigma_position, least=1e-6),
-            _radians(own.three("attitude_sigma_deg", _degrees(usual.sigma_attitude), least=1e-6)),
+            own.three_numbers("position_sigma_m", usual.sigma_position, least=1e-6),
+            _to_radians(
+                own.three_numbers(
+                    "attitude_sigma_deg", _to_degrees(usual.sigma_attitude), least=1e-6
+                )
+            ),
             own.number("position_time_s", usual.time_position, over=0.0),
             own.number("attitude_time_s", usual.time_attitude, over=0.0),
         )
@@ -147,8 +151,8 @@ def _system(table: Table) -> tuple[System, float]:
     return System(mounting, profiler, pos, chosen), flatness
 
 
-def _targets(
-    table: Table, wall: Wall, boards: str = "boards", balls: str = "balls"
+def _read_targets(
+    table: TomlTable, wall: Wall, boards: str = "boards", balls: str = "balls"
 ) -> tuple[Board | Ball, ...]:
     found: list[Board | Ball] = []
     for each in table.tables(boards):
@@ -173,14 +177,14 @@ def _targets(
                 each.text("name"),
                 wall.place(each.number("along_m"), each.number("off_m", 0.0), each.number("up_m")),
                 each.number("radius_m", least=0.02),
-                each.flag("radius_known", True),
+                each.boolean("radius_known", True),
                 each.number("flatness_m", None, least=0.0),
             )
         )
     return tuple(found)
 
 
-def _line(table: Table) -> Line:
+def _read_line(table: TomlTable) -> Line:
     return Line(
         table.number("heading_deg", least=-360.0, most=360.0),
         table.number("distance_m", over=0.0),
@@ -191,71 +195,81 @@ def _line(table: Table) -> Line:
 
 def write_plan(path: Path, titled: TitledPlan) -> None:
     """Write what `read_plan` reads."""
-    with written_whole(Path(path)) as temporary:
-        temporary.write_text(_text(titled), encoding="utf-8")
+    with atomic_write(Path(path)) as temporary:
+        temporary.write_text(_plan_text(titled), encoding="utf-8")
 
 
-def _text(titled: TitledPlan) -> str:
+def _plan_text(titled: TitledPlan) -> str:
     plan, wall = titled.plan, titled.wall
     system, scanner, pos = plan.system, plan.system.scanner, plan.system.pos
     rows = [
         "# A plan. Along the wall to the right as seen from the water, off it towards the water,",
         "# up from the vessel's POS; from_level_deg 90 is upright, less leans back.",
-        f"title = {quoted(titled.title)}",
-        f"facing_deg = {_number(wall.facing_deg)}",
-        f"minutes_per_line = {_number(plan.interval / 60)}",
+        f"title = {toml_string(titled.title)}",
+        f"facing_deg = {_number_text(wall.facing_deg)}",
+        f"minutes_per_line = {_number_text(plan.interval / 60)}",
         "",
         "[system]",
-        f"lever_arm_m = {_numbers(system.mounting.lever_arm)}",
-        f"position_sigma_m = {_numbers(pos.sigma_position)}",
-        f"attitude_sigma_deg = {_numbers(np.degrees(pos.sigma_attitude))}",
-        f"position_time_s = {_number(pos.time_position)}",
-        f"attitude_time_s = {_number(pos.time_attitude)}",
-        f"pulses_per_second = {_number(scanner.pulses_per_second)}",
-        f"profiles_per_second = {_number(scanner.turns_per_second)}",
-        f"range_sigma_m = {_number(scanner.range_sigma)}",
-        f"angle_sigma_deg = {_number(np.degrees(scanner.angle_sigma))}",
-        f"max_range_m = {_number(scanner.max_range)}",
-        f"pos_errors = {quoted(system.pos_errors)}",
-        f"flatness_m = {_number(plan.flatness)}",
+        f"lever_arm_m = {_numbers_text(system.mounting.lever_arm)}",
+        f"position_sigma_m = {_numbers_text(pos.sigma_position)}",
+        f"attitude_sigma_deg = {_numbers_text(np.degrees(pos.sigma_attitude))}",
+        f"position_time_s = {_number_text(pos.time_position)}",
+        f"attitude_time_s = {_number_text(pos.time_attitude)}",
+        f"pulses_per_second = {_number_text(scanner.pulses_per_second)}",
+        f"profiles_per_second = {_number_text(scanner.turns_per_second)}",
+        f"range_sigma_m = {_number_text(scanner.range_sigma)}",
+        f"angle_sigma_deg = {_number_text(np.degrees(scanner.angle_sigma))}",
+        f"max_range_m = {_number_text(scanner.max_range)}",
+        f"pos_errors = {toml_string(system.pos_errors)}",
+        f"flatness_m = {_number_text(plan.flatness)}",
     ]
     for target in plan.targets:
         along, off, up = wall.seen(target.centre)
         board = isinstance(target, Board)
-        rows += ["", "[[boards]]" if board else "[[balls]]", f"name = {quoted(target.name)}"]
-        rows += [f"along_m = {_number(along)}", f"off_m = {_number(off)}", f"up_m = {_number(up)}"]
+        rows += ["", "[[boards]]" if board else "[[balls]]", f"name = {toml_string(target.name)}"]
+        rows += [
+            f"along_m = {_number_text(along)}",
+            f"off_m = {_number_text(off)}",
+            f"up_m = {_number_text(up)}",
+        ]
         if isinstance(target, Board):
-            lean, azimuth = wall.facing_of(target)
-            rows += [f"from_level_deg = {_number(lean)}", f"facing_deg = {_number(azimuth)}"]
-            rows += [f"width_m = {_number(target.width)}", f"height_m = {_number(target.height)}"]
+            lean, azimuth = wall.board_orientation(target)
+            rows += [
+                f"from_level_deg = {_number_text(lean)}",
+                f"facing_deg = {_number_text(azimuth)}",
+            ]
+            rows += [
+                f"width_m = {_number_text(target.width)}",
+                f"height_m = {_number_text(target.height)}",
+            ]
         else:
-            rows += [f"radius_m = {_number(target.radius)}"]
+            rows += [f"radius_m = {_number_text(target.radius)}"]
             rows += [f"radius_known = {str(target.radius_known).lower()}"]
         if target.flatness is not None:
-            rows.append(f"flatness_m = {_number(target.flatness)}")
+            rows.append(f"flatness_m = {_number_text(target.flatness)}")
     for line in plan.lines:
         rows += [
-            "", "[[lines]]", f"heading_deg = {_number(line.heading_deg)}",
-            f"distance_m = {_number(line.distance)}",
+            "", "[[lines]]", f"heading_deg = {_number_text(line.heading_deg)}",
+            f"distance_m = {_number_text(line.distance)}",
             f'site_on = "{SIDES[0] if line.starboard else SIDES[1]}"',
-            f"speed_m_s = {_number(line.speed)}",
+            f"speed_m_s = {_number_text(line.speed)}",
         ]  # fmt: skip
     return "\n".join([*rows, ""])
 
 
-def _number(value: float) -> str:
+def _number_text(value: float) -> str:
     return f"{round(float(value), 9):.12g}"
 
 
-def _numbers(values: Sequence[float] | np.ndarray) -> str:
-    return f"[{', '.join(_number(float(v)) for v in values)}]"
+def _numbers_text(values: Sequence[float] | np.ndarray) -> str:
+    return f"[{', '.join(_number_text(float(v)) for v in values)}]"
 
 
-def _degrees(values: Sequence[float]) -> tuple[float, float, float]:
+def _to_degrees(values: Sequence[float]) -> tuple[float, float, float]:
     a, b, c = (float(v) for v in np.degrees(values))
     return a, b, c
 
 
-def _radians(values: Sequence[float]) -> tuple[float, float, float]:
+def _to_radians(values: Sequence[float]) -> tuple[float, float, float]:
     a, b, c = (float(v) for v in np.radians(values))
     return a, b, c

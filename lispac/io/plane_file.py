@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.errors import InputError
-from lispac.io.files import require_file, written_whole
-from lispac.io.packed import require_unpacked
+from lispac.io.compressed_files import require_uncompressed
+from lispac.io.files import atomic_write, require_file
 from lispac.messages import error
 
 COLUMNS = 25
@@ -26,7 +26,7 @@ and a vessel needs longer than this to turn."""
 def read_plane_files(
     paths: Sequence[Path], lidar_sigma: float, *, pass_gap: float = PASS_GAP
 ) -> tuple[Observations, NDArray[np.float64]]:
-    """Read plane files into observations; sightings are separated by gaps in time.
+    """Read plane files into observations; gaps in time separate the sightings.
 
     Parameters
     ----------
@@ -46,11 +46,11 @@ def read_plane_files(
     """
     if not paths:
         raise InputError(error("planes.none_given"))
-    tables = [read_table(Path(path)) for path in paths]
+    tables = [read_plane_table(Path(path)) for path in paths]
     names = _distinct_names([Path(path).stem for path in paths])
     target = np.repeat(np.arange(len(tables)), [len(table) for table in tables])
     rows = np.concatenate(tables)
-    line = _passes(rows[:, 4], pass_gap)
+    line = _pass_numbers(rows[:, 4], pass_gap)
     groups, sighting = np.unique(np.stack([target, line]), axis=1, return_inverse=True)
     observations = Observations(
         points_lidar=np.ascontiguousarray(rows[:, 5:8]),
@@ -100,11 +100,11 @@ def write_plane_file(
             np.full(count, number + 1),
         ]
     )
-    with written_whole(path) as temporary:
+    with atomic_write(path) as temporary:
         np.savetxt(temporary, rows, fmt="%.12f")
 
 
-def read_table(path: Path) -> NDArray[np.float64]:
+def read_plane_table(path: Path) -> NDArray[np.float64]:
     """All rows of a plane file, shape (n, 25).
 
     Raises
@@ -112,7 +112,7 @@ def read_table(path: Path) -> NDArray[np.float64]:
     InputError
         Where the file is missing, empty, or not 25 columns of numbers with a unit normal.
     """
-    require_unpacked(require_file(path, "plane"))
+    require_uncompressed(require_file(path, "plane"))
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # an empty file is refused below
@@ -148,7 +148,7 @@ def _distinct_names(stems: list[str]) -> list[str]:
     return [f"{stem}-{number}" for number, stem in enumerate(stems, start=1)]
 
 
-def _passes(time: NDArray[np.float64], gap: float) -> NDArray[np.int64]:
+def _pass_numbers(time: NDArray[np.float64], gap: float) -> NDArray[np.int64]:
     """Number of the pass each point belongs to: one number on all targets of a pass."""
     order = np.argsort(time, kind="stable")
     number = np.empty(len(time), dtype=np.int64)

@@ -5,22 +5,22 @@ from pathlib import Path
 
 import numpy as np
 
-from lispac.io.plane_file import COLUMNS, read_table
-from lispac.io.points import (
+from lispac.io.first_points import check_first_points
+from lispac.io.format_types import NOT, SURE, Choice, FileFormat, FilePreview, PointChunk
+from lispac.io.plane_file import COLUMNS, read_plane_table
+from lispac.io.point_reading import (
     PLACE,
     SCANNER_COLUMNS,
-    place_facts,
-    require_filled,
-    require_points,
-    scale_of,
-    sniffer,
-    table,
-    time_base,
+    coordinate_scale,
+    frame_facts,
+    head_sniffer,
+    preview_table,
+    require_not_empty,
+    require_usable_points,
+    time_base_message,
 )
-from lispac.io.registry import NOT, SURE, Choice, Finding, Format, PointChunk
-from lispac.io.sight import sight
 from lispac.messages import note, warning
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 
 PARTS = {
     "points_local": slice(1, 4), "attitude": slice(8, 11), "sigma_attitude": slice(11, 14),
@@ -33,7 +33,7 @@ NAMES = (
 )  # fmt: skip
 
 
-@sniffer
+@head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """25 numbers in the first row, of which 21 to 23 are a unit normal."""
     row = head.split(b"\n", 1)[0].replace(b",", b" ").split()
@@ -43,7 +43,7 @@ def sniff(head: bytes, path: Path) -> float:
     return SURE if abs(np.linalg.norm(normal) - 1) < 1e-3 else NOT
 
 
-def look(path: Path, choice: Choice) -> Finding:
+def preview_file(path: Path, choice: Choice) -> FilePreview:
     """Read the file; plane files are small.
 
     Raises
@@ -51,19 +51,19 @@ def look(path: Path, choice: Choice) -> Finding:
     InputError
         Where the file cannot be read or is not a plane file.
     """
-    rows = read_table(require_filled(path, "plane"))
+    rows = read_plane_table(require_not_empty(path, "plane"))
     file = printable(path.name)
     settled = PLANES.settled(choice)
-    seen = sight(rows[:, 5:8], rows[:, 4], file=file, crs="")
+    seen = check_first_points(rows[:, 5:8], rows[:, 4], file=file, crs="")
     facts = {
         "format": note("fact.planes"),
         "points": len(rows),
-        **place_facts(settled),
-        "time base": time_base(rows[:, 4], settled["time_base"]),
+        **frame_facts(settled),
+        "time base": time_base_message(rows[:, 4], settled["time_base"]),
         **seen.facts,
     }
     doubts = (warning("points.of_one_target", file=file), *seen.doubts)
-    return Finding(facts, table(NAMES, tuple(rows.T)), {}, doubts, SCANNER_COLUMNS)
+    return FilePreview(facts, preview_table(NAMES, tuple(rows.T)), {}, doubts, SCANNER_COLUMNS)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -74,12 +74,14 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     InputError
         Where the file cannot be read or is not a plane file.
     """
-    path = require_filled(path, "plane")
-    scale = scale_of(PLANES.settled(choice))
-    rows = read_table(path)
-    require_points(rows[:, 5:8], rows[:, 4], path)
+    path = require_not_empty(path, "plane")
+    scale = coordinate_scale(PLANES.settled(choice))
+    rows = read_plane_table(path)
+    require_usable_points(rows[:, 5:8], rows[:, 4], path)
     extra = {name: rows[:, columns].copy() for name, columns in PARTS.items()}
     yield PointChunk(rows[:, 5:8] * scale, rows[:, 4].copy(), extra, len(rows))
 
 
-PLANES = Format(note("format.planes"), "planes", "points", (".txt",), PLACE, sniff, look, read)
+PLANES = FileFormat(
+    note("format.planes"), "planes", "points", (".txt",), PLACE, sniff, preview_file, read
+)

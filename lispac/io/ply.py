@@ -1,4 +1,4 @@
-"""PLY, text or binary, with a time: the header is read here, the points as records.
+"""PLY, text or binary, with a time.
 
 open3d reads PLY as a whole and without guard against damaged files; plyfile's licence does not fit.
 """
@@ -10,20 +10,26 @@ from typing import Any
 import numpy as np
 
 from lispac.errors import InputError
-from lispac.foreign_values import is_count
-from lispac.io.points import (
+from lispac.io.format_types import NOT, SURE, Choice, Fact, FileFormat, FilePreview, PointChunk
+from lispac.io.point_reading import (
     CHUNK,
     HEAD,
     PLACE,
     TIME_FIELD,
     TIME_UNIT,
-    plainly,
-    require_filled,
-    sniffer,
+    head_sniffer,
+    report_damage,
+    require_not_empty,
 )
-from lispac.io.records import Records, finding, points_of, require_axes, stored
-from lispac.io.registry import NOT, SURE, Choice, Fact, Finding, Format, PointChunk
+from lispac.io.point_records import (
+    PointRecords,
+    point_chunk,
+    preview_records,
+    read_record_columns,
+    require_xyz_fields,
+)
 from lispac.messages import error, note
+from lispac.untrusted_values import is_whole_number
 
 TYPES = {
     **dict.fromkeys(("char", "int8"), "i1"), **dict.fromkeys(("uchar", "uint8"), "u1"),
@@ -37,13 +43,13 @@ Element = tuple[str, int, list[tuple[str, str]]]
 ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 
-@sniffer
+@head_sniffer
 def sniff(head: bytes, path: Path) -> float:
     """PLY starts with its name in a line of its own."""
     return SURE if head[:4] in (b"ply\n", b"ply\r") else NOT
 
 
-def look(path: Path, choice: Choice) -> Finding:
+def preview_file(path: Path, choice: Choice) -> FilePreview:
     """Read the header and the first points.
 
     Raises
@@ -51,10 +57,10 @@ def look(path: Path, choice: Choice) -> Finding:
     InputError
         Where the file cannot be read or has no time.
     """
-    records = _header(path)
-    with plainly(records.path, "PLY"):
-        columns = next(stored(records, 10_000))
-        return finding(PLY, columns, choice, records)
+    records = _read_header(path)
+    with report_damage(records.path, "PLY"):
+        columns = next(read_record_columns(records, 10_000))
+        return preview_records(PLY, columns, choice, records)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -66,17 +72,17 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         Where the file is missing, damaged, cut short, empty, or without time.
     """
     settled = PLY.settled(choice)
-    records = _header(path)
+    records = _read_header(path)
     done = 0
-    with plainly(records.path, "PLY"):
-        for columns in stored(records, CHUNK):
-            chunk = points_of(columns, settled, records.path, done=done, total=records.count)
+    with report_damage(records.path, "PLY"):
+        for columns in read_record_columns(records, CHUNK):
+            chunk = point_chunk(columns, settled, records.path, done=done, total=records.count)
             done += len(chunk.time)
             yield chunk
 
 
-def _header(path: Path) -> Records:
-    path = require_filled(path, "PLY")
+def _read_header(path: Path) -> PointRecords:
+    path = require_not_empty(path, "PLY")
     with path.open("rb") as file:
         head = file.read(HEAD)
     end = head.find(b"end_header")
@@ -89,7 +95,7 @@ def _header(path: Path) -> Records:
         if words[:1] == ["format"] and len(words) > 1:
             order = words[1]
         elif words[:1] == ["element"] and len(words) == 3:
-            elements.append((words[1], _count(path, words[2]), list[tuple[str, str]]()))
+            elements.append((words[1], _parse_count(path, words[2]), list[tuple[str, str]]()))
         elif words[:1] == ["property"] and elements:
             elements[-1][2].append((words[-1], " ".join(words[1:-1])))
         elif words[:1] in (["comment"], ["obj_info"]):
@@ -99,23 +105,23 @@ def _header(path: Path) -> Records:
     if order not in ORDERS:
         raise InputError(error("ply.format", file=str(path), format=order))
     for k, (name, count, properties) in enumerate(elements):
-        dtype = _dtype(path, name, properties, ORDERS[order])
+        dtype = _record_dtype(path, name, properties, ORDERS[order])
         if name == "vertex":
-            require_axes(path, dtype.names or ())
+            require_xyz_fields(path, dtype.names or ())
             facts: dict[str, Fact] = {"format": f"PLY, {order}"}
             if comments:
                 facts["comments"] = "; ".join(comments)[:500]
-            records = Records(path, dtype, count, start, order == "ascii", facts)
-            after = _size(elements[k + 1 :], order)
+            records = PointRecords(path, dtype, count, start, order == "ascii", facts)
+            after = _elements_size(elements[k + 1 :], order)
             return records if after is None else records.counted(after)
         if order == "ascii":
-            start = _after_lines(path, start, count)
+            start = _position_after_lines(path, start, count)
         else:
             start += count * dtype.itemsize
     raise InputError(error("ply.no_vertices", file=str(path)))
 
 
-def _size(elements: list[Element], order: str) -> int | None:
+def _elements_size(elements: list[Element], order: str) -> int | None:
     """Rows or bytes of elements; None for lists of bytes, whose length varies."""
     if order == "ascii":
         return sum(count for _, count, _ in elements)
@@ -125,13 +131,13 @@ def _size(elements: list[Element], order: str) -> int | None:
     return sum(count * np.dtype(TYPES[kind]).itemsize for count, kind in kinds)
 
 
-def _count(path: Path, text: str) -> int:
-    if not is_count(text, 1 << 48):
+def _parse_count(path: Path, text: str) -> int:
+    if not is_whole_number(text, 1 << 48):
         raise InputError(error("ply.count", file=str(path), text=text[:20]))
     return int(text)
 
 
-def _dtype(
+def _record_dtype(
     path: Path, element: str, properties: list[tuple[str, str]], order: str
 ) -> np.dtype[Any]:
     fields: dict[str, str] = {}
@@ -155,7 +161,7 @@ def _dtype(
     return np.dtype(list(fields.items()))
 
 
-def _after_lines(path: Path, start: int, count: int) -> int:
+def _position_after_lines(path: Path, start: int, count: int) -> int:
     with path.open("rb") as file:
         file.seek(start)
         for _ in range(count):
@@ -164,13 +170,13 @@ def _after_lines(path: Path, start: int, count: int) -> int:
         return file.tell()
 
 
-PLY = Format(
+PLY = FileFormat(
     note("format.ply"),
     "ply",
     "points",
     (".ply",),
     (TIME_FIELD, TIME_UNIT, *PLACE),
     sniff,
-    look,
+    preview_file,
     read,
 )

@@ -59,7 +59,7 @@ class PointCounts:
         return tuple(found)
 
 
-def counts_of_records(
+def count_records(
     path: Path, start: int, end: int, size: int, header: int, is_point: Callable[[Rows], Flags]
 ) -> PointCounts:
     """Count fixed-size records; records of zeros at the end are padding.
@@ -78,7 +78,7 @@ def counts_of_records(
     held = max(0, end - start) // size
     if held <= header:
         return PointCounts(header, held)
-    held = _without_zeros(path, start, size, header, held)
+    held = _count_without_padding(path, start, size, header, held)
     if held == header:
         return PointCounts(header, header)
     rows = np.memmap(path, np.uint8, "r", start, (held, size))
@@ -88,7 +88,7 @@ def counts_of_records(
     return PointCounts(header, header, unread=end - start - header * size)
 
 
-def counts_of_rows(path: Path, start: int, columns: int, header: int, after: int) -> PointCounts:
+def count_rows(path: Path, start: int, columns: int, header: int, after: int) -> PointCounts:
     """Count rows of text; those beyond the header count are points while their columns match.
 
     Parameters
@@ -117,7 +117,7 @@ def counts_of_rows(path: Path, start: int, columns: int, header: int, after: int
     return PointCounts(header, held, unread=unread)
 
 
-def _without_zeros(path: Path, start: int, size: int, header: int, held: int) -> int:
+def _count_without_padding(path: Path, start: int, size: int, header: int, held: int) -> int:
     """Number of records up to the last one after ``header`` that is not zero."""
     step = max(1, BLOCK // size)
     rows = np.memmap(path, np.uint8, "r", start, (held, size))

@@ -14,9 +14,9 @@ import re
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.exail import default_unit, unstated
-from lispac.io.registry import LIKELY, NOT, SURE, Choice, Fact, Finding
-from lispac.io.text_table import fields_of, first_lines, is_data, lines_of
+from lispac.io.exail import default_unit, unit_assumed_warning
+from lispac.io.format_types import LIKELY, NOT, SURE, Choice, Fact, FilePreview
+from lispac.io.text_table import first_lines, is_data_row, numbered_lines, split_fields
 from lispac.io.trajectory_columns import (
     Column,
     Conventions,
@@ -25,9 +25,9 @@ from lispac.io.trajectory_columns import (
     role_of,
     trajectory_of,
 )
-from lispac.io.trajectory_preview import TextLayout, has_sigmas, look_at_accuracy, look_at_text
+from lispac.io.trajectory_preview import TextLayout, has_sigmas, preview_accuracy, preview_text
 from lispac.io.trajectory_velocities import velocity_columns
-from lispac.io.units import unit_of
+from lispac.io.units import parse_unit
 from lispac.messages import Message, error, note
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
@@ -43,7 +43,7 @@ _FACTS = {
 
 
 def sniff_pospac(path: Path) -> float:
-    """How sure it is that this is such an export, by its title and line of names."""
+    """Likelihood of such an export, by its title and line of names."""
     lines = first_lines(path)
     found = _names_line(lines)
     if found is None:
@@ -55,7 +55,7 @@ def sniff_pospac(path: Path) -> float:
 
 
 def sniff_pospac_accuracy(path: Path) -> float:
-    """As `sniff_pospac`, where all standard deviations are there."""
+    """Likelihood of such an export with all standard deviations."""
     sureness = sniff_pospac(path)
     if not sureness:
         return NOT
@@ -74,7 +74,7 @@ def pospac_layout(path: Path) -> TextLayout:
     found = _names_line(lines)
     if found is None:
         # Reading the first line detects a missing, empty or binary file.
-        next(lines_of(path, "POSPac text"), None)
+        next(numbered_lines(path, "POSPac text"), None)
         raise InputError(error("trajectory.pospac_header", file=str(path)))
     start, names = found
     units_line = next(
@@ -87,10 +87,10 @@ def pospac_layout(path: Path) -> TextLayout:
         role = role_of(name)
         if not role or any(column.role == role for column in columns):
             continue
-        unit = stated.get(_group(role), "")
+        unit = stated.get(_unit_group(role), "")
         if not unit:
             unit = default_unit(role)
-            doubts.append(unstated(path, name.lower(), unit))
+            doubts.append(unit_assumed_warning(path, name.lower(), unit))
         if unit in ("dms", "clock"):
             raise InputError(
                 error("trajectory.pospac_notation", file=str(path), column=name.lower())
@@ -115,24 +115,24 @@ def pospac_rows(path: Path) -> Rows:
     """
     found = _names_line(first_lines(path))
     start = found[0] + 1 if found else 0
-    for row, line in lines_of(path, "POSPac text"):
+    for row, line in numbered_lines(path, "POSPac text"):
         if row <= start or not line.strip():
             continue
-        fields = fields_of(line)
+        fields = split_fields(line)
         if line.strip().startswith("("):
             continue
-        if not is_data(fields):
+        if not is_data_row(fields):
             text = line.strip()[:40]
             raise InputError(error("trajectory.not_a_row", file=str(path), row=row, text=text))
         yield row, fields
 
 
-def look_pospac(path: Path, choice: Choice) -> Finding:
+def preview_pospac(path: Path, choice: Choice) -> FilePreview:
     """Header, first rows and warnings."""
     path = Path(path)
     layout = pospac_layout(path)
     found = {"crs": "", "time": "gps-week"} | dict(choice)
-    return look_at_text(path, layout, _conventions(layout, found), found)
+    return preview_text(path, layout, _conventions(layout, found), found)
 
 
 def read_pospac(path: Path, choice: Choice) -> Trajectory:
@@ -151,11 +151,11 @@ def read_pospac(path: Path, choice: Choice) -> Trajectory:
     )
 
 
-def look_pospac_accuracy(path: Path, choice: Choice) -> Finding:
+def preview_pospac_accuracy(path: Path, choice: Choice) -> FilePreview:
     """Size of the standard deviations."""
     path = Path(path)
     layout = pospac_layout(path)
-    return look_at_accuracy(path, layout, _conventions(layout, choice))
+    return preview_accuracy(path, layout, _conventions(layout, choice))
 
 
 def read_pospac_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
@@ -186,7 +186,7 @@ def _stated_units(line: str) -> dict[str, str]:
     units: dict[str, str] = {}
     for what, unit in _UNIT.findall(line):
         words = what.lower()
-        key = "m" if unit.lower() == "m" else unit_of(unit)
+        key = "m" if unit.lower() == "m" else parse_unit(unit)
         if unit.lower().startswith("sec"):
             key = "s"
         if "position sd" in words:
@@ -206,8 +206,8 @@ def _stated_units(line: str) -> dict[str, str]:
     return units
 
 
-def _group(role: str) -> str:
-    """Group of columns that the line of units speaks of."""
+def _unit_group(role: str) -> str:
+    """Group of columns in the line of units that a role belongs to."""
     if role in ("latitude", "longitude"):
         return "geographic"
     if role.removesuffix("_sd") in ("roll", "pitch", "heading"):

@@ -26,18 +26,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossChecks
+from lispac.alternative_methods import AlternativeResult
 from lispac.errors import InputError, ProjectChanged, ProjectError, system_reason
-from lispac.foreign_values import InvalidContentError, json_values
 from lispac.identity import Identity
-from lispac.io.consistency import require_consistent, require_single_names
-from lispac.io.files import bad_name, not_written, remove_abandoned, remove_empty, written_whole
+from lispac.io.files import (
+    atomic_write,
+    bad_name_error,
+    remove_abandoned_files,
+    remove_empty_folders,
+    write_error,
+)
+from lispac.io.project_consistency import require_consistent, require_unique_names
 from lispac.io.project_lock import FILE_NAME as FILE_NAME
-from lispac.io.project_lock import digest_of, project_lock
-from lispac.io.upgrades import SCHEMA_VERSION, upgraded
-from lispac.io.values import decoded, encoded, in_one_line
+from lispac.io.project_lock import content_digest, project_lock
+from lispac.io.project_upgrades import SCHEMA_VERSION, upgrade_content
+from lispac.io.value_conversion import decode_value, encode_value, failure_summary
 from lispac.message_texts import has_text
 from lispac.messages import Message, error
-from lispac.opinions import Opinion
 from lispac.project import (
     LineSource,
     PickedSighting,
@@ -48,10 +53,11 @@ from lispac.project import (
     Triple,
 )
 from lispac.survey.store.layout import is_link, require_no_link
-from lispac.targets.expected import ExpectedTarget
-from lispac.targets.settings import USUAL, FinderChoices
-from lispac.validation.absolute import AbsoluteCheck
-from lispac.validation.comparison import PlaneComparison
+from lispac.targets.expected_target import ExpectedTarget
+from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.untrusted_values import InvalidContentError, json_values
+from lispac.validation.absolute_check import AbsoluteCheck
+from lispac.validation.plane_comparison import PlaneComparison
 
 UNSAVED_NAME = "unsaved.json"
 SIGHTINGS = "sightings"
@@ -64,7 +70,7 @@ Points = Callable[[Path, str, Sequence[int]], Sequence[NDArray[np.int64]]]
 
 
 def write_project(project: Project, *, expected: str | None = None) -> str:
-    """Write the project into its folder; the old state stays until the new one is complete.
+    """Write the project into its folder; the old state remains until the new one is complete.
 
     What is kept against a crash stays: it may be of another window, or not have been asked for yet.
 
@@ -89,21 +95,21 @@ def write_project(project: Project, *, expected: str | None = None) -> str:
         Where the folder cannot be written.
     """
     folder, path = project.folder, project.folder / FILE_NAME
-    with _folder_made(folder), project_lock(folder):
+    with _new_folder(folder), project_lock(folder):
         if expected is not None and (found := _digest_on_disk(path)) != expected:
             if found and not expected:
                 raise ProjectError(error("project.exists", folder=str(folder)))
             raise ProjectChanged(error("project.changed_on_disk", folder=str(folder)))
-        used = _write(project, FILE_NAME)
+        used = _write_state(project, FILE_NAME)
         _write_opener(folder / OPENER)
-        _remove_unused(folder, used | _used_unsaved(folder))
-        remove_abandoned(path)
+        _remove_unused_files(folder, used | _unsaved_point_files(folder))
+        remove_abandoned_files(path)
         return _digest_on_disk(path)
 
 
 @contextmanager
-def _folder_made(folder: Path) -> Iterator[None]:
-    """Make a folder; it goes again where nothing is written into it.
+def _new_folder(folder: Path) -> Iterator[None]:
+    """Create a folder, and remove it again if nothing is written into it.
 
     Raises
     ------
@@ -115,18 +121,18 @@ def _folder_made(folder: Path) -> Iterator[None]:
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except ValueError as failure:
-            raise bad_name(folder) from failure
+            raise bad_name_error(folder) from failure
         yield
     except OSError as failure:
-        raise not_written(folder / FILE_NAME, failure) from failure
+        raise write_error(folder / FILE_NAME, failure) from failure
     finally:
-        remove_empty(made)
+        remove_empty_folders(made)
 
 
 def _digest_on_disk(path: Path) -> str:
-    """Digest of the file of a project; empty where there is none."""
+    """Digest of a project file; empty if there is none."""
     try:
-        return digest_of(path.read_bytes())
+        return content_digest(path.read_bytes())
     except FileNotFoundError:
         return ""
 
@@ -134,23 +140,23 @@ def _digest_on_disk(path: Path) -> str:
 def _write_opener(path: Path) -> None:
     # The project is saved by now, and is one without it
     if not path.exists():
-        with suppress(InputError), written_whole(path) as temporary:
+        with suppress(InputError), atomic_write(path) as temporary:
             temporary.write_text(OPENER_TEXT, encoding="utf-8")
 
 
 def is_project_file(path: Path) -> bool:
-    """Whether this is the file of a project, or the one that opens it, by its name."""
+    """True if a path is named like a project file or the file that opens a project."""
     return path.name == FILE_NAME or (path.suffix == OPENER_ENDING and not path.is_dir())
 
 
-def _write(project: Project, name: str) -> set[str]:
-    """Write a state, and give the files its points are in."""
-    files = {target.name: _indices_file(target) for target in project.targets}
-    text = json.dumps(_encode(project, files), indent=1) + "\n"
+def _write_state(project: Project, name: str) -> set[str]:
+    """Write a state, and return the names of its files of points."""
+    files = {target.name: _indices_file_name(target) for target in project.targets}
+    text = json.dumps(_encode_project(project, files), indent=1) + "\n"
     _require_readable(project, text)
     for target in project.targets:
         _write_indices(project.folder, target)
-    with written_whole(project.folder / name) as temporary:
+    with atomic_write(project.folder / name) as temporary:
         temporary.write_text(text, encoding="utf-8")
     return set(files.values())
 
@@ -164,8 +170,8 @@ def _require_readable(project: Project, text: str) -> None:
     """
     points = {target.name: [s.indices for s in target.sightings] for target in project.targets}
     try:
-        require_single_names(project)
-        _decoded(
+        require_unique_names(project)
+        _decode_text(
             project.folder / FILE_NAME,
             text.encode("utf-8"),
             lambda path, name, counts: points[name],
@@ -178,8 +184,8 @@ def _require_readable(project: Project, text: str) -> None:
         raise ProjectError(error("project.cannot_be_read_again", reason=reason)) from failure
 
 
-def keep_unsaved(project: Project) -> None:
-    """Write the project beside its saved state, to be found again after a crash.
+def write_unsaved(project: Project) -> None:
+    """Write the project beside its saved state, for recovery after a crash.
 
     Raises
     ------
@@ -189,17 +195,17 @@ def keep_unsaved(project: Project) -> None:
         Where the folder cannot be written.
     """
     with project_lock(project.folder):
-        _write(project, UNSAVED_NAME)
+        _write_state(project, UNSAVED_NAME)
 
 
-def forget_unsaved(folder: Path) -> None:
-    """Remove what was kept against a crash; its points go with the next save."""
+def remove_unsaved(folder: Path) -> None:
+    """Remove the recovery copy of a project; its points are removed with the next save."""
     with suppress(OSError):
         (folder / UNSAVED_NAME).unlink(missing_ok=True)
 
 
 def read_unsaved(folder: Path) -> Project | None:
-    """What was not saved before a crash; None where there is nothing.
+    """Read the unsaved project after a crash; None if there is none.
 
     Raises
     ------
@@ -210,7 +216,7 @@ def read_unsaved(folder: Path) -> Project | None:
     # A crash between the save and the removal leaves a copy with the same contents
     if not path.is_file() or path.read_bytes() == (folder / FILE_NAME).read_bytes():
         return None
-    return _read(path)
+    return _read_state(path)
 
 
 def read_project(folder: Path) -> Project:
@@ -222,8 +228,8 @@ def read_project(folder: Path) -> Project:
         Where there is no project, or its file is damaged or of a newer version.
     """
     path = project_folder(folder) / FILE_NAME
-    project = _read(path)
-    remove_abandoned(path)
+    project = _read_state(path)
+    remove_abandoned_files(path)
     return project
 
 
@@ -240,13 +246,13 @@ def project_folder(path: Path) -> Path:
         folder = path.parent if is_project_file(path) else path
         is_project = (folder / FILE_NAME).is_file()
     except OSError as failure:  # no permission to look into it, or too long a name
-        raise _unreadable(path, failure) from failure
+        raise _unreadable_error(path, failure) from failure
     if not is_project:
         raise ProjectError(error("project.not_found", folder=str(path), missing=FILE_NAME))
     return folder
 
 
-def _read(path: Path) -> Project:
+def _read_state(path: Path) -> Project:
     """Read a state of a project; again where another program writes one meanwhile.
 
     The points that a state refers to are removed when the next state is saved.
@@ -259,21 +265,21 @@ def _read(path: Path) -> Project:
         try:
             content = path.read_bytes()
         except OSError as failure:
-            raise _unreadable(path, failure) from failure
+            raise _unreadable_error(path, failure) from failure
         try:
-            return replace(_decoded(path, content), file_digest=digest_of(content))
+            return replace(_decode_text(path, content), file_digest=content_digest(content))
         except ProjectError:
-            if _digest_on_disk(path) in ("", digest_of(content)):
+            if _digest_on_disk(path) in ("", content_digest(content)):
                 raise
 
 
-def _unreadable(path: Path, failure: OSError) -> ProjectError:
+def _unreadable_error(path: Path, failure: OSError) -> ProjectError:
     """Make the error of a project that cannot be read."""
     reason = system_reason(failure)
     return ProjectError(error("project.unreadable", file=str(path), reason=reason))
 
 
-def _decoded(path: Path, text: bytes, points: Points | None = None) -> Project:
+def _decode_text(path: Path, text: bytes, points: Points | None = None) -> Project:
     try:
         content = json_values(text)
         version = content["schema_version"]
@@ -281,7 +287,9 @@ def _decoded(path: Path, text: bytes, points: Points | None = None) -> Project:
             raise InvalidContentError(error("content.invalid_version", version=repr(version)[:40]))
         if version > SCHEMA_VERSION:
             raise ProjectError(error("project.newer_version", file=str(path), version=version))
-        project = _decode(path.parent.resolve(), upgraded(content), points or _read_indices)
+        project = _decode_project(
+            path.parent.resolve(), upgrade_content(content), points or _read_indices
+        )
         require_consistent(project)
     except InputError as failure:
         raise ProjectError(
@@ -291,13 +299,13 @@ def _decoded(path: Path, text: bytes, points: Points | None = None) -> Project:
         ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError,
     ) as failure:  # fmt: skip
         raise ProjectError(
-            error("project.damaged", file=str(path), reason=_damage(failure))
+            error("project.damaged", file=str(path), reason=_damage_message(failure))
         ) from failure
     return project
 
 
-def _damage(failure: Exception) -> Message:
-    """What is wrong with the content of a project file."""
+def _damage_message(failure: Exception) -> Message:
+    """Message on the invalid content of a project file."""
     if isinstance(failure, KeyError):
         return error("content.missing_field", field=str(failure.args[0]))
     if isinstance(failure, InvalidContentError):
@@ -305,24 +313,24 @@ def _damage(failure: Exception) -> Message:
     return error("content.wrong_type")
 
 
-def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
+def _encode_project(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
     return {
         "schema_version": SCHEMA_VERSION,
-        "trajectory": _relative(project.trajectory, project.folder),
-        "trajectory_reading": encoded(project.trajectory_reading),
-        "accuracy": project.accuracy and _relative(project.accuracy, project.folder),
-        "accuracy_reading": encoded(project.accuracy_reading),
+        "trajectory": _relative_path(project.trajectory, project.folder),
+        "trajectory_reading": encode_value(project.trajectory_reading),
+        "accuracy": project.accuracy and _relative_path(project.accuracy, project.folder),
+        "accuracy_reading": encode_value(project.accuracy_reading),
         "lines": [
             {
                 "name": line.name,
-                "path": _relative(line.path, project.folder),
+                "path": _relative_path(line.path, project.folder),
                 "columns": list(line.columns),
-                "reading": encoded(line.reading),
+                "reading": encode_value(line.reading),
             }
             for line in project.lines
         ],
-        "identity": encoded(project.identity),
-        "settings": encoded(project.settings),
+        "identity": encode_value(project.identity),
+        "settings": encode_value(project.settings),
         "targets": [
             {
                 "name": target.name,
@@ -331,11 +339,11 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
                 "threshold": target.threshold,
                 "radius": target.radius,
                 "used": target.used,
-                "missing": {line: encoded(why) for line, why in target.missing.items()},
+                "missing": {line: encode_value(why) for line, why in target.missing.items()},
                 "shape": target.shape,
                 "sphere_radius": target.sphere_radius,
-                "expected": encoded(target.expected),
-                "choices": None if target.choices == USUAL else encoded(target.choices),
+                "expected": encode_value(target.expected),
+                "choices": None if target.choices == USUAL else encode_value(target.choices),
                 "indices": index_files[target.name],
                 "sightings": [
                     {
@@ -352,51 +360,51 @@ def _encode(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
             }
             for target in project.targets
         ],
-        "result": encoded(project.result),
-        "cross_checks": encoded(project.cross_checks),
-        "validation": [encoded(each) for each in project.validation],
-        "not_compared": {name: encoded(why) for name, why in project.not_compared.items()},
-        "absolute": encoded(project.absolute),
-        "opinions": [encoded(each) for each in project.opinions],
-        "data_messages": [encoded(each) for each in project.data_messages],
+        "result": encode_value(project.result),
+        "cross_checks": encode_value(project.cross_checks),
+        "validation": [encode_value(each) for each in project.validation],
+        "not_compared": {name: encode_value(why) for name, why in project.not_compared.items()},
+        "absolute": encode_value(project.absolute),
+        "opinions": [encode_value(each) for each in project.opinions],
+        "data_messages": [encode_value(each) for each in project.data_messages],
         "truth_deg": project.truth_deg,
     }
 
 
-def _decode(folder: Path, content: dict[str, Any], points: Points) -> Project:
+def _decode_project(folder: Path, content: dict[str, Any], points: Points) -> Project:
     return Project(
         folder=folder,
-        trajectory=_absolute(content["trajectory"], folder),
-        accuracy=_absolute(content["accuracy"], folder) if content["accuracy"] else None,
+        trajectory=_absolute_path(content["trajectory"], folder),
+        accuracy=_absolute_path(content["accuracy"], folder) if content["accuracy"] else None,
         lines=tuple(
             LineSource(
-                decoded(line["name"], str),
-                _absolute(decoded(line["path"], str), folder),
-                decoded(line["columns"], tuple[str, ...]),
-                decoded(line["reading"], Reading),
+                decode_value(line["name"], str),
+                _absolute_path(decode_value(line["path"], str), folder),
+                decode_value(line["columns"], tuple[str, ...]),
+                decode_value(line["reading"], Reading),
             )
             for line in content["lines"]
         ),
-        settings=decoded(content["settings"], Settings),
-        identity=decoded(content["identity"], Identity),
+        settings=decode_value(content["settings"], Settings),
+        identity=decode_value(content["identity"], Identity),
         targets=tuple(_decode_target(folder, target, points) for target in content["targets"]),
         result=_decode_result(content["result"]) if content["result"] else None,
         cross_checks=(
-            decoded(content["cross_checks"], CrossChecks) if content["cross_checks"] else None
+            decode_value(content["cross_checks"], CrossChecks) if content["cross_checks"] else None
         ),
-        validation=tuple(decoded(each, PlaneComparison) for each in content["validation"]),
-        not_compared=decoded(content["not_compared"], dict[str, Message]),
-        truth_deg=_triple(content["truth_deg"]) if content["truth_deg"] else None,
-        trajectory_reading=decoded(content["trajectory_reading"], Reading),
-        accuracy_reading=decoded(content["accuracy_reading"], Reading),
-        absolute=decoded(absolute, AbsoluteCheck)
+        validation=tuple(decode_value(each, PlaneComparison) for each in content["validation"]),
+        not_compared=decode_value(content["not_compared"], dict[str, Message]),
+        truth_deg=_decode_triple(content["truth_deg"]) if content["truth_deg"] else None,
+        trajectory_reading=decode_value(content["trajectory_reading"], Reading),
+        accuracy_reading=decode_value(content["accuracy_reading"], Reading),
+        absolute=decode_value(absolute, AbsoluteCheck)
         if (absolute := content.get("absolute"))
         else None,
-        opinions=tuple(decoded(each, Opinion) for each in content["opinions"]),
+        opinions=tuple(decode_value(each, AlternativeResult) for each in content["opinions"]),
         data_messages=tuple(
             message
-            for each in decoded(content.get("data_messages", []), list[dict[str, Any]])
-            if has_text(message := decoded(each, Message))  # of another version: found again
+            for each in decode_value(content.get("data_messages", []), list[dict[str, Any]])
+            if has_text(message := decode_value(each, Message))  # of another version: found again
         ),
     )
 
@@ -409,7 +417,7 @@ def _decode_result(content: Any) -> AdjustmentResult:
     InvalidContentError
         Where they do not, or the content is not a result.
     """
-    result = decoded(content, AdjustmentResult)
+    result = decode_value(content, AdjustmentResult)
     sightings = {each.sighting for each in result.sightings}
     targets = {each.target for each in result.targets}
     without_line = result.observability.sigma_without_line if result.observability else {}
@@ -429,41 +437,41 @@ def _decode_result(content: Any) -> AdjustmentResult:
 
 
 def _decode_target(folder: Path, content: dict[str, Any], points: Points) -> Target:
-    name = decoded(content["name"], str)
-    path = folder / decoded(content["indices"], str)
+    name = decode_value(content["name"], str)
+    path = folder / decode_value(content["indices"], str)
     sightings = tuple(
         PickedSighting(
-            decoded(item["line"], str),
+            decode_value(item["line"], str),
             indices,
-            decoded(item["rms"], float),
-            decoded(item["used"], bool),
-            decoded(item["fingerprint"], str),
-            decoded(item.get("one_in", 1), int),
-            decoded(item.get("by_hand", False), bool),
+            decode_value(item["rms"], float),
+            decode_value(item["used"], bool),
+            decode_value(item["fingerprint"], str),
+            decode_value(item.get("one_in", 1), int),
+            decode_value(item.get("by_hand", False), bool),
         )
         for item, indices in zip(
             content["sightings"],
-            points(path, name, [_count(s) for s in content["sightings"]]),
+            points(path, name, [_point_count(s) for s in content["sightings"]]),
             strict=True,
         )
     )
     return Target(
         name,
         content["role"],
-        _triple(content["seed"]),
-        decoded(content["threshold"], float),
-        decoded(content["radius"], float),
+        _decode_triple(content["seed"]),
+        decode_value(content["threshold"], float),
+        decode_value(content["radius"], float),
         sightings,
-        decoded(content["missing"], dict[str, Message]),
-        decoded(content["used"], bool),
+        decode_value(content["missing"], dict[str, Message]),
+        decode_value(content["used"], bool),
         content["shape"],
-        None if content["sphere_radius"] is None else decoded(content["sphere_radius"], float),
-        decoded(expected, ExpectedTarget) if (expected := content.get("expected")) else None,
-        decoded(choices, FinderChoices) if (choices := content["choices"]) else USUAL,
+        None if content["sphere_radius"] is None else decode_value(content["sphere_radius"], float),
+        decode_value(expected, ExpectedTarget) if (expected := content.get("expected")) else None,
+        decode_value(choices, FinderChoices) if (choices := content["choices"]) else USUAL,
     )
 
 
-def _count(sighting: dict[str, Any]) -> int:
+def _point_count(sighting: dict[str, Any]) -> int:
     """Points of a sighting.
 
     Raises
@@ -519,44 +527,44 @@ def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArra
             error("project.points_damaged", file=str(path), target=target, reason=failure.reason)
         ) from failure
     except PermissionError as failure:
-        raise _unreadable(path, failure) from failure
+        raise _unreadable_error(path, failure) from failure
     except UNREADABLE as failure:
-        reason = error("content.unreadable", reason=in_one_line(failure))
+        reason = error("content.unreadable", reason=failure_summary(failure))
         raise ProjectError(
             error("project.points_damaged", file=str(path), target=target, reason=reason)
         ) from failure
     return found
 
 
-def _indices_file(target: Target) -> str:
+def _indices_file_name(target: Target) -> str:
     """Name of the file of the points of a target, in the folder of the project."""
     plain = re.sub(r"[^A-Za-z0-9_-]", "_", target.name)
-    return f"{SIGHTINGS}/{plain}-{_digest(s.indices for s in target.sightings)}.npz"
+    return f"{SIGHTINGS}/{plain}-{_arrays_digest(s.indices for s in target.sightings)}.npz"
 
 
 def _write_indices(folder: Path, target: Target) -> None:
     arrays: dict[str, NDArray[Any]] = {
         f"line{k}": sighting.indices for k, sighting in enumerate(target.sightings)
     }
-    name = _indices_file(target)
+    name = _indices_file_name(target)
     require_no_link(folder / SIGHTINGS)
     if not (folder / name).exists():
         buffer = BytesIO()
         np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]
-        with written_whole(folder / name) as temporary:
+        with atomic_write(folder / name) as temporary:
             temporary.write_bytes(buffer.getvalue())
 
 
-def _digest(arrays: Iterable[NDArray[Any]]) -> str:
-    """What names a file of points by its content."""
+def _arrays_digest(arrays: Iterable[NDArray[Any]]) -> str:
+    """Digest of the content of a file of points, which names it."""
     digest = hashlib.sha256()
     for array in arrays:
         digest.update(array.tobytes() + b"|")
     return digest.hexdigest()[:16]
 
 
-def _used_unsaved(folder: Path) -> set[str]:
-    """The files that what is not saved yet has its points in."""
+def _unsaved_point_files(folder: Path) -> set[str]:
+    """Names of the files of points that the unsaved project uses."""
     try:
         content = json_values((folder / UNSAVED_NAME).read_bytes())
         return {target["indices"] for target in content["targets"]}
@@ -564,24 +572,24 @@ def _used_unsaved(folder: Path) -> set[str]:
         return set()  # there is none, or it cannot be opened either
 
 
-def _remove_unused(folder: Path, used: set[str]) -> None:
-    """Remove files of points that no state uses; those that this program did not write stay."""
+def _remove_unused_files(folder: Path, used: set[str]) -> None:
+    """Remove the program's own files of points that no state uses."""
     if is_link(folder / SIGHTINGS):
         return
     for path in (folder / SIGHTINGS).glob("*.npz"):
-        if f"{SIGHTINGS}/{path.name}" not in used and _is_own(path):
+        if f"{SIGHTINGS}/{path.name}" not in used and _has_named_content(path):
             path.unlink(missing_ok=True)
 
 
-def remove_points(folder: Path) -> None:
-    """Remove all files of points of a project that is replaced; those of the user stay."""
-    _remove_unused(folder, set())
+def remove_point_files(folder: Path) -> None:
+    """Remove all files of points of a project that is replaced, but no files of the user."""
+    _remove_unused_files(folder, set())
     if not is_link(folder / SIGHTINGS):
-        remove_empty([folder / SIGHTINGS])
+        remove_empty_folders([folder / SIGHTINGS])
 
 
-def _is_own(path: Path) -> bool:
-    """Whether the content of a file of points agrees with its name."""
+def _has_named_content(path: Path) -> bool:
+    """True if a file of points has the content that its name states."""
     named = re.fullmatch(r"[A-Za-z0-9_-]*-([0-9a-f]{16})\.npz", path.name)
     if named is None or is_link(path) or not path.is_file():
         return False
@@ -603,17 +611,17 @@ def _is_own(path: Path) -> bool:
         return False
 
 
-def _relative(path: Path, folder: Path) -> str:
+def _relative_path(path: Path, folder: Path) -> str:
     try:
         return Path(os.path.relpath(path, folder)).as_posix()
     except ValueError:  # another drive on Windows
         return path.as_posix()
 
 
-def _absolute(path: str, folder: Path) -> Path:
+def _absolute_path(path: str, folder: Path) -> Path:
     # Lexical, not resolved: a file reached through a link keeps the name the user knows.
     return Path(os.path.normpath(folder / path))
 
 
-def _triple(values: list[float]) -> Triple:
-    return decoded(values, cast(type[Triple], Triple))
+def _decode_triple(values: list[float]) -> Triple:
+    return decode_value(values, cast(type[Triple], Triple))

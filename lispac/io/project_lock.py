@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.files import not_written
+from lispac.io.files import write_error
 from lispac.locks import LockTaken, NotALockFile, file_lock
 from lispac.messages import error
 
@@ -59,7 +59,7 @@ def project_lock(
     except NotALockFile as failure:
         raise InputError(error("lock.not_a_file", file=str(folder / LOCK_NAME))) from failure
     except OSError as failure:
-        raise not_written(folder / FILE_NAME, failure) from failure
+        raise write_error(folder / FILE_NAME, failure) from failure
     _held[key] = 1
     try:
         yield
@@ -68,6 +68,6 @@ def project_lock(
         lock.__exit__(None, None, None)
 
 
-def digest_of(content: bytes) -> str:
+def content_digest(content: bytes) -> str:
     """Digest of the content of a project file, by which a change of it is noticed."""
     return hashlib.sha256(content).hexdigest()

@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.foreign_values import is_count
-from lispac.io.points import CHUNK
+from lispac.io.point_reading import CHUNK
 from lispac.io.text_layout import REMARKS
-from lispac.io.text_table import columns_of, is_number, lines_of, number
+from lispac.io.text_table import is_number, numbered_lines, parse_number, read_columns
 from lispac.messages import error
+from lispac.untrusted_values import is_whole_number
 
 Array = NDArray[np.float64]
 Row = tuple[int, str]
@@ -27,10 +27,10 @@ Row = tuple[int, str]
 ENDING = ".pts"
 
 _COUNT = re.compile(r"[0-9]{1,15}")
-_XYZ = tuple((k, number, axis) for k, axis in enumerate("xyz"))
+_XYZ = tuple((k, parse_number, axis) for k, axis in enumerate("xyz"))
 
 
-def places(path: Path) -> Iterator[Array]:
+def read_coordinates(path: Path) -> Iterator[Array]:
     """Coordinates alone, shape (n, 3), in the file's unit, about a million at a time.
 
     Raises
@@ -40,7 +40,7 @@ def places(path: Path) -> Iterator[Array]:
         is not of numbers.
     """
     rows: Iterator[Row] = (
-        (row, text) for row, line in lines_of(path, "PTS")
+        (row, text) for row, line in numbered_lines(path, "PTS")
         if (text := line.strip()) and not text.startswith(REMARKS)
     )  # fmt: skip
     first = next(rows, None)
@@ -48,7 +48,7 @@ def places(path: Path) -> Iterator[Array]:
         return
     rows = chain([first], rows)
     if _is_point(first[1]):
-        yield from _uncounted(path, rows)
+        yield from _read_uncounted(path, rows)
         return
     head = count = 0
     for row, text in rows:
@@ -63,21 +63,21 @@ def places(path: Path) -> Iterator[Array]:
             width = width or max(3, len(block[0][1].split()))
             _require_no_count(path, block, head, count, done)
             _require_rows(path, block, width)
-            yield _xyz(path, block)
+            yield _block_coordinates(path, block)
             done += len(block)
 
 
-def has_count(path: Path) -> bool:
-    """Whether a file begins with its number of points as PTS does, so that it has no times."""
+def has_point_count(path: Path) -> bool:
+    """True if a file begins with its number of points, as PTS without times does."""
     first, second = _first_rows(path, 2)
     if not _COUNT.fullmatch(first):
         return False
-    return path.suffix.lower() == ENDING or _is_point_of_pts(second)
+    return path.suffix.lower() == ENDING or _is_pts_point(second)
 
 
 def is_pts(path: Path) -> bool:
-    """Whether a file is PTS by its first rows; of the ending, unless they are another table."""
-    if has_count(path):
+    """True if a file is PTS, by its first rows or its ending."""
+    if has_point_count(path):
         return True
     (first,) = _first_rows(path, 1)
     words = sum(not is_number(field) for field in first.split())
@@ -86,7 +86,7 @@ def is_pts(path: Path) -> bool:
 
 
 def is_ptx(path: Path) -> bool:
-    """Whether a text is PTX: columns and rows of a scan, poses of 3 numbers and of 4, points."""
+    """True if a text is PTX: columns and rows of a scan, poses of 3 numbers and of 4, points."""
     rows = _first_rows(path, 10)
     if not all(_COUNT.fullmatch(row) for row in rows[:2]):
         return False
@@ -97,19 +97,19 @@ def is_ptx(path: Path) -> bool:
 def _first_rows(path: Path, count: int) -> list[str]:
     """First rows that are neither empty nor comments; empty if there are no more."""
     try:
-        texts = (text for _, line in lines_of(path, "PTS") if (text := line.strip()))
+        texts = (text for _, line in numbered_lines(path, "PTS") if (text := line.strip()))
         rows = list(islice((text for text in texts if not text.startswith(REMARKS)), count))
     except InputError:
         rows = []
     return rows + [""] * (count - len(rows))
 
 
-def _is_point_of_pts(text: str) -> bool:
-    """Whether a row is x, y, z alone, or with intensity and a colour of 0 to 255."""
+def _is_pts_point(text: str) -> bool:
+    """True if a row is x, y, z alone, or with intensity and a colour of 0 to 255."""
     fields = text.split()
     if not _is_point(text) or len(fields) not in (3, 7):
         return False
-    return all(is_count(field, 255) for field in fields[4:])
+    return all(is_whole_number(field, 255) for field in fields[4:])
 
 
 def _is_point(text: str) -> bool:
@@ -117,7 +117,7 @@ def _is_point(text: str) -> bool:
     return len(fields) >= 3 and all(is_number(field) for field in fields)
 
 
-def _uncounted(path: Path, rows: Iterator[Row]) -> Iterator[Array]:
+def _read_uncounted(path: Path, rows: Iterator[Row]) -> Iterator[Array]:
     """All rows as one block, since there is no point count.
 
     Raises
@@ -128,7 +128,7 @@ def _uncounted(path: Path, rows: Iterator[Row]) -> Iterator[Array]:
     while block := list(islice(rows, CHUNK)):
         width = width or len(block[0][1].split())
         _require_rows(path, block, width)
-        yield _xyz(path, block)
+        yield _block_coordinates(path, block)
 
 
 def _require_count(path: Path, row: int, text: str, head: int, count: int) -> None:
@@ -178,8 +178,8 @@ def _require_rows(path: Path, block: list[Row], width: int) -> None:
             )
 
 
-def _xyz(path: Path, block: list[Row]) -> Array:
-    """The first three columns; `columns_of` names the row where they are not numbers.
+def _block_coordinates(path: Path, block: list[Row]) -> Array:
+    """The first three columns; `read_columns` names the row where they are not numbers.
 
     Raises
     ------
@@ -189,4 +189,4 @@ def _xyz(path: Path, block: list[Row]) -> Array:
         return np.loadtxt([text for _, text in block], usecols=(0, 1, 2), comments=None, ndmin=2)
     except ValueError:
         fields = ((row, text.split()) for row, text in block)
-        return np.stack(columns_of(path, fields, _XYZ)[0], axis=1)
+        return np.stack(read_columns(path, fields, _XYZ)[0], axis=1)

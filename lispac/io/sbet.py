@@ -8,14 +8,14 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
-from lispac.io.files import read_records, require_file, require_increasing, written_whole
-from lispac.io.registry import SAME_TIME_BASE
-from lispac.io.trajectory_checks import require_attitude, require_base, require_heights
+from lispac.io.files import atomic_write, read_records, require_file, require_increasing
+from lispac.io.format_types import SAME_TIME_BASE
+from lispac.io.trajectory_checks import require_attitude, require_heights, require_time_base
 from lispac.io.trajectory_columns import sign_note
 from lispac.messages import Message, error, note
-from lispac.survey.states_between import attitude_rates
-from lispac.survey.time_base import base_of, plausible, unrolled
-from lispac.survey.time_stated import base_message
+from lispac.survey.known_time_base import base_message
+from lispac.survey.state_densification import attitude_rates
+from lispac.survey.time_base import base_of_key, plausible_bases, unroll_times
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
@@ -27,7 +27,7 @@ ASSUMPTIONS = (note("assumed.applanix"), SAME_TIME_BASE)
 
 @dataclass(frozen=True)
 class SbetOptions:
-    """Options of the registry for an SBET; the Applanix convention by default."""
+    """Conventions that an SBET does not state, by the names of the options."""
 
     heading: str = "minus-wander"
     pitch: str = "bow-up"
@@ -39,7 +39,7 @@ class SbetOptions:
     byte_order: str = "little-endian"
 
     def assumptions(self) -> tuple[Message, ...]:
-        """A note on each of them."""
+        """Notes on the conventions that are assumed."""
         return (
             note(_HEADINGS[self.heading]),
             sign_note(self.roll),
@@ -47,7 +47,7 @@ class SbetOptions:
             note("assumed.fitting_velocity_axes")
             if self.axes == "unknown"
             else note("assumed.velocity_axes", axes=AXES[self.axes]),
-            note("assumed.time_base", base=base_message(base_of(self.time))),
+            note("assumed.time_base", base=base_message(base_of_key(self.time))),
             note(_UNITS[self.unit]),
             note(_ORDERS[self.order]),
             note(_BYTE_ORDERS[self.byte_order]),
@@ -96,13 +96,13 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
         raise InputError(error("sbet.one_record", file=str(path)))
     time, latitude, longitude, height = records[:, :4].T
     roll, pitch, heading, wander = records[:, 7:11].T
-    time, starts = unrolled(time)
+    time, starts = unroll_times(time)
     assumptions = ASSUMPTIONS if options is None else options.assumptions()
     if starts:
         assumptions += (note("assumed.time_rollover", count=starts),)
     require_increasing(time, path, "SBET")
     if options is not None:
-        require_base(path, time, base_of(options.time))
+        require_time_base(path, time, base_of_key(options.time))
     if chosen.unit == "degrees":
         latitude, longitude, roll, pitch, heading, wander = (
             np.radians(angle) for angle in (latitude, longitude, roll, pitch, heading, wander)
@@ -127,8 +127,8 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
     return trajectory if velocity is None else _with_velocity(trajectory, velocity, wander, chosen)
 
 
-def in_frame(axes: str, velocity: Array, wander: Array) -> Array:
-    """North, east and up, shape (n, 3), of velocities in the axes of that key (`AXES`).
+def velocity_in_axes(axes: str, velocity: Array, wander: Array) -> Array:
+    """Velocities to the north, east and up, shape (n, 3), from the axes of that key (`AXES`).
 
     Parameters
     ----------
@@ -154,7 +154,7 @@ COMPARED = 20_000
 
 
 def _derivatives(records: Array, chosen: SbetOptions) -> tuple[Array | None, Array | None]:
-    """Velocities as in the records, and derivatives of the attitude; None where all zero."""
+    """Velocities in the records, and derivatives of the attitude; None where all are zero."""
     velocity = records[:, 4:7] if records[:, 4:7].any() else None
     rates = records[:, 14:17]
     if not rates.any():
@@ -187,7 +187,7 @@ def _with_velocity(
     truth = np.diff(place, axis=0) / np.diff(trajectory.time[some])[:, None]
 
     def local(key: str) -> Array:
-        return in_frame(key, velocity, wander) * [1.0, -1.0, 1.0]  # north, west, up
+        return velocity_in_axes(key, velocity, wander) * [1.0, -1.0, 1.0]  # north, west, up
 
     def misfit(key: str) -> float:
         own = local(key)[some]
@@ -230,7 +230,7 @@ def write_sbet(path: Path, trajectory: Trajectory) -> None:
     records[:, 7] = trajectory.attitude[:, 0]
     records[:, 8] = -trajectory.attitude[:, 1]
     records[:, 9] = trajectory.attitude[:, 2]
-    with written_whole(path) as temporary:
+    with atomic_write(path) as temporary:
         temporary.write_bytes(records.data)  # tofile hides what the system says
 
 
@@ -246,11 +246,11 @@ def read_smrmsg(path: Path) -> TrajectoryAccuracy:
     require_file(path, "smrmsg")
     size = path.stat().st_size // SMRMSG_RECORD
     head = np.fromfile(path, "<f8", count=10 * min(size, 1000)).reshape(-1, 10)
-    if not sound_smrmsg(head) and sound_smrmsg(head.byteswap()):
+    if not is_smrmsg(head) and is_smrmsg(head.byteswap()):
         raise InputError(error("sbet.big_endian_accuracy", file=str(path)))
     records = read_records(path, 10, "smrmsg")
     # Where the trajectory counts on through midnight or the end of the week, so does this.
-    time, _ = unrolled(records[:, 0])
+    time, _ = unroll_times(records[:, 0])
     require_increasing(time, path, "smrmsg")
     position, attitude = records[:, 1:4], np.radians(records[:, 7:10] / 60)
     if (position < 0).any() or (attitude < 0).any():
@@ -258,9 +258,9 @@ def read_smrmsg(path: Path) -> TrajectoryAccuracy:
     return TrajectoryAccuracy(time, position, attitude)
 
 
-def sound_smrmsg(head: NDArray[np.float64]) -> bool:
-    """Whether ``head``, records of shape (n, 10), can be times and accuracies."""
-    if not len(head) or not np.isfinite(head).all() or not plausible(head[:, 0]):
+def is_smrmsg(head: NDArray[np.float64]) -> bool:
+    """True if ``head``, records of shape (n, 10), can be times and accuracies."""
+    if not len(head) or not np.isfinite(head).all() or not plausible_bases(head[:, 0]):
         return False
     sound = (head[:, 1:] >= 0).all() and head[:, 1:].max() < 1e4 and head[:, 1:].max() > 1e-9
     return bool(sound and (np.diff(head[:, 0]) > 0).all())
@@ -272,5 +272,5 @@ def write_smrmsg(path: Path, accuracy: TrajectoryAccuracy) -> None:
     records[:, 0] = accuracy.time
     records[:, 1:4] = accuracy.position
     records[:, 7:10] = np.degrees(accuracy.attitude) * 60
-    with written_whole(path) as temporary:
+    with atomic_write(path) as temporary:
         temporary.write_bytes(records.data)  # tofile hides what the system says

@@ -12,14 +12,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.files import kind_of_file, require_file
-from lispac.io.registry import Fact
+from lispac.io.files import file_kind_message, require_file
+from lispac.io.format_types import Fact
 from lispac.io.sbet import SbetOptions
-from lispac.io.sbet_motion import signs_of, velocity_frame
-from lispac.io.trajectory_facts import Motion, course_doubts, facts_of, motion_of, time_doubts
+from lispac.io.sbet_motion import detect_signs, detect_velocity_frame
+from lispac.io.trajectory_facts import (
+    TrajectoryMotion,
+    course_warnings,
+    motion_of,
+    time_warnings,
+    trajectory_facts,
+)
 from lispac.messages import Message, error, note, warning
-from lispac.survey.source import printable
-from lispac.survey.time_base import plausible, unrolled
+from lispac.survey.line_source import printable
+from lispac.survey.time_base import plausible_bases, unroll_times
 
 Array = NDArray[np.float64]
 
@@ -35,8 +41,8 @@ MOST_TIMES = 1_000_000
 
 
 @dataclass(frozen=True)
-class Detection:
-    """What was found: options, facts for the preview, and warnings.
+class SbetDetection:
+    """Detected options of an SBET, facts for the preview, and warnings.
 
     Attributes
     ----------
@@ -50,7 +56,7 @@ class Detection:
     head: Array
 
 
-def blocks_of(path: Path, byte_order: str = "<") -> tuple[list[Array], int]:
+def sample_blocks(path: Path, byte_order: str = "<") -> tuple[list[Array], int]:
     """Blocks of neighbouring records, spread over the file, and the count of records.
 
     Returns
@@ -71,15 +77,15 @@ def blocks_of(path: Path, byte_order: str = "<") -> tuple[list[Array], int]:
         return [], 0
 
 
-def _times(path: Path, byte_order: str, count: int) -> Array:
+def _sample_times(path: Path, byte_order: str, count: int) -> Array:
     """Times of all records, or of every n-th where there are many."""
     mark = "<" if byte_order == "little-endian" else ">"
     records = np.memmap(path, dtype=f"{mark}f8", mode="r", shape=(count, 17))
     return np.array(records[:: 1 + count // MOST_TIMES, 0], dtype=np.float64)
 
 
-def fits(records: Array) -> float:
-    """How well neighbouring records of shape (n, 17) fit an SBET.
+def sbet_fit(records: Array) -> float:
+    """Likelihood that neighbouring records of shape (n, 17) are an SBET.
 
     Returns
     -------
@@ -94,7 +100,7 @@ def fits(records: Array) -> float:
     # Tiny numbers everywhere are other bytes read as numbers.
     somewhere = bool((size[:, 1:3] > 1e-9).any())
     moving = bool(size[:, 3].max() < 2e4 and size[:, 4:7].max() < 1000)
-    if not (plausible(time) and somewhere and moving and size.max() < 1e11):
+    if not (plausible_bases(time) and somewhere and moving and size.max() < 1e11):
         return 0.0
     if (
         (steps > 0).all()
@@ -110,19 +116,19 @@ def fits(records: Array) -> float:
     return 0.6 if ordered >= 0.8 and places and turns else 0.0
 
 
-def byte_order_of(path: Path) -> tuple[str, float]:
-    """Byte order in which the first records fit better, and how well they do."""
-    scores = {name: fits(_records(path, mark)) for name, mark in BYTE_ORDERS.items()}
+def detect_byte_order(path: Path) -> tuple[str, float]:
+    """Byte order in which the first records fit better, and their likelihood."""
+    scores = {name: sbet_fit(_edge_records(path, mark)) for name, mark in BYTE_ORDERS.items()}
     best = max(scores, key=lambda name: scores[name])
     return best, scores[best]
 
 
-def end_fits(path: Path, byte_order: str) -> float:
-    """How well the last whole records fit."""
-    return fits(_records(path, BYTE_ORDERS[byte_order], last=True))
+def sbet_fit_at_end(path: Path, byte_order: str) -> float:
+    """Likelihood that the last complete records are an SBET."""
+    return sbet_fit(_edge_records(path, BYTE_ORDERS[byte_order], last=True))
 
 
-def _records(path: Path, mark: str, *, last: bool = False) -> Array:
+def _edge_records(path: Path, mark: str, *, last: bool = False) -> Array:
     """The first or the last hundred records; none where the file cannot be read."""
     try:
         with Path(path).open("rb") as file:
@@ -136,7 +142,7 @@ def _records(path: Path, mark: str, *, last: bool = False) -> Array:
     return np.frombuffer(content, dtype=f"{mark}f8").reshape(-1, 17)
 
 
-def detect_sbet(path: Path) -> Detection:
+def detect_sbet(path: Path) -> SbetDetection:
     """Examine an SBET and find its options.
 
     Raises
@@ -152,18 +158,18 @@ def detect_sbet(path: Path) -> Detection:
         raise InputError(error("sbet.too_short", file=str(path), bytes=size))
     doubts: list[Message] = []
     file = printable(path.name)
-    byte_order, _ = byte_order_of(path)
+    byte_order, _ = detect_byte_order(path)
     options = SbetOptions(byte_order=byte_order)
     if byte_order == "big-endian":
         doubts.append(warning("sbet.big_endian", file=file))
-    blocks, count = blocks_of(path, "<" if byte_order == "little-endian" else ">")
+    blocks, count = sample_blocks(path, "<" if byte_order == "little-endian" else ">")
     if not blocks:
         raise InputError(error("sbet.not_readable", file=str(path)))
     head = blocks[0][:5]
     if size % RECORD:
         doubts.append(
             warning(
-                "file.partial_record", file=file, kind=kind_of_file("SBET"), size=size,
+                "file.partial_record", file=file, kind=file_kind_message("SBET"), size=size,
                 record=RECORD, rest=size % RECORD,
             )
         )  # fmt: skip
@@ -175,14 +181,14 @@ def detect_sbet(path: Path) -> Detection:
     usable = [block for block in sound if len(block) > 2]
     if not usable or max(float(np.abs(block).max()) for block in usable) > 1e11:
         doubts.append(warning("sbet.other_format", file=file))
-        return Detection(options, facts, tuple(doubts), head)
-    time = _times(path, options.byte_order, count)
+        return SbetDetection(options, facts, tuple(doubts), head)
+    time = _sample_times(path, options.byte_order, count)
     if not np.isfinite(time).all():
         time = np.concatenate([block[:, 0] for block in usable])
-    return _examined(usable, options, facts, doubts, head, time, file)
+    return _detect_from_blocks(usable, options, facts, doubts, head, time, file)
 
 
-def _examined(
+def _detect_from_blocks(
     blocks: list[Array],
     options: SbetOptions,
     facts: dict[str, Fact],
@@ -190,44 +196,44 @@ def _examined(
     head: Array,
     time: Array,
     file: str,
-) -> Detection:
-    """Detection from blocks of finite records, and all times where they are not too many."""
+) -> SbetDetection:
+    """Detect the options from blocks of finite records and a sample of the times."""
     table = np.vstack(blocks)
-    options, found = _unit_and_order(table, options, file)
+    options, found = _detect_unit_and_order(table, options, file)
     doubts += found
     if options.unit == "degrees":
-        blocks = [_in_radians(block) for block in blocks]
-    motions = [_motions(block) for block in blocks]
-    options, facts["Velocities"], found = velocity_frame(blocks, motions, options, file)
+        blocks = [_block_in_radians(block) for block in blocks]
+    motions = [_block_motions(block) for block in blocks]
+    options, facts["Velocities"], found = detect_velocity_frame(blocks, motions, options, file)
     doubts += found
     if options.order == "longitude-latitude":
         blocks = [block[:, [0, 2, 1, *range(3, 17)]] for block in blocks]
         motions = [(exchanged, own) for own, exchanged in motions]
-    options, facts["Roll and pitch"], found = signs_of(blocks, options, file)
+    options, facts["Roll and pitch"], found = detect_signs(blocks, options, file)
     doubts += found
-    bases = plausible(table[:, 0])
+    bases = plausible_bases(table[:, 0])
     if bases:
         options = replace(options, time=bases[0].key)
     table = np.vstack(blocks)
     latitude, longitude, height = table[:, 1:4].T
     speed = np.concatenate([own.speed for own, _ in motions])
-    facts.update(facts_of(unrolled(time)[0], latitude, longitude, height, speed))
+    facts.update(trajectory_facts(unroll_times(time)[0], latitude, longitude, height, speed))
     wander = table[:, 10]
     facts["Wander angle"] = note("fact.angles", low=wander.min(), high=wander.max())
-    doubts += time_doubts(unrolled(time)[0], options.time, file)
+    doubts += time_warnings(unroll_times(time)[0], options.time, file)
     if options.order == "latitude-longitude":
         headings = [
             block[:, 9] - (block[:, 10] if options.heading == "minus-wander" else 0)
             for block in blocks
         ]
-        doubts += course_doubts(motions, headings, file)
-    return Detection(options, facts, tuple(doubts), head)
+        doubts += course_warnings(motions, headings, file)
+    return SbetDetection(options, facts, tuple(doubts), head)
 
 
-def _unit_and_order(
+def _detect_unit_and_order(
     table: Array, options: SbetOptions, file: str
 ) -> tuple[SbetOptions, list[Message]]:
-    """Degrees for radians, and an order that the range of latitude rules out."""
+    """Detect degrees for radians, and an order that the range of latitude excludes."""
     first, second = (float(np.abs(table[:, k]).max()) for k in (1, 2))
     if max(first, second) > 2 * np.pi:
         if max(first, second) > 360:
@@ -243,13 +249,13 @@ def _unit_and_order(
     return options, []
 
 
-def _in_radians(block: Array) -> Array:
+def _block_in_radians(block: Array) -> Array:
     block = block.copy()
     block[:, [1, 2, 7, 8, 9, 10]] = np.radians(block[:, [1, 2, 7, 8, 9, 10]])
     return block
 
 
-def _motions(block: Array) -> tuple[Motion, Motion]:
+def _block_motions(block: Array) -> tuple[TrajectoryMotion, TrajectoryMotion]:
     """Velocities from positions, as the file has them and with latitude and longitude exchanged."""
     time, first, second, height = block[:, :4].T
     return motion_of(time, first, second, height), motion_of(time, second, first, height)

@@ -12,9 +12,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.io.sbet import AXES, SbetOptions, in_frame
+from lispac.io.sbet import AXES, SbetOptions, velocity_in_axes
 from lispac.io.trajectory_columns import SIGN_NAMES
-from lispac.io.trajectory_facts import MOVING, SHORTEST_STEP, Motion, wrapped
+from lispac.io.trajectory_facts import MOVING, SHORTEST_STEP, TrajectoryMotion, wrap_angle
 from lispac.messages import Action, Message, note, warning
 
 Array = NDArray[np.float64]
@@ -26,13 +26,13 @@ SMALLEST_WANDER = 1e-4
 """Radians below which a wander angle changes nothing."""
 
 
-def velocity_frame(
+def detect_velocity_frame(
     blocks: Sequence[Array],
-    motions: Sequence[tuple[Motion, Motion]],
+    motions: Sequence[tuple[TrajectoryMotion, TrajectoryMotion]],
     options: SbetOptions,
     file: str,
 ) -> tuple[SbetOptions, Message, list[Message]]:
-    """Frame of the velocities and what follows from it, by comparison with the positions.
+    """Detect the frame of the velocities by comparison with the motion of the positions.
 
     Returns
     -------
@@ -42,7 +42,7 @@ def velocity_frame(
     list of Message
         Warnings.
     """
-    velocity, wander, own, exchanged = _moving(blocks, motions)
+    velocity, wander, own, exchanged = _moving_states(blocks, motions)
     turns = float(np.abs(np.concatenate([block[:, 10] for block in blocks])).max())
     has_wander = turns >= SMALLEST_WANDER
     unchecked = [warning("sbet.wander_assumed", file=file)] if has_wander else []
@@ -52,14 +52,18 @@ def velocity_frame(
     if len(velocity) < 20:
         slow = warning("sbet.too_slow", file=file)
         return options, note("fact.velocities_not_checked"), [slow, *unchecked]
-    misfits = {key: _misfit(in_frame(key, velocity, wander), own) for key in AXES}
-    swapped = min(_misfit(in_frame(key, velocity, wander), exchanged) for key in misfits)
+    misfits = {
+        key: _velocity_residual(velocity_in_axes(key, velocity, wander), own) for key in AXES
+    }
+    swapped = min(
+        _velocity_residual(velocity_in_axes(key, velocity, wander), exchanged) for key in misfits
+    )
     best = min(misfits, key=lambda key: misfits[key])
     if misfits[best] > FITTING:
         if swapped <= FITTING and options.order == "latitude-longitude":
             chosen = replace(options, order="longitude-latitude")
             again = [(other, first) for first, other in motions]
-            chosen, fact, found = velocity_frame(blocks, again, chosen, file)
+            chosen, fact, found = detect_velocity_frame(blocks, again, chosen, file)
             order = warning("sbet.longitude_first_by_velocity", file=file)
             return chosen, fact, [order, *found]
         disagree = warning(
@@ -72,7 +76,7 @@ def velocity_frame(
     limit = max(APART * misfits[best], misfits[best] + 0.003)
     rivals = [key for key in misfits if key != best and misfits[key] < limit]
     if not rivals and turns >= SMALLEST_WANDER:
-        return _heading_of(chosen, blocks, motions, turns, fact, file)
+        return _detect_heading(chosen, blocks, motions, turns, fact, file)
     if turns < SMALLEST_WANDER:
         # Without a wander angle its frames are those counted from north.
         plain = [key for key in (best, *rivals) if not key.startswith("wander")]
@@ -86,21 +90,21 @@ def velocity_frame(
     return chosen, fact, [several, *unchecked]
 
 
-def _heading_of(
+def _detect_heading(
     chosen: SbetOptions,
     blocks: Sequence[Array],
-    motions: Sequence[tuple[Motion, Motion]],
+    motions: Sequence[tuple[TrajectoryMotion, TrajectoryMotion]],
     turns: float,
     fact: Message,
     file: str,
 ) -> tuple[SbetOptions, Message, list[Message]]:
-    """Determine the heading by a velocity frame without rivals, where there is a wander angle."""
+    """Detect the heading by an unambiguous velocity frame, where there is a wander angle."""
     if chosen.axes.startswith("wander"):
         return replace(chosen, heading="minus-wander"), fact, []
     offsets = []
     for kept in (1.0, 0.0):
         found = [
-            wrapped(own.course - block[own.index, 9] + kept * block[own.index, 10])[
+            wrap_angle(own.course - block[own.index, 9] + kept * block[own.index, 10])[
                 own.speed > MOVING
             ]
             for block, (own, _) in zip(blocks, motions, strict=True)
@@ -118,10 +122,10 @@ def _heading_of(
     return chosen, fact, [warning("sbet.heading_uncertain", file=file, wander=turns)]
 
 
-def _moving(
-    blocks: Sequence[Array], motions: Sequence[tuple[Motion, Motion]]
+def _moving_states(
+    blocks: Sequence[Array], motions: Sequence[tuple[TrajectoryMotion, TrajectoryMotion]]
 ) -> tuple[Array, Array, Array, Array]:
-    """Velocities, wander, and velocities from positions (as read, exchanged) where it moves."""
+    """Velocities, wander and velocities from positions (as read, exchanged) of moving states."""
     rows: list[tuple[Array, Array, Array, Array]] = []
     for block, (own, exchanged) in zip(blocks, motions, strict=True):
         common, first, second = np.intersect1d(own.index, exchanged.index, return_indices=True)
@@ -130,8 +134,8 @@ def _moving(
             (
                 block[common, 4:7][fast],
                 block[common, 10][fast],
-                _stacked(own, first[fast]),
-                _stacked(exchanged, second[fast]),
+                _velocity_columns(own, first[fast]),
+                _velocity_columns(exchanged, second[fast]),
             )
         )
     velocity, wander, own_all, exchanged_all = (
@@ -140,12 +144,12 @@ def _moving(
     return velocity, wander, own_all, exchanged_all
 
 
-def _stacked(motion: Motion, rows: NDArray[np.int64]) -> Array:
+def _velocity_columns(motion: TrajectoryMotion, rows: NDArray[np.int64]) -> Array:
     return np.stack([motion.north[rows], motion.east[rows], motion.up[rows]], axis=1)
 
 
-def _misfit(velocity: Array, truth: Array) -> float:
-    """Median of what velocities miss of those from positions, as a part of the speed.
+def _velocity_residual(velocity: Array, truth: Array) -> float:
+    """Median difference of velocities from those of the positions, relative to the speed.
 
     The vertical is weighted by its size: it is small for a vessel and then has no effect.
     """
@@ -153,10 +157,10 @@ def _misfit(velocity: Array, truth: Array) -> float:
     return float(np.median(np.linalg.norm(velocity - truth, axis=1))) / max(speed, 1e-9)
 
 
-def signs_of(
+def detect_signs(
     blocks: Sequence[Array], options: SbetOptions, file: str
 ) -> tuple[SbetOptions, Message, list[Message]]:
-    """Signs of roll and pitch by the angular rates of the body.
+    """Detect the signs of roll and pitch by the angular rates of the body.
 
     A positive rate about the forward axis takes the starboard side down whether y is to starboard
     or to port; the rate about y raises the bow in the first case and lowers it in the second, and
@@ -166,7 +170,7 @@ def signs_of(
     if not any(np.any(block[:, 14:17]) for block in blocks):
         zero = warning("sbet.zero_rates", file=file, actions=check)
         return options, note("fact.signs_not_checked"), [zero]
-    roll, pitch, heading = (_agreement(blocks, 7 + k, 14 + k) for k in range(3))
+    roll, pitch, heading = (_rate_correlation(blocks, 7 + k, 14 + k) for k in range(3))
     signs, doubts = [], []
     if roll is not None:
         options = replace(options, roll="starboard-down" if roll > 0 else "port-down")
@@ -189,8 +193,8 @@ def signs_of(
     return options, fact, doubts
 
 
-def _agreement(blocks: Sequence[Array], angle: int, rate: int) -> float | None:
-    """Correlation of an angle with its integrated rate, -1 to 1; None if undetermined.
+def _rate_correlation(blocks: Sequence[Array], angle: int, rate: int) -> float | None:
+    """Correlation of changes of an angle with its integrated rate; None if undetermined.
 
     Changes over half a second, of a tenth of a degree at least: shorter ones are noise and
     vibration.

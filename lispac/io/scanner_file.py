@@ -5,7 +5,7 @@ from typing import cast
 
 import numpy as np
 
-from lispac.io.toml_table import Table
+from lispac.io.toml_table import TomlTable
 from lispac.simulation.scanner import Axis, Scanner
 
 
@@ -17,9 +17,9 @@ def read_scanner(path: Path) -> tuple[str, Scanner]:
     InputError
         With the file, the key and what to do.
     """
-    with Table.read(path, "scanner") as table:
+    with TomlTable.read(path, "scanner") as table:
         title = table.text("title")
-        table.text("source", ""), table.flag("from_memory", False)  # for the sensor library
+        table.text("source", ""), table.boolean("from_memory", False)  # for the sensor library
         axis = cast(Axis, table.choice("axis", ("x", "z"), "x"))
         first, last = np.radians(table.numbers("window_deg", 2, least=-360, most=360))
         if not 0 < last - first <= 2 * np.pi + 1e-12:

@@ -1,4 +1,4 @@
-"""A scene from TOML: surfaces, those used as targets, and the lines sailed past them."""
+"""A scene from TOML: surfaces, targets among them, and the lines past them."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -7,20 +7,20 @@ import numpy as np
 
 from lispac.errors import ProjectError
 from lispac.io.mesh_file import read_mesh
-from lispac.io.toml_table import Table
-from lispac.picks import require_name
+from lispac.io.toml_table import TomlTable
+from lispac.picked_targets import require_target_name
 from lispac.simulation.scene import (
     Cylinder,
     Rectangle,
     Scene,
     Sphere,
     Surface,
-    box,
-    tilted,
-    upright,
+    box_faces,
+    tilted_rectangle,
+    upright_rectangle,
 )
-from lispac.simulation.vessel import Pass
-from lispac.simulation.voyage import Stretch
+from lispac.simulation.vessel_motion import StraightPass
+from lispac.simulation.voyage import TrajectoryStretch
 
 KINDS = ("board", "wall", "box", "cylinder", "sphere", "mesh")
 ROLES = ("target", "validation")
@@ -28,7 +28,7 @@ ROLES = ("target", "validation")
 
 @dataclass(frozen=True, eq=False)
 class SceneFile:
-    """Contents of a scene file.
+    """Content of a scene file.
 
     Attributes
     ----------
@@ -41,9 +41,9 @@ class SceneFile:
     scene : Scene
     targets, validation : tuple of str
         Names of surfaces.
-    passes : tuple of Pass
+    passes : tuple of StraightPass
         Courses to be sailed, or none where a recorded trajectory is replayed.
-    stretches : tuple of Stretch
+    stretches : tuple of TrajectoryStretch
         What of a recorded trajectory becomes lines.
     trajectory : Path or None
         The recorded trajectory.
@@ -58,8 +58,8 @@ class SceneFile:
     scene: Scene
     targets: tuple[str, ...]
     validation: tuple[str, ...]
-    passes: tuple[Pass, ...]
-    stretches: tuple[Stretch, ...]
+    passes: tuple[StraightPass, ...]
+    stretches: tuple[TrajectoryStretch, ...]
     trajectory: Path | None
     pulses_per_second: float | None
 
@@ -72,29 +72,29 @@ def read_scene(path: Path) -> SceneFile:
     InputError
         With the file, the key and what to do.
     """
-    with Table.read(path, "scene") as table:
+    with TomlTable.read(path, "scene") as table:
         surfaces: list[Surface] = []
         roles: dict[str, list[str]] = {role: [] for role in ROLES}
         for each in table.tables("surfaces"):
             name = each.text("name")
             role = each.choice("role", ROLES, None)
             if role is not None:
-                _require_seekable(each, name, surfaces)
+                _require_target_name(each, name, surfaces)
                 roles[role].append(name)
-            surfaces += _surfaces(each, name, sought=role is not None)
+            surfaces += _read_surfaces(each, name, sought=role is not None)
         if not surfaces:
             raise table.refuse("surfaces", "scene.no_surfaces")
-        passes, stretches = _lines(table)
+        passes, stretches = _read_lines(table)
         trajectory = table.text("trajectory", None)
         return SceneFile(
-            table.text("title"), table.text("vessel"), table.text("scanner"), _origin(table),
+            table.text("title"), table.text("vessel"), table.text("scanner"), _read_origin(table),
             Scene.of(surfaces), tuple(roles["target"]), tuple(roles["validation"]), passes,
             stretches, None if trajectory is None else Path(path).parent / trajectory,
             table.number("pulses_per_second", None, over=0, most=1e7),
         )  # fmt: skip
 
 
-def _origin(table: Table) -> tuple[float, float, float] | None:
+def _read_origin(table: TomlTable) -> tuple[float, float, float] | None:
     if "origin" not in table:
         return None
     with table.table("origin") as origin:
@@ -104,16 +104,16 @@ def _origin(table: Table) -> tuple[float, float, float] | None:
         return float(np.radians(latitude)), float(np.radians(longitude)), height
 
 
-def _require_seekable(table: Table, name: str, surfaces: list[Surface]) -> None:
+def _require_target_name(table: TomlTable, name: str, surfaces: list[Surface]) -> None:
     try:
-        require_name(name)
+        require_target_name(name)
     except ProjectError as failure:
         raise table.refuse("name", "scene.target_name", reason=failure.reason) from failure
     if any(surface.name == name for surface in surfaces):
         raise table.refuse("name", "scene.name_twice", name=name)
 
 
-def _surfaces(table: Table, name: str, *, sought: bool) -> list[Surface]:
+def _read_surfaces(table: TomlTable, name: str, *, sought: bool) -> list[Surface]:
     kind = table.choice("kind", KINDS)
     if sought and kind not in ("board", "wall", "sphere"):
         raise table.refuse("role", "scene.role_of_kind", kind=kind)
@@ -121,11 +121,11 @@ def _surfaces(table: Table, name: str, *, sought: bool) -> list[Surface]:
         raise table.refuse("role", "scene.validation_sphere")
     reflectance = table.number("reflectance", 0.4, least=0, most=1)
     if kind == "board":
-        return [_board(table, name, reflectance)]
+        return [_read_board(table, name, reflectance)]
     if kind == "wall":
         bottom = table.number("bottom_m")
         return [
-            upright(
+            upright_rectangle(
                 name, (table.number("north_m"), table.number("west_m")), bottom,
                 table.number("top_m", over=bottom), table.number("width_m", over=0),
                 table.number("facing_deg"), reflectance,
@@ -135,7 +135,7 @@ def _surfaces(table: Table, name: str, *, sought: bool) -> list[Surface]:
         bottom = table.number("bottom_m")
         north, west = table.numbers("north_m", 2), table.numbers("west_m", 2)
         return [
-            *box(
+            *box_faces(
                 name, (north[0], north[1]), (west[0], west[1]), bottom,
                 table.number("top_m", over=bottom), reflectance,
             )
@@ -149,23 +149,23 @@ def _surfaces(table: Table, name: str, *, sought: bool) -> list[Surface]:
             )
         ]  # fmt: skip
     if kind == "sphere":
-        centre = np.array(table.three("centre_m"))
+        centre = np.array(table.three_numbers("centre_m"))
         return [Sphere(name, centre, table.number("radius_m", over=0), reflectance)]
     return [read_mesh(table.path.parent / table.text("file"), name, reflectance)]
 
 
-def _board(table: Table, name: str, reflectance: float) -> Rectangle:
-    return tilted(
-        name, table.three("centre_m"), table.number("width_m", over=0),
+def _read_board(table: TomlTable, name: str, reflectance: float) -> Rectangle:
+    return tilted_rectangle(
+        name, table.three_numbers("centre_m"), table.number("width_m", over=0),
         table.number("height_m", over=0), table.number("facing_deg"),
         table.number("elevation_deg", 0.0, least=-90, most=90), reflectance,
     )  # fmt: skip
 
 
-def _lines(table: Table) -> tuple[tuple[Pass, ...], tuple[Stretch, ...]]:
+def _read_lines(table: TomlTable) -> tuple[tuple[StraightPass, ...], tuple[TrajectoryStretch, ...]]:
     """Passes or stretches: a line with ``start_s`` is one of a recorded trajectory."""
-    passes: list[Pass] = []
-    stretches: list[Stretch] = []
+    passes: list[StraightPass] = []
+    stretches: list[TrajectoryStretch] = []
     with table.table("pattern") as pattern:
         about = pattern.numbers("about_m", 2, (0.0, 0.0))
         distance = pattern.number("distance_m", None, least=0)
@@ -174,7 +174,7 @@ def _lines(table: Table) -> tuple[tuple[Pass, ...], tuple[Stretch, ...]]:
             start = line.number("start_s")
             side = line.choice("side", ("port", "starboard"))
             stop = line.number("stop_s", over=start)
-            stretches.append(Stretch(start, stop, side == "starboard"))
+            stretches.append(TrajectoryStretch(start, stop, side == "starboard"))
             continue
         if distance is None:
             raise table.refuse("pattern.distance_m", "scene.no_distance")
@@ -184,7 +184,7 @@ def _lines(table: Table) -> tuple[tuple[Pass, ...], tuple[Stretch, ...]]:
             raise line.refuse("bearing_deg", "scene.bearing_along_heading")
         to = np.radians(bearing)
         passes.append(
-            Pass(
+            StraightPass(
                 float(np.radians(heading)),
                 (float(about[0] - distance * np.cos(to)), float(about[1] + distance * np.sin(to))),
                 line.number("run_in_m", least=0), line.number("run_out_m", least=0), off < 180,

@@ -11,10 +11,17 @@ from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.text_layout import MEANINGS, REMARKS
-from lispac.io.text_table import HEMISPHERES, SEPARATORS, coordinate, fields_of, is_number, lines_of
+from lispac.io.text_table import (
+    HEMISPHERES,
+    SEPARATORS,
+    is_number,
+    numbered_lines,
+    parse_coordinate,
+    split_fields,
+)
 from lispac.io.units import FOOT, UNITS, UNKNOWN, direction_of, split_title, stated_unit
 from lispac.messages import Message, error
-from lispac.picks import Role, require_name
+from lispac.picked_targets import Role, require_target_name
 
 WHAT = "coordinate list"
 MOST = 1_000
@@ -71,7 +78,7 @@ class ListedPoint:
 
 @dataclass(frozen=True)
 class PointList:
-    """Contents of a file.
+    """Points and columns of a list file.
 
     Attributes
     ----------
@@ -119,7 +126,7 @@ def read_point_list(
         With the row where there is one.
     """
     path = Path(path)
-    rows = _rows(path)
+    rows = _data_rows(path)
     first = next(rows, None)
     if first is None:
         raise InputError(error("seeds.no_coordinates", file=str(path)))
@@ -127,24 +134,26 @@ def read_point_list(
     stated = True
     factors: Mapping[str, float] = {}
     if columns:
-        meant = _complete(path, None, tuple(_meaning(word, local) for word in columns))
-        if not _holds_numbers(first[1], separator, meant, degrees):
+        meant = _require_complete_columns(
+            path, None, tuple(_column_meaning(word, local) for word in columns)
+        )
+        if not _is_numeric_row(first[1], separator, meant, degrees):
             first = None  # its own names
-    elif names := header_of(first[1], separator, local=local):
+    elif names := header_meanings(first[1], separator, local=local):
         if check:
-            names = _with_check_columns(names, fields_of(first[1], separator))
-        meant = _complete(path, first[0], names)
-        titles = dict(zip(meant, fields_of(first[1], separator), strict=True))
-        factors, first = _factors(path, titles, metres, degrees), None
+            names = _with_check_columns(names, split_fields(first[1], separator))
+        meant = _require_complete_columns(path, first[0], names)
+        titles = dict(zip(meant, split_fields(first[1], separator), strict=True))
+        factors, first = _column_factors(path, titles, metres, degrees), None
     else:
-        meant, stated = _by_order(path, *first, separator, check), False
+        meant, stated = _meanings_by_order(path, *first, separator, check), False
     points: list[ListedPoint] = []
     letters: dict[int, set[str]] = {k: set() for k, name in enumerate(meant) if name == UNUSED}
     for number, row_text in (*((first,) if first else ()), *rows):
         if first is None and not points:
             separator = separator_of(row_text)  # names may be parted otherwise than numbers
-        fields = fields_of(row_text, separator)
-        points.append(_point(path, number, fields, meant, degrees, factors))
+        fields = split_fields(row_text, separator)
+        points.append(_parse_point(path, number, fields, meant, degrees, factors))
         for k, found in letters.items():
             found.add(fields[k].strip().upper() if k < len(fields) else "")
     if not points:
@@ -156,12 +165,12 @@ def read_point_list(
                     "seeds.hemispheres", file=str(path), column=k + 1, letters=tuple(sorted(found))
                 )
             )
-    _require_apart(path, points)
+    _require_unique_points(path, points)
     return PointList(path, tuple(points), meant, stated)
 
 
-def looks_like_a_list(path: Path) -> bool:
-    """Whether a file is a list of named points and not a line, a trajectory or anything else."""
+def is_point_list(path: Path) -> bool:
+    """True if a file is a list of named points and not a line or a trajectory."""
     try:
         found = read_point_list(path)
     except (InputError, OSError):
@@ -169,7 +178,7 @@ def looks_like_a_list(path: Path) -> bool:
     return NAME in found.columns and any(not is_number(point.name) for point in found.points)
 
 
-def _rows(path: Path) -> Iterator[tuple[int, str]]:
+def _data_rows(path: Path) -> Iterator[tuple[int, str]]:
     """Rows that are neither empty nor comments; names may be in a comment of the first rows.
 
     Raises
@@ -178,13 +187,13 @@ def _rows(path: Path) -> Iterator[tuple[int, str]]:
         Where there are too many for a list of targets.
     """
     count = 0
-    for number, line in lines_of(path, WHAT):
+    for number, line in numbered_lines(path, WHAT):
         text = line.strip()
         if not text.strip(' ,;\t"'):
             continue
         if text.startswith(REMARKS):
             bare = text.lstrip("#%/ ")
-            if count or not header_of(bare, separator_of(bare), local=True):
+            if count or not header_meanings(bare, separator_of(bare), local=True):
                 continue
             text = bare
         count += 1
@@ -194,14 +203,14 @@ def _rows(path: Path) -> Iterator[tuple[int, str]]:
 
 
 def separator_of(row: str) -> str:
-    """What parts the columns of a row, as `fields_of` finds it, to hold for all rows."""
-    whole = fields_of(row)
+    """Separator of the columns of a row, for all rows of the file."""
+    whole = split_fields(row)
     return next(
-        (name for name in SEPARATORS if name != "auto" and fields_of(row, name) == whole), "auto"
+        (name for name in SEPARATORS if name != "auto" and split_fields(row, name) == whole), "auto"
     )
 
 
-def _meaning(word: str, local: bool) -> str:
+def _column_meaning(word: str, local: bool) -> str:
     bare = split_title(word)[0].lower()
     joined = re.sub(r"[\s_.#-]+", "", bare)
     if local and joined in LOCAL_NAMES:
@@ -212,17 +221,17 @@ def _meaning(word: str, local: bool) -> str:
     return found if found in COLUMNS else UNUSED
 
 
-def header_of(row: str, separator: str, *, local: bool) -> tuple[str, ...]:
-    """What the names of columns mean; empty where a row is none of names."""
-    fields = fields_of(row, separator)
+def header_meanings(row: str, separator: str, *, local: bool) -> tuple[str, ...]:
+    """Meanings of the column names; empty if a row has no names."""
+    fields = split_fields(row, separator)
     if any(is_number(field) for field in fields):
         return ()
-    meant = tuple(_meaning(field, local) for field in fields)
+    meant = tuple(_column_meaning(field, local) for field in fields)
     return meant if sum(name != UNUSED for name in meant) >= 2 else ()
 
 
 def _with_check_columns(meant: Sequence[str], names: Sequence[str]) -> tuple[str, ...]:
-    """What columns mean that a list of targets has no use for."""
+    """Column meanings with those that only check points use."""
     bare = (split_title(name)[0].lower() for name in names)
     return tuple(
         CHECK_NAMES.get(name, UNUSED) if known == UNUSED else known
@@ -230,7 +239,9 @@ def _with_check_columns(meant: Sequence[str], names: Sequence[str]) -> tuple[str
     )
 
 
-def _complete(path: Path, row: int | None, meant: tuple[str, ...]) -> tuple[str, ...]:
+def _require_complete_columns(
+    path: Path, row: int | None, meant: tuple[str, ...]
+) -> tuple[str, ...]:
     """Refuse columns that are not three coordinates, each once.
 
     Parameters
@@ -266,17 +277,19 @@ def _columns_error(what: str, path: Path, row: int | None, names: Sequence[str])
     return error(in_row, file=str(path), row=row, names=tuple(names))
 
 
-def _holds_numbers(row: str, separator: str, meant: Sequence[str], degrees: bool) -> bool:
-    fields = fields_of(row, separator)
+def _is_numeric_row(row: str, separator: str, meant: Sequence[str], degrees: bool) -> bool:
+    fields = split_fields(row, separator)
     return any(
         name in COORDINATES and k < len(fields)
-        and coordinate(fields[k], degrees=degrees) is not None
+        and parse_coordinate(fields[k], degrees=degrees) is not None
         for k, name in enumerate(meant)
     )  # fmt: skip
 
 
-def _by_order(path: Path, row: int, text: str, separator: str, check: bool) -> tuple[str, ...]:
-    """What the columns of a row of numbers are by their order: name, x, y, z, role.
+def _meanings_by_order(
+    path: Path, row: int, text: str, separator: str, check: bool
+) -> tuple[str, ...]:
+    """Meanings of the columns of a row of numbers by their order: name, x, y, z, role.
 
     Of check points: name, x, y, z, sigma, plane; without a name there is no sigma either.
 
@@ -285,7 +298,7 @@ def _by_order(path: Path, row: int, text: str, separator: str, check: bool) -> t
     InputError
         If the order is unknown.
     """
-    fields = fields_of(text, separator)
+    fields = split_fields(text, separator)
     numbers = [is_number(field) for field in fields]
     count = sum(numbers)
     if check and len(fields) in (5, 6) and all(numbers[1:5]):
@@ -306,10 +319,10 @@ def _by_order(path: Path, row: int, text: str, separator: str, check: bool) -> t
     )
 
 
-def _factors(
+def _column_factors(
     path: Path, titles: Mapping[str, str], metres: Sequence[float], degrees: bool
 ) -> dict[str, float]:
-    """What each column is multiplied by, for the unit and direction in its title.
+    """Factor of each column, for the unit and direction in its title.
 
     Raises
     ------
@@ -341,7 +354,7 @@ LIMITS = {"x": (360.0, "NS"), "y": (90.0, "EW")}
 """Degrees that longitude and latitude do not exceed, and hemispheres of the other one."""
 
 
-def _point(
+def _parse_point(
     path: Path, row: int, fields: list[str], meant: Sequence[str], degrees: bool,
     factors: Mapping[str, float],
 ) -> ListedPoint:  # fmt: skip
@@ -357,7 +370,7 @@ def _point(
     values = []
     for axis in COORDINATES:
         field = fields[at[axis]]
-        value = coordinate(field, degrees=degrees)
+        value = parse_coordinate(field, degrees=degrees)
         if degrees and axis in LIMITS and value is not None:
             limit, others = LIMITS[axis]
             ends = {field.strip().upper()[:1], field.strip().upper()[-1:]}
@@ -374,7 +387,7 @@ def _point(
     name = fields[at[NAME]].strip() if NAME in at else ""
     if NAME in at:
         try:
-            require_name(name)
+            require_target_name(name)
         except ProjectError as failure:
             raise InputError(
                 error("seeds.invalid_name", file=str(path), row=row, reason=failure.reason)
@@ -387,23 +400,23 @@ def _point(
         fields[at[what]].strip() if what in at and at[what] < len(fields) else ""
         for what in (SIGMA, PLANE)
     )
-    own = _sigma(path, row, sigma)
+    own = _parse_sigma(path, row, sigma)
     if own is not None:
         own *= factors.get(SIGMA, 1.0)
     return ListedPoint(row, name, ROLES[word] if word else None, (x, y, z), own, plane)
 
 
-def _sigma(path: Path, row: int, text: str) -> float | None:
+def _parse_sigma(path: Path, row: int, text: str) -> float | None:
     if not text:
         return None
-    value = coordinate(text)
+    value = parse_coordinate(text)
     if value is None or value < 0.0:
         raise InputError(error("seeds.invalid_sigma", file=str(path), row=row, value=text[:40]))
     return value
 
 
-def _require_apart(path: Path, points: Sequence[ListedPoint]) -> None:
-    """No name and no place twice.
+def _require_unique_points(path: Path, points: Sequence[ListedPoint]) -> None:
+    """Refuse a list with the same name or place twice.
 
     Raises
     ------

@@ -1,12 +1,12 @@
-"""Figures of a scanner or a POS from TOML, with where they come from; and back, for one's own."""
+"""Specifications of a scanner or a POS in TOML, with their source."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.files import written_whole
-from lispac.io.toml_table import Table, quoted
+from lispac.io.files import atomic_write
+from lispac.io.toml_table import TomlTable, toml_string
 from lispac.messages import error
 from lispac.project import Triple
 
@@ -15,8 +15,8 @@ STATES = ("rtk", "ppk", "degraded")
 
 
 @dataclass(frozen=True)
-class ScannerFigures:
-    """How well a scanner measures.
+class ScannerSpecification:
+    """Precision of a scanner.
 
     Attributes
     ----------
@@ -36,8 +36,8 @@ class ScannerFigures:
 
 
 @dataclass(frozen=True)
-class PosState:
-    """How well a POS knows where it is, with one GNSS solution.
+class PosAccuracy:
+    """Precision of a POS with one GNSS solution.
 
     Attributes
     ----------
@@ -56,17 +56,17 @@ class PosState:
 
 
 @dataclass(frozen=True)
-class PosFigures:
-    """A POS with what it reaches with each GNSS solution."""
+class PosSpecification:
+    """A POS with its precision for each GNSS solution."""
 
     title: str
-    states: tuple[PosState, ...]
+    states: tuple[PosAccuracy, ...]
 
 
-Figures = ScannerFigures | PosFigures
+Figures = ScannerSpecification | PosSpecification
 
 
-def read_scanner_figures(path: Path, *, whole: bool = True) -> ScannerFigures:
+def read_scanner_specification(path: Path, *, whole: bool = True) -> ScannerSpecification:
     """Read the figures of a scanner.
 
     Parameters
@@ -79,21 +79,21 @@ def read_scanner_figures(path: Path, *, whole: bool = True) -> ScannerFigures:
     InputError
         With the file, the key and what to do.
     """
-    with Table.read(path, "scanner") as table:
-        found = ScannerFigures(
+    with TomlTable.read(path, "scanner") as table:
+        found = ScannerSpecification(
             table.text("title"),
             table.number("range_sigma_m", over=0, most=10),
             table.number("angle_sigma_deg", over=0, most=10),
             table.number("divergence_mrad", least=0, most=100),
             table.text("source"),
-            table.flag("from_memory", False),
+            table.boolean("from_memory", False),
         )
         if not whole:
-            table.leave_rest()
+            table.ignore_rest()
         return found
 
 
-def read_pos_figures(path: Path) -> PosFigures:
+def read_pos_specification(path: Path) -> PosSpecification:
     """Read the figures of a POS.
 
     Raises
@@ -101,64 +101,67 @@ def read_pos_figures(path: Path) -> PosFigures:
     InputError
         With the file, the key and what to do.
     """
-    with Table.read(path, "POS") as table:
+    with TomlTable.read(path, "POS") as table:
         title = table.text("title")
         states = []
         for name in (each for each in STATES if each in table):
             with table.table(name) as part:
                 states.append(
-                    PosState(
-                        name, _sigmas(part, "position_m", 100), _sigmas(part, "attitude_deg", 90),
-                        part.text("source"), part.flag("from_memory", False),
+                    PosAccuracy(
+                        name,
+                        _read_sigmas(part, "position_m", 100),
+                        _read_sigmas(part, "attitude_deg", 90),
+                        part.text("source"),
+                        part.boolean("from_memory", False),
                     )
-                )  # fmt: skip
+                )
         if not states:
             raise InputError(error("sensor.no_accuracies", file=str(path), tables=STATES))
-        return PosFigures(title, tuple(states))
+        return PosSpecification(title, tuple(states))
 
 
-def _sigmas(table: Table, key: str, most: float) -> Triple:
+def _read_sigmas(table: TomlTable, key: str, most: float) -> Triple:
     a, b, c = table.numbers(key, 3, least=0, most=most)
     if min(a, b, c) <= 0:
         raise table.refuse(key, "sensor.zero_sigma")
     return a, b, c
 
 
-def write_figures(path: Path, figures: Figures) -> None:
-    """Write figures so that they are read back the same.
+def write_specification(path: Path, figures: Figures) -> None:
+    """Write a specification so that it reads back unchanged.
 
     Raises
     ------
     InputError
         Where the file cannot be written.
     """
-    rows = [f"title = {quoted(figures.title)}"]
-    if isinstance(figures, ScannerFigures):
+    rows = [f"title = {toml_string(figures.title)}"]
+    if isinstance(figures, ScannerSpecification):
         rows += [
             f"range_sigma_m = {figures.range_sigma!r}",
             f"angle_sigma_deg = {figures.angle_sigma_deg!r}",
             f"divergence_mrad = {figures.divergence_mrad!r}",
-            *_origin(figures),
+            *_origin_lines(figures),
         ]
     else:
         for state in figures.states:
             rows += [
                 "",
                 f"[{state.name}]",
-                f"position_m = {_numbers(state.position_sigma)}",
-                f"attitude_deg = {_numbers(state.attitude_sigma_deg)}",
-                *_origin(state),
+                f"position_m = {_numbers_text(state.position_sigma)}",
+                f"attitude_deg = {_numbers_text(state.attitude_sigma_deg)}",
+                *_origin_lines(state),
             ]
-    with written_whole(path) as draft:
+    with atomic_write(path) as draft:
         draft.write_text("\n".join([*rows, ""]), encoding="utf-8")
 
 
-def _origin(figures: ScannerFigures | PosState) -> list[str]:
+def _origin_lines(figures: ScannerSpecification | PosAccuracy) -> list[str]:
     return [
-        f"source = {quoted(figures.source)}",
+        f"source = {toml_string(figures.source)}",
         f"from_memory = {str(figures.from_memory).lower()}",
     ]
 
 
-def _numbers(values: Sequence[float]) -> str:
+def _numbers_text(values: Sequence[float]) -> str:
     return f"[{', '.join(repr(float(value)) for value in values)}]"

@@ -1,4 +1,4 @@
-"""Clouds without time, of a tripod for one: their places alone, chunk by chunk.
+"""Clouds without time, from a tripod for example: coordinates in chunks.
 
 LAS and LAZ of any point format, E57 with the poses of its scans applied, PTS, and text with three
 columns of coordinates, each known by its content.
@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io import e57, las_chunks, pcd, ply, pts
-from lispac.io.points import HEAD, plainly, require_filled
-from lispac.io.registry import NOT
-from lispac.io.seed_file import header_of, separator_of
+from lispac.io.format_types import NOT
+from lispac.io.point_reading import HEAD, report_damage, require_not_empty
+from lispac.io.seed_file import header_meanings, separator_of
 from lispac.io.text_layout import REMARKS, SEPARATORS
-from lispac.io.text_table import UTF16, fields_of, is_number, lines_of
+from lispac.io.text_table import UTF16, is_number, numbered_lines, split_fields
 from lispac.messages import Message, error
-from lispac.survey.screening import LARGEST
+from lispac.survey.point_screening import LARGEST
 
 Array = NDArray[np.float64]
 
@@ -51,11 +51,11 @@ class StaticScan:
 
     @property
     def is_cloud(self) -> bool:
-        """Whether it is a cloud for certain; a text may be a list of points as well."""
-        return bool(_kind(self.path))
+        """True if it is certainly a cloud; a text may also be a list of points."""
+        return bool(_scan_kind(self.path))
 
-    def chunks(self, *, local: bool) -> Iterator[Array]:
-        """Its points, shape (n, 3), in the file's own coordinates, about a million at a time.
+    def coordinate_chunks(self, *, local: bool) -> Iterator[Array]:
+        """Coordinates, shape (n, 3), in the file's own system, about a million at a time.
 
         Parameters
         ----------
@@ -67,11 +67,15 @@ class StaticScan:
         InputError
             Where the file is damaged, empty, or holds what is no coordinate.
         """
-        known = {"las": las_chunks.places, "e57": e57.places, "pts": pts.places}
-        if kind := _kind(self.path):
+        known = {
+            "las": las_chunks.read_coordinates,
+            "e57": e57.read_coordinates,
+            "pts": pts.read_coordinates,
+        }
+        if kind := _scan_kind(self.path):
             chunks = known[kind](self.path)
         else:
-            chunks = iter([_of_text(self.path, local)])
+            chunks = iter([_read_text(self.path, local)])
         count = 0
         for chunk in chunks:
             good = (np.abs(chunk) <= LARGEST).all(axis=1)
@@ -86,26 +90,26 @@ class StaticScan:
             raise InputError(error("static_scan.no_points", file=str(self.path)))
 
 
-def static_scan(path: Path) -> StaticScan:
-    """Examine a cloud; its points are read later.
+def open_static_scan(path: Path) -> StaticScan:
+    """Open a cloud; its points are read later.
 
     Raises
     ------
     InputError
         Where the file is missing, empty, damaged, or of a kind that is not read without time.
     """
-    path = require_filled(Path(path), WHAT)
-    kind = _kind(path)
+    path = require_not_empty(Path(path), WHAT)
+    kind = _scan_kind(path)
     if kind == "las":
-        stated = las_chunks.stated_of(path)
+        stated = las_chunks.stated_crs(path)
         return StaticScan(path, stated.text, stated.height_unit, stated.messages)
     if kind == "e57":
-        system, messages = e57.stated_of(path)
+        system, messages = e57.stated_crs(path)
         return StaticScan(path, system, messages=messages)
     return StaticScan(path)
 
 
-def _kind(path: Path) -> str:
+def _scan_kind(path: Path) -> str:
     """``las``, ``e57`` or ``pts`` by the content; empty for other text.
 
     Raises
@@ -127,7 +131,7 @@ def _kind(path: Path) -> str:
     return ""
 
 
-def _of_text(path: Path, local: bool) -> Array:
+def _read_text(path: Path, local: bool) -> Array:
     """Columns x, y, z from the header row, else the first three.
 
     Raises
@@ -136,18 +140,18 @@ def _of_text(path: Path, local: bool) -> Array:
         Where no row has three coordinates, or they have commas.
     """
     rows = (
-        (number, line) for number, line in lines_of(path, WHAT)
+        (number, line) for number, line in numbered_lines(path, WHAT)
         if line.strip() and not line.strip().startswith(REMARKS)
     )  # fmt: skip
     first = next(rows, None)
     if first is None:
         raise InputError(error("static_scan.no_coordinates", file=str(path)))
     separator = separator_of(first[1])
-    names = header_of(first[1], separator, local=local)
+    names = header_meanings(first[1], separator, local=local)
     above = first[0] if names else first[0] - 1
     sample = next(rows, first) if names else first
     separator = separator_of(sample[1])
-    fields = fields_of(sample[1], separator)
+    fields = split_fields(sample[1], separator)
     if names:
         wanted = [names.index(axis) for axis in "xyz" if axis in names]
     else:
@@ -156,26 +160,26 @@ def _of_text(path: Path, local: bool) -> Array:
         raise InputError(error("static_scan.too_few_coordinates", file=str(path), row=sample[0]))
     if any("," in fields[k] for k in wanted):
         raise InputError(error("static_scan.decimal_commas", file=str(path), row=sample[0]))
-    with plainly(path, f"text of a {WHAT}"), path.open(encoding="utf-8-sig") as file:
+    with report_damage(path, f"text of a {WHAT}"), path.open(encoding="utf-8-sig") as file:
         return np.loadtxt(
             file, delimiter=SEPARATORS.get(separator), usecols=wanted, skiprows=above, ndmin=2,
             comments=list(REMARKS),
         )  # fmt: skip
 
 
-def without_time(path: Path, *, or_text: bool) -> bool:
-    """Whether a file is a cloud without time: PTS, or text whose first rows are x, y, z alone."""
-    if pts.has_count(path) or not or_text:
-        return pts.has_count(path)
+def has_no_time(path: Path, *, or_text: bool) -> bool:
+    """True if a file is a cloud without time: PTS, or text whose first rows are x, y, z alone."""
+    if pts.has_point_count(path) or not or_text:
+        return pts.has_point_count(path)
     try:
-        texts = (line.strip() for _, line in islice(lines_of(path, WHAT), LOOKED_AT))
-        rows = [fields_of(text) for text in texts if text and not text.startswith(REMARKS)]
+        texts = (line.strip() for _, line in islice(numbered_lines(path, WHAT), LOOKED_AT))
+        rows = [split_fields(text) for text in texts if text and not text.startswith(REMARKS)]
     except InputError:
         return False
     body = rows[1:]  # below a row of names
     return bool(body) and all(len(row) == 3 and all(map(is_number, row)) for row in body)
 
 
-def few_rows(path: Path, most: int) -> bool:
-    """Whether a text file has no more rows than a list of points has."""
-    return len(list(islice(lines_of(path, WHAT), most + 1))) <= most
+def has_few_rows(path: Path, most: int) -> bool:
+    """True if a text file has at most as many rows as a list of points."""
+    return len(list(islice(numbered_lines(path, WHAT), most + 1))) <= most

@@ -6,22 +6,30 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import InputError
-from lispac.io.points import (
-    PLACE,
-    place_facts,
-    plainly,
-    require_filled,
-    require_points,
-    scale_of,
-    sniffer,
-    table,
-    time_base,
+from lispac.io.first_points import check_first_points
+from lispac.io.format_types import (
+    NOT,
+    SAME_TIME_BASE,
+    SURE,
+    Choice,
+    FileFormat,
+    FilePreview,
+    PointChunk,
 )
-from lispac.io.registry import NOT, SAME_TIME_BASE, SURE, Choice, Finding, Format, PointChunk
-from lispac.io.sight import sight
+from lispac.io.point_reading import (
+    PLACE,
+    coordinate_scale,
+    frame_facts,
+    head_sniffer,
+    preview_table,
+    report_damage,
+    require_not_empty,
+    require_usable_points,
+    time_base_message,
+)
 from lispac.io.text_export import LINE_AND_TIME, SCANNER_NAMES
 from lispac.messages import error, note, warning
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 
 FIRST_LIDAR = 5
 """Column of the scanner's x: line, time and three coordinates on the map or in the local frame come
@@ -29,14 +37,14 @@ before it."""
 INTENSITY = 8
 
 
-@sniffer
+@head_sniffer
 def sniff(head: bytes, path: Path) -> float:
-    """The names of the columns as they are exported."""
+    """Likelihood by the column names of an exported target."""
     names = head.split(b"\n", 1)[0].decode("utf-8").strip().split(",")
-    return SURE if _are_names_of_target(names) else NOT
+    return SURE if _are_target_columns(names) else NOT
 
 
-def look(path: Path, choice: Choice) -> Finding:
+def preview_file(path: Path, choice: Choice) -> FilePreview:
     """Read the file; targets are small.
 
     Raises
@@ -44,53 +52,55 @@ def look(path: Path, choice: Choice) -> Finding:
     InputError
         Where the file cannot be read or is damaged.
     """
-    chunk = _read(require_filled(path, "target"))
+    chunk = _read_points(require_not_empty(path, "target"))
     file = printable(path.name)
     settled = TARGETS.settled(choice)
-    seen = sight(chunk.xyz, chunk.time, file=file, crs="")
+    seen = check_first_points(chunk.xyz, chunk.time, file=file, crs="")
     facts = {
         "format": note("fact.target"),
         "points": len(chunk.time),
-        **place_facts(settled),
-        "time base": time_base(chunk.time, settled["time_base"]),
+        **frame_facts(settled),
+        "time base": time_base_message(chunk.time, settled["time_base"]),
         **seen.facts,
     }
-    rows = table(("time", "x lidar", "y lidar", "z lidar"), (chunk.time, *chunk.xyz.T))
+    rows = preview_table(("time", "x lidar", "y lidar", "z lidar"), (chunk.time, *chunk.xyz.T))
     doubts = (warning("points.of_one_target", file=file), *seen.doubts)
-    return Finding(facts, rows, {}, doubts, (note("assumed.scanner_coordinates"), SAME_TIME_BASE))
+    return FilePreview(
+        facts, rows, {}, doubts, (note("assumed.scanner_coordinates"), SAME_TIME_BASE)
+    )
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
-    """Read as one chunk; lines are numbered from 1 as ``point_source_id``.
+    """Read as one chunk, with the lines numbered from 1 as ``point_source_id``.
 
     Raises
     ------
     InputError
         Where the file cannot be read or is damaged.
     """
-    path = require_filled(path, "target")
-    scale = scale_of(TARGETS.settled(choice))
-    chunk = _read(path)
-    require_points(chunk.xyz, chunk.time, path)
+    path = require_not_empty(path, "target")
+    scale = coordinate_scale(TARGETS.settled(choice))
+    chunk = _read_points(path)
+    require_usable_points(chunk.xyz, chunk.time, path)
     yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra, chunk.total)
 
 
-def _are_names_of_target(names: Sequence[str]) -> bool:
+def _are_target_columns(names: Sequence[str]) -> bool:
     lidar = tuple(names[FIRST_LIDAR : FIRST_LIDAR + 3])
     return tuple(names[:2]) == LINE_AND_TIME and lidar == SCANNER_NAMES
 
 
-def _read(path: Path) -> PointChunk:
+def _read_points(path: Path) -> PointChunk:
     """The points in the LiDAR frame.
 
     Raises
     ------
     InputError
     """
-    with plainly(path, "a target as CSV"), path.open(encoding="utf-8") as file:
+    with report_damage(path, "a target as CSV"), path.open(encoding="utf-8") as file:
         names = file.readline().strip().split(",")
         rows = [line.rstrip("\r\n").split(",") for line in file]
-    if not _are_names_of_target(names):
+    if not _are_target_columns(names):
         raise InputError(error("text.not_a_target", file=str(path)))
     if not rows:
         raise InputError(error("line.no_points", file=str(path)))
@@ -102,7 +112,7 @@ def _read(path: Path) -> PointChunk:
                     needed=len(names),
                 )
             )  # fmt: skip
-    with plainly(path, "a target as CSV"):
+    with report_damage(path, "a target as CSV"):
         values = np.array([row[1:] for row in rows], dtype=float)
     _, first, line = np.unique([row[0] for row in rows], return_index=True, return_inverse=True)
     order = np.argsort(np.argsort(first))
@@ -113,4 +123,6 @@ def _read(path: Path) -> PointChunk:
     return PointChunk(xyz, values[:, 0].copy(), extra, len(rows))
 
 
-TARGETS = Format(note("format.target"), "target", "points", (".csv",), PLACE, sniff, look, read)
+TARGETS = FileFormat(
+    note("format.target"), "target", "points", (".csv",), PLACE, sniff, preview_file, read
+)

@@ -11,7 +11,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.points import (
+from lispac.io.first_points import check_first_points
+from lispac.io.format_types import (
+    LIKELY,
+    NOT,
+    POSSIBLE,
+    SAME_TIME_BASE,
+    Choice,
+    Fact,
+    FileFormat,
+    FilePreview,
+    FormatOption,
+    PointChunk,
+)
+from lispac.io.point_reading import (
     CHOOSE_TIME_BASE,
     CHUNK,
     HEAD,
@@ -23,73 +36,62 @@ from lispac.io.points import (
     SECONDS,
     TIME_UNIT,
     USE_FEET,
-    place_facts,
-    plainly,
-    require_filled,
-    require_points,
-    scale_of,
-    sniffer,
-    time_base,
+    coordinate_scale,
+    frame_facts,
+    head_sniffer,
+    report_damage,
+    require_not_empty,
+    require_usable_points,
+    time_base_message,
     usable_points,
 )
-from lispac.io.registry import (
-    LIKELY,
-    NOT,
-    POSSIBLE,
-    SAME_TIME_BASE,
-    Choice,
-    Fact,
-    Finding,
-    Format,
-    Option,
-    PointChunk,
-)
-from lispac.io.sight import sight
-from lispac.io.text_layout import REQUIRED, SEPARATORS, Layout, layout_of, rows_of
-from lispac.io.text_table import clock, is_clock
+from lispac.io.text_layout import REQUIRED, SEPARATORS, RowLayout, data_rows, guess_layout
+from lispac.io.text_table import clock_seconds, is_clock
 from lispac.io.text_units import (
     header_options,
     height_unit_of,
     require_cartesian,
     require_degrees,
     require_one_unit,
-    unit_doubts,
     unit_messages,
+    unit_warnings,
 )
 from lispac.io.units import TIME_UNIT_NAMES
 from lispac.language import N_
 from lispac.messages import Message, error, note, warning
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 
-COLUMNS = Option(
+COLUMNS = FormatOption(
     "columns",
     N_(
         "Names of the columns from the left, separated by blanks. time x y z are needed; - skips a "
         "column. Empty: as in the first row of the file."
     ),
 )
-SEPARATOR = Option("separator", N_("Separator of the columns."), ("auto", *SEPARATORS), "auto")
-DECIMAL = Option("decimal", N_("Decimal sign."), ("auto", "point", "comma"), "auto")
+SEPARATOR = FormatOption(
+    "separator", N_("Separator of the columns."), ("auto", *SEPARATORS), "auto"
+)
+DECIMAL = FormatOption("decimal", N_("Decimal sign."), ("auto", "point", "comma"), "auto")
 BLOCK = 8 << 20  # bytes parsed at once
 GZIP, UTF16 = b"\x1f\x8b", (b"\xff\xfe", b"\xfe\xff")
 
 
-@sniffer
+@head_sniffer
 def sniff(head: bytes, path: Path) -> float:
-    """Rows of four numbers or more; likely where a first row names time, x, y and z."""
+    """Likelihood by the numbers per row and the names time, x, y and z in a first row."""
     if head.startswith(GZIP):
         head = zlib.decompressobj(wbits=31).decompress(head, HEAD)
     if b"\0" in head:
         return NOT
-    lines = _text(head).splitlines()[:100]
-    layout, rows = layout_of(lines), rows_of(lines)
+    lines = _decode_text(head).splitlines()[:100]
+    layout, rows = guess_layout(lines), data_rows(lines)
     body = rows[layout.first : -1] or rows[layout.first :]  # the last row may be cut
-    if not body or not all(layout.is_numbers(row) for row in body):
+    if not body or not all(layout.is_numeric_row(row) for row in body):
         return NOT
     return LIKELY if set(REQUIRED) <= set(layout.names) else POSSIBLE
 
 
-def look(path: Path, choice: Choice) -> Finding:
+def preview_file(path: Path, choice: Choice) -> FilePreview:
     """Read the first rows, and propose separator, decimal sign and columns.
 
     Raises
@@ -97,13 +99,13 @@ def look(path: Path, choice: Choice) -> Finding:
     InputError
         Where the file cannot be read or holds no rows of numbers.
     """
-    path = require_filled(path, "text")
+    path = require_not_empty(path, "text")
     file = printable(path.name)
-    found, layout, lines = _detected(path)
+    found, layout, lines = _detect_options(path)
     if not choice.get("columns"):
         require_degrees(path, layout)
-    rows = rows_of(lines)
-    settled = _settled(found, choice)
+    rows = data_rows(lines)
+    settled = _merge_options(found, choice)
     shown = [layout.fields(row) for row in rows[layout.first : layout.first + ROWS]]
     columns = settled["columns"].split()
     head = (
@@ -111,32 +113,32 @@ def look(path: Path, choice: Choice) -> Finding:
     )
     preview = tuple(tuple(row) for row in (head, *shown))
     facts: dict[str, Fact] = {
-        "format": note("fact.text_gzipped" if _is_packed(path) else "fact.text"),
+        "format": note("fact.text_gzipped" if _is_gzipped(path) else "fact.text"),
         "separator": settled["separator"],
         "decimal": settled["decimal"],
         "columns": settled["columns"] or note("fact.not_named"),
     }
     if not columns:
         not_named = warning("text.columns_not_named", file=file)
-        return Finding({**facts, **place_facts(settled)}, preview, found, (not_named,))
-    chunk = next(_chunks(path, settled, PREVIEW), None)
+        return FilePreview({**facts, **frame_facts(settled)}, preview, found, (not_named,))
+    chunk = next(_read_chunks(path, settled, PREVIEW), None)
     if chunk is None:
         raise InputError(error("line.no_points", file=str(path)))
-    require_points(chunk.xyz, chunk.time, path)
+    require_usable_points(chunk.xyz, chunk.time, path)
     chunk = usable_points(chunk)
     metres = SCANNER_UNITS[str(choice.get("unit") or found.get("unit", "metre"))]
     crs = str(choice.get("crs", ""))
-    seen = sight(metres * chunk.xyz, chunk.time, file=file, crs=crs)
+    seen = check_first_points(metres * chunk.xyz, chunk.time, file=file, crs=crs)
     found["frame"] = seen.frame
     units = layout.units()
     if crs and (unit := height_unit_of(units, crs)):
         found["height_unit"] = unit
-    settled = _settled(found, choice)
+    settled = _merge_options(found, choice)
     if settled["frame"] == SCANNER and not choice.get("unit"):
         require_one_unit(path, layout)
     facts |= {
-        **place_facts(settled),
-        "time base": time_base(chunk.time, settled["time_base"]),
+        **frame_facts(settled),
+        "time base": time_base_message(chunk.time, settled["time_base"]),
         **seen.facts,
     }
     above = " ".join(lines[: max(1, len(lines) - len(rows) + layout.first)]).lower()
@@ -145,7 +147,7 @@ def look(path: Path, choice: Choice) -> Finding:
     if feet and "unit" not in header_options(layout):
         doubts = (warning("points.feet_in_header", file=file, actions=USE_FEET),)
     if crs and units:
-        doubts = unit_doubts(units, crs, file)  # the names say which, and which does not fit
+        doubts = unit_warnings(units, crs, file)  # the names say which, and which does not fit
     if not settled["time_base"] and "time" in columns and is_clock(shown[0][columns.index("time")]):
         actions = (CHOOSE_TIME_BASE,)
         doubts += (warning("times.clock_without_base", file=file, actions=actions),)
@@ -154,7 +156,7 @@ def look(path: Path, choice: Choice) -> Finding:
         note("assumed.time_unit", unit=TIME_UNIT_NAMES[SECONDS[settled["time_unit"]]]),
         SAME_TIME_BASE,
     )
-    return Finding(facts, preview, found, (*doubts, *seen.doubts), assumptions, messages)
+    return FilePreview(facts, preview, found, (*doubts, *seen.doubts), assumptions, messages)
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -167,34 +169,34 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     InputError
         Where the file is missing, empty, damaged, or a row does not fit the columns.
     """
-    path = require_filled(path, "text")
-    found, layout, _ = _detected(path)
-    settled = _settled(found, choice)
+    path = require_not_empty(path, "text")
+    found, layout, _ = _detect_options(path)
+    settled = _merge_options(found, choice)
     if settled["frame"] == SCANNER and not choice.get("unit") and not choice.get("columns"):
         require_one_unit(path, layout)
     if not settled["columns"]:
         raise InputError(error("text.columns_not_named", file=str(path)))
-    scale, done = scale_of(settled), 0
-    for chunk in _chunks(path, settled, CHUNK):
-        require_points(chunk.xyz, chunk.time, path, done)
+    scale, done = coordinate_scale(settled), 0
+    for chunk in _read_chunks(path, settled, CHUNK):
+        require_usable_points(chunk.xyz, chunk.time, path, done)
         done += len(chunk.time)
         yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra) if scale != 1 else chunk
     if not done:
         raise InputError(error("line.no_points", file=str(path)))
 
 
-def _detected(path: Path) -> tuple[dict[str, str], Layout, list[str]]:
-    """Options as the file shows them, its layout, and the first lines.
+def _detect_options(path: Path) -> tuple[dict[str, str], RowLayout, list[str]]:
+    """Detected options of a file, its layout, and its first lines.
 
     Raises
     ------
     InputError
         Where no row has four numbers.
     """
-    with plainly(path, "text"), _opened(path) as file:
-        lines = next(_blocks(file, path, HEAD), [])[:200]
-    layout = layout_of(lines)
-    if layout.first == len(rows_of(lines)):
+    with report_damage(path, "text"), _opened_text(path) as file:
+        lines = next(_line_blocks(file, path, HEAD), [])[:200]
+    layout = guess_layout(lines)
+    if layout.first == len(data_rows(lines)):
         raise InputError(error("text.no_number_rows", file=str(path)))
     found = {
         "separator": layout.separator,
@@ -208,36 +210,36 @@ def _detected(path: Path) -> tuple[dict[str, str], Layout, list[str]]:
     return found, layout, lines
 
 
-def _settled(found: Choice, choice: Choice) -> dict[str, str]:
-    """Chosen options; detected values for the others and for auto."""
+def _merge_options(found: Choice, choice: Choice) -> dict[str, str]:
+    """Chosen options, completed by the detected ones."""
     return TEXT.settled(
         {**found, **{name: value for name, value in choice.items() if value not in ("", "auto")}}
     )
 
 
-def _chunks(path: Path, settled: Choice, rows: int) -> Iterator[PointChunk]:
-    names = _columns(path, settled["columns"])
-    layout = Layout(settled["separator"], settled["decimal"] == "comma")
+def _read_chunks(path: Path, settled: Choice, rows: int) -> Iterator[PointChunk]:
+    names = _chosen_columns(path, settled["columns"])
+    layout = RowLayout(settled["separator"], settled["decimal"] == "comma")
     wanted = [k for k, name in enumerate(names) if name != "-"]
     factor = SECONDS[settled["time_unit"]]
     parts: list[NDArray[np.float64]] = []
     number = held = 0
-    with plainly(path, "text"), _opened(path) as file:
-        for block in _blocks(file, path, min(BLOCK, 100 * rows)):
-            parts.append(_parsed(path, block, number, names, wanted, layout))
+    with report_damage(path, "text"), _opened_text(path) as file:
+        for block in _line_blocks(file, path, min(BLOCK, 100 * rows)):
+            parts.append(_parse_block(path, block, number, names, wanted, layout))
             number += len(block)
             held += len(parts[-1])
             if held >= rows:
                 whole = np.concatenate(parts)
                 full = held - held % rows
                 for start in range(0, full, rows):
-                    yield _chunk(whole[start : start + rows], names, wanted, factor)
+                    yield _point_chunk(whole[start : start + rows], names, wanted, factor)
                 parts, held = [whole[full:]], held - full
     if held:
-        yield _chunk(np.concatenate(parts), names, wanted, factor)
+        yield _point_chunk(np.concatenate(parts), names, wanted, factor)
 
 
-def _chunk(
+def _point_chunk(
     part: NDArray[np.float64], names: Sequence[str], wanted: list[int], factor: float
 ) -> PointChunk:
     at = {names[k]: column for column, k in enumerate(wanted)}
@@ -246,7 +248,7 @@ def _chunk(
     return PointChunk(xyz, part[:, at["time"]] * factor, extra)
 
 
-def _columns(path: Path, text: str) -> list[str]:
+def _chosen_columns(path: Path, text: str) -> list[str]:
     known = (*REQUIRED, "intensity")
     names = [
         name.lower() if name.lower() in known else name
@@ -267,9 +269,9 @@ def _columns(path: Path, text: str) -> list[str]:
     return names
 
 
-def _parsed(
+def _parse_block(
     path: Path, block: list[str], number: int, names: Sequence[str], wanted: list[int],
-    layout: Layout,
+    layout: RowLayout,
 ) -> NDArray[np.float64]:  # fmt: skip
     """Numbers of a block of lines, of which ``number`` came before.
 
@@ -278,10 +280,10 @@ def _parsed(
     InputError
         Where a row is not of numbers.
     """
-    rows = rows_of(block)
+    rows = data_rows(block)
     before = 0
     if number == 0:  # names of columns, or a count of points, at the head
-        before = next((k for k, row in enumerate(rows) if layout.is_numbers(row)), len(rows))
+        before = next((k for k, row in enumerate(rows) if layout.is_numeric_row(row)), len(rows))
     text = [layout.plain(row) for row in rows[before:]]
     if not text:
         return np.empty((0, len(wanted)))
@@ -291,20 +293,20 @@ def _parsed(
     try:
         return np.loadtxt(
             text, delimiter=SEPARATORS[layout.separator], usecols=wanted, ndmin=2, comments=None,
-            converters={at: clock} if clocks else None, encoding=None,
+            converters={at: clock_seconds} if clocks else None, encoding=None,
         )  # fmt: skip
     except ValueError as failure:
-        _name_the_row(path, block, number, before, names, wanted, layout, clocks=clocks)
+        _raise_row_error(path, block, number, before, names, wanted, layout, clocks=clocks)
         raise InputError(
             error("text.not_numbers", file=str(path), reason=str(failure))
         ) from failure
 
 
-def _name_the_row(
+def _raise_row_error(
     path: Path, block: list[str], number: int, before: int, names: Sequence[str],
-    wanted: list[int], layout: Layout, *, clocks: bool,
+    wanted: list[int], layout: RowLayout, *, clocks: bool,
 ) -> None:  # fmt: skip
-    """Find the row of a block with an error.
+    """Raise an error that names the faulty row of a block.
 
     Raises
     ------
@@ -312,7 +314,7 @@ def _name_the_row(
     """
     passed = 0
     for k, line in enumerate(block, start=number + 1):
-        if not rows_of([line]):
+        if not data_rows([line]):
             continue
         passed += 1
         if passed <= before:
@@ -322,7 +324,7 @@ def _name_the_row(
         for column in wanted:
             as_clock = clocks and names[column] == "time"
             try:
-                (clock if as_clock else _plain_number)(fields[column])
+                (clock_seconds if as_clock else _parse_number)(fields[column])
             except ValueError:
                 code = "text.not_a_clock_time" if as_clock else "text.not_a_number"
                 raise InputError(
@@ -333,7 +335,7 @@ def _name_the_row(
                 ) from None  # fmt: skip
 
 
-def _plain_number(field: str) -> float:
+def _parse_number(field: str) -> float:
     """A number as NumPy reads it: Python also takes ``1_000`` and digits of other scripts.
 
     Raises
@@ -359,16 +361,16 @@ def _require_width(
 
 
 def _first_row(lines: list[str]) -> int:
-    return next((k for k, line in enumerate(lines) if rows_of([line])), 0)
+    return next((k for k, line in enumerate(lines) if data_rows([line])), 0)
 
 
-def _is_packed(path: Path) -> bool:
+def _is_gzipped(path: Path) -> bool:
     with path.open("rb") as file:
         return file.read(2) == GZIP
 
 
 @contextmanager
-def _opened(path: Path) -> Iterator[IO[bytes]]:
+def _opened_text(path: Path) -> Iterator[IO[bytes]]:
     with path.open("rb") as raw:
         start = raw.read(2)
         raw.seek(0)
@@ -377,12 +379,12 @@ def _opened(path: Path) -> Iterator[IO[bytes]]:
         yield cast(IO[bytes], gzip.GzipFile(fileobj=raw)) if start == GZIP else raw
 
 
-def _text(data: bytes) -> str:
+def _decode_text(data: bytes) -> str:
     return data.decode("utf-8-sig", errors="replace")
 
 
-def _blocks(file: IO[bytes], path: Path, size: int) -> Iterator[list[str]]:
-    """Whole lines, ``size`` bytes at once; never more than a bounded rest is carried over.
+def _line_blocks(file: IO[bytes], path: Path, size: int) -> Iterator[list[str]]:
+    """Blocks of whole lines, ``size`` bytes at once.
 
     Raises
     ------
@@ -397,12 +399,12 @@ def _blocks(file: IO[bytes], path: Path, size: int) -> Iterator[list[str]]:
         if len(rest) > HEAD or b"\0" in data[:HEAD]:
             raise InputError(error("text.no_rows_of_points", file=str(path)))
         if data:
-            yield _text(data).split("\n")[:-1]
+            yield _decode_text(data).split("\n")[:-1]
     if rest.strip():
-        yield [_text(rest)]
+        yield [_decode_text(rest)]
 
 
-TEXT = Format(
+TEXT = FileFormat(
     note("format.text"), "text", "points", (".txt", ".csv", ".xyz", ".asc", ".pts", ".gz"),
-    (COLUMNS, SEPARATOR, DECIMAL, TIME_UNIT, *PLACE), sniff, look, read,
+    (COLUMNS, SEPARATOR, DECIMAL, TIME_UNIT, *PLACE), sniff, preview_file, read,
 )  # fmt: skip

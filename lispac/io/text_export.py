@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.foreign_values import as_cell
 from lispac.messages import error
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.time_base import KEYS
 from lispac.survey.trajectory import Trajectory
+from lispac.untrusted_values import as_csv_cell
 
 TRAJECTORY_HEADER = (
     "# Trajectory written by LISPAC.",
@@ -36,7 +36,7 @@ SCANNER_NAMES = ("x lidar (m)", "y lidar (m)", "z lidar (m)")
 """Names of columns of an exported target, by which `lispac.io.target_points` knows it."""
 
 
-def written_options(lines: Sequence[str]) -> dict[str, str]:
+def options_in_header(lines: Sequence[str]) -> dict[str, str]:
     """Options that read a trajectory as this program writes it; empty for another file.
 
     Parameters
@@ -75,7 +75,7 @@ def write_table(
     for text in texts:
         if any(character in text for character in ',"\n\r'):
             raise InputError(error("text.not_for_csv", file=path.name, text=text))
-    shown = [np.array([as_cell(v) for v in c]) if c.dtype.kind == "U" else c for c in columns]
+    shown = [np.array([as_csv_cell(v) for v in c]) if c.dtype.kind == "U" else c for c in columns]
     row = ",".join("{:" + form + "}" for form in formats) + "\n"
     with path.open("w", encoding="utf-8", errors="replace", newline="") as file:
         file.write(",".join(names) + "\n")
@@ -83,7 +83,7 @@ def write_table(
 
 
 def coordinate_names(system: CoordinateSystem | None) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """What the coordinates of a system are called, with their unit, and the formats to 0.1 mm."""
+    """Names of the coordinates of a system, with their unit, and the formats to 0.1 mm."""
     if system is None:
         return ("north (m)", "west (m)", "up (m)"), (".4f", ".4f", ".4f")
     code = system.crs.to_epsg()

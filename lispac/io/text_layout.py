@@ -1,12 +1,12 @@
-"""How a text file lays its numbers out: what parts the columns, the decimal sign, their names."""
+"""Layout of a text file of numbers: separator, decimal sign, column names."""
 
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from lispac.io.points import TIME_NAMES
+from lispac.io.point_reading import TIME_NAMES
 from lispac.io.text_table import DECIMAL_COMMAS, is_clock
-from lispac.io.units import ANGLE_CODES, is_units_row, split_title, stated_unit, with_units
+from lispac.io.units import ANGLE_CODES, is_units_row, split_title, stated_unit, titles_with_units
 
 REQUIRED = ("time", "x", "y", "z")
 SEPARATORS = {"blank": None, "comma": ",", "semicolon": ";", "tab": "\t"}
@@ -34,8 +34,8 @@ ANGLES_OF_BEAMS = {"elevation"}
 
 
 @dataclass(frozen=True)
-class Layout:
-    """How rows become numbers.
+class RowLayout:
+    """Layout that converts rows of text into numbers.
 
     Attributes
     ----------
@@ -57,7 +57,7 @@ class Layout:
     titles: tuple[str, ...] = ()
 
     def plain(self, row: str) -> str:
-        """A row as `float` reads it: no quotes, decimal points."""
+        """Row without quotes and with decimal points, as `float` reads it."""
         row = row.replace('"', "")
         return row.replace(",", ".") if self.decimal_comma else row
 
@@ -70,8 +70,8 @@ class Layout:
         units = zip(self.names, map(stated_unit, self.titles), strict=True)
         return {name: unit for name, unit in units if unit and name != "-"}
 
-    def is_numbers(self, row: str) -> bool:
-        """Whether a row has four numbers or more, and few other columns: so have no names.
+    def is_numeric_row(self, row: str) -> bool:
+        """True if a row has four numbers or more, and few other columns.
 
         A time as hh:mm:ss is a number here.
         """
@@ -79,25 +79,27 @@ class Layout:
         return sum(numbers) >= max(len(REQUIRED), len(numbers) // 2 + 1)
 
 
-def rows_of(lines: Sequence[str]) -> list[str]:
+def data_rows(lines: Sequence[str]) -> list[str]:
     """Rows that are neither empty nor comments."""
     stripped = (line.strip("\r\n ") for line in lines)
     return [line for line in stripped if line and not line.startswith(REMARKS)]
 
 
-def layout_of(lines: Sequence[str]) -> Layout:
+def guess_layout(lines: Sequence[str]) -> RowLayout:
     """Guess the layout from the first lines; ``first`` is their number where none has numbers."""
-    rows = rows_of(lines)
+    rows = data_rows(lines)
     for first, row in enumerate(rows):
-        for separator, decimal_comma in _candidates(row):
-            layout = Layout(separator, decimal_comma)
-            if layout.is_numbers(row):
-                titles = _titles(lines, row, separator, len(layout.fields(row)))
-                return Layout(separator, decimal_comma, _meant(titles), first, tuple(titles))
-    return Layout("blank", False, (), len(rows))
+        for separator, decimal_comma in _layout_candidates(row):
+            layout = RowLayout(separator, decimal_comma)
+            if layout.is_numeric_row(row):
+                titles = _column_titles(lines, row, separator, len(layout.fields(row)))
+                return RowLayout(
+                    separator, decimal_comma, _column_meanings(titles), first, tuple(titles)
+                )
+    return RowLayout("blank", False, (), len(rows))
 
 
-def _candidates(row: str) -> list[tuple[str, bool]]:
+def _layout_candidates(row: str) -> list[tuple[str, bool]]:
     if ";" in row:
         return [("semicolon", "." not in row and "," in row)]
     if "\t" in row:
@@ -109,7 +111,7 @@ def _candidates(row: str) -> list[tuple[str, bool]]:
     return [("blank", False)]
 
 
-def _titles(lines: Sequence[str], row: str, separator: str, columns: int) -> list[str]:
+def _column_titles(lines: Sequence[str], row: str, separator: str, columns: int) -> list[str]:
     """Titles from one of the four lines above the numbers, which may be marked as a comment.
 
     The units in a row between names and numbers are put behind the names.
@@ -117,15 +119,15 @@ def _titles(lines: Sequence[str], row: str, separator: str, columns: int) -> lis
     written = [bare for line in lines if (bare := line.strip("\r\n ")).strip()]
     units: list[str] = []
     for line in reversed(written[: written.index(row)][-4:]):
-        fields = names_of(line, separator, columns)
+        fields = split_names(line, separator, columns)
         if fields and is_units_row(fields) and not units:
             units = fields
         elif fields:
-            return with_units(fields, units) if units else fields
+            return titles_with_units(fields, units) if units else fields
     return []
 
 
-def names_of(line: str, separator: str, columns: int) -> list[str]:
+def split_names(line: str, separator: str, columns: int) -> list[str]:
     """Names in a line, which may be a comment; empty where it is none of that many."""
     plain = line.strip("\r\n ").lstrip("#%/ ").replace('"', "")
     fields = [field.strip() for field in plain.split(SEPARATORS[separator])]
@@ -135,30 +137,30 @@ def names_of(line: str, separator: str, columns: int) -> list[str]:
     return fields if len(fields) == columns and not numbers else []
 
 
-def bare_name(field: str) -> str:
+def name_without_unit(field: str) -> str:
     """A column name in lower case, without its unit."""
     return split_title(field)[0].strip().lower()
 
 
-def equal_columns(titles: Sequence[str]) -> dict[str, list[str]]:
-    """Titles of the same meaning, by it, where none of them has the exact name."""
+def ambiguous_columns(titles: Sequence[str]) -> dict[str, list[str]]:
+    """Titles grouped by the same meaning, where none of them has the exact name."""
     found: dict[str, list[str]] = {}
     for title in titles:
-        if meaning := MEANINGS.get(bare_name(title)):
+        if meaning := MEANINGS.get(name_without_unit(title)):
             found.setdefault(meaning, []).append(title)
     return {
         meaning: own
         for meaning, own in found.items()
-        if len(own) > 1 and [bare_name(title) for title in own].count(meaning) != 1
+        if len(own) > 1 and [name_without_unit(title) for title in own].count(meaning) != 1
     }
 
 
-def _meant(fields: Sequence[str]) -> tuple[str, ...]:
-    """Names in the program's words; the exact name of a column goes before its synonyms.
+def _column_meanings(fields: Sequence[str]) -> tuple[str, ...]:
+    """Meanings of column names; the exact name of a column takes precedence over synonyms.
 
     Beside a range or an azimuth, or in degrees, an elevation is an angle and no height.
     """
-    bares = [bare_name(field) for field in fields]
+    bares = [name_without_unit(field) for field in fields]
     beams = not BEAMS.isdisjoint(bares)
     angles = [stated_unit(field) in ANGLE_CODES for field in fields]
     chosen: dict[str, int] = {}

@@ -1,4 +1,4 @@
-"""Rows of text as columns of numbers: separators, angles in degrees and minutes, clock and date."""
+"""Rows of text as columns of numbers: separators, angles, clock times and dates."""
 
 import csv
 import math
@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
+from lispac.io.compressed_files import require_uncompressed
 from lispac.io.files import require_file
-from lispac.io.packed import require_unpacked
 from lispac.messages import error
 
 Array = NDArray[np.float64]
@@ -60,7 +60,7 @@ def _encoding(head: bytes) -> str:
 
 
 def encoding_of(path: Path) -> str:
-    """How the text of a file is encoded, by its first bytes.
+    """Encoding of the text of a file, by its first bytes.
 
     Raises
     ------
@@ -71,7 +71,7 @@ def encoding_of(path: Path) -> str:
 
 
 def last_lines(path: Path, size: int) -> list[str]:
-    """Whole lines within the last ``size`` bytes; none where the file cannot be read."""
+    """Whole lines within the last ``size`` bytes; none if the file cannot be read."""
     try:
         with Path(path).open("rb") as file:
             mark = file.read(2)
@@ -83,7 +83,7 @@ def last_lines(path: Path, size: int) -> list[str]:
     return text.splitlines()[1:]
 
 
-def lines_of(path: Path, what: str) -> Iterator[tuple[int, str]]:
+def numbered_lines(path: Path, what: str) -> Iterator[tuple[int, str]]:
     """Number and content of each line, without line end.
 
     Raises
@@ -94,7 +94,7 @@ def lines_of(path: Path, what: str) -> Iterator[tuple[int, str]]:
     path = require_file(Path(path), what)
     if path.stat().st_size == 0:
         raise InputError(error("text.empty", file=str(path)))
-    require_unpacked(path)
+    require_uncompressed(path)
     try:
         with path.open(encoding=encoding_of(path), errors="replace", newline=None) as file:
             number = 0
@@ -108,14 +108,14 @@ def lines_of(path: Path, what: str) -> Iterator[tuple[int, str]]:
         raise InputError(error("text.not_read_to_end", file=str(path), reason=reason)) from failure
 
 
-def fields_of(line: str, separator: str = "auto") -> list[str]:
+def split_fields(line: str, separator: str = "auto") -> list[str]:
     """Split one row; ``auto`` takes semicolon, tab or comma where there is one, else blanks.
 
     Commas between digits, with blanks between the numbers, are decimal signs. Fields may be in
     quotes, as spreadsheets write them.
     """
     if '"' in line and _QUOTED.search(line):
-        return _unquoted(line, separator)
+        return _split_quoted(line, separator)
     if separator == "auto":
         separator = next((name for name, mark in _MARKS.items() if mark in line), "blank")
         if separator == "comma" and "." not in line and DECIMAL_COMMAS.search(line):
@@ -130,7 +130,7 @@ _QUOTED = re.compile(r'(?:^|[;,\t])\s*"')
 """A quote that opens a field; others are seconds of arc."""
 
 
-def _unquoted(line: str, separator: str) -> list[str]:
+def _split_quoted(line: str, separator: str) -> list[str]:
     if separator == "auto":
         parted = re.sub('"[^"]*"', "", line)
         separator = next((name for name, mark in _MARKS.items() if mark in parted), "blank")
@@ -140,18 +140,18 @@ def _unquoted(line: str, separator: str) -> list[str]:
 
 
 def is_number(field: str) -> bool:
-    """Whether a field reads as one finite number, of decimal point or comma."""
+    """True if a field is one finite number, with a decimal point or comma."""
     return _NUMBER.fullmatch(field.strip()) is not None
 
 
-def is_data(fields: Sequence[str]) -> bool:
-    """Whether a row looks like data: its first field is a number, a clock time or a date."""
+def is_data_row(fields: Sequence[str]) -> bool:
+    """True if the first field of a row is a number, a clock time or a date."""
     first = fields[0] if fields else ""
     return is_number(first) or bool(_CLOCK.match(first)) or bool(_DATE.match(first))
 
 
-def number(field: str) -> float:
-    """A number; a comma may stand for the decimal point where it does not separate columns."""
+def parse_number(field: str) -> float:
+    """Parse a number; a comma may be the decimal sign unless it separates columns."""
     return float(field.replace(",", ".").replace("D", "e").replace("d", "e"))
 
 
@@ -179,7 +179,7 @@ def degrees_minutes_seconds(field: str) -> float:
     parts = [part for part in _DMS_SEPARATORS.split(bare.lower()) if part]
     if not 1 <= len(parts) <= 3:
         raise ValueError(f"{field!r} is not degrees, minutes and seconds")
-    values = [number(part) for part in parts]
+    values = [parse_number(part) for part in parts]
     if any(value < 0 for value in values) or any(value >= 60 for value in values[1:]):
         raise ValueError(f"{field!r} is not degrees, minutes and seconds")
     return sign * sum(value / 60**k for k, value in enumerate(values))
@@ -197,7 +197,7 @@ def degrees_and_minutes(field: str) -> float:
     text = field.strip().upper()
     letters = text[:1] + text[-1:]
     found = [letter for letter in letters if letter in HEMISPHERES]
-    value = number(text.strip("NSEW "))
+    value = parse_number(text.strip("NSEW "))
     if len(found) > 1 or (found and value < 0):
         raise ValueError(f"{field!r} has both a sign and a hemisphere")
     degrees, minutes = divmod(abs(value), 100.0)
@@ -206,25 +206,25 @@ def degrees_and_minutes(field: str) -> float:
     return math.copysign(degrees + minutes / 60, value) * (HEMISPHERES[found[0]] if found else 1.0)
 
 
-def lettered(parse: Callable[[str], float], field: str, *, letters: str) -> float:
-    """A coordinate whose hemisphere, where one is written, is one of ``letters``.
+def parse_with_hemisphere(parse: Callable[[str], float], field: str, *, letters: str) -> float:
+    """Parse a coordinate whose hemisphere, if there is one, is one of ``letters``.
 
     Raises
     ------
     ValueError
     """
     text = field.strip().upper()
-    if {text[:1], text[-1:]} & (set(HEMISPHERES) - set(letters)) and not _ends_in_seconds(text):
+    if {text[:1], text[-1:]} & (set(HEMISPHERES) - set(letters)) and not _has_seconds_letter(text):
         raise ValueError(f"{field!r} is not a coordinate of {' or '.join(letters)}")
     return parse(field)
 
 
-def _ends_in_seconds(text: str) -> bool:
-    """Whether the last letter marks the seconds, as in ``12D30M05S``."""
+def _has_seconds_letter(text: str) -> bool:
+    """True if the last letter marks the seconds, as in ``12D30M05S``."""
     return text[:1] not in HEMISPHERES and "D" in text and "M" in text and text.count("S") == 1
 
 
-def hemisphere(field: str, o: str = "") -> float:
+def hemisphere_sign(field: str, o: str = "") -> float:
     """Sign of a hemisphere: 1 for N and E, -1 for S and W.
 
     Parameters
@@ -246,8 +246,8 @@ def hemisphere(field: str, o: str = "") -> float:
 HEMISPHERES = {"N": 1.0, "S": -1.0, "E": 1.0, "W": -1.0}
 
 
-def coordinate(field: str, *, degrees: bool = False) -> float | None:
-    """One coordinate that somebody wrote: of decimal point or comma, with any minus sign.
+def parse_coordinate(field: str, *, degrees: bool = False) -> float | None:
+    """Parse one coordinate, with a decimal point or comma and any minus sign.
 
     Parameters
     ----------
@@ -261,7 +261,7 @@ def coordinate(field: str, *, degrees: bool = False) -> float | None:
     """
     text = field.strip().replace("\N{MINUS SIGN}", "-")
     try:
-        value = number(text) if is_number(text) else None
+        value = parse_number(text) if is_number(text) else None
         if value is None and degrees:
             value = degrees_minutes_seconds(text)
     except (ValueError, OverflowError):
@@ -269,15 +269,15 @@ def coordinate(field: str, *, degrees: bool = False) -> float | None:
     return value if value is not None and math.isfinite(value) else None
 
 
-def coordinates_in(text: str) -> tuple[str, str, str] | None:
+def find_coordinates(text: str) -> tuple[str, str, str] | None:
     """Three numbers in one text, as copied from a list; None where it holds anything else."""
-    fields = fields_of(text.replace("\N{MINUS SIGN}", "-"))
+    fields = split_fields(text.replace("\N{MINUS SIGN}", "-"))
     if len(fields) != 3 or not all(is_number(field) for field in fields):
         return None
     return fields[0], fields[1], fields[2]
 
 
-def clock(field: str) -> float:
+def clock_seconds(field: str) -> float:
     """Seconds of the day of ``14:03:07.250``.
 
     Raises
@@ -287,18 +287,18 @@ def clock(field: str) -> float:
     match = _CLOCK.fullmatch(field.strip())
     if not match:
         raise ValueError(f"{field!r} is not a time as hh:mm:ss")
-    hours, minutes, seconds = int(match[1]), int(match[2]), number(match[3])
+    hours, minutes, seconds = int(match[1]), int(match[2]), parse_number(match[3])
     if hours > 24 or minutes > 59 or seconds >= 61:
         raise ValueError(f"{field!r} is not a time as hh:mm:ss")
     return 3600.0 * hours + 60.0 * minutes + seconds
 
 
 def is_clock(field: str) -> bool:
-    """Whether a field is a time as hh:mm:ss."""
+    """True if a field is a time as hh:mm:ss."""
     return _CLOCK.fullmatch(field.strip()) is not None
 
 
-def day(field: str) -> float:
+def date_seconds(field: str) -> float:
     """Seconds since 1970-01-01 at the start of ``2024-05-31``, leap seconds not counted.
 
     Raises
@@ -314,12 +314,12 @@ def day(field: str) -> float:
     return float(timegm((year, month, of_month, 0, 0, 0)))
 
 
-def columns_of(
+def read_columns(
     path: Path,
     rows: Iterator[tuple[int, list[str]]],
     wanted: Sequence[tuple[int, Callable[[str], float], str]],
 ) -> tuple[list[Array], NDArray[np.int64]]:
-    """Columns of numbers from rows of fields.
+    """Read columns of numbers from rows of fields.
 
     Parameters
     ----------
@@ -350,7 +350,8 @@ def columns_of(
                     )
                 )  # fmt: skip
         values = [
-            _parsed([fields[index] for _, fields in block], parse) for index, parse, _ in wanted
+            _parse_values([fields[index] for _, fields in block], parse)
+            for index, parse, _ in wanted
         ]
         bad = ~np.isfinite(values)
         if bad.any():
@@ -368,10 +369,10 @@ def columns_of(
     return list(np.hstack(blocks)), np.concatenate(numbers)
 
 
-def _parsed(fields: list[str], parse: Callable[[str], float]) -> Array:
+def _parse_values(fields: list[str], parse: Callable[[str], float]) -> Array:
     """Values of fields; not a number where one cannot be read."""
-    if parse is number:
-        for quick in (float, number):
+    if parse is parse_number:
+        for quick in (float, parse_number):
             try:
                 return np.fromiter(map(quick, fields), dtype=np.float64, count=len(fields))
             except (ValueError, OverflowError):

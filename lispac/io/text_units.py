@@ -1,18 +1,18 @@
-"""Units in the titles of columns of points as text: what they state, and what contradicts them."""
+"""Units in the titles of columns of points as text, and contradictions to them."""
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from lispac.errors import InputError
-from lispac.io.points import SCANNER_UNITS
-from lispac.io.registry import Choice
-from lispac.io.text_layout import BEAMS, TIME_BASES, Layout, bare_name, equal_columns
+from lispac.io.format_types import Choice
+from lispac.io.point_reading import SCANNER_UNITS
+from lispac.io.text_layout import BEAMS, TIME_BASES, RowLayout, ambiguous_columns, name_without_unit
 from lispac.io.trajectory_grid import LENGTHS
 from lispac.io.units import ANGLE_CODES, LENGTH_NAMES, UNKNOWN, direction_of
 from lispac.messages import Action, Level, Message, error, warning
 from lispac.survey.crs import UNITS as SYSTEM_UNITS
 from lispac.survey.crs import CoordinateSystem, coordinate_system
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 
 TIME_UNITS = {"s": "second", "ms": "millisecond", "us": "microsecond", "ns": "nanosecond",
               "min": "minute", "h": "hour"}  # fmt: skip
@@ -20,12 +20,12 @@ TIME_UNITS = {"s": "second", "ms": "millisecond", "us": "microsecond", "ns": "na
 AXES = ("x", "y", "z")
 
 
-def header_options(layout: Layout) -> dict[str, str]:
+def header_options(layout: RowLayout) -> dict[str, str]:
     """Options ``time_unit``, ``time_base`` and ``unit`` that the titles of the columns state."""
     units, found = layout.units(), dict[str, str]()
     if "time" in layout.names:
         title = layout.titles[layout.names.index("time")]
-        if base := TIME_BASES.get(bare_name(title)):
+        if base := TIME_BASES.get(name_without_unit(title)):
             found["time_base"] = base
     if time := TIME_UNITS.get(units.get("time", "")):
         found["time_unit"] = time
@@ -36,7 +36,7 @@ def header_options(layout: Layout) -> dict[str, str]:
     return found
 
 
-def require_one_unit(path: Path, layout: Layout) -> None:
+def require_one_unit(path: Path, layout: RowLayout) -> None:
     """Refuse coordinates in the scanner frame whose titles state several units, or an unknown one.
 
     Raises
@@ -51,7 +51,7 @@ def require_one_unit(path: Path, layout: Layout) -> None:
     raise InputError(error("text.several_units", file=str(path), titles=tuple(titles)))
 
 
-def require_degrees(path: Path, layout: Layout) -> None:
+def require_degrees(path: Path, layout: RowLayout) -> None:
     """Refuse longitudes and latitudes that are not in degrees to the east and north.
 
     Raises
@@ -64,26 +64,28 @@ def require_degrees(path: Path, layout: Layout) -> None:
             continue
         title = layout.titles[layout.names.index(axis)]
         other = units.get(axis, "") in ANGLE_CODES and units[axis] not in ("deg", "dms")
-        if other or (bare_name(title) in ANGLE_NAMES and direction_of(title) in (way, UNKNOWN)):
+        if other or (
+            name_without_unit(title) in ANGLE_NAMES and direction_of(title) in (way, UNKNOWN)
+        ):
             raise InputError(error("text.not_degrees", file=str(path), column=title))
 
 
 ANGLE_NAMES = {"lon", "longitude", "lat", "latitude"}
 
 
-def require_cartesian(path: Path, layout: Layout) -> None:
+def require_cartesian(path: Path, layout: RowLayout) -> None:
     """Refuse points in polar coordinates.
 
     Raises
     ------
     InputError
     """
-    polar = [title for title in layout.titles if bare_name(title) in BEAMS]
+    polar = [title for title in layout.titles if name_without_unit(title) in BEAMS]
     if len(polar) >= 2 and not set(AXES) <= set(layout.names):
         raise InputError(error("text.polar_coordinates", file=str(path), columns=tuple(polar)))
 
 
-def unit_messages(path: Path, layout: Layout, choice: Choice) -> Iterator[Message]:
+def unit_messages(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Message]:
     """Warnings about titles that the reading does not follow.
 
     Parameters
@@ -104,7 +106,7 @@ def unit_messages(path: Path, layout: Layout, choice: Choice) -> Iterator[Messag
         column = layout.titles[layout.names.index("time")]
         params = {"file": file, "column": column, "used": "seconds"}
         yield Message("text.unknown_unit", Level.WARNING, params)
-    for meaning, titles_of_one in equal_columns(layout.titles).items():
+    for meaning, titles_of_one in ambiguous_columns(layout.titles).items():
         if meaning in (*AXES, "time"):
             used = layout.titles[layout.names.index(meaning)]
             params = {"file": file, "columns": tuple(titles_of_one), "used": used}
@@ -117,15 +119,15 @@ def height_unit_of(units: Mapping[str, str], crs: str) -> str:
     Plain feet are those of a system in feet.
     """
     unit = units.get("z", "")
-    system = _system(crs)
+    system = _parse_crs(crs)
     if unit not in LENGTHS or (unit == "ft" and system is not None and "foot" in system.unit):
         return ""
     return next((name for name, metres in SYSTEM_UNITS.items() if metres == LENGTHS[unit]), "")
 
 
-def unit_doubts(units: Mapping[str, str], crs: str, file: str) -> tuple[Message, ...]:
+def unit_warnings(units: Mapping[str, str], crs: str, file: str) -> tuple[Message, ...]:
     """A warning where eastings by their name are in another unit than the system's."""
-    unit, system = units.get("x", ""), _system(crs)
+    unit, system = units.get("x", ""), _parse_crs(crs)
     if unit not in LENGTHS or system is None or system.is_geographic:
         return ()
     own = system.metres[0]
@@ -139,7 +141,7 @@ def unit_doubts(units: Mapping[str, str], crs: str, file: str) -> tuple[Message,
     )  # fmt: skip
 
 
-def _system(crs: str) -> CoordinateSystem | None:
+def _parse_crs(crs: str) -> CoordinateSystem | None:
     try:
         return coordinate_system(crs) if crs else None
     except InputError:

@@ -10,15 +10,15 @@ from typing import Any
 from unicodedata import category
 
 from lispac.errors import InputError
-from lispac.foreign_values import (
+from lispac.io.files import require_file
+from lispac.messages import Level, Message, Value, error
+from lispac.untrusted_values import (
     LARGEST_AMOUNT,
     LEAST_AMOUNT,
     InvalidContentError,
     is_possible_amount,
     toml_values,
 )
-from lispac.io.files import require_file
-from lispac.messages import Level, Message, Value, error
 
 NOTHING: Any = object()
 """No default: the key has to be there."""
@@ -28,8 +28,8 @@ CONTROLS = ("Cc", "Zl", "Zp")
 """Unicode categories of control characters and line breaks, which no name or title has."""
 
 
-class Table:
-    """One table; every key has to be asked for, so that none is misspelt in silence."""
+class TomlTable:
+    """A TOML table that refuses keys which were not read."""
 
     def __init__(self, path: Path, values: Mapping[str, Any], place: str = "") -> None:
         self.path = path
@@ -39,8 +39,8 @@ class Table:
 
     @classmethod
     @contextmanager
-    def read(cls, path: Path, what: str) -> "Iterator[Table]":
-        """The whole file; when the block ends, keys that nobody asked for are refused.
+    def read(cls, path: Path, what: str) -> "Iterator[TomlTable]":
+        """Open the whole file as a table; keys that were not read are refused at the end.
 
         Raises
         ------
@@ -63,32 +63,32 @@ class Table:
 
     def refuse(self, key: str, code: str, /, **params: Value) -> InputError:
         """An error about a key; its text has the placeholders ``file`` and ``key``."""
-        about = {"file": str(self.path), "key": self._named(key), **params}
+        about = {"file": str(self.path), "key": self._key_name(key), **params}
         return InputError(Message(code, Level.ERROR, about))
 
     def text(self, key: str, default: Any = NOTHING) -> str:
-        """A string of one line that is not empty."""
+        """Read a string of one line that is not empty."""
         value = self._value(key, default)
         if value is default:
             return value
         if not (isinstance(value, str) and value.strip()):
-            raise self.refuse(key, "toml.not_text", value=_shown(value))
+            raise self.refuse(key, "toml.not_text", value=_shortened_text(value))
         if any(category(letter) in CONTROLS for letter in value):
-            raise self.refuse(key, "toml.control_character", value=_shown(value))
+            raise self.refuse(key, "toml.control_character", value=_shortened_text(value))
         return value
 
     def choice(self, key: str, words: Sequence[str], default: Any = NOTHING) -> str:
-        """One of some words."""
+        """Read one of the given words."""
         value = self._value(key, default)
         if value is not default and value not in words:
-            raise self.refuse(key, "toml.not_a_choice", value=_shown(value), choices=words)
+            raise self.refuse(key, "toml.not_a_choice", value=_shortened_text(value), choices=words)
         return value
 
-    def flag(self, key: str, default: Any = NOTHING) -> bool:
-        """True or false."""
+    def boolean(self, key: str, default: Any = NOTHING) -> bool:
+        """Read true or false."""
         value = self._value(key, default)
         if not isinstance(value, bool):
-            raise self.refuse(key, "toml.not_true_or_false", value=_shown(value))
+            raise self.refuse(key, "toml.not_true_or_false", value=_shortened_text(value))
         return value
 
     def number(
@@ -105,17 +105,19 @@ class Table:
         self, key: str, count: int | None, default: Any = NOTHING, *, least: float = -math.inf,
         most: float = math.inf,
     ) -> tuple[float, ...]:  # fmt: skip
-        """So many numbers, or any number of them."""
+        """Read ``count`` numbers, or any number of them."""
         value = self._value(key, default)
         if value is default:
             return value
         if not isinstance(value, list) or (count is not None and len(value) != count):
             if count is None:
-                raise self.refuse(key, "toml.not_numbers", value=_shown(value))
-            raise self.refuse(key, "toml.wrong_number_count", value=_shown(value), count=count)
+                raise self.refuse(key, "toml.not_numbers", value=_shortened_text(value))
+            raise self.refuse(
+                key, "toml.wrong_number_count", value=_shortened_text(value), count=count
+            )
         return tuple(self._sound(key, each, least, most, -math.inf) for each in value)
 
-    def three(
+    def three_numbers(
         self, key: str, default: Any = NOTHING, *, least: float = -math.inf,
         most: float = math.inf,
     ) -> tuple[float, float, float]:  # fmt: skip
@@ -124,31 +126,31 @@ class Table:
         return values[0], values[1], values[2]
 
     @contextmanager
-    def table(self, key: str) -> "Iterator[Table]":
-        """A table inside this one; an empty one where it is not there."""
+    def table(self, key: str) -> "Iterator[TomlTable]":
+        """Read a table inside this one; an empty one if it is missing."""
         value = self._value(key, {})
         if not isinstance(value, dict):
-            raise self.refuse(key, "toml.not_a_table", value=_shown(value), table=key)
-        inner = Table(self.path, value, f"{self._place}{key}.")
+            raise self.refuse(key, "toml.not_a_table", value=_shortened_text(value), table=key)
+        inner = TomlTable(self.path, value, f"{self._place}{key}.")
         yield inner
         inner.done()
 
-    def tables(self, key: str) -> "Iterator[Table]":
-        """The tables of a list, one after the other."""
+    def tables(self, key: str) -> "Iterator[TomlTable]":
+        """Read the tables of a list, one after the other."""
         value = self._value(key, [])
         if not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
             raise self.refuse(key, "toml.not_a_list_of_tables", table=key)
         for k, each in enumerate(value):
-            inner = Table(self.path, each, f"{self._place}{key}[{k + 1}].")
+            inner = TomlTable(self.path, each, f"{self._place}{key}[{k + 1}].")
             yield inner
             inner.done()
 
-    def leave_rest(self) -> None:
-        """Nothing more is wanted of this table."""
+    def ignore_rest(self) -> None:
+        """Accept all other keys of this table without reading them."""
         self._known |= set(self._values)
 
     def done(self) -> None:
-        """Refuse keys that nobody asked for.
+        """Refuse keys that were not read.
 
         Raises
         ------
@@ -163,7 +165,7 @@ class Table:
                     raise self.refuse(key, "toml.unknown_key_similar", similar=near[0])
                 raise self.refuse(key, "toml.unknown_key", known=sorted(self._known))
 
-    def _named(self, key: str) -> str:
+    def _key_name(self, key: str) -> str:
         named = f"{self._place}{key}"
         return named if len(named) <= LONGEST_SHOWN else f"{named[:LONGEST_SHOWN]}…"
 
@@ -181,9 +183,9 @@ class Table:
 
     def _sound(self, key: str, value: Any, least: float, most: float, over: float) -> float:
         if isinstance(value, bool) or not isinstance(value, int | float):
-            raise self.refuse(key, "toml.not_a_number", value=_shown(value))
+            raise self.refuse(key, "toml.not_a_number", value=_shortened_text(value))
         if not math.isfinite(value):
-            raise self.refuse(key, "toml.not_finite", value=_shown(value))
+            raise self.refuse(key, "toml.not_finite", value=_shortened_text(value))
         if value < least:
             raise self.refuse(key, "toml.below_minimum", value=f"{value:g}", least=f"{least:g}")
         if value <= over:
@@ -200,12 +202,12 @@ class Table:
         return float(value)
 
 
-def _shown(value: Any) -> str:
-    """A value for a message, cut where it is long."""
+def _shortened_text(value: Any) -> str:
+    """Text of a value for a message, shortened if it is long."""
     text = repr(value)
     return text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]}…"
 
 
-def quoted(text: str) -> str:
+def toml_string(text: str) -> str:
     """A text as a TOML string, which escapes control characters as JSON does."""
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -1,4 +1,4 @@
-"""Values that no trajectory has, whatever file it comes from."""
+"""Checks of trajectory values that hold for all formats."""
 
 from pathlib import Path
 
@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.messages import error
-from lispac.survey.time_base import TimeBase, plausible
+from lispac.survey.time_base import TimeBase, plausible_bases
 from lispac.survey.trajectory import LONGEST_GAP
 
 Array = NDArray[np.float64]
@@ -20,14 +20,14 @@ FASTEST_TURN = 0.7
 """Radians a second that a carrier does not exceed over a second; a wrong unit does in any turn."""
 
 
-def require_base(path: Path, time: Array, base: TimeBase) -> None:
+def require_time_base(path: Path, time: Array, base: TimeBase) -> None:
     """Refuse a time base that ``time`` (n,), seconds, cannot be in by its values.
 
     Raises
     ------
     InputError
     """
-    possible = plausible(time)
+    possible = plausible_bases(time)
     if base in possible:
         return
     start, end = float(time.min()), float(time.max())
@@ -62,7 +62,7 @@ def require_heights(path: Path, height: Array, numbers: Numbers | None = None) -
         raise InputError(
             error(
                 "trajectory.height_in_row" if in_row else "trajectory.height_in_record",
-                file=str(path), number=_number(k, numbers), height=float(height[k]),
+                file=str(path), number=_row_number(k, numbers), height=float(height[k]),
             )
         )  # fmt: skip
 
@@ -92,7 +92,7 @@ def require_attitude(
     """
     roll, pitch, heading = attitude
     bad = (np.abs(roll) > np.pi + 1e-6) | (np.abs(pitch) > np.pi / 2 + 1e-6)
-    if not _counts_on(time, heading):
+    if not _is_continuous_heading(time, heading):
         bad |= np.abs(heading) > 4 * np.pi
     if bad.any():
         k = int(np.argmax(bad))
@@ -100,19 +100,19 @@ def require_attitude(
         raise InputError(
             error(
                 "trajectory.attitude_in_row" if in_row else "trajectory.attitude_in_record",
-                file=str(path), number=_number(k, numbers), roll=float(roll[k]),
+                file=str(path), number=_row_number(k, numbers), roll=float(roll[k]),
                 pitch=float(pitch[k]), heading=float(heading[k]),
             )
         )  # fmt: skip
 
 
-def _number(k: int, numbers: Numbers | None) -> int:
+def _row_number(k: int, numbers: Numbers | None) -> int:
     """Number of the row in the file, or of the record, of a state."""
     return int(numbers[k]) if numbers is not None else k + 1
 
 
-def _counts_on(time: Array, heading: Array) -> bool:
-    """Whether a heading beyond two full turns got there by turning."""
+def _is_continuous_heading(time: Array, heading: Array) -> bool:
+    """True if a heading beyond two full turns results from continuous turning."""
     size = np.abs(heading)
     if size.max() <= 4 * np.pi:
         return True

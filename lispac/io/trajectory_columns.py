@@ -12,38 +12,46 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.files import require_increasing
 from lispac.io.text_table import (
-    clock,
-    columns_of,
-    day,
+    clock_seconds,
+    date_seconds,
     degrees_and_minutes,
     degrees_minutes_seconds,
-    hemisphere,
-    lettered,
-    number,
+    hemisphere_sign,
+    parse_number,
+    parse_with_hemisphere,
+    read_columns,
 )
-from lispac.io.trajectory_checks import Numbers, require_attitude, require_base, require_heights
-from lispac.io.trajectory_grid import LENGTHS, UNSTATED, Grid, Length, grid_of, unit_of_heights
+from lispac.io.trajectory_checks import (
+    Numbers,
+    require_attitude,
+    require_heights,
+    require_time_base,
+)
+from lispac.io.trajectory_grid import LENGTHS, UNSTATED, Grid, LengthUnit, grid_of, unit_of_heights
 from lispac.io.units import ANGLE_CODES, UNITS, UNKNOWN
 from lispac.messages import Level, Message, error, note
-from lispac.survey.time_base import GPS_EPOCH, base_of, unrolled
-from lispac.survey.time_stated import base_message
+from lispac.survey.known_time_base import base_message
+from lispac.survey.time_base import GPS_EPOCH, base_of_key, unroll_times
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
 _NOTATIONS: dict[str, Callable[[str], float]] = {
-    "dms": degrees_minutes_seconds, "ddmm": degrees_and_minutes, "clock": clock, "date": day,
-}  # fmt: skip
-PARSERS = {code: (_NOTATIONS.get(code, number), unit.si) for code, unit in UNITS.items()}
-PARSERS[UNSTATED] = number, 1.0
+    "dms": degrees_minutes_seconds,
+    "ddmm": degrees_and_minutes,
+    "clock": clock_seconds,
+    "date": date_seconds,
+}
+PARSERS = {code: (_NOTATIONS.get(code, parse_number), unit.si) for code, unit in UNITS.items()}
+PARSERS[UNSTATED] = parse_number, 1.0
 UNIT_NAMES = {code: unit.name for code, unit in UNITS.items()}
 for _unit in ANGLE_CODES:
     for _way, _code in (("west", "unit.positive_west"), ("south", "unit.positive_south")):
         PARSERS[f"{_unit}-{_way}"] = PARSERS[_unit][0], -PARSERS[_unit][1]
         UNIT_NAMES[f"{_unit}-{_way}"] = Message(_code, Level.NOTE, {"unit": UNIT_NAMES[_unit]})
-PARSERS["hemisphere"] = hemisphere, 1.0
-PARSERS["hemisphere-fr"] = partial(hemisphere, o="W"), 1.0
-PARSERS["hemisphere-de"] = partial(hemisphere, o="E"), 1.0
+PARSERS["hemisphere"] = hemisphere_sign, 1.0
+PARSERS["hemisphere-fr"] = partial(hemisphere_sign, o="W"), 1.0
+PARSERS["hemisphere-de"] = partial(hemisphere_sign, o="E"), 1.0
 """How a unit is read, and the factor to radians, metres or seconds.
 
 For map coordinates and heights, the coordinate system affects the factor. The letter O is
@@ -104,7 +112,7 @@ class Column:
 
 @dataclass(frozen=True)
 class Conventions:
-    """Options for rows of numbers, with the values of the registry."""
+    """Conventions that rows of numbers do not state, by the words of the options."""
 
     pitch: str = "bow-up"
     roll: str = "starboard-down"
@@ -113,9 +121,9 @@ class Conventions:
     crs: str = ""
 
     def assumptions(self) -> tuple[Message, ...]:
-        """A note on each of them."""
+        """Notes on the conventions that are assumed."""
         return (
-            note("assumed.time_base", base=base_message(base_of(self.time))),
+            note("assumed.time_base", base=base_message(base_of_key(self.time))),
             sign_note(self.roll),
             sign_note(self.pitch),
             note("assumed.heading_true" if self.heading == "true" else "assumed.heading_grid"),
@@ -159,21 +167,21 @@ def trajectory_of(
     InputError
         Where a column is missing, a row cannot be read, or the values cannot be a trajectory.
     """
-    chosen = _chosen(path, columns, conventions)
+    chosen = _choose_columns(path, columns, conventions)
     _require_known_units(path, chosen)
-    grid = _grid_of(path, chosen, conventions)
-    lengths = _lengths(path, chosen, grid)
+    grid = _chosen_grid(path, chosen, conventions)
+    lengths = _length_units(path, chosen, grid)
     factors = {role: length.metres for role, length in lengths.items()}
-    values, numbers = _read(path, rows, chosen, factors)
+    values, numbers = _read_values(path, rows, chosen, factors)
     _apply_hemispheres(path, values, numbers)
-    time, notes = _times(path, values, conventions)
+    time, notes = _times_and_notes(path, values, conventions)
     if len(time) < 2:
         raise InputError(error("trajectory.one_row", file=str(path)))
     require_increasing(time, path, "text", numbers)
     convergence = 0.0 * time
     if grid is None:
         latitude, longitude = values["latitude"], values["longitude"]
-        unit = _one(path, chosen, "latitude").unit
+        unit = _find_column(path, chosen, "latitude").unit
         _require_on_earth(path, latitude, longitude, numbers, unit)
     else:
         latitude, longitude, convergence = grid.to_geodetic(
@@ -221,13 +229,16 @@ def accuracy_of(
     ------
     InputError
     """
-    chosen = [_one(path, columns, "time"), *(_one(path, columns, role) for role in SIGMAS)]
+    chosen = [
+        _find_column(path, columns, "time"),
+        *(_find_column(path, columns, role) for role in SIGMAS),
+    ]
     chosen += [column for column in columns if column.role == "date"]
     _require_known_units(path, chosen)
     for column in chosen[1:7]:
-        _require_kind(path, column, "an angle" if column.role in SIGMAS[3:] else "a length")
-    values, numbers = _read(path, rows, chosen)
-    time, _ = _times(path, values, conventions)
+        _require_unit_kind(path, column, "an angle" if column.role in SIGMAS[3:] else "a length")
+    values, numbers = _read_values(path, rows, chosen)
+    time, _ = _times_and_notes(path, values, conventions)
     require_increasing(time, path, "text", numbers)
     for role in SIGMAS:
         if (values[role] < 0).any():
@@ -238,7 +249,7 @@ def accuracy_of(
 
 
 def is_complete(columns: Sequence[Column]) -> bool:
-    """Whether columns hold all that a trajectory needs."""
+    """True if columns hold all values of a trajectory."""
     roles = {column.role for column in columns}
     return (
         roles.issuperset(("time", *ATTITUDE))
@@ -247,14 +258,16 @@ def is_complete(columns: Sequence[Column]) -> bool:
     )
 
 
-def _one(path: Path, columns: Sequence[Column], role: str) -> Column:
+def _find_column(path: Path, columns: Sequence[Column], role: str) -> Column:
     for column in columns:
         if column.role == role:
             return column
     raise InputError(error("trajectory.no_column", file=str(path), column=role))
 
 
-def _chosen(path: Path, columns: Sequence[Column], conventions: Conventions) -> list[Column]:
+def _choose_columns(
+    path: Path, columns: Sequence[Column], conventions: Conventions
+) -> list[Column]:
     if not is_complete(columns):
         raise InputError(missing_columns(path, columns))
     roles = {column.role for column in columns}
@@ -264,7 +277,7 @@ def _chosen(path: Path, columns: Sequence[Column], conventions: Conventions) -> 
     if conventions.heading == "grid" and place is POSITION:
         raise InputError(error("trajectory.grid_heading", file=str(path)))
     height = "height" if "height" in roles else "sea_height"
-    chosen = [_one(path, columns, role) for role in ("time", *place, height, *ATTITUDE)]
+    chosen = [_find_column(path, columns, role) for role in ("time", *place, height, *ATTITUDE)]
     beside = ("date", *(HEMISPHERES if place is POSITION else ()))
     return chosen + [column for column in columns if column.role in beside]
 
@@ -289,7 +302,7 @@ def missing_columns(path: Path, columns: Sequence[Column]) -> Message:
     return error("trajectory.position_missing", file=file, names=names, missing=missing)
 
 
-def map_doubts(
+def map_warnings(
     path: Path, columns: Sequence[Column], conventions: Conventions, read: Trajectory
 ) -> tuple[Message, ...]:
     """Warnings about positions on the map, as they were read, and about heights.
@@ -298,9 +311,9 @@ def map_doubts(
     ------
     InputError
     """
-    chosen = _chosen(path, columns, conventions)
-    grid = _grid_of(path, chosen, conventions)
-    lengths = _lengths(path, chosen, grid)
+    chosen = _choose_columns(path, columns, conventions)
+    grid = _chosen_grid(path, chosen, conventions)
+    lengths = _length_units(path, chosen, grid)
     # One of easting and northing speaks for both.
     lengths.pop("northing", None)
     doubts = [length.doubt for length in lengths.values()]
@@ -309,12 +322,12 @@ def map_doubts(
     return tuple(doubt for doubt in doubts if doubt is not None)
 
 
-def _grid_of(path: Path, chosen: Sequence[Column], conventions: Conventions) -> Grid | None:
+def _chosen_grid(path: Path, chosen: Sequence[Column], conventions: Conventions) -> Grid | None:
     on_map = any(column.role in GRID for column in chosen)
     return grid_of(path, conventions.crs) if on_map else None
 
 
-def _lengths(path: Path, chosen: Sequence[Column], grid: Grid | None) -> dict[str, Length]:
+def _length_units(path: Path, chosen: Sequence[Column], grid: Grid | None) -> dict[str, LengthUnit]:
     """Units of eastings, northings and heights by role.
 
     Raises
@@ -322,11 +335,11 @@ def _lengths(path: Path, chosen: Sequence[Column], grid: Grid | None) -> dict[st
     InputError
         Where a unit does not fit what the column is.
     """
-    lengths: dict[str, Length] = {}
+    lengths: dict[str, LengthUnit] = {}
     for column in chosen:
         if column.role not in ("time", "date", *HEMISPHERES):
             is_angle = column.role in (*POSITION, *ATTITUDE)
-            _require_kind(path, column, "an angle" if is_angle else "a length")
+            _require_unit_kind(path, column, "an angle" if is_angle else "a length")
         if column.role in GRID and grid is not None:
             lengths[column.role] = grid.unit(column.name, column.unit, path)
         elif column.role in HEIGHTS:
@@ -334,7 +347,7 @@ def _lengths(path: Path, chosen: Sequence[Column], grid: Grid | None) -> dict[st
     return lengths
 
 
-def _require_kind(path: Path, column: Column, wanted: Literal["an angle", "a length"]) -> None:
+def _require_unit_kind(path: Path, column: Column, wanted: Literal["an angle", "a length"]) -> None:
     """Refuse a unit that does not fit what the column is.
 
     Raises
@@ -367,7 +380,7 @@ def _require_known_units(path: Path, columns: Sequence[Column]) -> None:
             )
 
 
-def _read(
+def _read_values(
     path: Path, rows: Rows, columns: Sequence[Column], factors: Mapping[str, float] = _NO_FACTORS
 ) -> tuple[dict[str, Array], Numbers]:
     """Values by role in radians, metres and seconds; ``factors`` go before the unit's own.
@@ -377,8 +390,8 @@ def _read(
     InputError
         Where a row cannot be read, or signs contradict the direction in a title.
     """
-    wanted = [(column.index, _parser(column), column.name) for column in columns]
-    table, numbers = columns_of(path, rows, wanted)
+    wanted = [(column.index, _field_parser(column), column.name) for column in columns]
+    table, numbers = read_columns(path, rows, wanted)
     for column, own in zip(columns, table, strict=True):
         if column.unit.endswith(("-west", "-south")) and (own < 0).all():
             is_west = column.unit.endswith("-west")
@@ -392,12 +405,14 @@ def _read(
     return values, numbers
 
 
-def _parser(column: Column) -> Callable[[str], float]:
-    """How a field of a column is read; a letter of the other coordinate is no number."""
+def _field_parser(column: Column) -> Callable[[str], float]:
+    """Function that parses a field of a column and refuses letters of the other coordinate."""
     parse = PARSERS[column.unit][0]
-    if column.role not in POSITION or parse is number:
+    if column.role not in POSITION or parse is parse_number:
         return parse
-    return partial(lettered, parse, letters="NS" if column.role == "latitude" else "EW")
+    return partial(
+        parse_with_hemisphere, parse, letters="NS" if column.role == "latitude" else "EW"
+    )
 
 
 def _apply_hemispheres(path: Path, values: dict[str, Array], numbers: Numbers) -> None:
@@ -421,10 +436,10 @@ def _apply_hemispheres(path: Path, values: dict[str, Array], numbers: Numbers) -
         values[place] = values[place] * sign
 
 
-def _times(
+def _times_and_notes(
     path: Path, values: Mapping[str, Array], conventions: Conventions
 ) -> tuple[Array, tuple[Message, ...]]:
-    base = base_of(conventions.time)
+    base = base_of_key(conventions.time)
     time = values["time"]
     if "date" in values:
         if base.period is not None or base.key == "gps-adjusted":
@@ -432,8 +447,8 @@ def _times(
         calendar = values["date"] + time
         code = "assumed.dates_utc" if base.utc else "assumed.dates_gps"
         return (calendar if base.utc else calendar - GPS_EPOCH), (note(code),)
-    time, starts = unrolled(time)
-    require_base(path, time, base)
+    time, starts = unroll_times(time)
+    require_time_base(path, time, base)
     return time, (note("assumed.time_rollover", count=starts),) if starts else ()
 
 

@@ -1,4 +1,4 @@
-"""Facts about a trajectory for the preview, and contradictions with its own motion."""
+"""Facts on a trajectory for the preview, and contradictions in its own motion."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.geometry.frames import ECCENTRICITY_SQUARED, SEMI_MAJOR_AXIS
-from lispac.io.registry import Fact
+from lispac.io.format_types import Fact
 from lispac.messages import Action, Level, Message, note, warning
-from lispac.survey.source import printable
-from lispac.survey.time_base import base_of, plausible
-from lispac.survey.time_quality import time_quality
-from lispac.survey.time_stated import base_message
+from lispac.survey.known_time_base import base_message
+from lispac.survey.line_source import printable
+from lispac.survey.time_base import base_of_key, plausible_bases
+from lispac.survey.time_quality import assess_times
 from lispac.survey.trajectory import LONGEST_GAP
 
 Array = NDArray[np.float64]
@@ -37,7 +37,7 @@ CHOOSE_TIME_BASE = Action("choose_time_base", {"name": "time"})
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class TrajectoryMotion:
     """Velocities from positions.
 
     Attributes
@@ -63,7 +63,7 @@ class Motion:
         return np.arctan2(self.east, self.north)
 
 
-def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> Motion:
+def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> TrajectoryMotion:
     """Velocities over half a second about each state, over less in a block of a few seconds.
 
     Where the states are farther apart, between neighbours; not over gaps.
@@ -77,7 +77,7 @@ def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> 
     count = len(time)
     if count < 3:
         empty = np.zeros(0)
-        return Motion(np.zeros(0, dtype=np.int64), empty, empty, empty)
+        return TrajectoryMotion(np.zeros(0, dtype=np.int64), empty, empty, empty)
     with np.errstate(all="ignore"):
         reach = min(0.25, float(time[-1] - time[0]) / 8)
         index = np.arange(1, count - 1, 1 + count // MOST_CENTRES)
@@ -89,7 +89,7 @@ def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> 
         root = np.sqrt(1 - ECCENTRICITY_SQUARED * sin**2)
         meridian = SEMI_MAJOR_AXIS * (1 - ECCENTRICITY_SQUARED) / root**3 + height[index]
         parallel = (SEMI_MAJOR_AXIS / root + height[index]) * np.cos(latitude[index])
-        turn = wrapped(longitude[after] - longitude[before])
+        turn = wrap_angle(longitude[after] - longitude[before])
         north = (latitude[after] - latitude[before]) * meridian / span
         east = turn * parallel / span
         up = (height[after] - height[before]) / span
@@ -97,15 +97,15 @@ def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> 
         offset = np.abs((time[after] + time[before]) / 2 - time[index])
         sound = np.isfinite(north) & np.isfinite(east) & np.isfinite(up)
         sound &= (span > 0) & (span < 2 * LONGEST_GAP) & (offset < 0.1 * span)
-    return Motion(index[sound], north[sound], east[sound], up[sound])
+    return TrajectoryMotion(index[sound], north[sound], east[sound], up[sound])
 
 
-def wrapped(angle: Array) -> Array:
+def wrap_angle(angle: Array) -> Array:
     """Each ``angle``, radians, brought to -pi to pi, in the same shape."""
     return np.remainder(angle + np.pi, 2 * np.pi) - np.pi
 
 
-def facts_of(
+def trajectory_facts(
     time: Array, latitude: Array, longitude: Array, height: Array, speed: Array
 ) -> dict[str, Fact]:
     """Span, rate, area, heights and speed of a sample.
@@ -142,7 +142,7 @@ def span_facts(time: Array) -> dict[str, Fact]:
     }
 
 
-def time_doubts(time: Array, stated: str, file: str) -> tuple[Message, ...]:
+def time_warnings(time: Array, stated: str, file: str) -> tuple[Message, ...]:
     """Warnings about the times of a sample in the order of the file.
 
     Parameters
@@ -153,8 +153,8 @@ def time_doubts(time: Array, stated: str, file: str) -> tuple[Message, ...]:
     file : str
         Name of the file.
     """
-    doubts = list(time_quality(time).messages(file))
-    bases = plausible(time)
+    doubts = list(assess_times(time).messages(file))
+    bases = plausible_bases(time)
     start, end = float(time.min()), float(time.max())
     if not bases:
         doubts.append(warning("trajectory.no_time_base", file=file, start=start, end=end))
@@ -167,7 +167,7 @@ def time_doubts(time: Array, stated: str, file: str) -> tuple[Message, ...]:
         )  # fmt: skip
     else:
         # That UTC could be meant goes for any time of day or week; the base taken is given.
-        known = base_of(stated)
+        known = base_of_key(stated)
         others = [
             base_message(base)
             for base in bases
@@ -181,14 +181,14 @@ def time_doubts(time: Array, stated: str, file: str) -> tuple[Message, ...]:
                     actions=(CHOOSE_TIME_BASE,),
                 )
             )  # fmt: skip
-    return (*doubts, *gap_doubts(time, LONGEST_GAP, file))
+    return (*doubts, *gap_warnings(time, LONGEST_GAP, file))
 
 
 GAPS = "trajectory.gaps"
 """Code of the warning about gaps."""
 
 
-def gap_doubts(time: Array, longest_gap: float, file: str) -> tuple[Message, ...]:
+def gap_warnings(time: Array, longest_gap: float, file: str) -> tuple[Message, ...]:
     """A warning about gaps longer than ``longest_gap``.
 
     Parameters
@@ -206,14 +206,16 @@ def gap_doubts(time: Array, longest_gap: float, file: str) -> tuple[Message, ...
     return (warning(GAPS, file=file, count=wide, limit=longest_gap, longest=longest),)
 
 
-def course_doubts(
-    motions: Sequence[tuple[Motion, Motion]], headings: Sequence[Array], file: str
+def course_warnings(
+    motions: Sequence[tuple[TrajectoryMotion, TrajectoryMotion]],
+    headings: Sequence[Array],
+    file: str,
 ) -> tuple[Message, ...]:
     """Warnings where the course over ground contradicts heading, position or unit.
 
     Parameters
     ----------
-    motions : sequence of (Motion, Motion)
+    motions : sequence of (TrajectoryMotion, TrajectoryMotion)
         Of each block of neighbouring states, as read and with latitude and longitude exchanged.
     headings : sequence of ndarray of shape (n,), radians
         Of each block.
@@ -230,7 +232,7 @@ def course_doubts(
     elif len(speeds) and float(speeds.max()) > FASTEST_VESSEL:
         largest = float(speeds.max())
         found = (warning("trajectory.jumps", file=file, speed=fast, largest=largest),)
-    return (*found, *_heading_doubts(motions, headings, file))
+    return (*found, *_heading_warnings(motions, headings, file))
 
 
 OTHER_UNIT, SAME_UNIT = np.radians(30.0), np.radians(10.0)
@@ -238,7 +240,7 @@ OTHER_UNIT, SAME_UNIT = np.radians(30.0), np.radians(10.0)
 
 
 def angle_unit_messages(
-    path: Path, motion: Motion, heading: Array, unit: float
+    path: Path, motion: TrajectoryMotion, heading: Array, unit: float
 ) -> tuple[Message, ...]:
     """A warning where the headings agree with the course in the other of degrees and radians.
 
@@ -266,8 +268,10 @@ def angle_unit_messages(
     return (Message(code, Level.WARNING, {"file": file, "difference": difference}),)
 
 
-def _heading_doubts(
-    motions: Sequence[tuple[Motion, Motion]], headings: Sequence[Array], file: str
+def _heading_warnings(
+    motions: Sequence[tuple[TrajectoryMotion, TrajectoryMotion]],
+    headings: Sequence[Array],
+    file: str,
 ) -> tuple[Message, ...]:
     differences = [
         _heading_differences([pair[which] for pair in motions], headings) for which in (0, 1)
@@ -284,9 +288,9 @@ def _heading_doubts(
     return ()
 
 
-def _heading_differences(motions: Sequence[Motion], headings: Sequence[Array]) -> Array:
+def _heading_differences(motions: Sequence[TrajectoryMotion], headings: Sequence[Array]) -> Array:
     found = [
-        wrapped(motion.course - heading[motion.index])[motion.speed > MOVING]
+        wrap_angle(motion.course - heading[motion.index])[motion.speed > MOVING]
         for motion, heading in zip(motions, headings, strict=True)
     ]
     return np.concatenate(found) if found else np.zeros(0)

@@ -13,54 +13,54 @@ from lispac.io.ascii_trajectory import (
     DEFAULTS,
     LENGTH_CHOICES,
     POSITION_CHOICES,
-    look_ascii,
+    preview_ascii,
     read_ascii,
     sniff_ascii,
 )
 from lispac.io.cidco_states import (
     ORIGIN,
-    look_sigmas,
-    look_states,
+    preview_sigmas,
+    preview_states,
     read_sigmas,
     read_states,
     sniff_states,
 )
 from lispac.io.exail import (
-    look_exail,
-    look_exail_accuracy,
+    preview_exail,
+    preview_exail_accuracy,
     read_exail,
     read_exail_accuracy,
     sniff_exail,
     sniff_exail_accuracy,
 )
-from lispac.io.files import kind_of_file, require_file
-from lispac.io.pospac_text import (
-    look_pospac,
-    look_pospac_accuracy,
-    read_pospac,
-    read_pospac_accuracy,
-    sniff_pospac,
-    sniff_pospac_accuracy,
-)
-from lispac.io.registry import (
+from lispac.io.files import file_kind_message, require_file
+from lispac.io.format_types import (
     LIKELY,
     NOT,
     POSSIBLE,
     SURE,
     Choice,
     Fact,
-    Finding,
-    Format,
+    FileFormat,
+    FilePreview,
+    FormatOption,
     Kind,
-    Option,
 )
-from lispac.io.sbet import AXES, SMRMSG_RECORD, SbetOptions, read_sbet, read_smrmsg, sound_smrmsg
-from lispac.io.sbet_detection import RECORD, byte_order_of, detect_sbet, end_fits
+from lispac.io.pospac_text import (
+    preview_pospac,
+    preview_pospac_accuracy,
+    read_pospac,
+    read_pospac_accuracy,
+    sniff_pospac,
+    sniff_pospac_accuracy,
+)
+from lispac.io.sbet import AXES, SMRMSG_RECORD, SbetOptions, is_smrmsg, read_sbet, read_smrmsg
+from lispac.io.sbet_detection import RECORD, detect_byte_order, detect_sbet, sbet_fit_at_end
 from lispac.io.text_table import SEPARATORS
 from lispac.io.trajectory_preview import accuracy_facts, refusal_warning
 from lispac.language import N_
 from lispac.messages import Message, note, warning
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 from lispac.survey.time_base import KEYS
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
@@ -96,16 +96,16 @@ SMRMSG_COLUMNS = (
     N_("heading"),
 )
 
-PITCH = Option(
+PITCH = FormatOption(
     "pitch", N_("Direction of the bow for positive pitch."), ("bow-up", "bow-down"), "bow-up"
 )
-ROLL = Option(
+ROLL = FormatOption(
     "roll",
     N_("Side that is down for positive roll. Starboard down is port up."),
     ("starboard-down", "port-down"),
     "starboard-down",
 )
-TIME = Option("time", N_("Time base."), KEYS, "gps-week")
+TIME = FormatOption("time", N_("Time base."), KEYS, "gps-week")
 
 
 def _sniff_sbet(path: Path) -> float:
@@ -115,8 +115,8 @@ def _sniff_sbet(path: Path) -> float:
         return NOT
     if size < 2 * RECORD:
         return NOT
-    byte_order, fit = byte_order_of(path)
-    end = end_fits(path, byte_order)
+    byte_order, fit = detect_byte_order(path)
+    end = sbet_fit_at_end(path, byte_order)
     if fit == 1:
         # A truncated or padded file is still an SBET; its reader reports the error.
         whole = size % RECORD == 0 and byte_order == "little-endian" and end == 1
@@ -124,19 +124,19 @@ def _sniff_sbet(path: Path) -> float:
     return POSSIBLE if min(fit, end) > 0 else NOT
 
 
-def _look_sbet(path: Path, choice: Choice) -> Finding:
+def _preview_sbet(path: Path, choice: Choice) -> FilePreview:
     found = detect_sbet(path)
     rows = tuple(tuple(f"{value:.10g}" for value in row) for row in found.head)
     options = asdict(found.options) | dict(choice)
     assumptions = SbetOptions(**options).assumptions()
-    return Finding(found.facts, (SBET_COLUMNS, *rows), options, found.doubts, assumptions)
+    return FilePreview(found.facts, (SBET_COLUMNS, *rows), options, found.doubts, assumptions)
 
 
 def _read_sbet(path: Path, choice: Choice) -> Trajectory:
     return read_sbet(path, SbetOptions(**SBET.settled(choice)))
 
 
-def _smrmsg_head(path: Path) -> NDArray[np.float64]:
+def _first_smrmsg_records(path: Path) -> NDArray[np.float64]:
     try:
         with Path(path).open("rb") as file:
             data = file.read(1000 * SMRMSG_RECORD)
@@ -147,19 +147,19 @@ def _smrmsg_head(path: Path) -> NDArray[np.float64]:
 
 
 def _sniff_smrmsg(path: Path) -> float:
-    head = _smrmsg_head(path)
-    if not sound_smrmsg(head):
+    head = _first_smrmsg_records(path)
+    if not is_smrmsg(head):
         # In the other byte order it is still an SBET; its reader reports the error.
-        return LIKELY if sound_smrmsg(head.byteswap()) else NOT
+        return LIKELY if is_smrmsg(head.byteswap()) else NOT
     return SURE if Path(path).stat().st_size % SMRMSG_RECORD == 0 else LIKELY
 
 
-def _look_smrmsg(path: Path, choice: Choice) -> Finding:
+def _preview_smrmsg(path: Path, choice: Choice) -> FilePreview:
     size = require_file(Path(path), "smrmsg").stat().st_size
-    head = _smrmsg_head(path)
+    head = _first_smrmsg_records(path)
     rows = tuple(tuple(f"{value:.6g}" for value in row) for row in head[:5])
     doubts: list[Message] = []
-    file, kind = printable(path.name), kind_of_file("smrmsg")
+    file, kind = printable(path.name), file_kind_message("smrmsg")
     if not size:
         doubts.append(warning("file.empty", file=file, kind=kind))
     elif rest := size % SMRMSG_RECORD:
@@ -177,26 +177,26 @@ def _look_smrmsg(path: Path, choice: Choice) -> Finding:
             doubts += warnings
         except InputError as refused:
             doubts.append(refusal_warning(refused, path))
-    return Finding(facts, (SMRMSG_COLUMNS, *rows), dict(choice), tuple(doubts))
+    return FilePreview(facts, (SMRMSG_COLUMNS, *rows), dict(choice), tuple(doubts))
 
 
 def _read_smrmsg(path: Path, choice: Choice) -> TrajectoryAccuracy:
     return read_smrmsg(path)
 
 
-def _format(
+def _make_format(
     name: Message,
     key: str,
     kind: Kind,
     endings: tuple[str, ...],
-    options: tuple[Option, ...],
+    options: tuple[FormatOption, ...],
     sniff: Callable[[Path], float],
-    look: Callable[[Path, Choice], Finding],
+    look: Callable[[Path, Choice], FilePreview],
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy],
-) -> Format:
+) -> FileFormat:
     """A format that refuses unknown options before it examines or reads."""
 
-    def look_checked(path: Path, choice: Choice) -> Finding:
+    def look_checked(path: Path, choice: Choice) -> FilePreview:
         made.settled(choice)
         return look(Path(path), choice)
 
@@ -204,17 +204,17 @@ def _format(
         made.settled(choice)
         return read(Path(path), choice)
 
-    made = Format(name, key, kind, endings, options, sniff, look_checked, read_checked)
+    made = FileFormat(name, key, kind, endings, options, sniff, look_checked, read_checked)
     return made
 
 
-SBET = _format(
+SBET = _make_format(
     note("format.sbet"),
     "sbet",
     "trajectory",
     (".out", ".sbet"),
     (
-        Option(
+        FormatOption(
             "heading",
             N_("Whether the wander angle is subtracted from the platform heading."),
             ("minus-wander", "as-is"),
@@ -222,67 +222,69 @@ SBET = _format(
         ),
         PITCH,
         ROLL,
-        Option(
+        FormatOption(
             "axes",
             N_("Axes of the velocities. They are used to check the heading."),
             ("unknown", *AXES),
             "unknown",
         ),
         TIME,
-        Option("unit", N_("Unit of all angles."), ("radians", "degrees"), "radians"),
-        Option(
+        FormatOption("unit", N_("Unit of all angles."), ("radians", "degrees"), "radians"),
+        FormatOption(
             "order",
             N_("Order of latitude and longitude."),
             ("latitude-longitude", "longitude-latitude"),
             "latitude-longitude",
         ),
-        Option("byte_order", N_("Byte order."), ("little-endian", "big-endian"), "little-endian"),
+        FormatOption(
+            "byte_order", N_("Byte order."), ("little-endian", "big-endian"), "little-endian"
+        ),
     ),
     _sniff_sbet,
-    _look_sbet,
+    _preview_sbet,
     _read_sbet,
 )
 
-GRID_SYSTEM = Option(
+GRID_SYSTEM = FormatOption(
     "crs",
     N_("Coordinate system of eastings and northings where there is no latitude (EPSG:...)."),
 )
 EXAIL_OPTIONS = (
-    Option(PITCH.name, PITCH.meaning, PITCH.choices, "bow-down"),
+    FormatOption(PITCH.name, PITCH.meaning, PITCH.choices, "bow-down"),
     ROLL,
-    Option(TIME.name, TIME.meaning, TIME.choices, "unix"),
+    FormatOption(TIME.name, TIME.meaning, TIME.choices, "unix"),
     GRID_SYSTEM,
 )
-EXAIL = _format(
+EXAIL = _make_format(
     note("format.exail"),
     "exail-text",
     "trajectory",
     (".txt", ".csv"),
     EXAIL_OPTIONS,
     sniff_exail,
-    look_exail,
+    preview_exail,
     read_exail,
 )
 
 POSPAC_OPTIONS = (TIME, GRID_SYSTEM)
-POSPAC = _format(
+POSPAC = _make_format(
     note("format.pospac"),
     "pospac-text",
     "trajectory",
     (".txt", ".csv"),
     POSPAC_OPTIONS,
     sniff_pospac,
-    look_pospac,
+    preview_pospac,
     read_pospac,
 )
 
-ASCII = _format(
+ASCII = _make_format(
     note("format.ascii"),
     "ascii-trajectory",
     "trajectory",
     (".txt", ".csv", ".asc", ".pos", ".dat"),
     (
-        Option(
+        FormatOption(
             "columns",
             N_(
                 "Columns from the left: time, date, latitude, longitude, easting, northing, "
@@ -291,21 +293,23 @@ ASCII = _format(
             (),
             DEFAULTS["columns"],
         ),
-        Option("separator", N_("Separator of the columns."), SEPARATORS, "auto"),
-        Option(
+        FormatOption("separator", N_("Separator of the columns."), SEPARATORS, "auto"),
+        FormatOption(
             "header",
             N_("Rows to skip at the beginning. auto: up to the first row of numbers."),
             (),
             "auto",
         ),
-        Option(
+        FormatOption(
             "position",
             N_("Unit of latitude and longitude."),
             POSITION_CHOICES,
             "degrees",
         ),
-        Option("attitude", N_("Unit of roll, pitch and heading."), ATTITUDE_CHOICES, "degrees"),
-        Option(
+        FormatOption(
+            "attitude", N_("Unit of roll, pitch and heading."), ATTITUDE_CHOICES, "degrees"
+        ),
+        FormatOption(
             "grid_unit",
             N_(
                 "Unit of eastings and northings. Empty: that of the coordinate system; feet are "
@@ -313,7 +317,7 @@ ASCII = _format(
             ),
             LENGTH_CHOICES,
         ),
-        Option(
+        FormatOption(
             "heights",
             N_(
                 "Unit of heights. Empty: that of the coordinate system where it has heights, else "
@@ -323,63 +327,65 @@ ASCII = _format(
         ),
         PITCH,
         ROLL,
-        Option("heading", N_("North from which the heading counts."), ("true", "grid"), "true"),
-        Option("crs", N_("Coordinate system of eastings and northings, such as EPSG:32619.")),
+        FormatOption(
+            "heading", N_("North from which the heading counts."), ("true", "grid"), "true"
+        ),
+        FormatOption("crs", N_("Coordinate system of eastings and northings, such as EPSG:32619.")),
         TIME,
     ),
     sniff_ascii,
-    look_ascii,
+    preview_ascii,
     read_ascii,
 )
 
-CIDCO_STATES = _format(
+CIDCO_STATES = _make_format(
     note("format.cidco_states"),
     "cidco-states",
     "trajectory",
     (),
     (ORIGIN, TIME),
     sniff_states,
-    look_states,
+    preview_states,
     read_states,
 )
-CIDCO_ACCURACY = _format(
+CIDCO_ACCURACY = _make_format(
     note("format.cidco_sigmas"),
     "cidco-sigmas",
     "accuracy",
     (),
     (),
     sniff_states,
-    look_sigmas,
+    preview_sigmas,
     read_sigmas,
 )
 
-SMRMSG = _format(
+SMRMSG = _make_format(
     note("format.smrmsg"),
     "smrmsg",
     "accuracy",
     (".out", ".smrmsg"),
     (),
     _sniff_smrmsg,
-    _look_smrmsg,
+    _preview_smrmsg,
     _read_smrmsg,
 )
-EXAIL_ACCURACY = _format(
+EXAIL_ACCURACY = _make_format(
     note("format.exail_sigmas"),
     "exail-sigmas",
     "accuracy",
     (".txt", ".csv"),
     EXAIL_OPTIONS,
     sniff_exail_accuracy,
-    look_exail_accuracy,
+    preview_exail_accuracy,
     read_exail_accuracy,
 )
-POSPAC_ACCURACY = _format(
+POSPAC_ACCURACY = _make_format(
     note("format.pospac_sigmas"),
     "pospac-sigmas",
     "accuracy",
     (".txt", ".csv"),
     POSPAC_OPTIONS,
     sniff_pospac_accuracy,
-    look_pospac_accuracy,
+    preview_pospac_accuracy,
     read_pospac_accuracy,
 )

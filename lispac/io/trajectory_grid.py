@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.units import FOOT, LENGTH_NAMES, UNITS, US_FOOT
 from lispac.messages import Message, error, note, warning
-from lispac.survey.crs_area import meant_elsewhere
-from lispac.survey.source import printable
+from lispac.survey.crs_area import area_of_use_elsewhere
+from lispac.survey.line_source import printable
 
 if TYPE_CHECKING:
     from pyproj import CRS
@@ -26,7 +26,7 @@ UNSTATED = ""
 
 
 @dataclass(frozen=True)
-class Length:
+class LengthUnit:
     """A unit of a column.
 
     Attributes
@@ -71,14 +71,14 @@ class Grid:
     height_metres: float | None
     height_name: Message | None
 
-    def unit(self, name: str, stated: str, path: Path) -> Length:
+    def unit(self, name: str, stated: str, path: Path) -> LengthUnit:
         """Unit of a column of eastings or northings called ``name``."""
         if stated == UNSTATED:
-            return Length(self.metres, note("unit.as_in_system", unit=self.name))
+            return LengthUnit(self.metres, note("unit.as_in_system", unit=self.name))
         if stated == "ft" and self.in_feet:
-            return Length(self.metres, note("unit.feet_of_system", unit=self.name))
+            return LengthUnit(self.metres, note("unit.feet_of_system", unit=self.name))
         if stated == "ft":
-            return Length(
+            return LengthUnit(
                 LENGTHS["ft"],
                 LENGTH_NAMES[LENGTHS["ft"]],
                 warning(
@@ -86,7 +86,7 @@ class Grid:
                     system=self.text, unit=self.name,
                 ),
             )  # fmt: skip
-        return Length(LENGTHS[stated], LENGTH_NAMES[LENGTHS[stated]])
+        return LengthUnit(LENGTHS[stated], LENGTH_NAMES[LENGTHS[stated]])
 
     def place_warning(self, path: Path, latitude: Array, longitude: Array) -> Message | None:
         """A warning where positions lie outside the area that the system is meant for.
@@ -96,7 +96,7 @@ class Grid:
         latitude, longitude : ndarray of shape (n,), radians
         """
         middle = float(np.median(latitude)), float(np.median(longitude))
-        area = meant_elsewhere(self.system, *map(math.degrees, middle))
+        area = area_of_use_elsewhere(self.system, *map(math.degrees, middle))
         if not area:
             return None
         return warning(
@@ -135,7 +135,7 @@ class Grid:
                 )  # fmt: skip
             factors = Proj(system).get_factors(longitude, latitude)
         except ProjError as failure:
-            raise _unusable(path, self.text, failure) from failure
+            raise _crs_error(path, self.text, failure) from failure
         convergence = np.radians(np.asarray(factors.meridian_convergence, dtype=np.float64))
         return np.radians(latitude), np.radians(longitude), convergence
 
@@ -154,7 +154,7 @@ def grid_of(path: Path, text: str) -> Grid:
     try:
         system = CRS.from_user_input(text)
     except ProjError as failure:
-        raise _unusable(path, text, failure) from failure
+        raise _crs_error(path, text, failure) from failure
     if not system.is_projected or system.geodetic_crs is None:
         raise InputError(
             error("trajectory.not_projected", file=str(path), system=text, name=system.name)
@@ -166,37 +166,37 @@ def grid_of(path: Path, text: str) -> Grid:
         text,
         horizontal,
         across.unit_conversion_factor,
-        _named(across.unit_conversion_factor, across.unit_name),
+        _unit_name(across.unit_conversion_factor, across.unit_name),
         "foot" in across.unit_name or across.unit_conversion_factor in (FOOT, US_FOOT),
         up[0].unit_conversion_factor if up else None,
-        _named(up[0].unit_conversion_factor, up[0].unit_name) if up else None,
+        _unit_name(up[0].unit_conversion_factor, up[0].unit_name) if up else None,
     )
 
 
-def unit_of_heights(name: str, stated: str, grid: Grid | None, path: Path) -> Length:
+def unit_of_heights(name: str, stated: str, grid: Grid | None, path: Path) -> LengthUnit:
     """Unit of a column of heights called ``name``; metres by default."""
     own = None if grid is None else grid.height_metres
     if stated == UNSTATED:
         if grid is not None and own is not None and grid.height_name is not None:
-            return Length(own, note("unit.as_in_system", unit=grid.height_name))
+            return LengthUnit(own, note("unit.as_in_system", unit=grid.height_name))
         doubt = None
         if grid is not None and grid.in_feet:
             doubt = warning(
                 "trajectory.height_unit_not_stated", file=printable(path.name), column=name,
                 unit=grid.name,
             )  # fmt: skip
-        return Length(1.0, note("unit.metres_assumed"), doubt)
+        return LengthUnit(1.0, note("unit.metres_assumed"), doubt)
     if stated == "ft" and grid is not None and grid.in_feet:
-        return Length(grid.metres, note("unit.feet_of_system", unit=grid.name))
-    return Length(LENGTHS[stated], LENGTH_NAMES[LENGTHS[stated]])
+        return LengthUnit(grid.metres, note("unit.feet_of_system", unit=grid.name))
+    return LengthUnit(LENGTHS[stated], LENGTH_NAMES[LENGTHS[stated]])
 
 
-def _named(metres: float, name: str) -> Message:
+def _unit_name(metres: float, name: str) -> Message:
     near = [known for si, known in LENGTH_NAMES.items() if abs(metres / si - 1) < 1e-9]
     return near[0] if near else note("unit.other", name=name, metres=metres)
 
 
-def _unusable(path: Path, text: str, failure: Exception) -> InputError:
+def _crs_error(path: Path, text: str, failure: Exception) -> InputError:
     reason = str(failure).splitlines()[0][:120] if str(failure) else type(failure).__name__
     return InputError(
         error("trajectory.unusable_system", file=str(path), system=text, reason=reason)

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import InputError
-from lispac.io.files import message_about
-from lispac.io.registry import Choice, Fact, Finding
-from lispac.io.text_table import encoding_of, fields_of, is_data, last_lines
+from lispac.io.files import message_with_file_name
+from lispac.io.format_types import Choice, Fact, FilePreview
+from lispac.io.text_table import encoding_of, is_data_row, last_lines, split_fields
 from lispac.io.trajectory_columns import (
     SIGMAS,
     Column,
@@ -18,23 +18,23 @@ from lispac.io.trajectory_columns import (
     Rows,
     accuracy_of,
     is_complete,
-    map_doubts,
+    map_warnings,
     missing_columns,
     trajectory_of,
 )
 from lispac.io.trajectory_facts import (
-    Motion,
+    TrajectoryMotion,
     angle_unit_messages,
-    course_doubts,
-    facts_of,
+    course_warnings,
     motion_of,
     span_facts,
-    time_doubts,
+    time_warnings,
+    trajectory_facts,
 )
-from lispac.io.trajectory_velocities import speed_doubts
+from lispac.io.trajectory_velocities import speed_warnings
 from lispac.io.units import UNITS
 from lispac.messages import Action, Level, Message, note, warning
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 
 HEAD_ROWS, TAIL_BYTES = 5000, 64 * 1024
@@ -72,44 +72,44 @@ class TextLayout:
 
     @property
     def column_facts(self) -> dict[str, Fact]:
-        """Its facts, with the names of all columns."""
+        """Facts of the layout, with the names of all columns."""
         return {**self.facts, "Columns": ", ".join(self.names) or note("fact.not_known")}
 
 
-def look_at_text(
+def preview_text(
     path: Path, layout: TextLayout, conventions: Conventions, choice: Choice
-) -> Finding:
+) -> FilePreview:
     """Facts, first rows and warnings of a trajectory of text, from its first and last rows."""
     file = printable(path.name)
     head = list(islice(layout.rows(path), HEAD_ROWS))
-    rows_about = note("fact.about", count=_estimated_rows(path, head))
+    rows_about = note("fact.about", count=_estimate_row_count(path, head))
     facts = {**layout.column_facts, "Rows": rows_about}
     rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
     doubts = list(layout.doubts)
     if not is_complete(layout.columns):
         lacking = missing_columns(path, layout.columns)
         doubts.append(replace(lacking, level=Level.WARNING))
-        return Finding(facts, rows, choice, tuple(doubts))
+        return FilePreview(facts, rows, choice, tuple(doubts))
     try:
         first = trajectory_of(path, iter(head), layout.columns, conventions, ())
     except InputError as refused:
         doubts.append(refusal_warning(refused, path))
-        return Finding(facts, rows, choice, tuple(doubts))
-    doubts += map_doubts(path, layout.columns, conventions, first)
-    whole, tail_doubts = _with_tail(path, layout, conventions, first, head)
-    motion, exchanged = _motions(first)
+        return FilePreview(facts, rows, choice, tuple(doubts))
+    doubts += map_warnings(path, layout.columns, conventions, first)
+    whole, tail_doubts = _with_last_rows(path, layout, conventions, first, head)
+    motion, exchanged = _motion_variants(first)
     speed = motion.speed
-    facts |= facts_of(whole.time, whole.latitude, whole.longitude, whole.height, speed)
+    facts |= trajectory_facts(whole.time, whole.latitude, whole.longitude, whole.height, speed)
     doubts += tail_doubts
-    doubts += time_doubts(first.time, conventions.time, file)
-    doubts += course_doubts([(motion, exchanged)], [first.attitude[:, 2]], file)
-    doubts += speed_doubts(path, head, layout.velocities, motion)
+    doubts += time_warnings(first.time, conventions.time, file)
+    doubts += course_warnings([(motion, exchanged)], [first.attitude[:, 2]], file)
+    doubts += speed_warnings(path, head, layout.velocities, motion)
     unit = next(column.unit for column in layout.columns if column.role == "heading")
     messages = angle_unit_messages(path, motion, first.attitude[:, 2], UNITS[unit].si)
-    return Finding(facts, rows, choice, tuple(doubts), first.assumptions, messages)
+    return FilePreview(facts, rows, choice, tuple(doubts), first.assumptions, messages)
 
 
-def _motions(first: Trajectory) -> tuple[Motion, Motion]:
+def _motion_variants(first: Trajectory) -> tuple[TrajectoryMotion, TrajectoryMotion]:
     """Motion as read and with latitude and longitude exchanged, from the first fix on."""
     fixed = np.flatnonzero((first.latitude != 0) | (first.longitude != 0))
     time, height = first.time[fixed], first.height[fixed]
@@ -122,7 +122,7 @@ def _motions(first: Trajectory) -> tuple[Motion, Motion]:
     )
 
 
-def look_at_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -> Finding:
+def preview_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -> FilePreview:
     """Facts and warnings of standard deviations in text, from the first rows."""
     head = list(islice(layout.rows(path), HEAD_ROWS))
     rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
@@ -130,14 +130,14 @@ def look_at_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -
     try:
         accuracy = accuracy_of(path, iter(head), layout.columns, conventions)
     except InputError as refused:
-        return Finding(
+        return FilePreview(
             facts,
             rows,
             {"time": conventions.time},
             (*layout.doubts, refusal_warning(refused, path)),
         )
     found, doubts = accuracy_facts(accuracy, printable(path.name))
-    return Finding(facts | found, rows, {"time": conventions.time}, (*layout.doubts, *doubts))
+    return FilePreview(facts | found, rows, {"time": conventions.time}, (*layout.doubts, *doubts))
 
 
 def accuracy_facts(
@@ -171,7 +171,7 @@ _SIGNS_ASSUMED = {
 """Code of the warning that a sign is assumed, by the angle and its option."""
 
 
-def sign_assumed(path: Path, angle: str, sign: str) -> Message:
+def sign_assumed_warning(path: Path, angle: str, sign: str) -> Message:
     """The warning that a file does not state the sign of roll or pitch."""
     code, actions = _SIGNS_ASSUMED[angle, sign], (Action("check_sign", {"name": angle}),)
     return Message(code, Level.WARNING, {"file": printable(path.name)}, actions=actions)
@@ -179,15 +179,15 @@ def sign_assumed(path: Path, angle: str, sign: str) -> Message:
 
 def refusal_warning(refused: InputError, path: Path) -> Message:
     """The message of an error as a warning, with the name of the file instead of its path."""
-    return replace(message_about(refused, path), level=Level.WARNING)
+    return replace(message_with_file_name(refused, path), level=Level.WARNING)
 
 
 def has_sigmas(columns: Sequence[Column]) -> bool:
-    """Whether the columns hold all six standard deviations."""
+    """True if the columns hold all six standard deviations."""
     return {column.role for column in columns}.issuperset(SIGMAS)
 
 
-def _with_tail(
+def _with_last_rows(
     path: Path,
     layout: TextLayout,
     conventions: Conventions,
@@ -197,7 +197,7 @@ def _with_tail(
     """First and last rows as one trajectory; the first alone where the last do not fit it."""
     if len(head) < HEAD_ROWS:
         return first, []
-    tail = list(_tail(path, layout))
+    tail = list(_last_rows(path, layout))
     # In a short file the last rows begin among the first ones.
     seen = [k for k, (_, fields) in enumerate(tail) if fields == head[-1][1]]
     rows = chain(head, tail[seen[-1] + 1 :] if seen else tail)
@@ -207,14 +207,14 @@ def _with_tail(
         return first, [warning("trajectory.last_rows", file=printable(path.name))]
 
 
-def _tail(path: Path, layout: TextLayout) -> Rows:
+def _last_rows(path: Path, layout: TextLayout) -> Rows:
     for row, line in enumerate(last_lines(path, TAIL_BYTES), start=1):
-        fields = fields_of(line, layout.separator)
-        if is_data(fields):
+        fields = split_fields(line, layout.separator)
+        if is_data_row(fields):
             yield row, fields
 
 
-def _estimated_rows(path: Path, head: Sequence[tuple[int, list[str]]]) -> int:
+def _estimate_row_count(path: Path, head: Sequence[tuple[int, list[str]]]) -> int:
     if len(head) < HEAD_ROWS:
         return len(head)
     length = sum(len(field) + 1 for _, fields in head for field in fields) / len(head)

@@ -1,4 +1,4 @@
-"""The velocities that a trajectory of text brings along, against the motion of its positions.
+"""Comparison of the velocities of a trajectory of text with the motion of its positions.
 
 A trajectory does not need them, but a wrong unit or coordinate system of the positions shows.
 """
@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import InputError
-from lispac.io.text_table import columns_of, number
+from lispac.io.text_table import parse_number, read_columns
 from lispac.io.trajectory_columns import Column
-from lispac.io.trajectory_facts import MOVING, Motion
+from lispac.io.trajectory_facts import MOVING, TrajectoryMotion
 from lispac.io.trajectory_grid import LENGTHS
 from lispac.messages import Level, Message, Value
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 
 _NAMES = {
     "east_velocity": ("eastvelocity", "velocityeast", "eastvel", "veleast", "veast", "ve"),
@@ -44,18 +44,18 @@ def velocity_columns(names: Sequence[str], units: Sequence[str]) -> tuple[Column
     return tuple(found)
 
 
-def speed_doubts(
+def speed_warnings(
     path: Path,
     rows: Sequence[tuple[int, list[str]]],
     velocities: Sequence[Column],
-    motion: Motion,
+    motion: TrajectoryMotion,
 ) -> tuple[Message, ...]:
     """A warning where positions move at another speed than the velocities of the same rows."""
     if not velocities:
         return ()
     try:
-        wanted = [(column.index, number, column.name) for column in velocities]
-        (east, north), _ = columns_of(path, iter(rows), wanted)
+        wanted = [(column.index, parse_number, column.name) for column in velocities]
+        (east, north), _ = read_columns(path, iter(rows), wanted)
     except InputError:
         return ()  # columns that nobody needs may hold what they like
     factor = LENGTHS.get(velocities[0].unit)

@@ -128,7 +128,7 @@ def split_title(title: str) -> tuple[str, str]:
     return text, ""
 
 
-def unit_of(words: str) -> str:
+def parse_unit(words: str) -> str:
     """Code of the unit that a description names; empty where it names none."""
     return next((code for form, code in _FORMS if re.search(form, words.strip().lower())), "")
 
@@ -142,9 +142,9 @@ def stated_unit(title: str) -> str:
 
 
 def _unit_before_direction(words: str) -> str:
-    """Code of a unit that may have a direction behind it: in ``deg S`` the S are no seconds."""
+    """Code of a unit that a direction may follow: in ``deg S`` the S means south."""
     head, _, last = words.rpartition(" ")
-    return (unit_of(head) if _direction(last) else "") or unit_of(words)
+    return (parse_unit(head) if _parse_direction(last) else "") or parse_unit(words)
 
 
 _DIRECTIONS = {
@@ -156,7 +156,7 @@ _DIRECTIONS = {
 }
 
 
-def _direction(word: str) -> str:
+def _parse_direction(word: str) -> str:
     bare = word.lower().strip("()[]{}.,+-")
     return next((name for name, words in _DIRECTIONS.items() if bare in words), "")
 
@@ -171,29 +171,29 @@ def direction_of(title: str) -> str:
     """
     name, words = split_title(title)
     for word in reversed(re.split(r"[\s,;/_+]+", words)):
-        if found := _direction(word):
+        if found := _parse_direction(word):
             return found
     parts = re.split(r"[\s_.-]+", name)
     for word in (parts[-1], parts[0]) if len(parts) > 1 else ():
-        if (found := _direction(word)) and word.lower() not in ("s", "n", "e"):
+        if (found := _parse_direction(word)) and word.lower() not in ("s", "n", "e"):
             return found
     camel = re.search(r"(?<=[a-z])(West|South|Ouest|Sud|W|S)$", name)
-    return _direction(camel[1]) if camel else ""
+    return _parse_direction(camel[1]) if camel else ""
 
 
 def is_units_row(fields: Sequence[str]) -> bool:
-    """Whether the fields of a row are units, as stands below the names of columns."""
-    if any(map(_has_name, fields)):
+    """True if the fields of a row are units, as below the names of columns."""
+    if any(map(_is_title_with_unit, fields)):
         return False
     stated = [field.strip(" []()") for field in fields]
     known = [bool(_unit_before_direction(field)) for field in stated if field not in NO_UNIT]
     return len(known) >= 2 and all(known) and all(len(field) < 24 for field in stated)
 
 
-def _has_name(field: str) -> bool:
-    """Whether a field is the title of a column with its unit: ``Time [s]``, but not ``US ft``."""
+def _is_title_with_unit(field: str) -> bool:
+    """True if a field is a column title with its unit: ``Time [s]``, but not ``US ft``."""
     name, unit = split_title(field)
-    return bool(unit) and not unit_of(name) and _PART_OF_UNIT.fullmatch(name.lower()) is None
+    return bool(unit) and not parse_unit(name) and _PART_OF_UNIT.fullmatch(name.lower()) is None
 
 
 _PART_OF_UNIT = re.compile(
@@ -203,7 +203,7 @@ _PART_OF_UNIT = re.compile(
 NO_UNIT = ("", "-", "--", "none", "n/a", "1")
 
 
-def with_units(names: Sequence[str], units: Sequence[str]) -> list[str]:
+def titles_with_units(names: Sequence[str], units: Sequence[str]) -> list[str]:
     """Titles of columns out of a row of names and the row of units below it."""
     stated = [unit.strip(" []()") for unit in units]
     return [

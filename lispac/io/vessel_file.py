@@ -1,4 +1,4 @@
-"""A vessel from TOML: what it carries where, how it moves, how its POS errs."""
+"""A vessel from TOML: mounting, motion and POS errors."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from lispac.errors import InputError
-from lispac.io.toml_table import Table
+from lispac.io.toml_table import TomlTable
 from lispac.messages import error
 from lispac.project import Triple
 from lispac.simulation.pos_error_models import (
@@ -14,10 +14,10 @@ from lispac.simulation.pos_error_models import (
     Jumps,
     PosErrors,
     WhiteNoise,
-    together,
+    combine_models,
 )
 from lispac.simulation.pos_errors import PosErrorModel
-from lispac.simulation.vessel import LAUNCH, Handling
+from lispac.simulation.vessel_motion import LAUNCH, VesselHandling
 from lispac.survey.georeferencing import Mounting
 
 LARGEST_POSITION, LARGEST_ATTITUDE, LONGEST = 1e3, 10.0, 1e9
@@ -27,7 +27,7 @@ KINDS = ("gauss-markov", "white", "outage", "jumps")
 
 @dataclass(frozen=True)
 class MountingErrors:
-    """What the mounting really is, against what the surveyor has written down.
+    """Differences of the true mounting from the mounting that the surveyor states.
 
     Attributes
     ----------
@@ -47,7 +47,7 @@ class MountingErrors:
     latency: float = 0.0
 
     def mounting(self, lever_arm: Triple) -> Mounting:
-        """The true mounting where another one is written down.
+        """True mounting for a stated lever arm.
 
         Parameters
         ----------
@@ -93,7 +93,7 @@ class Vessel:
         As the surveyor has it.
     pos_height : float, metres
         Of the POS above the zero of the scene.
-    handling : Handling
+    handling : VesselHandling
     errors : MountingErrors
     pos : PosErrors
     """
@@ -101,7 +101,7 @@ class Vessel:
     title: str
     lever_arm: Triple
     pos_height: float
-    handling: Handling
+    handling: VesselHandling
     errors: MountingErrors
     pos: PosErrors
 
@@ -114,34 +114,34 @@ def read_vessel(path: Path) -> Vessel:
     InputError
         With the file, the key and what to do.
     """
-    with Table.read(path, "vessel") as table:
-        parts = [_pos(part) for part in table.tables("pos")]
+    with TomlTable.read(path, "vessel") as table:
+        parts = [_read_pos_errors(part) for part in table.tables("pos")]
         if not parts:
             raise table.refuse("pos", "vessel.no_pos_errors")
         with table.table("errors") as errors:
-            found = mounting_errors(errors)
+            found = read_mounting_errors(errors)
         return Vessel(
-            table.text("title"), table.three("lever_arm_m"), table.number("pos_height_m"),
-            _handling(table), found, together(parts),
+            table.text("title"), table.three_numbers("lever_arm_m"), table.number("pos_height_m"),
+            _read_handling(table), found, combine_models(parts),
         )  # fmt: skip
 
 
-def mounting_errors(table: Table) -> MountingErrors:
+def read_mounting_errors(table: TomlTable) -> MountingErrors:
     """The table of errors of the mounting."""
     return MountingErrors(
-        table.three("boresight_deg", (0.0, 0.0, 0.0)),
-        table.three("lever_arm_m", (0.0, 0.0, 0.0)),
+        table.three_numbers("boresight_deg", (0.0, 0.0, 0.0)),
+        table.three_numbers("lever_arm_m", (0.0, 0.0, 0.0)),
         table.number("range_offset_m", 0.0),
         table.number("scan_angle_offset_deg", 0.0),
         table.number("latency_s", 0.0),
     )
 
 
-def _handling(table: Table) -> Handling:
+def _read_handling(table: TomlTable) -> VesselHandling:
     with table.table("handling") as sailed, table.table("motion") as sea:
         speed = sailed.number("speed_m_s", over=0, most=50)
         shortest = sea.number("shortest_s", LAUNCH.periods[0], over=0)
-        return Handling(
+        return VesselHandling(
             speed=speed,
             speed_abeam=sailed.number("speed_abeam_m_s", speed, over=0, most=speed),
             slow_time=sailed.number("slow_s", LAUNCH.slow_time, over=0),
@@ -157,10 +157,12 @@ def _handling(table: Table) -> Handling:
         )
 
 
-def _pos(table: Table) -> PosErrors:
+def _read_pos_errors(table: TomlTable) -> PosErrors:
     kind = table.choice("kind", KINDS)
-    position = table.three("position_m", least=0, most=LARGEST_POSITION)
-    roll, pitch, heading = np.radians(table.three("attitude_deg", least=0, most=LARGEST_ATTITUDE))
+    position = table.three_numbers("position_m", least=0, most=LARGEST_POSITION)
+    roll, pitch, heading = np.radians(
+        table.three_numbers("attitude_deg", least=0, most=LARGEST_ATTITUDE)
+    )
     attitude = (float(roll), float(pitch), float(heading))
     if kind == "gauss-markov":
         return PosErrorModel(
@@ -173,7 +175,7 @@ def _pos(table: Table) -> PosErrors:
         return GnssOutage(
             table.number("start_s", least=0, most=LONGEST),
             table.number("duration_s", over=0, most=LONGEST), position, attitude,
-            table.flag("smoothed", True),
+            table.boolean("smoothed", True),
         )  # fmt: skip
     at = table.numbers("at_s", None, (), least=0)
     return Jumps(position, attitude, at, table.number("per_hour", 0.0, least=0))

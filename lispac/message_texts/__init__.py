@@ -8,7 +8,7 @@ placeholders.
 from collections.abc import Mapping
 from typing import Any
 
-from lispac.language import N_, Template, in_language, number, text_of
+from lispac.language import N_, Template, format_text, in_language, number
 from lispac.message_texts import (
     adjustment,
     adjustment_warnings,
@@ -111,7 +111,7 @@ ACTION_TIPS: Mapping[str, Template] = {
 
 def message_text(message: Message) -> str:
     """Text of a message in the language in use."""
-    return _one_line(text_of(TEXTS[message.code], _rendered(message.params)))
+    return _one_line(format_text(TEXTS[message.code], _params_as_text(message.params)))
 
 
 def english_text(message: Message) -> str:
@@ -121,14 +121,14 @@ def english_text(message: Message) -> str:
 
 
 def fact_text(fact: str | int | Message) -> str:
-    """Text of a fact about a file in the language in use: a text of the file stays as it is."""
+    """Text of a fact about a file in the language in use; a text of the file is unchanged."""
     if isinstance(fact, Message):
         return message_text(fact)
     return number(fact, 0) if isinstance(fact, int) else fact
 
 
 def has_text(message: Message) -> bool:
-    """Whether a message read from a file has a known code and parameters that fit its text."""
+    """True if a message from a file has a known code and parameters that fit its text."""
     try:
         message_text(message)
         return all(action.code in ACTIONS and action_text(action) for action in message.actions)
@@ -138,25 +138,25 @@ def has_text(message: Message) -> bool:
 
 def action_text(action: Action) -> str:
     """Label of an action in the language in use, as on a button."""
-    return _one_line(text_of(ACTIONS[action.code], _rendered(action.params)))
+    return _one_line(format_text(ACTIONS[action.code], _params_as_text(action.params)))
 
 
 def action_tip(action: Action) -> str:
     """Tooltip of an action in the language in use; empty where it has none."""
     template = ACTION_TIPS.get(action.code)
-    return _one_line(text_of(template, _rendered(action.params))) if template else ""
+    return _one_line(format_text(template, _params_as_text(action.params))) if template else ""
 
 
-def _rendered(params: Mapping[str, Value]) -> dict[str, Any]:
+def _params_as_text(params: Mapping[str, Value]) -> dict[str, Any]:
     """The parameters with messages among them as texts."""
-    return {name: _with_text(value) for name, value in params.items()}
+    return {name: _value_as_text(value) for name, value in params.items()}
 
 
-def _with_text(value: Value) -> Any:
+def _value_as_text(value: Value) -> Any:
     if isinstance(value, Message):
         return message_text(value)
     if isinstance(value, list | tuple):
-        return [_with_text(each) for each in value]
+        return [_value_as_text(each) for each in value]
     return value
 
 

@@ -1,1 +1,1 @@
-"""Natural surfaces: pieces of the scene that serve as targets where none was hung."""
+"""Natural planes: flat surfaces of the scene used as targets."""

@@ -1,4 +1,4 @@
-"""Patches: regions of which two lines and more see one and the same plane."""
+"""Patches: regions in which two or more lines show the same plane."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.natural.clutter import is_surface, is_water
-from lispac.natural.planes import LOOKED_AT, LinePlanes, line_planes
-from lispac.natural.regions import Regions
+from lispac.natural.flat_regions import Regions
+from lispac.natural.line_planes import LOOKED_AT, LinePlanes, find_line_planes
+from lispac.natural.surface_filter import is_solid_surface, is_water
 from lispac.progress import Progress, no_progress
 from lispac.survey.cloud import Cloud, CloudInMemory
 
@@ -27,13 +27,13 @@ region are different pieces of a surface."""
 
 @dataclass(frozen=True, eq=False)
 class Patches:
-    """Regions seen alike by two lines or more.
+    """Regions in which two or more lines agree.
 
     Attributes
     ----------
     regions : Regions
     numbers : ndarray of shape (m,), int
-        From `line_planes`.
+        From `find_line_planes`.
     planes : LinePlanes
         Of what belongs to a patch alone.
     patch : ndarray of shape (k,), int
@@ -52,7 +52,7 @@ class Patches:
         return len(self.centre)
 
     def points_on(self, row: int, cloud: Cloud) -> tuple[Indices, int]:
-        """Numbers of the points on one of the planes, and of how many one was examined.
+        """Indices of the points on one of the planes, and the number of points examined.
 
         Parameters
         ----------
@@ -74,7 +74,7 @@ class Patches:
         return own[::step], step * one_in
 
 
-def patches_of(
+def find_patches(
     clouds: Mapping[str, Cloud],
     noise: float,
     threshold: float,
@@ -92,14 +92,16 @@ def patches_of(
     threshold : float, metres
         Farthest that a line may be off what all lines have in common.
     """
-    regions, planes, numbers = line_planes(clouds, noise, threshold, progress=progress)
-    planes = planes.where(is_surface(planes, noise))
+    regions, planes, numbers = find_line_planes(clouds, noise, threshold, progress=progress)
+    planes = planes.where(is_solid_surface(planes, noise))
     planes = planes.where(~is_water(planes))
-    return _agreeing(regions, planes, numbers, threshold)
+    return _agrees_with_largest_line(regions, planes, numbers, threshold)
 
 
-def _agreeing(regions: Regions, planes: LinePlanes, numbers: Indices, threshold: float) -> Patches:
-    """What agrees with the line that has most points of its region."""
+def _agrees_with_largest_line(
+    regions: Regions, planes: LinePlanes, numbers: Indices, threshold: float
+) -> Patches:
+    """Whether each plane agrees with the line that has most points of its region."""
     cells, owner = np.unique(planes.region, return_inverse=True)
     owner = owner.reshape(-1)
     # The last in this order of each region is the one with most points.

@@ -1,1 +1,1 @@
-"""The LiDAR patch test: lines laid onto each other about objects that they share."""
+"""LiDAR patch test: align lines with each other at objects that they share."""

@@ -5,18 +5,18 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from lispac.language import N_, gettext
-from lispac.report.absolute_values import Absolute
-from lispac.report.figures import AFTER, BEFORE, INK, TEXT, blank, dress, short_name
+from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.report.figures import AFTER, BEFORE, INK, TEXT, blank_figure, short_name, style_axes
 from lispac.report.legends import USUAL, top_below_legend
-from lispac.report.wording import grouped, signed
+from lispac.report.text_format import grouped_number, signed_number
 
 _BEFORE = N_("before: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")
 _AFTER = N_("after: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")
 
 
-def absolute_figure(found: Absolute, figure: Figure | None = None) -> Figure:
+def reference_distance_figure(found: AbsoluteCheckValues, figure: Figure | None = None) -> Figure:
     """All lines together; the bins at both ends hold all beyond."""
-    figure = blank(figure, (6.3, 2.5))
+    figure = blank_figure(figure, (6.3, 2.5))
     axes = figure.subplots(gridspec_kw=USUAL)
     edges = 1000 * np.asarray(found.bin_edges_m)
     legend: list[str] = []
@@ -28,7 +28,7 @@ def absolute_figure(found: Absolute, figure: Figure | None = None) -> Figure:
         legend.append(
             gettext(
                 template,
-                count=each.distances.n, median=signed(1000 * each.signed.median_m, 1),
+                count=each.distances.n, median=signed_number(1000 * each.signed.median_m, 1),
                 rms=each.distances.rms_m, p95=each.distances.p95_m,
             )
         )  # fmt: skip
@@ -39,9 +39,9 @@ def absolute_figure(found: Absolute, figure: Figure | None = None) -> Figure:
         "Distance from the reference (mm), positive towards the vessel; end bins include larger "
         "values"
     )
-    dress(axes, across, gettext("Places"))
+    style_axes(axes, across, gettext("Places"))
     axes.yaxis.set_major_locator(MaxNLocator(nbins="auto", steps=[1, 2, 5, 10], integer=True))
-    axes.yaxis.set_major_formatter(lambda value, _: grouped(value))
+    axes.yaxis.set_major_formatter(lambda value, _: grouped_number(value))
     title = gettext(
         "{reference}: distances of all lines along the normal",
         reference=short_name(found.reference),

@@ -3,21 +3,29 @@
 from collections.abc import Sequence
 
 from lispac.language import N_, gettext
-from lispac.report.absolute_values import Absolute, AgainstReference, SurveyedPoint
-from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
-from lispac.report.values import ReportContent
-from lispac.report.wording import (
-    fixed,
-    grouped,
-    interval,
-    known,
-    mm,
-    percent,
-    sentence,
-    shortest,
-    signed,
+from lispac.report.absolute_values import AbsoluteCheckValues, ReferenceDistances, SurveyedPoint
+from lispac.report.document_blocks import (
+    Block,
+    Bullets,
+    Column,
+    Paragraph,
+    Table,
+    UndrawnPictures,
+    as_rows,
 )
-from lispac.validation.absolute import ALL_LINES
+from lispac.report.report_values import ReportContent
+from lispac.report.text_format import (
+    fixed_number,
+    format_known,
+    grouped_number,
+    interval_text,
+    millimetres,
+    percent_text,
+    sentence_text,
+    shortest_number,
+    signed_number,
+)
+from lispac.validation.absolute_check import ALL_LINES
 
 LOCAL = "the local frame"
 """Coordinate system of a reference in the local frame, as the content calls it."""
@@ -34,36 +42,36 @@ UNCERTAINTY = N_(
 )
 
 
-def absolute(content: ReportContent) -> list[Block]:
-    """The check against a static scan or surveyed points."""
-    from lispac.report.absolute_figure import absolute_figure
+def absolute_check_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the check against a static scan or surveyed points."""
+    from lispac.report.absolute_figure import reference_distance_figure
 
     found = content.absolute
     if found is None:
         return []
     blocks: list[Block] = [
-        Paragraph(_reference(found)),
-        Paragraph(gettext(DISTANCES, reach=shortest(found.reach_m))),
-        _table(found),
-        Bullets(tuple(map(sentence, found.in_words))),
+        Paragraph(_reference_text(found)),
+        Paragraph(gettext(DISTANCES, reach=shortest_number(found.reach_m))),
+        _distance_table(found),
+        Bullets(tuple(map(sentence_text, found.in_words))),
     ]
     caption = gettext(
         "Distances of all lines from the reference, before and after the calibration."
     )
     blocks += [
-        Drawing(caption, absolute_figure, (found,)),
-        _uncertainty(found),
+        UndrawnPictures(caption, reference_distance_figure, (found,)),
+        _uncertainty_table(found),
         Paragraph(gettext(UNCERTAINTY)),
     ]
     if found.points:
-        blocks.append(_points(found.points))
+        blocks.append(_surveyed_points_table(found.points))
     if found.not_compared:
-        reasons = tuple(map(sentence, found.not_compared))
+        reasons = tuple(map(sentence_text, found.not_compared))
         blocks += [Paragraph(gettext("Not compared with the reference:")), Bullets(reasons)]
     return blocks
 
 
-def _reference(found: Absolute) -> str:
+def _reference_text(found: AbsoluteCheckValues) -> str:
     system = gettext("local frame") if found.system == LOCAL else found.system
     if found.kind == "scan":
         return gettext(
@@ -76,7 +84,7 @@ def _reference(found: Absolute) -> str:
     )  # fmt: skip
 
 
-def _table(found: Absolute) -> Table:
+def _distance_table(found: AbsoluteCheckValues) -> Table:
     """Statistics of the distances, one row for each line and state."""
     columns = (
         Column(gettext("Line"), "left"), Column(gettext("State"), "left"),
@@ -89,31 +97,31 @@ def _table(found: Absolute) -> Table:
     cells = []
     for line in (*found.lines, found.together):
         for state, against in ((gettext("before"), line.before), (gettext("after"), line.after)):
-            cells.append([_line(line.line), state, *_cells(against)])
+            cells.append([_line_label(line.line), state, *_statistics_cells(against)])
     title = gettext("Distances of the lines from the reference (mm)")
-    return Table(title, columns, rows(cells))
+    return Table(title, columns, as_rows(cells))
 
 
-def _line(name: str) -> str:
+def _line_label(name: str) -> str:
     return gettext("all lines") if name == ALL_LINES else name
 
 
-def _cells(found: AgainstReference) -> list[str]:
+def _statistics_cells(found: ReferenceDistances) -> list[str]:
     return [
-        grouped(found.distances.n),
-        signed(1000 * found.signed.mean_m, 1),
-        interval(mm(found.mean_interval95_m)),
-        signed(1000 * found.signed.median_m, 1),
-        mm(found.distances.rms_m),
-        mm(found.distances.p68_m),
-        mm(found.distances.p95_m),
-        mm(found.distances.p99_m),
-        mm(found.signed.robust_sigma_m),
+        grouped_number(found.distances.n),
+        signed_number(1000 * found.signed.mean_m, 1),
+        interval_text(millimetres(found.mean_interval95_m)),
+        signed_number(1000 * found.signed.median_m, 1),
+        millimetres(found.distances.rms_m),
+        millimetres(found.distances.p68_m),
+        millimetres(found.distances.p95_m),
+        millimetres(found.distances.p99_m),
+        millimetres(found.signed.robust_sigma_m),
         gettext("yes") if found.mean_significant else gettext("no"),
     ]
 
 
-def _uncertainty(found: Absolute) -> Table:
+def _uncertainty_table(found: AbsoluteCheckValues) -> Table:
     columns = (
         Column(gettext("Line"), "left"), Column(gettext("Reference")),
         Column(gettext("POS\nposition")), Column(gettext("POS\nattitude")),
@@ -125,31 +133,45 @@ def _uncertainty(found: Absolute) -> Table:
         sigma = line.after.mean_sigma
         cells.append(
             [
-                _line(line.line), mm(sigma.reference_m), mm(sigma.pos_position_m),
-                mm(sigma.pos_attitude_m), known(sigma.boresight_m, mm), mm(sigma.scatter_m),
-                mm(sigma.total_m), mm(line.after.rms_expected.total_m),
-                percent(line.after.reference_share),
+                _line_label(line.line),
+                millimetres(sigma.reference_m),
+                millimetres(sigma.pos_position_m),
+                millimetres(sigma.pos_attitude_m),
+                format_known(sigma.boresight_m, millimetres),
+                millimetres(sigma.scatter_m),
+                millimetres(sigma.total_m),
+                millimetres(line.after.rms_expected.total_m),
+                percent_text(line.after.reference_share),
             ]
-        )  # fmt: skip
+        )
     title = gettext("Uncertainty of the mean distance after the calibration, 1 sigma (mm)")
-    return Table(title, columns, rows(cells))
+    return Table(title, columns, as_rows(cells))
 
 
-def _points(points: Sequence[SurveyedPoint]) -> Table:
+def _surveyed_points_table(points: Sequence[SurveyedPoint]) -> Table:
     return Table(
         gettext("Distances from surveyed points and planes, mean of the lines (mm)"),
         (
-            Column(gettext("Name"), "left"), Column(gettext("Lines")), Column(gettext("Sigma")),
-            Column(gettext("Before")), Column(gettext("After")),
-            Column(gettext("95 %\ninterval\nof mean")), Column(gettext("Mean\nsignificant")),
+            Column(gettext("Name"), "left"),
+            Column(gettext("Lines")),
+            Column(gettext("Sigma")),
+            Column(gettext("Before")),
+            Column(gettext("After")),
+            Column(gettext("95 %\ninterval\nof mean")),
+            Column(gettext("Mean\nsignificant")),
         ),
-        rows(
+        as_rows(
             [
-                point.name, fixed(point.lines, 0), mm(point.sigma_m),
-                signed(1000 * point.before_m, 1), signed(1000 * point.after_m, 1),
-                known(point.after_interval95_m, lambda half: interval(mm(half))),
+                point.name,
+                fixed_number(point.lines, 0),
+                millimetres(point.sigma_m),
+                signed_number(1000 * point.before_m, 1),
+                signed_number(1000 * point.after_m, 1),
+                format_known(
+                    point.after_interval95_m, lambda half: interval_text(millimetres(half))
+                ),
                 gettext("yes") if point.significant else gettext("no"),
             ]
             for point in points
         ),
-    )  # fmt: skip
+    )

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 from lispac.messages import Message
-from lispac.report.validation_values import Distances, SignedDistances
-from lispac.validation.absolute import AbsoluteCheck, AbsoluteState, LineCheck, SigmaSources
-from lispac.validation.absolute_remarks import remarks_on
+from lispac.report.validation_values import DistanceValues, SignedDistances
+from lispac.validation.absolute_check import AbsoluteCheck, AbsoluteState, LineCheck, SigmaSources
+from lispac.validation.absolute_remarks import absolute_check_remarks
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class Uncertainty:
 
     @classmethod
     def of(cls, values: SigmaSources) -> "Uncertainty":
-        """The same figures."""
+        """Copy the standard deviations of a `SigmaSources`."""
         return cls(
             values.reference, values.position, values.attitude, values.boresight, values.scatter,
             values.total,
@@ -29,10 +29,10 @@ class Uncertainty:
 
 
 @dataclass(frozen=True)
-class AgainstReference:
+class ReferenceDistances:
     """Lines against the reference with one boresight; see `AbsoluteState`."""
 
-    distances: Distances
+    distances: DistanceValues
     signed: SignedDistances
     mean_interval95_m: float
     mean_significant: bool
@@ -41,10 +41,10 @@ class AgainstReference:
     reference_share: float
 
     @classmethod
-    def of(cls, state: AbsoluteState) -> "AgainstReference":
-        """The same figures."""
+    def of(cls, state: AbsoluteState) -> "ReferenceDistances":
+        """Values of a comparison with one boresight."""
         return cls(
-            Distances.of(state.distances),
+            DistanceValues.of(state.distances),
             SignedDistances.of(state.signed),
             state.interval_95,
             state.significant,
@@ -55,17 +55,17 @@ class AgainstReference:
 
 
 @dataclass(frozen=True)
-class LineAgainstReference:
+class LineReferenceDistances:
     """A line, or all of them, before and after at the same places."""
 
     line: str
-    before: AgainstReference
-    after: AgainstReference
+    before: ReferenceDistances
+    after: ReferenceDistances
 
     @classmethod
-    def of(cls, line: LineCheck) -> "LineAgainstReference":
-        """The same figures."""
-        return cls(line.line, AgainstReference.of(line.before), AgainstReference.of(line.after))
+    def of(cls, line: LineCheck) -> "LineReferenceDistances":
+        """Values of the check of a line."""
+        return cls(line.line, ReferenceDistances.of(line.before), ReferenceDistances.of(line.after))
 
 
 @dataclass(frozen=True)
@@ -81,13 +81,13 @@ class SurveyedPoint:
 
     @property
     def significant(self) -> bool:
-        """Whether the lines differ from it at 95 %; not where the interval is unknown."""
+        """True if the lines differ from it at 95 %; False if the interval is unknown."""
         half = self.after_interval95_m
         return half is not None and abs(self.after_m) > half
 
 
 @dataclass(frozen=True)
-class Absolute:
+class AbsoluteCheckValues:
     """Lines against a static scan or surveyed points; the end bins hold what lies beyond."""
 
     reference: str
@@ -95,8 +95,8 @@ class Absolute:
     system: str
     reference_sigma_m: float
     reach_m: float
-    lines: tuple[LineAgainstReference, ...]
-    together: LineAgainstReference
+    lines: tuple[LineReferenceDistances, ...]
+    together: LineReferenceDistances
     points: tuple[SurveyedPoint, ...]
     not_compared: tuple[Message, ...]
     bin_edges_m: tuple[float, ...]
@@ -105,16 +105,16 @@ class Absolute:
     in_words: tuple[Message, ...]
 
     @classmethod
-    def of(cls, check: AbsoluteCheck) -> "Absolute":
-        """The same figures."""
+    def of(cls, check: AbsoluteCheck) -> "AbsoluteCheckValues":
+        """Values of a check against a reference."""
         return cls(
             reference=check.reference,
             kind=check.kind,
             system=check.system,
             reference_sigma_m=check.sigma,
             reach_m=check.reach,
-            lines=tuple(map(LineAgainstReference.of, check.lines)),
-            together=LineAgainstReference.of(check.together),
+            lines=tuple(map(LineReferenceDistances.of, check.lines)),
+            together=LineReferenceDistances.of(check.together),
             points=tuple(
                 SurveyedPoint(p.name, p.lines, p.sigma, p.before, p.after, p.interval_95)
                 for p in check.points
@@ -123,5 +123,5 @@ class Absolute:
             bin_edges_m=check.bin_edges,
             counts_before=check.counts_before,
             counts_after=check.counts_after,
-            in_words=remarks_on(check),
+            in_words=absolute_check_remarks(check),
         )

@@ -3,10 +3,10 @@
 from collections.abc import Iterator, Sequence
 from statistics import NormalDist
 
-from lispac.causes import Cause
 from lispac.messages import Message, note, warning
-from lispac.report.absolute_values import Absolute
-from lispac.validation.absolute_remarks import Off, items
+from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.validation.absolute_remarks import Off, list_items_with_means
+from lispac.warning_causes import Cause
 
 NORMAL_95 = NormalDist().inv_cdf(0.975)
 LARGE, TOO_LARGE = 2.0, 3.0
@@ -15,7 +15,7 @@ make an RMS vary about as much as a single error."""
 VALIDATE = Cause.of_step("Validate")
 
 
-def absolute_cautions(found: Absolute | None) -> Iterator[Message]:
+def absolute_check_warnings(found: AbsoluteCheckValues | None) -> Iterator[Message]:
     """Significant means of all lines, single lines, surveyed points and planes, and the RMS.
 
     Of many good lines some are off at 95 %. It is a warning where one is off by more than the
@@ -31,11 +31,11 @@ def absolute_cautions(found: Absolute | None) -> Iterator[Message]:
             mean=abs(mean), interval=after.mean_interval95_m, subject=VALIDATE,
         )  # fmt: skip
     elif after.distances.rms_m > LARGE * after.rms_expected.total_m:
-        yield _rms(after.distances.rms_m, after.rms_expected.total_m)
-    yield from _lines(
+        yield _rms_message(after.distances.rms_m, after.rms_expected.total_m)
+    yield from _line_warnings(
         [(x.line, x.after.signed.mean_m, x.after.mean_interval95_m) for x in found.lines]
     )
-    yield from _points(
+    yield from _point_warnings(
         [
             (x.name, x.after_m, x.after_interval95_m)
             for x in found.points
@@ -44,28 +44,31 @@ def absolute_cautions(found: Absolute | None) -> Iterator[Message]:
     )
 
 
-def _lines(each: Sequence[Off]) -> Iterator[Message]:
+def _line_warnings(each: Sequence[Off]) -> Iterator[Message]:
     """Lines that are off; the subject is the one that is farthest off."""
-    if off := _off(each):
+    if off := _significant_offsets(each):
         farthest = max(off, key=lambda one: abs(one[1]))
         beyond = _is_beyond_chance(each)
         yield (warning if beyond else note)(
             "report.absolute_line_off" if beyond else "report.absolute_line_off_by_chance",
-            count=len(off), total=len(each), lines=items(off), subject=Cause.of_line(farthest[0]),
-        )  # fmt: skip
+            count=len(off),
+            total=len(each),
+            lines=list_items_with_means(off),
+            subject=Cause.of_line(farthest[0]),
+        )
 
 
-def _points(each: Sequence[Off]) -> Iterator[Message]:
+def _point_warnings(each: Sequence[Off]) -> Iterator[Message]:
     """Surveyed points and planes that are off."""
-    if off := _off(each):
+    if off := _significant_offsets(each):
         beyond = _is_beyond_chance(each)
         yield (warning if beyond else note)(
             "report.absolute_point_off" if beyond else "report.absolute_point_off_by_chance",
-            count=len(off), total=len(each), points=items(off), subject=VALIDATE,
+            count=len(off), total=len(each), points=list_items_with_means(off), subject=VALIDATE,
         )  # fmt: skip
 
 
-def _off(each: Sequence[Off]) -> list[Off]:
+def _significant_offsets(each: Sequence[Off]) -> list[Off]:
     return [one for one in each if abs(one[1]) > one[2]]
 
 
@@ -76,7 +79,7 @@ def _is_beyond_chance(each: Sequence[Off]) -> bool:
     return any(abs(mean) > largest * half for _, mean, half in each)
 
 
-def _rms(found: float, expected: float) -> Message:
+def _rms_message(found: float, expected: float) -> Message:
     return (warning if found > TOO_LARGE * expected else note)(
         "report.absolute_rms",
         rms=found, factor=found / expected, expected=expected, subject=VALIDATE,

@@ -2,22 +2,36 @@
 
 from lispac.adjustment.parameters import SIGNIFICANT
 from lispac.language import N_, Plural, gettext
-from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, facts, rows
 from lispac.report.budget_section import budget_blocks
-from lispac.report.values import Adjustment, ExtraParameter, ObservabilityValues, ReportContent
-from lispac.report.wording import (
+from lispac.report.document_blocks import (
+    Block,
+    Bullets,
+    Column,
+    Paragraph,
+    Table,
+    UndrawnPictures,
+    as_rows,
+    facts_table,
+)
+from lispac.report.report_values import (
+    AdjustmentValues,
+    ExtraParameter,
+    ObservabilityValues,
+    ReportContent,
+)
+from lispac.report.text_format import (
     UNKNOWN,
-    cm,
+    centimetres,
     degrees_unit,
-    fixed,
-    grouped,
-    in_unit,
-    known,
-    quantity,
-    sentence,
-    shortest,
-    signed,
+    fixed_number,
+    format_known,
+    grouped_number,
+    quantity_text,
+    sentence_text,
+    shortest_number,
+    signed_number,
     title,
+    title_with_unit,
 )
 
 VARIANCE_FACTOR = N_("{factor}, computed with the given sigmas")
@@ -37,40 +51,42 @@ OUTLIERS_LEFT_OUT = Plural(
 )
 
 
-def boresight(content: ReportContent) -> list[Block]:
-    """Estimated values and their fit."""
+def boresight_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the estimated values and their fit."""
     adjustment = content.adjustment
     if adjustment is None:
         return [Paragraph(gettext("No boresight has been estimated yet."))]
-    blocks: list[Block] = [_fit(content, adjustment)]
+    blocks: list[Block] = [_fit_table(content, adjustment)]
     if adjustment.parameters:
-        blocks += _parameters(adjustment)
-    blocks += _correlations(content, adjustment)
+        blocks += _parameter_blocks(adjustment)
+    blocks += _correlation_blocks(content, adjustment)
     if adjustment.observability is not None:
-        blocks += _observability(content, adjustment.observability)
-    blocks.append(_effects(adjustment))
+        blocks += _observability_blocks(content, adjustment.observability)
+    blocks.append(_displacement_table(adjustment))
     if content.budget is not None:
         blocks += budget_blocks(content.budget)
     return blocks
 
 
-def _fit(content: ReportContent, adjustment: Adjustment) -> Table:
+def _fit_table(content: ReportContent, adjustment: AdjustmentValues) -> Table:
     test = adjustment.chi_square
-    statistic = grouped(test.statistic, 1)
+    statistic = grouped_number(test.statistic, 1)
     if test.lower is None or test.upper is None:
         statistic = gettext("statistic {statistic}", statistic=statistic)
     else:
         statistic = gettext(
             "statistic {statistic}, bounds {lower} to {upper}",
-            statistic=statistic, lower=grouped(test.lower, 1), upper=grouped(test.upper, 1),
-        )  # fmt: skip
-    return facts(
+            statistic=statistic,
+            lower=grouped_number(test.lower, 1),
+            upper=grouped_number(test.upper, 1),
+        )
+    return facts_table(
         gettext("Fit of the adjustment"),
         [
-            (gettext("Points"), _points(adjustment)),
-            (gettext("Iterations"), fixed(adjustment.iterations, 0)),
-            (gettext("Degrees of freedom"), grouped(adjustment.degrees_of_freedom)),
-            (gettext("Variance factor"), _variance_factor(content, adjustment)),
+            (gettext("Points"), _point_count_text(adjustment)),
+            (gettext("Iterations"), fixed_number(adjustment.iterations, 0)),
+            (gettext("Degrees of freedom"), grouped_number(adjustment.degrees_of_freedom)),
+            (gettext("Variance factor"), _variance_factor_text(content, adjustment)),
             (gettext("Chi-square test at 95 %"), statistic),
             ("", gettext(test.in_words)),
             (
@@ -86,7 +102,7 @@ def _fit(content: ReportContent, adjustment: Adjustment) -> Table:
     )
 
 
-def _variance_factor(content: ReportContent, adjustment: Adjustment) -> str:
+def _variance_factor_text(content: ReportContent, adjustment: AdjustmentValues) -> str:
     if adjustment.variance_factor is None:
         return UNKNOWN
     applied = any(component.applied for component in adjustment.components)
@@ -96,10 +112,10 @@ def _variance_factor(content: ReportContent, adjustment: Adjustment) -> str:
         )
     else:
         template = VARIANCE_FACTOR_COMPONENTS if applied else VARIANCE_FACTOR
-    return gettext(template, factor=fixed(adjustment.variance_factor, 4))
+    return gettext(template, factor=fixed_number(adjustment.variance_factor, 4))
 
 
-def _parameters(adjustment: Adjustment) -> list[Block]:
+def _parameter_blocks(adjustment: AdjustmentValues) -> list[Block]:
     table = Table(
         gettext("Parameters estimated together with the boresight"),
         (
@@ -111,10 +127,10 @@ def _parameters(adjustment: Adjustment) -> list[Block]:
             Column(gettext("Change /\nsigma")),
             Column(gettext("Finding"), "left"),
         ),
-        rows(_parameter_row(p) for p in adjustment.parameters),
+        as_rows(_parameter_row(p) for p in adjustment.parameters),
     )
     blocks: list[Block] = [table]
-    reasons = tuple(sentence(p.reason) for p in adjustment.parameters if p.reason)
+    reasons = tuple(sentence_text(p.reason) for p in adjustment.parameters if p.reason)
     if reasons:
         blocks.append(Bullets(reasons))
     if any(p.value is not None for p in adjustment.parameters):
@@ -124,7 +140,7 @@ def _parameters(adjustment: Adjustment) -> list[Block]:
                     "A change is significant if it exceeds {limit} times its sigma; by chance, "
                     "this happens once in twenty cases. The boresight of this report is valid "
                     "only together with the estimated parameters, not with the prior ones.",
-                    limit=shortest(SIGNIFICANT),
+                    limit=shortest_number(SIGNIFICANT),
                 )
             )
         )
@@ -133,7 +149,7 @@ def _parameters(adjustment: Adjustment) -> list[Block]:
 
 def _parameter_row(found: ExtraParameter) -> list[str]:
     def shown(value: float | None, *, sign: bool) -> str:
-        return known(value, lambda v: quantity(found.name, v, sign=sign))
+        return format_known(value, lambda v: quantity_text(found.name, v, sign=sign))
 
     no_prior = found.prior_sigma is None
     return [
@@ -142,12 +158,12 @@ def _parameter_row(found: ExtraParameter) -> list[str]:
         gettext("not given") if no_prior else shown(found.prior_sigma, sign=False),
         shown(found.value, sign=True),
         shown(found.sigma, sign=False),
-        known(found.significance, lambda v: signed(v, 1)),
-        _finding(found),
+        format_known(found.significance, lambda v: signed_number(v, 1)),
+        _significance_text(found),
     ]
 
 
-def _finding(found: ExtraParameter) -> str:
+def _significance_text(found: ExtraParameter) -> str:
     if found.significant is not None:
         return gettext("significant") if found.significant else gettext("not significant")
     if found.value is not None:
@@ -157,14 +173,14 @@ def _finding(found: ExtraParameter) -> str:
     return gettext("not determined")
 
 
-def _correlations(content: ReportContent, adjustment: Adjustment) -> list[Block]:
+def _correlation_blocks(content: ReportContent, adjustment: AdjustmentValues) -> list[Block]:
     names = [title(angle.name) for angle in content.angles]
     blocks: list[Block] = [
         Table(
             gettext("Correlations"),
             (Column("", "left"), *map(Column, names)),
-            rows(
-                [name, *(signed(value, 3) for value in row)]
+            as_rows(
+                [name, *(signed_number(value, 3) for value in row)]
                 for name, row in zip(names, adjustment.correlation, strict=True)
             ),
         )
@@ -174,40 +190,42 @@ def _correlations(content: ReportContent, adjustment: Adjustment) -> list[Block]
 
         caption = gettext("Correlations of all estimated parameters.")
         values = (adjustment.estimated, adjustment.correlation_all)
-        blocks.append(Drawing(caption, correlation_figure_of, values, width=0.55))
+        blocks.append(UndrawnPictures(caption, correlation_figure_of, values, width=0.55))
     return blocks
 
 
-def _observability(content: ReportContent, found: ObservabilityValues) -> list[Block]:
+def _observability_blocks(content: ReportContent, found: ObservabilityValues) -> list[Block]:
     condition = gettext(
         "Condition number of the normal matrix of the angles: {number} (1 means that all "
         "combinations of the angles have the same sigma).",
-        number=known(found.condition, lambda v: grouped(v, 1)),
+        number=format_known(found.condition, lambda v: grouped_number(v, 1)),
     )
     blocks: list[Block] = [
         Paragraph(gettext("Observability of the angles on these lines:")),
-        Bullets((*map(sentence, found.in_words), condition)),
+        Bullets((*map(sentence_text, found.in_words), condition)),
     ]
     if found.sigma_without_line_deg:
         deg = degrees_unit()
         columns = (
             Column("", "left"),
-            *(Column(in_unit(title(angle.name), deg)) for angle in content.angles),
+            *(Column(title_with_unit(title(angle.name), deg)) for angle in content.angles),
         )
-        all_lines = [known(angle.sigma_deg, lambda v: fixed(v, 4)) for angle in content.angles]
+        all_lines = [
+            format_known(angle.sigma_deg, lambda v: fixed_number(v, 4)) for angle in content.angles
+        ]
         without = [
             [
                 gettext("Without line {name}", name=line),
-                *([UNKNOWN] * 3 if sigma is None else [fixed(v, 4) for v in sigma]),
+                *([UNKNOWN] * 3 if sigma is None else [fixed_number(v, 4) for v in sigma]),
             ]
             for line, sigma in found.sigma_without_line_deg.items()
         ]
-        cells = rows([[gettext("All lines"), *all_lines], *without])
+        cells = as_rows([[gettext("All lines"), *all_lines], *without])
         blocks.append(Table(gettext("1 sigma of the angles with one line omitted"), columns, cells))
     return blocks
 
 
-def _effects(adjustment: Adjustment) -> Table:
+def _displacement_table(adjustment: AdjustmentValues) -> Table:
     return Table(
         gettext("Displacement of a point caused by a boresight error of 1 sigma (cm)"),
         (
@@ -217,13 +235,15 @@ def _effects(adjustment: Adjustment) -> Table:
                 for distance in adjustment.effect_distances_m
             ),
         ),
-        rows([_effect_name(e.angle), *map(cm, e.displacement_m)] for e in adjustment.effects),
+        as_rows(
+            [_effect_name(e.angle), *map(centimetres, e.displacement_m)] for e in adjustment.effects
+        ),
     )
 
 
-def _points(adjustment: Adjustment) -> str:
+def _point_count_text(adjustment: AdjustmentValues) -> str:
     if not adjustment.left_out:
-        return grouped(adjustment.points)
+        return grouped_number(adjustment.points)
     return gettext(OUTLIERS_LEFT_OUT, points=adjustment.points, count=adjustment.left_out)
 
 

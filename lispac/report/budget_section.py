@@ -2,14 +2,14 @@
 
 from lispac.language import gettext
 from lispac.message_texts import message_text
-from lispac.report.blocks import Block, Bullets, Column, Paragraph, Table, rows
-from lispac.report.budget_values import BeamErrors, Budget, ErrorSource
-from lispac.report.wording import UNKNOWN, cm, shortest
+from lispac.report.budget_values import BeamErrors, ErrorBudgetValues, ErrorSource
+from lispac.report.document_blocks import Block, Bullets, Column, Paragraph, Table, as_rows
+from lispac.report.text_format import UNKNOWN, centimetres, shortest_number
 
 
-def budget_blocks(found: Budget) -> list[Block]:
+def budget_blocks(found: ErrorBudgetValues) -> list[Block]:
     """A table for each direction of the beam, and the assumptions."""
-    blocks: list[Block] = [_table(found, beam) for beam in found.beams]
+    blocks: list[Block] = [_beam_table(found, beam) for beam in found.beams]
     return [
         *blocks,
         Paragraph(gettext("Assumptions of the error budget:")),
@@ -17,9 +17,9 @@ def budget_blocks(found: Budget) -> list[Block]:
     ]
 
 
-def _table(found: Budget, beam: BeamErrors) -> Table:
+def _beam_table(found: ErrorBudgetValues, beam: BeamErrors) -> Table:
     components = (gettext("Horizontal"), gettext("Vertical"), gettext("Across\nbeam"))
-    distances = [gettext("at {distance} m", distance=shortest(d)) for d in found.distances_m]
+    distances = [gettext("at {distance} m", distance=shortest_number(d)) for d in found.distances_m]
     columns = (
         Column(gettext("Source"), "left"),
         *(Column(f"{name}\n{distance}") for distance in distances for name in components),
@@ -27,18 +27,18 @@ def _table(found: Budget, beam: BeamErrors) -> Table:
     return Table(
         gettext("Error of a point, 1 sigma (cm); beam {beam}", beam=beam.beam),
         columns,
-        rows(
-            [str(each.source), *_cells(each, len(found.distances_m))]
+        as_rows(
+            [str(each.source), *_source_cells(each, len(found.distances_m))]
             for each in (*beam.sources, beam.before, beam.after)
         ),
     )
 
 
-def _cells(each: ErrorSource, distances: int) -> list[str]:
+def _source_cells(each: ErrorSource, distances: int) -> list[str]:
     if each.at_distance is None:
         return [UNKNOWN] * (3 * distances)
     return [
-        cm(value)
+        centimetres(value)
         for error in each.at_distance
         for value in (error.horizontal_m, error.vertical_m, error.across_beam_m)
     ]

@@ -2,14 +2,14 @@
 
 from dataclasses import dataclass
 
-from lispac.adjustment.error_budget import BeamBudget, ErrorBudget, SourceBudget, Spread
+from lispac.adjustment.error_budget import BeamBudget, ErrorBudget, PointSigma, SourceBudget
 from lispac.language import LazyText, gettext_lazy
 from lispac.messages import Message
 
 
 @dataclass(frozen=True)
 class PointError:
-    """1 sigma of a point; see `lispac.adjustment.error_budget.Spread`."""
+    """1 sigma of a point; see `lispac.adjustment.error_budget.PointSigma`."""
 
     horizontal_m: float
     vertical_m: float
@@ -17,8 +17,8 @@ class PointError:
     total_m: float
 
     @classmethod
-    def of(cls, values: Spread) -> "PointError":
-        """The same figures."""
+    def of(cls, values: PointSigma) -> "PointError":
+        """Values of the spread of a point."""
         return cls(values.horizontal, values.vertical, values.across, values.total)
 
 
@@ -31,7 +31,7 @@ class ErrorSource:
 
     @classmethod
     def of(cls, values: SourceBudget) -> "ErrorSource":
-        """The same figures."""
+        """Values of one source of the error budget."""
         spreads = values.spreads
         return cls(
             gettext_lazy(values.source),
@@ -41,7 +41,7 @@ class ErrorSource:
 
 @dataclass(frozen=True)
 class BeamErrors:
-    """All sources for one direction of the beam."""
+    """All sources of error for one direction of the beam."""
 
     beam: LazyText
     sources: tuple[ErrorSource, ...]
@@ -50,7 +50,7 @@ class BeamErrors:
 
     @classmethod
     def of(cls, values: BeamBudget) -> "BeamErrors":
-        """The same figures."""
+        """Values of one direction of the beam."""
         return cls(
             gettext_lazy(values.beam),
             tuple(map(ErrorSource.of, values.sources)),
@@ -60,15 +60,15 @@ class BeamErrors:
 
 
 @dataclass(frozen=True)
-class Budget:
-    """What every source of error does to a point at some distances from the scanner."""
+class ErrorBudgetValues:
+    """Error budget of a point by source, at some distances from the scanner."""
 
     distances_m: tuple[float, ...]
     beams: tuple[BeamErrors, ...]
     in_words: tuple[Message, ...]
 
     @classmethod
-    def of(cls, values: ErrorBudget) -> "Budget":
-        """The same figures."""
+    def of(cls, values: ErrorBudget) -> "ErrorBudgetValues":
+        """Values of an error budget."""
         beams = tuple(map(BeamErrors.of, values.beams))
         return cls(values.distances, beams, values.assumptions)

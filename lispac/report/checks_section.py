@@ -4,27 +4,35 @@ from collections.abc import Mapping, Sequence
 
 from lispac.adjustment.reliability import CRITICAL
 from lispac.language import N_, gettext
-from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
-from lispac.report.values import (
-    Adjustment,
-    CheckedPart,
-    CrossChecked,
+from lispac.report.document_blocks import (
+    Block,
+    Bullets,
+    Column,
+    Paragraph,
+    Table,
+    UndrawnPictures,
+    as_rows,
+)
+from lispac.report.report_values import (
+    AdjustmentValues,
+    CrossCheckPart,
+    CrossCheckValues,
     ReportContent,
     SightingCheck,
 )
-from lispac.report.wording import (
+from lispac.report.text_format import (
     UNKNOWN,
-    angle,
+    angle_text,
     degrees_unit,
-    fixed,
-    grouped,
-    in_unit,
-    known,
-    mm,
-    named_parts,
-    sentence,
-    signed,
+    fixed_number,
+    format_known,
+    grouped_number,
+    millimetres,
+    named_cross_check_parts,
+    sentence_text,
+    signed_number,
     title,
+    title_with_unit,
 )
 
 STANDINGS: Mapping[str, str] = {
@@ -67,8 +75,8 @@ PARTS = N_(
 )
 
 
-def reliability(content: ReportContent) -> list[Block]:
-    """How far each sighting and each point is checked by all others."""
+def reliability_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the reliability of each sighting and each point."""
     adjustment = content.adjustment
     if adjustment is None:
         return []
@@ -83,12 +91,14 @@ def reliability(content: ReportContent) -> list[Block]:
         return [Paragraph(untested)]
     found = adjustment.reliability
     return [
-        Paragraph(gettext(SIGHTING_TEST, limit=fixed(adjustment.critical_w, 2), count=len(found))),
+        Paragraph(
+            gettext(SIGHTING_TEST, limit=fixed_number(adjustment.critical_w, 2), count=len(found))
+        ),
         _test_table(found),
-        *_remarks(found),
-        Paragraph(gettext(POINT_TEST, limit=fixed(CRITICAL, 2))),
+        *_sighting_remarks(found),
+        Paragraph(gettext(POINT_TEST, limit=fixed_number(CRITICAL, 2))),
         _point_table(found),
-        *_pos_errors(adjustment),
+        *_pos_error_blocks(adjustment),
     ]
 
 
@@ -99,22 +109,22 @@ def _test_table(found: Sequence[SightingCheck]) -> Table:
         (
             Column(gettext("Target"), "left"),
             Column(gettext("Line"), "left"),
-            Column(in_unit(gettext("Shift"), "mm")),
+            Column(title_with_unit(gettext("Shift"), "mm")),
             Column("w"),
-            Column(in_unit(gettext("Detectable\nshift"), "mm")),
-            Column(in_unit(gettext("Effect on\nroll"), deg)),
-            Column(in_unit(gettext("Pitch"), deg)),
-            Column(in_unit(gettext("Yaw"), deg)),
+            Column(title_with_unit(gettext("Detectable\nshift"), "mm")),
+            Column(title_with_unit(gettext("Effect on\nroll"), deg)),
+            Column(title_with_unit(gettext("Pitch"), deg)),
+            Column(title_with_unit(gettext("Yaw"), deg)),
             Column(gettext("Finding"), "left"),
         ),
-        rows(
+        as_rows(
             [
                 s.target,
                 s.line,
-                known(s.shift_m, lambda v: signed(1000 * v, 1)),
-                known(s.w, lambda v: signed(v, 1)),
-                known(s.detectable_m, mm),
-                *([UNKNOWN] * 3 if s.effect_deg is None else [angle(v) for v in s.effect_deg]),
+                format_known(s.shift_m, lambda v: signed_number(1000 * v, 1)),
+                format_known(s.w, lambda v: signed_number(v, 1)),
+                format_known(s.detectable_m, millimetres),
+                *([UNKNOWN] * 3 if s.effect_deg is None else [angle_text(v) for v in s.effect_deg]),
                 gettext(STANDINGS[s.in_words]),
             ]
             for s in found
@@ -134,22 +144,22 @@ def _point_table(found: Sequence[SightingCheck]) -> Table:
             Column(gettext("Largest w")),
             Column(gettext("Time of\nlargest w (s)")),
         ),
-        rows(
+        as_rows(
             [
                 s.target,
                 s.line,
-                grouped(s.points),
-                fixed(s.redundancy, 2),
-                fixed(s.strays, 0),
-                fixed(s.largest_w, 1),
-                known(s.largest_w_time_s, lambda v: fixed(v, 3)),
+                grouped_number(s.points),
+                fixed_number(s.redundancy, 2),
+                fixed_number(s.strays, 0),
+                fixed_number(s.largest_w, 1),
+                format_known(s.largest_w_time_s, lambda v: fixed_number(v, 3)),
             ]
             for s in found
         ),
     )
 
 
-def _remarks(found: Sequence[SightingCheck]) -> list[Block]:
+def _sighting_remarks(found: Sequence[SightingCheck]) -> list[Block]:
     remarks = []
     for sighting in found:
         if sighting.released:
@@ -177,7 +187,7 @@ def _remarks(found: Sequence[SightingCheck]) -> list[Block]:
     return [Bullets(tuple(remarks))] if remarks else []
 
 
-def _pos_errors(adjustment: Adjustment) -> list[Block]:
+def _pos_error_blocks(adjustment: AdjustmentValues) -> list[Block]:
     from lispac.report.figures import POS_COMPONENTS, pos_error_figures_of
 
     found = adjustment.reliability
@@ -187,8 +197,8 @@ def _pos_errors(adjustment: Adjustment) -> list[Block]:
         return sum(values) / count
 
     prior = [
-        *(mm(mean([s.pos_sigma_m[k] for s in found])) for k in range(3)),
-        *(fixed(mean([s.pos_sigma_deg[k] for s in found]), 4) for k in range(3)),
+        *(millimetres(mean([s.pos_sigma_m[k] for s in found])) for k in range(3)),
+        *(fixed_number(mean([s.pos_sigma_deg[k] for s in found]), 4) for k in range(3)),
     ]
     deg = degrees_unit()
     table = Table(
@@ -197,19 +207,19 @@ def _pos_errors(adjustment: Adjustment) -> list[Block]:
             Column(gettext("Target"), "left"),
             Column(gettext("Line"), "left"),
             *(
-                Column(in_unit(gettext(name), "mm" if k < 3 else deg))
+                Column(title_with_unit(gettext(name), "mm" if k < 3 else deg))
                 for k, name in enumerate(POS_COMPONENTS)
             ),
         ),
-        rows(
+        as_rows(
             [
                 # Rounded first, plus zero: no minus sign before a zero
                 *(
                     [
                         s.target,
                         s.line,
-                        *(signed(round(1000 * v, 1) + 0.0, 1) for v in s.pos_error_m),
-                        *(angle(round(v, 4) + 0.0) for v in s.pos_error_deg),
+                        *(signed_number(round(1000 * v, 1) + 0.0, 1) for v in s.pos_error_m),
+                        *(angle_text(round(v, 4) + 0.0) for v in s.pos_error_deg),
                     ]
                     for s in found
                 ),
@@ -217,11 +227,11 @@ def _pos_errors(adjustment: Adjustment) -> list[Block]:
             ]
         ),
     )
-    return [table, Drawing(gettext(POS_ERRORS), pos_error_figures_of, (found,))]
+    return [table, UndrawnPictures(gettext(POS_ERRORS), pos_error_figures_of, (found,))]
 
 
-def cross_checks(content: ReportContent) -> list[Block]:
-    """Results of parts of the data."""
+def cross_check_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the results of parts of the data."""
     if content.adjustment is None:
         return []
     checks = content.cross_checks
@@ -251,8 +261,8 @@ def cross_checks(content: ReportContent) -> list[Block]:
         Paragraph(gettext(PARTS)),
     ]
     reasons = tuple(
-        gettext("{name}: {reason}", name=name, reason=sentence(part.reason))
-        for name, part in named_parts(checks)
+        gettext("{name}: {reason}", name=name, reason=sentence_text(part.reason))
+        for name, part in named_cross_check_parts(checks)
         if part.reason
     )
     if reasons:
@@ -260,7 +270,7 @@ def cross_checks(content: ReportContent) -> list[Block]:
     return blocks
 
 
-def _spread_table(content: ReportContent, checks: CrossChecked) -> Table:
+def _spread_table(content: ReportContent, checks: CrossCheckValues) -> Table:
     spreads = (
         (gettext("From the adjustment"), checks.sigma_deg),
         (gettext("Spread, one line omitted"), checks.spread_lines_deg),
@@ -272,42 +282,45 @@ def _spread_table(content: ReportContent, checks: CrossChecked) -> Table:
             "Standard deviations of the angles, from the adjustment and from the scatter of "
             "the subsets"
         ),
-        (Column("", "left"), *(Column(in_unit(title(a.name), deg)) for a in content.angles)),
-        rows(
-            [name, *([UNKNOWN] * 3 if values is None else [fixed(v, 4) for v in values])]
+        (
+            Column("", "left"),
+            *(Column(title_with_unit(title(a.name), deg)) for a in content.angles),
+        ),
+        as_rows(
+            [name, *([UNKNOWN] * 3 if values is None else [fixed_number(v, 4) for v in values])]
             for name, values in spreads
         ),
     )
 
 
-def _parts_table(content: ReportContent, checks: CrossChecked) -> Table:
+def _parts_table(content: ReportContent, checks: CrossCheckValues) -> Table:
     angles = [title(angle.name) for angle in content.angles]
     deg = degrees_unit()
     return Table(
         gettext("Results of subsets of the data: differences from the full adjustment"),
         (
             Column(gettext("Subset"), "left"),
-            *(Column(in_unit(name, deg)) for name in angles),
+            *(Column(title_with_unit(name, deg)) for name in angles),
             *(Column(gettext("{angle}\n/ sigma", angle=name)) for name in angles),
             Column(gettext("Finding"), "left"),
         ),
-        rows(
+        as_rows(
             [
                 name,
-                *_shown(part.difference_deg, 4),
-                *_shown(part.significance, 1),
-                _finding(part),
+                *_value_cells(part.difference_deg, 4),
+                *_value_cells(part.significance, 1),
+                _agreement_text(part),
             ]
-            for name, part in named_parts(checks)
+            for name, part in named_cross_check_parts(checks)
         ),
     )
 
 
-def _shown(values: tuple[float, ...] | None, decimals: int) -> list[str]:
-    return [UNKNOWN] * 3 if values is None else [signed(value, decimals) for value in values]
+def _value_cells(values: tuple[float, ...] | None, decimals: int) -> list[str]:
+    return [UNKNOWN] * 3 if values is None else [signed_number(value, decimals) for value in values]
 
 
-def _finding(part: CheckedPart) -> str:
+def _agreement_text(part: CrossCheckPart) -> str:
     if part.boresight_deg is None:
         return gettext("no result")
     return gettext("disagrees") if part.disagrees else gettext("agrees")

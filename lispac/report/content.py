@@ -10,49 +10,49 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lispac
-from lispac.adjustment.critical import critical_w
+from lispac.adjustment.critical_values import critical_test_value
 from lispac.adjustment.error_budget import ErrorBudget
-from lispac.adjustment.observability import one_facing
-from lispac.adjustment.outdated import refused_since
+from lispac.adjustment.observability import have_one_orientation
+from lispac.adjustment.outdated_result import outdated_result_warning
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.doubles import doubts_of
+from lispac.duplicate_targets import all_warnings
 from lispac.language import N_, LazyText, gettext_lazy
 from lispac.messages import Message
-from lispac.methods import answers, remarks_on
-from lispac.progress import Progress, no_progress, part
+from lispac.method_comparison import comparison_remarks, method_results
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Target
-from lispac.report.absolute_values import Absolute
-from lispac.report.budget_values import Budget
-from lispac.report.convention_values import in_convention, scanner_to_body
+from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.report.budget_values import ErrorBudgetValues
+from lispac.report.convention_values import convention_values, scanner_to_body_matrix
 from lispac.report.diagnostics import (
-    components_of,
-    cross_checked,
-    number,
-    parameters_of,
-    reliability_of,
-    seen,
+    component_values,
+    cross_check_values,
+    finite_or_none,
+    observability_values,
+    parameter_values,
+    reliability_values,
 )
-from lispac.report.displacement import EFFECT_DISTANCES_M, effects, in_words_of_s44
-from lispac.report.opinion_values import MethodAnswer
-from lispac.report.report_warnings import cautions_of
-from lispac.report.settings_used import CONVENTION, role_of_line, settings_used
-from lispac.report.trajectory_values import TrajectoryOnLine
-from lispac.report.validation_values import ValidationPlane, swath_overlap
-from lispac.report.values import (
-    Adjustment,
-    Angle,
+from lispac.report.displacement import EFFECT_DISTANCES_M, angle_displacements, s44_contributions
+from lispac.report.method_values import MethodValues
+from lispac.report.report_values import (
+    AdjustmentValues,
+    AngleValues,
     Chi2,
     InputFile,
-    Line,
+    LineValues,
     PickedPlane,
     ReportContent,
     SightingFit,
-    SightingJudged,
+    SightingQualityValues,
     TargetFit,
 )
-from lispac.survey.conventions.words import orientation_text
-from lispac.survey.source import printable
-from lispac.targets.quality import SightingQuality
+from lispac.report.report_warnings import report_warnings
+from lispac.report.settings_used import CONVENTION, role_of_line, settings_used
+from lispac.report.trajectory_values import TrajectoryOnLine
+from lispac.report.validation_values import ValidationPlane, swath_overlap
+from lispac.survey.conventions.mounting_texts import orientation_text
+from lispac.survey.line_source import printable
+from lispac.targets.sighting_quality import SightingQuality
 
 __all__ = ["CONVENTION", "ReportContent", "report_content"]
 
@@ -107,7 +107,7 @@ def report_content(
     """
     stamp = generated if generated.tzinfo else generated.replace(tzinfo=UTC)
     lines = tuple(
-        Line(
+        LineValues(
             line.name,
             printable(line.path.name),
             headings_deg.get(line.name),
@@ -117,7 +117,7 @@ def report_content(
         for line in project.lines
     )
     edited = {(t.name, s.line) for t in project.targets for s in t.sightings if s.by_hand}
-    methods = answers(project) if project.opinions else ()
+    methods = method_results(project) if project.opinions else ()
     content = ReportContent(
         program=f"LISPAC {lispac.__version__}",
         generated=stamp.isoformat(timespec="seconds"),
@@ -126,40 +126,41 @@ def report_content(
         calibrated=project.result is not None,
         simulated=project.truth_deg is not None,
         cautions=(),
-        angles=_angles(project),
-        adjustment=_adjustment(project.result, headings_deg) if project.result else None,
-        cross_checks=cross_checked(project.cross_checks),
+        angles=_angle_values(project),
+        adjustment=_adjustment_values(project.result, headings_deg) if project.result else None,
+        cross_checks=cross_check_values(project.cross_checks),
         validation=tuple(ValidationPlane.of(plane) for plane in project.validation),
         swath_overlap=swath_overlap(project.validation),
         not_compared=tuple(project.not_compared.values()),
-        planes=tuple(_picked(target) for target in project.targets),
+        planes=tuple(_picked_plane_values(target) for target in project.targets),
         lines=lines,
         settings=settings_used(project),
-        files=_files(project, progress) if digests else (),
+        files=_input_files(project, progress) if digests else (),
         notes=tuple(notes),
         qualities=tuple(
-            _judged(*key, each, by_hand=key in edited) for key, each in (qualities or {}).items()
+            _sighting_quality_values(*key, each, by_hand=key in edited)
+            for key, each in (qualities or {}).items()
         ),
-        in_convention=in_convention(project, convention) if convention else None,
-        matrix=scanner_to_body(project),
-        absolute=None if project.absolute is None else Absolute.of(project.absolute),
-        budget=None if budget is None else Budget.of(budget),
+        in_convention=convention_values(project, convention) if convention else None,
+        matrix=scanner_to_body_matrix(project),
+        absolute=None if project.absolute is None else AbsoluteCheckValues.of(project.absolute),
+        budget=None if budget is None else ErrorBudgetValues.of(budget),
         trajectory=tuple(trajectory),
-        methods=tuple(MethodAnswer.of(each) for each in methods),
-        methods_in_words=remarks_on(methods),
+        methods=tuple(MethodValues.of(each) for each in methods),
+        methods_in_words=comparison_remarks(methods),
     )
-    also = (refused_since(refused),) if refused else ()
-    return replace(content, cautions=cautions_of(content, doubts_of(project, also)))
+    also = (outdated_result_warning(refused),) if refused else ()
+    return replace(content, cautions=report_warnings(content, all_warnings(project, also)))
 
 
-def _files(project: Project, progress: Progress) -> tuple[InputFile, ...]:
+def _input_files(project: Project, progress: Progress) -> tuple[InputFile, ...]:
     inputs: list[tuple[str, Path]] = [("Trajectory", project.trajectory)]
     if project.accuracy is not None:
         inputs.append(("Trajectory accuracy", project.accuracy))
     inputs += [(role_of_line(line.name), line.path) for line in project.lines]
     files = []
     for k, (role, path) in enumerate(inputs):
-        step = part(progress, k / len(inputs), (k + 1) / len(inputs))
+        step = sub_progress(progress, k / len(inputs), (k + 1) / len(inputs))
         files.append(_input_file(role, path, step))
     if (check := project.absolute) is not None:  # as it was when the lines were compared with it
         files.append(InputFile("Reference", check.reference, check.size_bytes, check.sha256))
@@ -185,7 +186,7 @@ def _input_file(role: str, path: Path, progress: Progress) -> InputFile:
     return InputFile(role, printable(path.name), size, digest.hexdigest())
 
 
-def _angles(project: Project) -> tuple[Angle, ...]:
+def _angle_values(project: Project) -> tuple[AngleValues, ...]:
     result, truth = project.result, project.truth_deg
     # The prior the adjustment started from, which is the one its residuals "before" belong to.
     prior = np.degrees(result.prior_angles) if result else project.settings.boresight_deg
@@ -194,7 +195,7 @@ def _angles(project: Project) -> tuple[Angle, ...]:
         estimated = float(np.degrees(result.angles[k])) if result else None
         sigma = float(np.degrees(result.sigma[k])) if result else None
         angles.append(
-            Angle(
+            AngleValues(
                 name,
                 float(prior[k]),
                 estimated,
@@ -207,30 +208,32 @@ def _angles(project: Project) -> tuple[Angle, ...]:
     return tuple(angles)
 
 
-def _adjustment(result: AdjustmentResult, headings_deg: Mapping[str, float]) -> Adjustment:
+def _adjustment_values(
+    result: AdjustmentResult, headings_deg: Mapping[str, float]
+) -> AdjustmentValues:
     per_target = [s.sighting.target for s in result.sightings]
     steep = result.mounting.axes is not None
-    return Adjustment(
+    return AdjustmentValues(
         rotation_in_words=orientation_text(result.angles) if steep else LazyText(""),
         correlation=tuple(tuple(map(float, row)) for row in result.correlation),
         estimated=result.estimated,
         correlation_all=tuple(tuple(map(float, row)) for row in result.correlation_all),
-        parameters=parameters_of(result),
-        observability=seen(result.observability),
-        components=components_of(result),
-        critical_w=critical_w(result),
-        reliability=reliability_of(result),
-        variance_factor=number(result.variance_factor),
+        parameters=parameter_values(result),
+        observability=observability_values(result.observability),
+        components=component_values(result),
+        critical_w=critical_test_value(result),
+        reliability=reliability_values(result),
+        variance_factor=finite_or_none(result.variance_factor),
         degrees_of_freedom=result.degrees_of_freedom,
-        chi_square=_chi_square(result),
+        chi_square=_chi_square_values(result),
         iterations=result.iterations,
         points=result.points,
         left_out=result.left_out,
         rms_before_m=result.rms_before,
         rms_after_m=result.rms_after,
         effect_distances_m=EFFECT_DISTANCES_M,
-        effects=effects(result),
-        s44=in_words_of_s44(result),
+        effects=angle_displacements(result),
+        s44=s44_contributions(result),
         targets=tuple(
             TargetFit(
                 t.target,
@@ -244,7 +247,7 @@ def _adjustment(result: AdjustmentResult, headings_deg: Mapping[str, float]) -> 
             )
             for t in result.targets
         ),
-        one_facing=one_facing(
+        one_facing=have_one_orientation(
             np.array([t.plane[:3] for t in result.targets]),
             np.array([t.sphere for t in result.targets]),
         ),
@@ -263,9 +266,11 @@ def _adjustment(result: AdjustmentResult, headings_deg: Mapping[str, float]) -> 
     )
 
 
-def _judged(target: str, line: str, quality: SightingQuality, *, by_hand: bool) -> SightingJudged:
+def _sighting_quality_values(
+    target: str, line: str, quality: SightingQuality, *, by_hand: bool
+) -> SightingQualityValues:
     incidence = quality.incidence
-    return SightingJudged(
+    return SightingQualityValues(
         target,
         line,
         quality.light,
@@ -303,7 +308,7 @@ TOO_SMALL = N_(
 )
 
 
-def _chi_square(result: AdjustmentResult) -> Chi2:
+def _chi_square_values(result: AdjustmentResult) -> Chi2:
     test = result.chi_square
     if result.degrees_of_freedom <= 0:
         return Chi2(test.statistic, None, None, None, NOT_TESTED)
@@ -320,7 +325,7 @@ def _chi_square(result: AdjustmentResult) -> Chi2:
     return Chi2(test.statistic, test.lower, test.upper, test.passed, finding)
 
 
-def _picked(target: Target) -> PickedPlane:
+def _picked_plane_values(target: Target) -> PickedPlane:
     return PickedPlane(
         name=target.name,
         role=target.role,

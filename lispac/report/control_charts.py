@@ -9,8 +9,17 @@ from matplotlib.figure import Figure
 
 from lispac.adjustment.result import ANGLES
 from lispac.language import N_, gettext
-from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
-from lispac.validation.control_chart import ChartedCalibration, limits
+from lispac.report.figures import (
+    AFTER,
+    BEFORE,
+    INK,
+    SMALL,
+    TEXT,
+    blank_figure,
+    short_name,
+    style_axes,
+)
+from lispac.validation.control_chart import ChartedCalibration, control_limits
 from lispac.validation.repeatability import NORMAL_95
 
 AXES: Mapping[str, str] = {
@@ -23,7 +32,7 @@ DAYS = ["%Y", "%Y-%m", "%Y-%m-%d", "%m-%d %H:%M", "%H:%M", "%S.%f"]
 """Formats of a date beside the axis, from years to seconds: the same in every language."""
 
 
-def control_figure(
+def control_chart_figure(
     days: Sequence[date],
     charted: Sequence[ChartedCalibration],
     figure: Figure | None = None,
@@ -34,7 +43,7 @@ def control_figure(
     ----------
     days : of the calibrations, the earliest first
     """
-    figure = blank(figure, (6.3, 4.6))
+    figure = blank_figure(figure, (6.3, 4.6))
     panels = figure.subplots(3, 1, sharex=True)
     # Calibrations of one day stand side by side.
     at = np.array(date2num(list(days)), dtype=np.float64)  # type: ignore[no-untyped-call]
@@ -46,7 +55,7 @@ def control_figure(
     moved = np.array([each.moved for each in charted])
     for k, (axes, angle) in enumerate(zip(panels, ANGLES, strict=True)):
         for j, each in enumerate(charted):
-            reach = limits(each)
+            reach = control_limits(each)
             if reach is not None and each.before is not None:
                 low, high = np.degrees(reach[:, k])
                 sides = at[j] - HALF * room[j], at[j] + HALF * room[j + 1]
@@ -59,7 +68,7 @@ def control_figure(
                 at[own], values[own], yerr=reach[own], fmt="o", markersize=4, color=colour,
                 elinewidth=1.0, capsize=2.5,
             )  # fmt: skip
-        dress(axes, "", gettext(AXES[angle]))
+        style_axes(axes, "", gettext(AXES[angle]))
     for x, each in zip(at, charted, strict=True):
         panels[0].annotate(
             short_name(each.calibration.name), (x, 1.0), xycoords=("data", "axes fraction"),

@@ -2,13 +2,20 @@
 
 from collections.abc import Mapping
 
-from lispac.adjustment.shown import capitalised
+from lispac.adjustment.display_text import capitalised
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.report.blocks import Block, Column, Paragraph, Table, facts, rows
-from lispac.report.convention_values import InConvention, ScannerToBody
-from lispac.report.values import ReportContent
-from lispac.report.wording import MINUS, degrees_unit, fixed, in_unit, known, signed
+from lispac.report.convention_values import ConventionValues, ScannerToBodyMatrix
+from lispac.report.document_blocks import Block, Column, Paragraph, Table, as_rows, facts_table
+from lispac.report.report_values import ReportContent
+from lispac.report.text_format import (
+    MINUS,
+    degrees_unit,
+    fixed_number,
+    format_known,
+    signed_number,
+    title_with_unit,
+)
 
 DIRECTIONS: Mapping[str, str] = {
     "LiDAR to body": N_("{formula}, LiDAR to body"),
@@ -18,19 +25,19 @@ EXACT = 8
 """Decimals of angles that change much for a small rotation."""
 
 
-def other_programs(content: ReportContent) -> list[Block]:
-    """Boresight and lever arm as other programs take them."""
+def convention_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the boresight and lever arm in the conventions of other programs."""
     blocks: list[Block] = []
     if content.in_convention is not None:
-        blocks += _convention(content.in_convention)
+        blocks += _convention_tables(content.in_convention)
     if content.matrix is not None:
-        blocks += _matrix(content.matrix)
+        blocks += _matrix_tables(content.matrix)
     return blocks
 
 
-def _convention(found: InConvention) -> list[Block]:
-    blocks: list[Block] = [_angles(found)] if found.angles else []
-    x, y, z = (signed(value, 4) for value in found.lever_arm_m)
+def _convention_tables(found: ConventionValues) -> list[Block]:
+    blocks: list[Block] = [_angle_table(found)] if found.angles else []
+    x, y, z = (signed_number(value, 4) for value in found.lever_arm_m)
     axes = found.body_axes
     source = gettext(
         "{status}; source: {source}", status=found.status_in_words, source=found.source
@@ -41,7 +48,7 @@ def _convention(found: InConvention) -> list[Block]:
     values = [
         (gettext("Verification"), source),
         *([(gettext("Assumption"), str(found.assumption))] if found.assumption is not None else []),
-        (gettext("Rotation"), _rotation(found)),
+        (gettext("Rotation"), _rotation_text(found)),
         (
             gettext("Body axes"),
             gettext("X {x}, Y {y}, Z {z}", x=axes[0], y=axes[1], z=axes[2]),
@@ -49,7 +56,9 @@ def _convention(found: InConvention) -> list[Block]:
         (gettext("Scanner axes"), str(found.scanner_in_words)),
         (gettext("Lever arm"), lever_arm),
     ]
-    blocks.append(facts(gettext("Convention of {program}", program=_program(found.name)), values))
+    blocks.append(
+        facts_table(gettext("Convention of {program}", program=_program_name(found.name)), values)
+    )
     notes = (found.check_first, found.note, found.offsets_in_words, found.caution)
     blocks += [
         Paragraph(message_text(each).replace(" -", f" {MINUS}"))
@@ -59,25 +68,25 @@ def _convention(found: InConvention) -> list[Block]:
     return blocks
 
 
-def _angles(found: InConvention) -> Table:
+def _angle_table(found: ConventionValues) -> Table:
     decimals = 4 if found.note is None else EXACT
     deg = degrees_unit()
     return Table(
         gettext(
             "Boresight for {program}: convention {status}",
-            program=_program(found.name), status=found.status_in_words,
+            program=_program_name(found.name), status=found.status_in_words,
         ),
         (
             Column(gettext("Angle"), "left"),
-            Column(in_unit(gettext("Value"), deg)),
-            Column(in_unit(gettext("1 sigma"), deg)),
+            Column(title_with_unit(gettext("Value"), deg)),
+            Column(title_with_unit(gettext("1 sigma"), deg)),
             Column(gettext("Sign"), "left", wide=True),
         ),
-        rows(
+        as_rows(
             [
                 capitalised(str(angle.name)),
-                signed(angle.value_deg, decimals),
-                known(angle.sigma_deg, lambda v: fixed(v, 4)),
+                signed_number(angle.value_deg, decimals),
+                format_known(angle.sigma_deg, lambda v: fixed_number(v, 4)),
                 str(angle.meaning),
             ]
             for angle in found.angles
@@ -85,12 +94,12 @@ def _angles(found: InConvention) -> Table:
     )  # fmt: skip
 
 
-def _program(name: str) -> str:
+def _program_name(name: str) -> str:
     """Name of a program: some of them have words to translate."""
     return gettext(name)
 
 
-def _rotation(found: InConvention) -> str:
+def _rotation_text(found: ConventionValues) -> str:
     if not found.angles:
         return gettext("this program imports a matrix, not angles")
     return gettext(
@@ -98,18 +107,18 @@ def _rotation(found: InConvention) -> str:
     )
 
 
-def _matrix(found: ScannerToBody) -> list[Block]:
+def _matrix_tables(found: ScannerToBodyMatrix) -> list[Block]:
     axes = found.body_axes
     return [
         Table(
-            gettext("Matrix from scanner to body for {program}", program=_program(found.name)),
+            gettext("Matrix from scanner to body for {program}", program=_program_name(found.name)),
             (
                 Column(gettext("Scanner X")),
                 Column(gettext("Scanner Y")),
                 Column(gettext("Scanner Z")),
                 Column(gettext("Lever arm (m)")),
             ),
-            rows([fixed(value, 10) for value in row] for row in found.transform),
+            as_rows([fixed_number(value, 10) for value in row] for row in found.transform),
         ),
         Paragraph(
             gettext(

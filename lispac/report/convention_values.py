@@ -7,16 +7,25 @@ import numpy as np
 from lispac.language import LazyText, gettext_lazy
 from lispac.messages import Message
 from lispac.project import Project
-from lispac.survey.conventions.conversion import MountingInSystem, Setup, state
-from lispac.survey.conventions.systems import DIRECTION_WORDS, STATUS_WORDS, Status, system
-from lispac.survey.conventions.words import CHECK_FIRST, THESIS_MODE, offsets_note
+from lispac.survey.conventions.conversion import (
+    ConventionSetup,
+    MountingInSystem,
+    convert_to_system,
+)
+from lispac.survey.conventions.mounting_texts import CHECK_FIRST, THESIS_MODE, offsets_note
+from lispac.survey.conventions.systems import (
+    DIRECTION_WORDS,
+    STATUS_WORDS,
+    Status,
+    convention_of_key,
+)
 
 MATRIX_OF = "pdal"
 """The program whose matrix is in every report: any point cloud software can apply it."""
 
 
 @dataclass(frozen=True)
-class StatedAngle:
+class ConventionAngle:
     """One angle as the other program names it; its sigma is None where it has no meaning."""
 
     name: LazyText
@@ -26,7 +35,7 @@ class StatedAngle:
 
 
 @dataclass(frozen=True)
-class InConvention:
+class ConventionValues:
     """Boresight and lever arm in the convention of another program, and its verification.
 
     ``transform`` is the 4x4 matrix from scanner to body coordinates of that program, metres;
@@ -40,7 +49,7 @@ class InConvention:
     source: LazyText
     assumption: LazyText | None
     check_first: Message | None
-    angles: tuple[StatedAngle, ...]
+    angles: tuple[ConventionAngle, ...]
     note: Message | None
     caution: Message | None
     formula: LazyText
@@ -53,7 +62,7 @@ class InConvention:
 
 
 @dataclass(frozen=True)
-class ScannerToBody:
+class ScannerToBodyMatrix:
     """The matrix from scanner to body coordinates: ``transform`` with the lever arm in metres."""
 
     system: str
@@ -63,7 +72,7 @@ class ScannerToBody:
     transform: tuple[tuple[float, ...], ...]
 
 
-def in_convention(project: Project, key: str) -> InConvention | None:
+def convention_values(project: Project, key: str) -> ConventionValues | None:
     """Values to enter in the other program; None where nothing is estimated yet.
 
     Raises
@@ -71,13 +80,13 @@ def in_convention(project: Project, key: str) -> InConvention | None:
     InputError
         Where there is no such program.
     """
-    setup = Setup(system(key))
-    stated = _stated(project, setup)
+    setup = ConventionSetup(convention_of_key(key))
+    stated = _mounting_in_convention(project, setup)
     if stated is None:
         return None
     assert project.result is not None
     mounting, convention = project.result.mounting, setup.convention
-    return InConvention(
+    return ConventionValues(
         system=convention.key,
         name=convention.name,
         status=setup.status,
@@ -85,7 +94,7 @@ def in_convention(project: Project, key: str) -> InConvention | None:
         source=gettext_lazy(convention.source),
         assumption=setup.assumption,
         check_first=None if setup.status == "verified" else CHECK_FIRST,
-        angles=_angles(stated),
+        angles=_angle_values(stated),
         note=stated.note,
         caution=None if project.result.model.correlated else THESIS_MODE,
         formula=convention.formula,
@@ -94,38 +103,38 @@ def in_convention(project: Project, key: str) -> InConvention | None:
         scanner_in_words=setup.scanner_axes(mounting.rotation_body_lidar),
         offsets_in_words=offsets_note(mounting),
         lever_arm_m=tuple(map(float, stated.lever_arm)),
-        transform=_rows(stated.transform),
+        transform=_matrix_rows(stated.transform),
     )
 
 
-def scanner_to_body(project: Project) -> ScannerToBody | None:
+def scanner_to_body_matrix(project: Project) -> ScannerToBodyMatrix | None:
     """The matrix for PDAL; None where nothing is estimated yet."""
-    setup = Setup(system(MATRIX_OF))
-    stated = _stated(project, setup)
+    setup = ConventionSetup(convention_of_key(MATRIX_OF))
+    stated = _mounting_in_convention(project, setup)
     if stated is None:
         return None
-    return ScannerToBody(
+    return ScannerToBodyMatrix(
         system=setup.convention.key,
         name=setup.convention.name,
         body_axes=tuple(map(gettext_lazy, setup.axes)),
-        rotation=_rows(stated.transform[:3, :3]),
-        transform=_rows(stated.transform),
+        rotation=_matrix_rows(stated.transform[:3, :3]),
+        transform=_matrix_rows(stated.transform),
     )
 
 
-def _stated(project: Project, setup: Setup) -> MountingInSystem | None:
+def _mounting_in_convention(project: Project, setup: ConventionSetup) -> MountingInSystem | None:
     if project.result is None:
         return None
     covariance = np.asarray(project.result.covariance)[:3, :3]
-    return state(project.mounting("estimated"), setup, covariance)
+    return convert_to_system(project.mounting("estimated"), setup, covariance)
 
 
-def _angles(stated: MountingInSystem) -> tuple[StatedAngle, ...]:
+def _angle_values(stated: MountingInSystem) -> tuple[ConventionAngle, ...]:
     if stated.angles is None:
         return ()
     sigmas = [None] * 3 if stated.sigmas is None else np.degrees(stated.sigmas).tolist()
     return tuple(
-        StatedAngle(
+        ConventionAngle(
             gettext_lazy(turn.name), gettext_lazy(turn.meaning), float(np.degrees(value)), sigma
         )
         for turn, value, sigma in zip(
@@ -134,5 +143,5 @@ def _angles(stated: MountingInSystem) -> tuple[StatedAngle, ...]:
     )
 
 
-def _rows(matrix: np.ndarray) -> tuple[tuple[float, ...], ...]:
+def _matrix_rows(matrix: np.ndarray) -> tuple[tuple[float, ...], ...]:
     return tuple(tuple(float(value) + 0.0 for value in row) for row in matrix)

@@ -7,13 +7,13 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from lispac.adjustment.result import ANGLES
-from lispac.design.monte_carlo import Scatter
-from lispac.design.scenarios import Outcome
-from lispac.design.search import Step
+from lispac.design.monte_carlo import MonteCarloResult
+from lispac.design.plan_search import ReductionStep
+from lispac.design.scenarios import ScenarioOutcome
 from lispac.language import N_, gettext
-from lispac.report.design_words import NAMES
-from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress
-from lispac.report.wording import fixed, parameter
+from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank_figure, style_axes
+from lispac.report.stochastic_model_names import NAMES
+from lispac.report.text_format import fixed_number, parameter_name
 
 BEYOND = 4.0
 """Predicted sigmas to either side that errors are drawn to; larger ones count at the border."""
@@ -30,11 +30,11 @@ COLOURS = (BEFORE, AFTER, "#228833")
 """Of roll, pitch and yaw; distinguishable with any colour vision."""
 
 
-def scenario_figure(found: Sequence[Outcome], figure: Figure | None = None) -> Figure:
+def scenario_figure(found: Sequence[ScenarioOutcome], figure: Figure | None = None) -> Figure:
     """Sigmas of roll, pitch and yaw for each case of one scenario, in both stochastic models."""
     models = [m for m in NAMES if any(each.pos_errors == m for each in found)]
     labels = {each.case: str(each.label) for each in found}
-    figure = blank(figure, (6.3, 0.9 + 1.9 * len(models)))
+    figure = blank_figure(figure, (6.3, 0.9 + 1.9 * len(models)))
     panels = figure.subplots(len(models), 1, sharex=True, squeeze=False)[:, 0]
     for axes, model in zip(panels, models, strict=True):
         own = {each.case: np.degrees(each.sigma) for each in found if each.pos_errors == model}
@@ -43,11 +43,11 @@ def scenario_figure(found: Sequence[Outcome], figure: Figure | None = None) -> F
         for k, (angle, colour) in enumerate(zip(ANGLES, COLOURS, strict=True)):
             at = np.arange(len(labels)) + 0.27 * (k - 1)
             axes.bar(at, np.where(np.isfinite(table[:, k]), table[:, k], 0.0), 0.25, color=colour,
-                     label=parameter(angle))  # fmt: skip
+                     label=parameter_name(angle))  # fmt: skip
         for x in np.flatnonzero(~np.isfinite(table).all(axis=1)):
             axes.text(x, 0.03 * highest, gettext("not determined"), rotation=90, fontsize=SMALL,
                       color=INK, ha="center", va="bottom")  # fmt: skip
-        dress(axes, "", gettext("1 sigma (deg)"))
+        style_axes(axes, "", gettext("1 sigma (deg)"))
         axes.set_title(gettext(NAMES[model]), fontsize=TEXT, color=INK, loc="left")
         axes.set_ylim(0.0, 1.12 * highest if highest > 0 else 1.0)
     turned = max(map(len, labels.values())) * len(labels) > 70
@@ -61,7 +61,9 @@ def scenario_figure(found: Sequence[Outcome], figure: Figure | None = None) -> F
     return figure
 
 
-def front_figure(front: Sequence[Step], label: str, figure: Figure | None = None) -> Figure:
+def pareto_front_figure(
+    front: Sequence[ReductionStep], label: str, figure: Figure | None = None
+) -> Figure:
     """The objective by the minutes on site of each plan.
 
     Parameters
@@ -69,7 +71,7 @@ def front_figure(front: Sequence[Step], label: str, figure: Figure | None = None
     label : str
         Name of the objective.
     """
-    figure = blank(figure, (6.3, 2.8))
+    figure = blank_figure(figure, (6.3, 2.8))
     axes = figure.subplots()
     minutes = [step.minutes for step in front]
     values = np.degrees([step.value for step in front])
@@ -79,14 +81,14 @@ def front_figure(front: Sequence[Step], label: str, figure: Figure | None = None
         axes.annotate(size, (x, y), xytext=(4, 4), textcoords="offset points", fontsize=SMALL,
                       color=INK)  # fmt: skip
     quantity = gettext("{quantity} (deg)", quantity=gettext(label))
-    dress(axes, gettext("Minutes on site (labels: targets × lines)"), quantity)
+    style_axes(axes, gettext("Minutes on site (labels: targets × lines)"), quantity)
     axes.set_ylim(0.0, 1.15 * values.max())
     return figure
 
 
-def errors_figure(found: Scatter, figure: Figure | None = None) -> Figure:
+def simulated_errors_figure(found: MonteCarloResult, figure: Figure | None = None) -> Figure:
     """Errors of roll, pitch and yaw over their predicted sigmas, with the expected distribution."""
-    figure = blank(figure, (6.3, 2.6))
+    figure = blank_figure(figure, (6.3, 2.6))
     panels = figure.subplots(1, len(ANGLES), sharex=True, sharey=True)
     unit = np.clip(found.errors / found.foretold, -BEYOND, BEYOND)
     count = len(unit)
@@ -96,14 +98,16 @@ def errors_figure(found: Scatter, figure: Figure | None = None) -> Figure:
     for k, (axes, angle) in enumerate(zip(panels, ANGLES, strict=True)):
         axes.hist(unit[:, k], edges, color=COLOURS[k], alpha=0.75)
         axes.plot(at, expected, color=INK, linewidth=1.0)
-        dress(
+        style_axes(
             axes,
             gettext("error / predicted sigma") if k == 1 else "",
             gettext("number of surveys") if k == 0 else "",
         )
         ratio = found.ratio[k]
         head = gettext(
-            RATIOS[angle], ratio=fixed(ratio, 2), interval=fixed(ratio * found.by_chance, 2)
+            RATIOS[angle],
+            ratio=fixed_number(ratio, 2),
+            interval=fixed_number(ratio * found.ratio_sigma, 2),
         )
         axes.set_title(head, fontsize=TEXT, color=INK, loc="left")
     panels[0].yaxis.set_major_locator(MaxNLocator(nbins=8, integer=True))

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.report.values import Effect, S44Contribution
+from lispac.report.report_values import AngleDisplacement, S44Contribution
 
 EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
 
@@ -19,21 +19,21 @@ TWO_95 = 2.45
 """Standard deviations that make 95 % of a quantity in one and in two dimensions (IHO S-44)."""
 
 
-def effects(result: AdjustmentResult) -> tuple[Effect, ...]:
+def angle_displacements(result: AdjustmentResult) -> tuple[AngleDisplacement, ...]:
     """Displacements by the sigma of each angle, and by all together in the worst direction.
 
     The mean square length of the displacement is d^2 (trace W - u' W u): largest along the
     eigenvector of W's smallest eigenvalue.
     """
-    eigenvalues = np.linalg.eigvalsh(_turns(result))
+    eigenvalues = np.linalg.eigvalsh(_turn_covariance(result))
     rates = [*result.sigma, math.sqrt(eigenvalues[1] + eigenvalues[2])]
     return tuple(
-        Effect(name, tuple(float(rate * distance) for distance in EFFECT_DISTANCES_M))
+        AngleDisplacement(name, tuple(float(rate * distance) for distance in EFFECT_DISTANCES_M))
         for name, rate in zip((*ANGLES, "worst direction"), rates, strict=True)
     )
 
 
-def in_words_of_s44(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
+def s44_contributions(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
     """Contribution to the horizontal and vertical uncertainty, for a level vessel.
 
     The variance of the displacement along a unit vector e is d^2 (u x e)' W (u x e). Upwards, the
@@ -41,7 +41,7 @@ def in_words_of_s44(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
     horizontal part of W; along all horizontal e together they are all there are, so the longest
     axis of the worst horizontal ellipse has the largest eigenvalue of W itself.
     """
-    turns = _turns(result)
+    turns = _turn_covariance(result)
     horizontal = TWO_95 * math.sqrt(np.linalg.eigvalsh(turns)[-1])
     vertical = ONE_95 * math.sqrt(np.linalg.eigvalsh(turns[:2, :2])[-1])
     return tuple(
@@ -50,7 +50,7 @@ def in_words_of_s44(result: AdjustmentResult) -> tuple[S44Contribution, ...]:
     )
 
 
-def _turns(result: AdjustmentResult) -> NDArray[np.float64]:
+def _turn_covariance(result: AdjustmentResult) -> NDArray[np.float64]:
     """Covariance of the small turn about the body's axes, shape (3, 3), radians squared."""
     rotation = result.mounting.rotation_body_lidar
     turning = result.mounting.rotation_derivatives @ rotation.T  # skew matrices of J's columns

@@ -9,36 +9,36 @@ from lispac.language import gettext, in_language
 from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.report import sections
-from lispac.report.absolute_section import absolute
-from lispac.report.blocks import (
+from lispac.report.absolute_section import absolute_check_blocks
+from lispac.report.boresight_section import boresight_blocks
+from lispac.report.checks_section import cross_check_blocks, reliability_blocks
+from lispac.report.convention_section import convention_blocks
+from lispac.report.document_blocks import (
     Block,
     Document,
-    Drawing,
     Letterhead,
     PageTexts,
     Paragraph,
     Picture,
     Section,
     Status,
+    UndrawnPictures,
 )
-from lispac.report.boresight_section import boresight
-from lispac.report.checks_section import cross_checks, reliability
-from lispac.report.convention_section import other_programs
-from lispac.report.identity_section import identity, signature
-from lispac.report.opinion_section import second_opinions
+from lispac.report.identity_section import identity_form, signature_lines
+from lispac.report.methods_section import method_blocks
 from lispac.report.options import USUAL, ReportOptions
-from lispac.report.quality_section import quality_of_sightings
-from lispac.report.settings_section import settings
-from lispac.report.standards_section import standards
-from lispac.report.validation_section import validation
-from lispac.report.values import ReportContent
-from lispac.report.wording import HYPHEN, moment, with_minus
+from lispac.report.quality_section import quality_blocks
+from lispac.report.report_values import ReportContent
+from lispac.report.settings_section import settings_blocks
+from lispac.report.standards_section import standards_blocks
+from lispac.report.text_format import HYPHEN, time_text, with_minus_signs
+from lispac.report.validation_section import validation_blocks
 
 TWO_ON_A_PAGE = 92.0
 """Height of a picture, mm, of which two with their captions fit on the smaller page."""
 
 
-def document_of(
+def report_document(
     content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions = USUAL
 ) -> Document:
     """The texts, tables and figures of a report.
@@ -63,42 +63,44 @@ def undrawn_document(
     options: ReportOptions = USUAL,
 ) -> Document:
     """The report in the language in use, its figures not drawn yet."""
-    serious, notes = (_texts(content, serious=wanted) for wanted in (True, False))
-    status, verdict = _verdict(content, bool(serious))
+    serious, notes = (_warning_texts(content, serious=wanted) for wanted in (True, False))
+    status, verdict = _status_text(content, bool(serious))
     parts = [
-        _section(gettext("Boresight and its uncertainty"), boresight(content)),
-        _section(gettext("Uncertainty in standard terms (IHO S-44, USGS)"), standards(content)),
-        _section(gettext("Values for other programs"), other_programs(content)),
-        _section(gettext("Targets and residuals"), sections.residuals(content)),
-        _section(gettext("Quality of the sightings"), quality_of_sightings(content)),
-        _section(gettext("Reliability of the sightings"), reliability(content)),
-        _section(gettext("Cross-checks"), cross_checks(content)),
-        _section(gettext("Validation"), validation(content)),
-        _section(gettext("Alternative methods"), second_opinions(content)),
-        _section(gettext("Check against the reference"), absolute(content)),
-        _section(gettext("Site and lines"), sections.site(content)),
-        _section(gettext("Settings and input files"), settings(content)),
-        _section(gettext("Pictures"), _views(pictures)),
+        _make_section(gettext("Boresight and its uncertainty"), boresight_blocks(content)),
+        _make_section(
+            gettext("Uncertainty in standard terms (IHO S-44, USGS)"), standards_blocks(content)
+        ),
+        _make_section(gettext("Values for other programs"), convention_blocks(content)),
+        _make_section(gettext("Targets and residuals"), sections.residual_blocks(content)),
+        _make_section(gettext("Quality of the sightings"), quality_blocks(content)),
+        _make_section(gettext("Reliability of the sightings"), reliability_blocks(content)),
+        _make_section(gettext("Cross-checks"), cross_check_blocks(content)),
+        _make_section(gettext("Validation"), validation_blocks(content)),
+        _make_section(gettext("Alternative methods"), method_blocks(content)),
+        _make_section(gettext("Check against the reference"), absolute_check_blocks(content)),
+        _make_section(gettext("Site and lines"), sections.site_blocks(content)),
+        _make_section(gettext("Settings and input files"), settings_blocks(content)),
+        _make_section(gettext("Pictures"), _view_pictures(pictures)),
     ]
     return Document(
         title=gettext("Boresight calibration report"),
         project=content.project,
         program=content.program,
-        generated=moment(content.generated),
+        generated=time_text(content.generated),
         status=status,
         verdict=verdict,
-        identity=identity(content),
+        identity=identity_form(content),
         serious=serious,
         cautions=notes,
         summary=(
-            *sections.summary(content),
+            *sections.summary_blocks(content),
             *(Paragraph(text) for text in options.closing.split("\n\n") if text),
-            signature(content),
+            signature_lines(content),
         ),
         sections=tuple(section for section in parts if section.blocks),
         page=options.page,
         letterhead=Letterhead(
-            None if options.logo is None else _picture("", options.logo),
+            None if options.logo is None else _make_picture("", options.logo),
             options.company,
             options.heading,
         ),
@@ -113,18 +115,18 @@ def undrawn_document(
     )
 
 
-def _texts(content: ReportContent, *, serious: bool) -> tuple[str, ...]:
+def _warning_texts(content: ReportContent, *, serious: bool) -> tuple[str, ...]:
     """Texts of the serious warnings, or of the others, with true minus signs."""
-    names = tuple(name for name in _names(content) if HYPHEN.search(name))
+    names = tuple(name for name in _proper_names(content) if HYPHEN.search(name))
     return tuple(
-        with_minus(message_text(each), names)
+        with_minus_signs(message_text(each), names)
         for each in content.cautions
         if each.is_serious == serious
     )
 
 
-def _names(content: ReportContent) -> Iterator[str]:
-    """Names of targets, lines, files and the like, whose hyphens stay."""
+def _proper_names(content: ReportContent) -> Iterator[str]:
+    """Names of targets, lines and files, whose hyphens are not replaced by minus signs."""
     yield from (content.project, content.program)
     yield from (plane.name for plane in content.planes)
     yield from (plane.name for plane in content.validation)
@@ -142,27 +144,27 @@ def drawn_document(document: Document) -> Document:
     """The document with its figures drawn in the language in use."""
     return replace(
         document,
-        summary=_with_pictures(document.summary),
+        summary=_draw_pictures(document.summary),
         sections=tuple(
-            Section(section.title, _with_pictures(section.blocks)) for section in document.sections
+            Section(section.title, _draw_pictures(section.blocks)) for section in document.sections
         ),
     )
 
 
-def _with_pictures(blocks: Iterable[Block]) -> tuple[Block, ...]:
-    from lispac.report.figures import pictures_of
+def _draw_pictures(blocks: Iterable[Block]) -> tuple[Block, ...]:
+    from lispac.report.figures import svg_pictures
 
     made: list[Block] = []
     for block in blocks:
-        if isinstance(block, Drawing):
-            svgs = pictures_of(block.draw, *block.values)
+        if isinstance(block, UndrawnPictures):
+            svgs = svg_pictures(block.draw, *block.values)
             made += [Picture(block.caption, svg, ".svg", block.width) for svg in svgs]
         else:
             made.append(block)
     return tuple(made)
 
 
-def _verdict(content: ReportContent, serious: bool) -> tuple[Status, str]:
+def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
     if not content.calibrated:
         return "bad", gettext("NOT CALIBRATED")
     if serious:
@@ -172,13 +174,13 @@ def _verdict(content: ReportContent, serious: bool) -> tuple[Status, str]:
     return "good", gettext("CALIBRATED")
 
 
-def _views(pictures: Mapping[str, Path]) -> list[Picture]:
-    """Before and after are compared: both on one page."""
+def _view_pictures(pictures: Mapping[str, Path]) -> list[Picture]:
+    """Pictures before and after the calibration, sized to fit on one page."""
     tallest = TWO_ON_A_PAGE if len(pictures) > 1 else Picture.tallest
-    return [replace(_picture(*each), tallest=tallest) for each in pictures.items()]
+    return [replace(_make_picture(*each), tallest=tallest) for each in pictures.items()]
 
 
-def _picture(caption: str, path: Path) -> Picture:
+def _make_picture(caption: str, path: Path) -> Picture:
     suffix = path.suffix.lower()
     if suffix not in (".png", ".svg"):
         raise InputError(error("report.picture_format", file=str(path)))
@@ -191,5 +193,5 @@ def _picture(caption: str, path: Path) -> Picture:
         ) from failure
 
 
-def _section(title: str, blocks: Sequence[Block]) -> Section:
+def _make_section(title: str, blocks: Sequence[Block]) -> Section:
     return Section(title, tuple(blocks))

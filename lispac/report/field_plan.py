@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from lispac.design.plan import Line, Plan
 from lispac.design.prediction import predict
-from lispac.design.site import Wall, least_off
+from lispac.design.site import Wall, clearance_from_wall
 from lispac.language import N_, Plural, gettext
 from lispac.report.figures import AFTER, BEFORE, GRID, INK, SMALL, TEXT, LocalisedFormatter
-from lispac.report.wording import fixed, localised, shortest, signed
-from lispac.simulation.closed_form import Ball, Board
+from lispac.report.text_format import fixed_number, localised_number, shortest_number, signed_number
+from lispac.simulation.closed_form_survey import Ball, Board
 
 Array = NDArray[np.float64]
 
@@ -41,10 +41,10 @@ BARS = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 """Metres: lengths of the scale."""
 
 
-def field_plan(
+def field_plan_figure(
     plan: Plan, wall: Wall, title: str, notes: Sequence[str] = (), *, cautions: Sequence[str] = ()
 ) -> Figure:
-    """Drawing, boards, lines and predicted sigmas on one page.
+    """Figure of one page with drawing, boards, lines and predicted sigmas.
 
     Parameters
     ----------
@@ -63,23 +63,27 @@ def field_plan(
     pitch = min(PITCH, (ROOM + lift) / rows)
     figure = Figure(figsize=PAGE)
     figure.text(0.07, 0.955, title, fontsize=15, weight="bold", color=INK)
-    figure.text(0.07, 0.933, _expected(plan), fontsize=TEXT + 1, color=INK)
-    _from_above(figure.add_axes((0.09, 0.52 + lift, 0.85, 0.39 - lift)), plan, wall)
-    _front(figure.add_axes((0.09, 0.365 + lift, 0.85, 0.105)), plan, wall)
+    figure.text(0.07, 0.933, _predicted_sigma_text(plan), fontsize=TEXT + 1, color=INK)
+    _draw_plan_view(figure.add_axes((0.09, 0.52 + lift, 0.85, 0.39 - lift)), plan, wall)
+    _draw_front_view(figure.add_axes((0.09, 0.365 + lift, 0.85, 0.105)), plan, wall)
     low = 0.325 + lift
-    _table(figure, low, pitch, gettext("Targets"), TARGET_HEADS, _target_rows(plan, wall))
+    _draw_table(figure, low, pitch, gettext("Targets"), TARGET_HEADS, _target_rows(plan, wall))
     low -= pitch * (len(plan.targets) + 2.3)
-    _table(figure, low, pitch, gettext("Lines in survey order"), LINE_HEADS, _line_rows(plan, wall))
+    _draw_table(
+        figure, low, pitch, gettext("Lines in survey order"), LINE_HEADS, _line_rows(plan, wall)
+    )
     low -= pitch * (len(plan.lines) + 2.3)
     for caution in cautions:
         figure.text(0.07, low, caution, fontsize=TEXT, color=WRONG, va="top", weight="bold")
         low -= pitch
-    text = "\n".join(fill(note, WIDE) for note in (gettext(ASSUMED), _assumptions(plan), *notes))
+    text = "\n".join(
+        fill(note, WIDE) for note in (gettext(ASSUMED), _assumptions_text(plan), *notes)
+    )
     figure.text(0.07, low, text, fontsize=SMALL, color=INK, va="top", linespacing=1.4)
     return figure
 
 
-def _expected(plan: Plan) -> str:
+def _predicted_sigma_text(plan: Plan) -> str:
     found = predict(plan)
     if not found.determined:
         return gettext("This survey plan does not determine the boresight angles.")
@@ -87,27 +91,29 @@ def _expected(plan: Plan) -> str:
     return gettext(
         "Predicted (1 sigma): roll {roll:deg.4}, pitch {pitch:deg.4}, yaw {yaw:deg.4} deg. Time on "
         "lines: {minutes} min.",
-        roll=roll, pitch=pitch, yaw=yaw, minutes=fixed(plan.duration / 60, 0),
+        roll=roll, pitch=pitch, yaw=yaw, minutes=fixed_number(plan.duration / 60, 0),
     )  # fmt: skip
 
 
-def _assumptions(plan: Plan) -> str:
+def _assumptions_text(plan: Plan) -> str:
     pos = plan.system.pos
     return gettext(
         "Prediction for POS sigmas of {position} mm (north, east, up) and {attitude} deg (roll, "
         "pitch, heading), and for targets with a form error of {flatness} mm.",
-        position=_three([shortest(1000 * value) for value in pos.sigma_position]),
-        attitude=_three([localised(f"{value:.3g}") for value in np.degrees(pos.sigma_attitude)]),
-        flatness=shortest(1000 * plan.flatness),
-    )  # fmt: skip
+        position=_triple_text([shortest_number(1000 * value) for value in pos.sigma_position]),
+        attitude=_triple_text(
+            [localised_number(f"{value:.3g}") for value in np.degrees(pos.sigma_attitude)]
+        ),
+        flatness=shortest_number(1000 * plan.flatness),
+    )
 
 
-def _three(numbers: Sequence[str]) -> str:
+def _triple_text(numbers: Sequence[str]) -> str:
     x, y, z = numbers
     return gettext("{x}, {y}, {z}", x=x, y=y, z=z)
 
 
-def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
+def _draw_plan_view(axes: Axes, plan: Plan, wall: Wall) -> None:
     """East to the right, north up; the wall, the targets and the lines with their numbers."""
     middle = np.array(plan.middle[:2])
     aside = 0.02 * max(line.distance for line in plan.lines)  # opposite lines beside each other
@@ -115,7 +121,9 @@ def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
     reach = max(line.distance for line in plan.lines) + 5.0
     ends = middle + np.outer([-reach, reach], wall.right)
     axes.plot(*_east_north(ends), color=WALL, linewidth=3, zorder=1)
-    for k, (line, (start, stop)) in enumerate(zip(plan.lines, plan.runs, strict=True), start=1):
+    for k, (line, (start, stop)) in enumerate(
+        zip(plan.lines, plan.straight_extents, strict=True), start=1
+    ):
         direction, abeam = _direction(line), np.array(line.abeam(plan.middle))
         abeam = abeam + aside * np.array([direction[1], -direction[0]])
         first, last = abeam + start * direction, abeam + stop * direction
@@ -146,7 +154,7 @@ def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
     axes.yaxis.set_major_formatter(LocalisedFormatter())
     axes.set_xlabel(gettext("East (m)"), fontsize=TEXT, color=INK)
     axes.set_ylabel(gettext("North (m)"), fontsize=TEXT, color=INK)
-    _north_and_scale(axes)
+    _draw_north_and_scale(axes)
     axes.set_title(
         gettext(
             "Plan view. A number marks the start of a line; reciprocal lines are drawn side by side"
@@ -157,7 +165,7 @@ def _from_above(axes: Axes, plan: Plan, wall: Wall) -> None:
     )
 
 
-def _north_and_scale(axes: Axes) -> None:
+def _draw_north_and_scale(axes: Axes) -> None:
     """An arrow to the north, which is up, and a scale bar."""
     axes.apply_aspect()
     axes.autoscale(False)
@@ -175,14 +183,14 @@ def _north_and_scale(axes: Axes) -> None:
     axes.text(
         x + bar / 2,
         y + 0.015 * tall,
-        gettext("{length} m", length=shortest(bar)),
+        gettext("{length} m", length=shortest_number(bar)),
         fontsize=TEXT,
         color=INK,
         ha="center",
     )
 
 
-def _front(axes: Axes, plan: Plan, wall: Wall) -> None:
+def _draw_front_view(axes: Axes, plan: Plan, wall: Wall) -> None:
     """The wall as seen from the water."""
     for target in plan.targets:
         along = wall.seen(target.centre)[0]
@@ -226,46 +234,46 @@ def _target_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
     for target in plan.targets:
         along, off, up = wall.seen(target.centre)
-        place = (target.name, _signed(along), _signed(off), fixed(up, 2))
+        place = (target.name, _signed_metres(along), _signed_metres(off), fixed_number(up, 2))
         if isinstance(target, Ball):
             ball = gettext("sphere, r {radius:m.3}", radius=target.radius)
             rows.append((*place, ball, "", ""))
             continue
-        lean, azimuth = wall.facing_of(target)
-        faces = "" if lean < 0.05 or lean > 179.95 else fixed(azimuth, 0)
-        size = f"{fixed(target.width, 2)} x {fixed(target.height, 2)}"
-        rows.append((*place, size, _inclination(lean), faces))
+        lean, azimuth = wall.board_orientation(target)
+        faces = "" if lean < 0.05 or lean > 179.95 else fixed_number(azimuth, 0)
+        size = f"{fixed_number(target.width, 2)} x {fixed_number(target.height, 2)}"
+        rows.append((*place, size, _inclination_text(lean), faces))
     return rows
 
 
-def _signed(metres: float) -> str:
-    return signed(metres, 2) if abs(metres) >= 0.005 else fixed(0.0, 2)
+def _signed_metres(metres: float) -> str:
+    return signed_number(metres, 2) if abs(metres) >= 0.005 else fixed_number(0.0, 2)
 
 
-def _inclination(degrees: float) -> str:
+def _inclination_text(degrees: float) -> str:
     """Inclination from level, and to which side; 90 is upright."""
     if abs(degrees - 90.0) < 0.5:
         return gettext("90, vertical")
     if degrees < 90.0:
-        return gettext("{degrees}, tilted back", degrees=fixed(degrees, 0))
-    return gettext("{degrees}, tilted forward", degrees=fixed(180 - degrees, 0))
+        return gettext("{degrees}, tilted back", degrees=fixed_number(degrees, 0))
+    return gettext("{degrees}, tilted forward", degrees=fixed_number(180 - degrees, 0))
 
 
 def _line_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
-    each = zip(plan.lines, plan.runs, least_off(plan, wall), strict=True)
+    each = zip(plan.lines, plan.straight_extents, clearance_from_wall(plan, wall), strict=True)
     for k, (line, (start, stop), off) in enumerate(each, start=1):
         rows.append(
             (
-                f"{k}", fixed(line.heading_deg % 360, 0), shortest(line.distance),
-                gettext("starboard") if line.starboard else gettext("port"), fixed(off, 1),
-                shortest(line.speed), f"{signed(start, 0)}, {signed(stop, 0)}",
+                f"{k}", fixed_number(line.heading_deg % 360, 0), shortest_number(line.distance),
+                gettext("starboard") if line.starboard else gettext("port"), fixed_number(off, 1),
+                shortest_number(line.speed), f"{signed_number(start, 0)}, {signed_number(stop, 0)}",
             )
         )  # fmt: skip
     return rows
 
 
-def _table(
+def _draw_table(
     figure: Figure, top: float, pitch: float, title: str, heads: Sequence[str],
     rows: Sequence[Sequence[str]],
 ) -> None:  # fmt: skip

@@ -23,17 +23,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.language import N_, current_language, gettext, in_language
-from lispac.report.values import (
-    Line,
+from lispac.report.report_values import (
+    LineValues,
     PickedPlane,
     SightingCheck,
     SightingFit,
 )
-from lispac.report.wording import (
-    fixed,
-    localised,
-    parameter,
-    signed,
+from lispac.report.text_format import (
+    fixed_number,
+    localised_number,
+    parameter_name,
+    signed_number,
 )
 
 Array = NDArray[np.float64]
@@ -74,15 +74,21 @@ def correlation_figure_of(
     """`correlation_figure` of a report's content; names as in `AdjustmentResult.estimated`."""
     matrix = np.asarray(correlation)
     side = max(2.8, 0.9 + 0.42 * len(names))
-    figure = blank(figure, (side + 0.6, side))
+    figure = blank_figure(figure, (side + 0.6, side))
     axes = figure.add_subplot()
     image = axes.imshow(matrix, cmap="PuOr", vmin=-1, vmax=1)
     for (row, column), value in np.ndenumerate(matrix):
         colour = "white" if abs(value) > 0.7 else INK
         axes.text(
-            column, row, signed(value, 2), ha="center", va="center", color=colour, fontsize=SMALL
+            column,
+            row,
+            signed_number(value, 2),
+            ha="center",
+            va="center",
+            color=colour,
+            fontsize=SMALL,
         )
-    labels = [parameter(name) for name in names]
+    labels = [parameter_name(name) for name in names]
     axes.set_xticks(range(len(names)), labels)
     if len(names) > 3:
         for label in axes.get_xticklabels():
@@ -109,7 +115,7 @@ def site_figure(
     tracks : (k, 2) by name of the line, metres; north and west
     targets, validation : seed by name, metres; north and west, and up, which is not drawn
     """
-    figure = blank(figure, (6.3, 4.4))
+    figure = blank_figure(figure, (6.3, 4.4))
     axes = figure.add_subplot()
     for k, (name, points) in enumerate(tracks.items()):
         _draw_track(
@@ -126,13 +132,13 @@ def site_figure(
     axes.set_aspect("equal", adjustable="datalim")
     axes.margins(0.08)
     axes.invert_xaxis()  # west is positive in the local frame, and lies on the left
-    dress(axes, gettext("West (m)"), gettext("North (m)"))
+    style_axes(axes, gettext("West (m)"), gettext("North (m)"))
     if tracks or targets or validation:
         figure.legend(loc="outside right upper", fontsize=SMALL, frameon=False, labelcolor=INK)
     return figure
 
 
-def site_figure_of(lines: Sequence[Line], planes: Sequence[PickedPlane]) -> Figure:
+def site_figure_of(lines: Sequence[LineValues], planes: Sequence[PickedPlane]) -> Figure:
     """`site_figure` of a report's content."""
     return site_figure(
         {line.name: line.track_local_m for line in lines if len(line.track_local_m) > 0},
@@ -143,7 +149,7 @@ def site_figure_of(lines: Sequence[Line], planes: Sequence[PickedPlane]) -> Figu
 
 def residual_figure(result: AdjustmentResult, figure: Figure | None = None) -> Figure:
     """RMS of each sighting about its target's surface, before and after."""
-    return _bars(
+    return _before_after_bars(
         figure,
         [
             f"{short_name(s.sighting.target)}  {short_name(s.sighting.line)}"
@@ -161,21 +167,21 @@ def residual_figures_of(sightings: Sequence[SightingFit]) -> list[Figure]:
         some = sightings[start : start + PER_RESIDUAL_FIGURE]
         labels = [f"{short_name(s.target)}  {short_name(s.line)}" for s in some]
         before, after = [s.rms_before_m for s in some], [s.rms_after_m for s in some]
-        figures.append(_bars(None, labels, before, after))
+        figures.append(_before_after_bars(None, labels, before, after))
     return figures
 
 
 def pos_error_figures_of(sightings: Sequence[SightingCheck]) -> list[Figure]:
     """Estimated POS errors with their prior, in as many figures as fill a page each."""
     return [
-        _pos_errors(sightings[start : start + PER_RESIDUAL_FIGURE])
+        _pos_error_figure(sightings[start : start + PER_RESIDUAL_FIGURE])
         for start in range(0, len(sightings), PER_RESIDUAL_FIGURE)
     ]
 
 
-def _pos_errors(sightings: Sequence[SightingCheck]) -> Figure:
+def _pos_error_figure(sightings: Sequence[SightingCheck]) -> Figure:
     """A row for each sighting, a panel for each component: error, 2 sigma, prior 2 sigma."""
-    figure = blank(None, (6.3, 0.75 + 0.17 * len(sightings)))
+    figure = blank_figure(None, (6.3, 0.75 + 0.17 * len(sightings)))
     panels = figure.subplots(1, 6, sharey=True)
     values, prior, after = (
         1000 * np.array([[*metres, *degrees] for metres, degrees in pairs])
@@ -200,7 +206,9 @@ def _pos_errors(sightings: Sequence[SightingCheck]) -> Figure:
         )
         axes.set_xlim(-widest, widest)
         axes.locator_params(axis="x", nbins=3)
-        dress(axes, "mm" if k < 3 else gettext("{number}\u00a0deg", number=fixed(0.001, 3)), "")
+        style_axes(
+            axes, "mm" if k < 3 else gettext("{number}\u00a0deg", number=fixed_number(0.001, 3)), ""
+        )
         axes.grid(False)
         axes.set_title(gettext(name), fontsize=TEXT, color=INK)
         axes.tick_params(axis="y", length=0)
@@ -220,7 +228,7 @@ def svg_of(figure: Figure) -> bytes:
     return stream.getvalue()
 
 
-def pictures_of(
+def svg_pictures(
     draw: Callable[..., Figure | Sequence[Figure]], *values: object
 ) -> tuple[bytes, ...]:
     """The figures that ``draw`` makes of a report's values, as SVG, in the language in use.
@@ -228,22 +236,22 @@ def pictures_of(
     Nearly all of a report's time goes into them, and its three forms have the same ones, as does
     the next report with a plane that did not change: the last ones are kept.
     """
-    return drawn(draw, pickle.dumps(values), current_language())
+    return render_pictures(draw, pickle.dumps(values), current_language())
 
 
 @lru_cache(maxsize=64)  # those of a few reports, some megabytes
-def drawn(
+def render_pictures(
     draw: Callable[..., Figure | Sequence[Figure]], values: bytes, language: str
 ) -> tuple[bytes, ...]:
-    """`pictures_of` pickled values, equal to the last digit and sign."""
+    """SVG pictures of a figure function with pickled values."""
     with in_language(language):
         made = draw(*pickle.loads(values))
         figures = [made] if isinstance(made, Figure) else made
         return tuple(map(svg_of, figures))
 
 
-def blank(figure: Figure | None, size: tuple[float, float]) -> Figure:
-    """The figure emptied, or a new one of this size in inches."""
+def blank_figure(figure: Figure | None, size: tuple[float, float]) -> Figure:
+    """Cleared figure, or a new one of this size in inches."""
     if figure is None:
         return Figure(figsize=size, layout="constrained")
     figure.clear()
@@ -251,7 +259,7 @@ def blank(figure: Figure | None, size: tuple[float, float]) -> Figure:
     return figure
 
 
-def dress(axes: Axes, x_label: str, y_label: str) -> None:
+def style_axes(axes: Axes, x_label: str, y_label: str) -> None:
     """Set labels, grid, spines and number format common to all figures."""
     axes.set_xlabel(x_label, fontsize=TEXT, color=INK)
     axes.set_ylabel(y_label, fontsize=TEXT, color=INK)
@@ -270,38 +278,40 @@ class LocalisedFormatter(ScalarFormatter):
 
     def __call__(self, x: float, pos: int | None = None) -> str:
         """Text of one number."""
-        return localised(super().__call__(x, pos))
+        return localised_number(super().__call__(x, pos))
 
     def format_data_short(self, value: float) -> str:  # type: ignore[override]
         """Text of a number below the pointer."""
-        return localised(super().format_data_short(value))
+        return localised_number(super().format_data_short(value))
 
 
 @cache
-def drawable() -> frozenset[int]:
+def drawable_characters() -> frozenset[int]:
     """Code points of the font that comes with matplotlib."""
     path = Path(matplotlib.get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"
     return frozenset(FT2Font(str(path)).get_charmap())
 
 
-def _plain(text: str) -> str:
+def _drawable_text(text: str) -> str:
     """The text without mathematics and without letters that the font does not have."""
-    shown = "".join(letter if ord(letter) in drawable() else "\u25a1" for letter in text)
+    shown = "".join(letter if ord(letter) in drawable_characters() else "\u25a1" for letter in text)
     return shown.replace("$", r"\$")
 
 
 def short_name(name: str) -> str:
     """A name of the user, cut to a length that leaves space for the plot."""
-    return _plain(name if len(name) <= LONGEST_LABEL else name[: LONGEST_LABEL - 1] + "\u2026")
+    return _drawable_text(
+        name if len(name) <= LONGEST_LABEL else name[: LONGEST_LABEL - 1] + "\u2026"
+    )
 
 
-def _bars(
+def _before_after_bars(
     figure: Figure | None,
     labels: Sequence[str],
     before: Sequence[float],
     after: Sequence[float],
 ) -> Figure:
-    figure = blank(figure, (6.3, 0.7 + 0.26 * len(labels)))
+    figure = blank_figure(figure, (6.3, 0.7 + 0.26 * len(labels)))
     axes = figure.add_subplot()
     at = np.arange(len(labels))
     for shift, values, colour, label in (
@@ -311,12 +321,12 @@ def _bars(
         millimetres = 1000 * np.asarray(values)
         bars = axes.barh(at + shift, millimetres, height=0.38, color=colour, label=label)
         axes.bar_label(
-            bars, fmt=lambda each: fixed(each, 1), fontsize=SMALL - 1, color=INK, padding=2
+            bars, fmt=lambda each: fixed_number(each, 1), fontsize=SMALL - 1, color=INK, padding=2
         )
     axes.set_yticks(at, labels)
     axes.set_ylim(len(labels) - 0.4, -0.6)
     axes.margins(x=0.1)
-    dress(axes, gettext("RMS distance from the surface of the target (mm)"), "")
+    style_axes(axes, gettext("RMS distance from the surface of the target (mm)"), "")
     axes.grid(False, axis="y")
     axes.tick_params(axis="y", length=0)
     figure.legend(loc="outside upper right", ncols=2, fontsize=SMALL, frameon=False, labelcolor=INK)

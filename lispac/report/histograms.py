@@ -11,12 +11,21 @@ from numpy.typing import ArrayLike, NDArray
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank, dress, short_name
+from lispac.report.figures import (
+    AFTER,
+    BEFORE,
+    INK,
+    SMALL,
+    TEXT,
+    blank_figure,
+    short_name,
+    style_axes,
+)
 from lispac.report.legends import USUAL, top_below_legend
+from lispac.report.text_format import grouped_number, localised_number
 from lispac.report.validation_values import ValidationPlane
-from lispac.report.wording import grouped, localised
-from lispac.validation.bins import merged
-from lispac.validation.results import PlaneComparison
+from lispac.validation.comparison_results import PlaneComparison
+from lispac.validation.distance_bins import merge_bins
 
 Array = NDArray[np.float64]
 
@@ -36,7 +45,7 @@ _POOLED: Mapping[str, str] = {
 
 
 @dataclass(frozen=True, eq=False)
-class _Counted:
+class _BinnedDistances:
     """Fine bins of both states, and a text of the legend for each."""
 
     edges: ArrayLike
@@ -60,38 +69,40 @@ def histogram_figure(
         Draw the share of the points in each millimetre instead of their number in each bin.
     """
     before, after = comparison.before, comparison.after
-    counted = _Counted(
+    counted = _BinnedDistances(
         comparison.bin_edges,
         (comparison.counts_before, comparison.counts_after),
         [
-            _legend(template, each.n, each.median, each.rms, each.p95)
+            _legend_text(template, each.n, each.median, each.rms, each.p95)
             for template, each in ((_BEFORE, before), (_AFTER, after))
         ],
         before.n,
         NEAR * after.p95,
     )
-    title = _title(comparison.name, comparison.pooled_from, message_text(comparison.model.name))
-    return _drawn(figure, title, counted, share)
+    title = _plane_title(
+        comparison.name, comparison.pooled_from, message_text(comparison.model.name)
+    )
+    return _draw_histogram(figure, title, counted, share)
 
 
 def validation_figure(plane: ValidationPlane) -> Figure:
     """`histogram_figure` of a report's content."""
     before, after = plane.before, plane.after
-    counted = _Counted(
+    counted = _BinnedDistances(
         plane.bin_edges_m,
         (plane.counts_before, plane.counts_after),
         [
-            _legend(template, each.n, each.median_m, each.rms_m, each.p95_m)
+            _legend_text(template, each.n, each.median_m, each.rms_m, each.p95_m)
             for template, each in ((_BEFORE, before), (_AFTER, after))
         ],
         before.n,
         NEAR * after.p95_m,
     )
-    title = _title(plane.name, plane.pooled_from, message_text(plane.measured_to))
-    return _drawn(None, title, counted, share=False)
+    title = _plane_title(plane.name, plane.pooled_from, message_text(plane.measured_to))
+    return _draw_histogram(None, title, counted, share=False)
 
 
-def _title(name: str, pooled_from: str, model: str) -> str:
+def _plane_title(name: str, pooled_from: str, model: str) -> str:
     return gettext(_POOLED[pooled_from], plane=short_name(name), model=model)
 
 
@@ -99,12 +110,14 @@ _BEFORE = N_("before: n {count:n}\nmedian {median:mm.1}, RMS {rms:mm.1}, 95 % {p
 _AFTER = N_("after: n {count:n}\nmedian {median:mm.1}, RMS {rms:mm.1}, 95 % {p95:mm.1} mm")
 
 
-def _legend(template: str, count: int, median: float, rms: float, p95: float) -> str:
+def _legend_text(template: str, count: int, median: float, rms: float, p95: float) -> str:
     return gettext(template, count=count, median=median, rms=rms, p95=p95)
 
 
-def _drawn(figure: Figure | None, title: str, counted: _Counted, share: bool) -> Figure:
-    figure = blank(figure, (6.3, 2.5))
+def _draw_histogram(
+    figure: Figure | None, title: str, counted: _BinnedDistances, share: bool
+) -> Figure:
+    figure = blank_figure(figure, (6.3, 2.5))
     top = float(np.asarray(counted.edges)[-1])
     enlarged = counted.near < WORTH_IT * top
     if enlarged:
@@ -114,9 +127,9 @@ def _drawn(figure: Figure | None, title: str, counted: _Counted, share: bool) ->
     size = SMALL if enlarged else TEXT
     amount = gettext("Share of the points\n(% per mm)") if share else gettext("Points")
     for axes, reach, across in zip(places, (top, counted.near), (_WHOLE, _NEAR), strict=False):
-        dress(axes, gettext(across), amount if axes is places[0] else "")
+        style_axes(axes, gettext(across), amount if axes is places[0] else "")
         legend = counted.legend if axes is places[0] else ()
-        _Bars(axes, counted, share, legend, size).show(reach)
+        _HistogramBars(axes, counted, share, legend, size).show(reach)
     places[0].set_title(title, fontsize=TEXT + 1, color=INK, loc="left")
     patches = [patch for patch in places[0].patches if patch.get_fill()]
     places[-1 if enlarged else 0].set_title("")
@@ -127,17 +140,21 @@ def _drawn(figure: Figure | None, title: str, counted: _Counted, share: bool) ->
     return figure
 
 
-def _count(value: float) -> str:
+def _count_text(value: float) -> str:
     """A number of points, or a share, with as many decimals as it needs."""
     whole, _, decimals = f"{value:.12g}".partition(".")
-    return grouped(value, len(decimals)) if whole.lstrip("-").isdigit() else localised(whole)
+    return (
+        grouped_number(value, len(decimals))
+        if whole.lstrip("-").isdigit()
+        else localised_number(whole)
+    )
 
 
-class _Bars:
+class _HistogramBars:
     """Both states in one set of axes, with bins that suit the visible part."""
 
     def __init__(
-        self, axes: Axes, counted: _Counted, share: bool, legend: Sequence[str], size: float
+        self, axes: Axes, counted: _BinnedDistances, share: bool, legend: Sequence[str], size: float
     ) -> None:
         self._axes, self._counted, self._share = axes, counted, share
         self._legend, self._size = legend, size
@@ -150,7 +167,7 @@ class _Bars:
         ]
         for patch in (each for pair in self._patches for each in pair):
             axes.add_patch(patch)
-        axes.yaxis.set_major_formatter(lambda value, _: _count(value))
+        axes.yaxis.set_major_formatter(lambda value, _: _count_text(value))
         axes.callbacks.connect("xlim_changed", lambda _axes: self._follow())
 
     def show(self, reach: float) -> None:
@@ -162,7 +179,7 @@ class _Bars:
         shown = min(max(high - low, 1e-9), 1000.0 * float(np.asarray(self._counted.edges)[-1]))
         highest, edges = np.zeros(0), np.zeros(1)
         for patches, counts in zip(self._patches, self._counted.counts, strict=True):
-            edges, heights = merged(self._counted.edges, counts, shown / 1000.0, BARS)
+            edges, heights = merge_bins(self._counted.edges, counts, shown / 1000.0, BARS)
             edges = 1000.0 * edges
             values = heights.astype(np.float64)
             if self._share:

@@ -1,14 +1,14 @@
-"""The report as one HTML file that needs nothing beside it."""
+"""The report as one self-contained HTML file."""
 
 from base64 import b64encode
 from collections.abc import Mapping
 from importlib.resources import files
 from pathlib import Path
 
-from lispac.report.blocks import Picture
-from lispac.report.document import document_of
+from lispac.report.document import report_document
+from lispac.report.document_blocks import Picture
 from lispac.report.options import USUAL, ReportOptions
-from lispac.report.values import ReportContent
+from lispac.report.report_values import ReportContent
 
 _MEDIA = {".png": "image/png", ".svg": "image/svg+xml"}
 
@@ -25,7 +25,7 @@ def html_text(
     environment.filters["data_uri"] = _data_uri
     template = files("lispac.report") / "templates" / "report.html.j2"
     page = environment.from_string(template.read_text(encoding="utf-8"))
-    return page.render(document=document_of(content, pictures, options)) + "\n"
+    return page.render(document=report_document(content, pictures, options)) + "\n"
 
 
 def write_html(

@@ -2,19 +2,19 @@
 
 from lispac.identity import LABELS, NAMES
 from lispac.language import gettext
-from lispac.report.blocks import Signature, Table, form
-from lispac.report.values import ReportContent
+from lispac.report.document_blocks import Signature, Table, form_table
+from lispac.report.report_values import ReportContent
 
 
-def identity(content: ReportContent) -> Table:
+def identity_form(content: ReportContent) -> Table:
     """Details of the survey, as a form."""
-    return form(
+    return form_table(
         gettext("Details of the survey"),
         [(gettext(LABELS[name]), getattr(content.identity, name)) for name in NAMES],
     )
 
 
-def signature(content: ReportContent) -> Signature:
+def signature_lines(content: ReportContent) -> Signature:
     """Lines for the signature of the surveyor."""
     known = content.identity
     return Signature(

@@ -6,12 +6,12 @@ from dataclasses import asdict, dataclass, fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
-from lispac.installed import resource
+from lispac.installation_paths import resource_path
 from lispac.language import LazyText, in_english
 from lispac.message_texts import english_text
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import Message, plain_params
-from lispac.report.values import ReportContent
+from lispac.report.report_values import ReportContent
 
 NAME = "lispac-report"
 SCHEMA_VERSION = 2
@@ -19,7 +19,7 @@ SCHEMA_FILE = "report.schema.json"
 
 
 @dataclass(frozen=True)
-class Caution:
+class JsonWarning:
     """A warning (``serious``) or a note, in English; ``code`` names the condition.
 
     ``former_code`` is what versions before typed messages called it.
@@ -38,13 +38,13 @@ def json_text(content: ReportContent) -> str:
         "schema": NAME,
         "schema_version": SCHEMA_VERSION,
         **asdict(english_values(content)),
-        "cautions": [asdict(_caution(each)) for each in content.cautions],
+        "cautions": [asdict(_json_warning(each)) for each in content.cautions],
     }
     return json.dumps(values, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def english_values(value: Any) -> Any:
-    """Values with the English text of each message among them."""
+    """Values with each message replaced by its English text."""
     if isinstance(value, Message):
         return english_text(value)
     if isinstance(value, LazyText):
@@ -59,15 +59,15 @@ def english_values(value: Any) -> Any:
     return value
 
 
-def _caution(message: Message) -> Caution:
+def _json_warning(message: Message) -> JsonWarning:
     text = english_text(message)
     severity: Literal["serious", "caution"] = "serious" if message.is_serious else "caution"
-    return Caution(message.code, former_code(message), severity, text, plain_params(message))
+    return JsonWarning(message.code, former_code(message), severity, text, plain_params(message))
 
 
 def schema_text() -> str:
     """The JSON schema (draft 2020-12) that every report in JSON follows."""
-    return resource(SCHEMA_FILE).read_text(encoding="utf-8")
+    return resource_path(SCHEMA_FILE).read_text(encoding="utf-8")
 
 
 def write_json(content: ReportContent, path: Path) -> None:

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from lispac.report.text_width import POINTS_PER_INCH, width_of
+from lispac.report.text_width import POINTS_PER_INCH, text_width
 
 Array = NDArray[np.float64]
 
@@ -42,7 +42,7 @@ def top_below_legend(
     box, em = axes.get_position(), size / POINTS_PER_INCH
     assert figure is not None
     across, up = figure.get_size_inches() * (box.width, box.height)
-    wide = max(width_of(text, size) for text in words) + HANDLE * em
+    wide = max(text_width(text, size) for text in words) + HANDLE * em
     lines = sum(text.count("\n") + 1 for text in words)
     tall = min((ROW * lines + AROUND) * em / up, MOST)
     left = high - min(wide / across, 1.0) * (high - low)

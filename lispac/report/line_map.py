@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from lispac.language import gettext
-from lispac.report.figures import INK, SMALL, TEXT, LocalisedFormatter, blank, dress
-from lispac.report.wording import shortest
+from lispac.report.figures import INK, SMALL, TEXT, LocalisedFormatter, blank_figure, style_axes
+from lispac.report.text_format import shortest_number
 from lispac.validation.line_differences import LineDifference
 
 COLOURS = "viridis_r"
@@ -16,7 +16,7 @@ OUTER = 95.0
 """Percentile of the differences at the end of the colour scale."""
 
 
-def line_map(pairs: Sequence[LineDifference], figure: Figure | None = None) -> Figure:
+def line_difference_map(pairs: Sequence[LineDifference], figure: Figure | None = None) -> Figure:
     """Places of some pairs of lines, coloured by how far the lines are apart there.
 
     Where several lie above each other, on a wall say, the largest difference is seen.
@@ -25,7 +25,7 @@ def line_map(pairs: Sequence[LineDifference], figure: Figure | None = None) -> F
     ----------
     pairs : one at least, with a place at least
     """
-    figure = blank(figure, (6.3, 5.6))
+    figure = blank_figure(figure, (6.3, 5.6))
     axes = figure.subplots()
     place = np.concatenate([pair.place for pair in pairs])
     size = 1000 * np.abs(np.concatenate([pair.distance for pair in pairs]))
@@ -36,8 +36,8 @@ def line_map(pairs: Sequence[LineDifference], figure: Figure | None = None) -> F
         linewidths=0, rasterized=True,
     )  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
-    axes.xaxis.set_major_formatter(lambda value, _: shortest(0.0 - value))
-    dress(axes, gettext("West (m)"), gettext("North (m)"))
+    axes.xaxis.set_major_formatter(lambda value, _: shortest_number(0.0 - value))
+    style_axes(axes, gettext("West (m)"), gettext("North (m)"))
     bar = figure.colorbar(drawn, ax=axes, extend="max", shrink=0.8, format=LocalisedFormatter())
     bar.set_label(gettext("Distance between two lines (mm)"), fontsize=TEXT, color=INK)
     bar.ax.tick_params(labelsize=SMALL, colors=INK)

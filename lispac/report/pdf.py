@@ -16,10 +16,10 @@ from typing import Any
 
 from lispac.errors import LispacError
 from lispac.messages import error
-from lispac.report.blocks import Document
-from lispac.report.document import document_of
+from lispac.report.document import report_document
+from lispac.report.document_blocks import Document
 from lispac.report.options import USUAL, ReportOptions
-from lispac.report.values import ReportContent
+from lispac.report.report_values import ReportContent
 
 LONGEST_WORD = 24
 """Letters after which a word may break: file names have no blanks."""
@@ -42,7 +42,7 @@ def write_pdf(
     LispacError
         Where a picture cannot be read or drawn.
     """
-    with _typesetting(content, pictures, options) as set_as:
+    with _typesetter(content, pictures, options) as set_as:
         path.write_bytes(set_as("pdf"))
 
 
@@ -73,13 +73,13 @@ def preview_of(
     LispacError
         Where a picture cannot be read or drawn.
     """
-    with _typesetting(content, pictures, options) as set_as:
+    with _typesetter(content, pictures, options) as set_as:
         pages = set_as("png", ppi)
         return Preview((pages,) if isinstance(pages, bytes) else tuple(pages), set_as("pdf"))
 
 
 @contextmanager
-def _typesetting(
+def _typesetter(
     content: ReportContent, pictures: Mapping[str, Path], options: ReportOptions
 ) -> Iterator[Callable[..., Any]]:
     """Function that typesets the report as ``pdf`` or ``png`` with pixels per inch.
@@ -91,10 +91,10 @@ def _typesetting(
     """
     import typst
 
-    document = document_of(content, pictures, options)
+    document = report_document(content, pictures, options)
     with tempfile.TemporaryDirectory(prefix="lispac-report-") as temporary:
         folder = Path(temporary)
-        text = _lay_out(document, folder)
+        text = _write_template_input(document, folder)
         template = files("lispac.report") / "templates" / "report.typ"
         main = folder / "report.typ"
         main.write_bytes(template.read_bytes())
@@ -111,11 +111,11 @@ def _typesetting(
             yield lambda kind, ppi=None: compiler.compile(format=kind, ppi=ppi, timestamp=made)
         except typst.TypstError as failure:
             given = [options.logo, *pictures.values()]
-            _refuse_unreadable([path for path in given if path is not None], folder)
+            _require_readable_pictures([path for path in given if path is not None], folder)
             raise LispacError(error("report.not_typeset", reason=str(failure.message))) from failure
 
 
-def _refuse_unreadable(pictures: Iterable[Path], folder: Path) -> None:
+def _require_readable_pictures(pictures: Iterable[Path], folder: Path) -> None:
     """Raise an error with the name of the first picture that typst cannot draw.
 
     Raises
@@ -137,13 +137,13 @@ def _refuse_unreadable(pictures: Iterable[Path], folder: Path) -> None:
             ) from failure
 
 
-def _lay_out(document: Document, folder: Path) -> str:
+def _write_template_input(document: Document, folder: Path) -> str:
     """Write text and pictures for the template into ``folder`` and return the text.
 
     The template reads strings from JSON, which typst shows as they are: nothing in a name of the
     user's can be taken for a command.
     """
-    values = _breakable(asdict(document))
+    values = _with_break_points(asdict(document))
     pictures = 0
     for section in values["sections"]:
         for block in section["blocks"]:
@@ -159,25 +159,25 @@ def _lay_out(document: Document, folder: Path) -> str:
     return text
 
 
-def _breakable(value: Any, key: str = "") -> Any:
-    """The same values, with places to break in over-long words."""
+def _with_break_points(value: Any, key: str = "") -> Any:
+    """Values whose long words have break points inserted."""
     if isinstance(value, dict):
-        return {name: _breakable(item, name) for name, item in value.items()}
+        return {name: _with_break_points(item, name) for name, item in value.items()}
     if isinstance(value, list | tuple):
-        return [_breakable(item, key) for item in value]
+        return [_with_break_points(item, key) for item in value]
     if isinstance(value, str) and any(len(word) > LONGEST_WORD for word in value.split()):
-        return " ".join(_broken(word) for word in value.split(" "))
+        return " ".join(_break_word(word) for word in value.split(" "))
     return value
 
 
-def _broken(word: str) -> str:
+def _break_word(word: str) -> str:
     if len(word) == 64 and word.isalnum():
         return word  # digests stay whole: their column is made for them
-    return "\u200b".join(_pieces(word))
+    return "\u200b".join(_word_pieces(word))
 
 
-def _pieces(word: str) -> Iterator[str]:
-    """The word cut where it may break already, and into eights where these parts are too long."""
+def _word_pieces(word: str) -> Iterator[str]:
+    """Parts of a word at its break points; longer parts are split every eight characters."""
     for run in word.split("\u200b"):
         if len(run) <= LONGEST_WORD:
             yield run
@@ -192,6 +192,6 @@ def _matplotlib_fonts() -> Path:
 
 
 def _has_fonts_for(text: str) -> bool:
-    from lispac.report.figures import drawable
+    from lispac.report.figures import drawable_characters
 
-    return all(ord(letter) in drawable() or letter.isspace() for letter in text)
+    return all(ord(letter) in drawable_characters() or letter.isspace() for letter in text)

@@ -4,9 +4,16 @@ from collections.abc import Mapping
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.report.blocks import Block, Column, Paragraph, Table, rows
-from lispac.report.values import ReportContent, SightingJudged
-from lispac.report.wording import degrees_unit, fixed, grouped, in_unit, known, mm
+from lispac.report.document_blocks import Block, Column, Paragraph, Table, as_rows
+from lispac.report.report_values import ReportContent, SightingQualityValues
+from lispac.report.text_format import (
+    degrees_unit,
+    fixed_number,
+    format_known,
+    grouped_number,
+    millimetres,
+    title_with_unit,
+)
 
 LIGHTS: Mapping[str, str] = {
     "good": N_("Good."),
@@ -30,7 +37,7 @@ BEFORE_CALIBRATION = N_(
 )
 
 
-def quality_of_sightings(content: ReportContent) -> list[Block]:
+def quality_blocks(content: ReportContent) -> list[Block]:
     """Every sighting with its statistics and its judgement; nothing where none was judged."""
     if not content.qualities:
         return []
@@ -40,27 +47,31 @@ def quality_of_sightings(content: ReportContent) -> list[Block]:
             Column(gettext("Target"), "left"),
             Column(gettext("Line"), "left"),
             Column(gettext("Points")),
-            Column(in_unit(gettext("RMS"), "mm")),
-            Column(in_unit(gettext("Range"), "m")),
+            Column(title_with_unit(gettext("RMS"), "mm")),
+            Column(title_with_unit(gettext("Range"), "m")),
             Column(gettext("Points\nper m²")),
-            Column(in_unit(gettext("Incidence"), degrees_unit())),
-            Column(in_unit(gettext("Coverage"), "%")),
+            Column(title_with_unit(gettext("Incidence"), degrees_unit())),
+            Column(title_with_unit(gettext("Coverage"), "%")),
             Column(gettext("Extent\nobserved (%)")),
             Column(gettext("Quality"), "left", wide=True),
         ),
-        rows(
+        as_rows(
             [
                 each.target,
                 each.line,
-                grouped(each.points),
-                mm(each.rms_m),
-                fixed(each.range_m, 1),
-                known(each.density_per_m2, grouped),
-                known(each.incidence_deg, lambda value: fixed(value, 0)),
-                fixed(100 * each.coverage, 0),
-                known(each.share_shown, lambda value: fixed(100 * value, 0)),
+                grouped_number(each.points),
+                millimetres(each.rms_m),
+                fixed_number(each.range_m, 1),
+                format_known(each.density_per_m2, grouped_number),
+                format_known(each.incidence_deg, lambda value: fixed_number(value, 0)),
+                fixed_number(100 * each.coverage, 0),
+                format_known(each.share_shown, lambda value: fixed_number(100 * value, 0)),
                 " ".join(
-                    (gettext(LIGHTS[each.light]), *map(message_text, each.reasons), *_edited(each))
+                    (
+                        gettext(LIGHTS[each.light]),
+                        *map(message_text, each.reasons),
+                        *_edited_note(each),
+                    )
                 ),
             ]
             for each in content.qualities
@@ -74,7 +85,7 @@ def quality_of_sightings(content: ReportContent) -> list[Block]:
     return [table, *(Paragraph(gettext(each)) for each in explained)]
 
 
-def _edited(sighting: SightingJudged) -> tuple[str, ...]:
+def _edited_note(sighting: SightingQualityValues) -> tuple[str, ...]:
     if not sighting.edited_by_hand:
         return ()
     return (gettext("The points of this sighting were edited manually."),)

@@ -6,18 +6,18 @@ content only. There is one function for each rule.
 
 from collections.abc import Iterator, Sequence
 
-from lispac.adjustment.message_parts import change, quantities, quantity
-from lispac.adjustment.shown import STATED
-from lispac.causes import RESULT, Cause
-from lispac.messages import Message, Value, by_level, note, warning
-from lispac.report.absolute_warnings import absolute_cautions
-from lispac.report.values import (
+from lispac.adjustment.display_text import STATED
+from lispac.adjustment.message_parts import mounting_value_name, mounting_value_names, signed_change
+from lispac.messages import Message, Value, note, sort_by_level, warning
+from lispac.report.absolute_warnings import absolute_check_warnings
+from lispac.report.report_values import (
     Chi2,
     ExtraParameter,
     PickedPlane,
     ReportContent,
-    SightingJudged,
+    SightingQualityValues,
 )
+from lispac.warning_causes import RESULT, Cause
 
 DATA, ADJUST, VALIDATE = (Cause.of_step(name) for name in ("Data", "Adjust", "Validate"))
 
@@ -27,7 +27,7 @@ LARGER_RESIDUALS = {
 """Codes of larger residuals; with one of them, a small chi-square is not reported."""
 
 
-def cautions_of(content: ReportContent, doubts: Sequence[Message]) -> tuple[Message, ...]:
+def report_warnings(content: ReportContent, doubts: Sequence[Message]) -> tuple[Message, ...]:
     """All warnings, then notes: about the result, and those of the report only.
 
     Parameters
@@ -35,23 +35,27 @@ def cautions_of(content: ReportContent, doubts: Sequence[Message]) -> tuple[Mess
     doubts : about the result, as the window and the command line show them
     """
     larger = any(each.code in LARGER_RESIDUALS for each in doubts)
-    return by_level(
+    return sort_by_level(
         [
-            *_calibration(content),
-            *(each for each in _fit(content) if not (larger and each.code == CHI_SQUARE_LOW)),
+            *_calibration_warnings(content),
+            *(
+                each
+                for each in _fit_warnings(content)
+                if not (larger and each.code == CHI_SQUARE_LOW)
+            ),
             *doubts,
-            *_parameters(content),
-            *_targets(content),
-            *_sightings(content),
-            *_validation(content),
-            *absolute_cautions(content.absolute),
-            *_methods(content),
-            *_files(content),
+            *_parameter_warnings(content),
+            *_target_warnings(content),
+            *_sighting_warnings(content),
+            *_validation_warnings(content),
+            *absolute_check_warnings(content.absolute),
+            *_method_warnings(content),
+            *_file_warnings(content),
         ]
     )
 
 
-def _calibration(content: ReportContent) -> Iterator[Message]:
+def _calibration_warnings(content: ReportContent) -> Iterator[Message]:
     if not content.calibrated:
         yield warning("report.not_calibrated", subject=ADJUST)
     if content.simulated:
@@ -64,24 +68,24 @@ def _calibration(content: ReportContent) -> Iterator[Message]:
         and abs(angle.error_deg) > angle.interval95_deg
     ]
     if outside:
-        yield note("report.truth_outside", angles=quantities(outside), subject=RESULT)
+        yield note("report.truth_outside", angles=mounting_value_names(outside), subject=RESULT)
 
 
-def _fit(content: ReportContent) -> Iterator[Message]:
+def _fit_warnings(content: ReportContent) -> Iterator[Message]:
     if content.adjustment is None:
         return
     independent = content.settings.pos_errors == "independent"
     noisy = any(target.noise_factor > 1 for target in content.adjustment.targets)
-    yield from _chi_square(content.adjustment.chi_square, independent, noisy)
+    yield from _chi_square_warnings(content.adjustment.chi_square, independent, noisy)
 
 
-def _parameters(content: ReportContent) -> Iterator[Message]:
+def _parameter_warnings(content: ReportContent) -> Iterator[Message]:
     for found in content.adjustment.parameters if content.adjustment else ():
-        yield from _parameter(found)
+        yield from _single_parameter_warnings(found)
 
 
-def _parameter(found: ExtraParameter) -> Iterator[Message]:
-    name, field = quantity(found.name), Cause.of_parameter(found.name)
+def _single_parameter_warnings(found: ExtraParameter) -> Iterator[Message]:
+    name, field = mounting_value_name(found.name), Cause.of_parameter(found.name)
     if found.value is None:
         yield note(
             "report.parameter_not_seen"
@@ -94,7 +98,7 @@ def _parameter(found: ExtraParameter) -> Iterator[Message]:
         yield note(
             "report.parameter_not_significant",
             parameter=name,
-            change=change(found.name, (found.value - found.prior) / factor),
+            change=signed_change(found.name, (found.value - found.prior) / factor),
             subject=field,
         )
 
@@ -102,7 +106,7 @@ def _parameter(found: ExtraParameter) -> Iterator[Message]:
 CHI_SQUARE_LOW = "report.chi_square_low"
 
 
-def _chi_square(test: Chi2, independent: bool, noisy: bool) -> Iterator[Message]:
+def _chi_square_warnings(test: Chi2, independent: bool, noisy: bool) -> Iterator[Message]:
     if test.passed is None:
         yield warning("report.no_redundancy", subject=RESULT)
     elif test.passed:
@@ -117,14 +121,16 @@ def _chi_square(test: Chi2, independent: bool, noisy: bool) -> Iterator[Message]
         yield note("report.chi_square_high", subject=RESULT)
 
 
-def _targets(content: ReportContent) -> Iterator[Message]:
+def _target_warnings(content: ReportContent) -> Iterator[Message]:
     total = len(content.lines)
     for plane in content.planes:
-        yield from (_target if plane.role == "target" else _plane)(plane, total)
-    yield from _not_found(content)
+        yield from (
+            _single_target_warnings if plane.role == "target" else _validation_plane_warnings
+        )(plane, total)
+    yield from _not_found_warnings(content)
 
 
-def _target(target: PickedPlane, total: int) -> Iterator[Message]:
+def _single_target_warnings(target: PickedPlane, total: int) -> Iterator[Message]:
     where, seen = Cause.of_target(target.name), len(target.lines)
     if not target.used:
         yield note("report.left_out_target", target=target.name, subject=where)
@@ -143,7 +149,7 @@ def _target(target: PickedPlane, total: int) -> Iterator[Message]:
         )  # fmt: skip
 
 
-def _plane(plane: PickedPlane, total: int) -> Iterator[Message]:
+def _validation_plane_warnings(plane: PickedPlane, total: int) -> Iterator[Message]:
     where, seen = Cause.of_target(plane.name), len(plane.lines)
     if not plane.used:
         yield note("report.left_out_plane", target=plane.name, subject=where)
@@ -167,7 +173,7 @@ def _plane(plane: PickedPlane, total: int) -> Iterator[Message]:
         )  # fmt: skip
 
 
-def _not_found(content: ReportContent) -> Iterator[Message]:
+def _not_found_warnings(content: ReportContent) -> Iterator[Message]:
     """One message for all planes that are missing on the same lines."""
     together: dict[tuple[str, tuple[str, ...]], list[str]] = {}
     for plane in content.planes:
@@ -180,7 +186,7 @@ def _not_found(content: ReportContent) -> Iterator[Message]:
         )  # fmt: skip
 
 
-def _sightings(content: ReportContent) -> Iterator[Message]:
+def _sighting_warnings(content: ReportContent) -> Iterator[Message]:
     """Number of used sightings that are not good, and the worst; targets come first."""
     target = {plane.name: plane.role == "target" for plane in content.planes}
     used = {(p.name, line) for p in content.planes if p.used for line in p.lines}
@@ -191,7 +197,7 @@ def _sightings(content: ReportContent) -> Iterator[Message]:
     if not poor and not doubtful:
         return
 
-    def bad(each: SightingJudged) -> tuple[bool, bool, int, float]:
+    def bad(each: SightingQualityValues) -> tuple[bool, bool, int, float]:
         is_poor, oblique = each.light == "poor", each.incidence_deg or 0.0
         return is_poor, target[each.target], len(each.reasons), oblique
 
@@ -204,7 +210,7 @@ def _sightings(content: ReportContent) -> Iterator[Message]:
     )  # fmt: skip
 
 
-def _validation(content: ReportContent) -> Iterator[Message]:
+def _validation_warnings(content: ReportContent) -> Iterator[Message]:
     if content.calibrated and not content.validation:
         yield note("report.not_validated", subject=VALIDATE)
     for reason in content.not_compared:
@@ -218,14 +224,14 @@ def _validation(content: ReportContent) -> Iterator[Message]:
             )  # fmt: skip
 
 
-def _methods(content: ReportContent) -> Iterator[Message]:
+def _method_warnings(content: ReportContent) -> Iterator[Message]:
     """Methods that differ; the first sentences are on each method except the first."""
     for each, words in zip(content.methods[1:], content.methods_in_words, strict=False):
         if each.differ:
             yield note("report.methods_differ", reason=words, subject=ADJUST)
 
 
-def _files(content: ReportContent) -> Iterator[Message]:
+def _file_warnings(content: ReportContent) -> Iterator[Message]:
     lost: Value = [file.name for file in content.files if file.sha256 is None]
     if lost:
         yield warning("report.file_missing", files=lost, subject=DATA)

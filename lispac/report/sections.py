@@ -8,31 +8,39 @@ from collections.abc import Sequence
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import note
-from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
-from lispac.report.trajectory_values import TrajectoryOnLine
-from lispac.report.validation_section import distance_table
-from lispac.report.values import (
-    Adjustment,
+from lispac.report.document_blocks import (
+    Block,
+    Bullets,
+    Column,
+    Paragraph,
+    Table,
+    UndrawnPictures,
+    as_rows,
+)
+from lispac.report.report_values import (
+    AdjustmentValues,
     ExtraParameter,
     PickedPlane,
     ReportContent,
 )
-from lispac.report.wording import (
-    angle,
+from lispac.report.text_format import (
+    angle_text,
     degrees_unit,
-    fixed,
-    grouped,
-    heading,
-    in_unit,
-    interval,
-    known,
-    mm,
-    parameter,
-    quantity,
-    sentence,
-    signed,
+    fixed_number,
+    format_known,
+    grouped_number,
+    heading_text,
+    interval_text,
+    millimetres,
+    parameter_name,
+    quantity_text,
+    sentence_text,
+    signed_number,
     title,
+    title_with_unit,
 )
+from lispac.report.trajectory_values import TrajectoryOnLine
+from lispac.report.validation_section import distance_table
 
 COMMON_SURFACE = N_(
     "RMS and mean are distances from the common surface of all lines. After the adjustment they "
@@ -49,15 +57,15 @@ TRAJECTORY_COLUMNS = N_(
 )
 
 
-def summary(content: ReportContent) -> list[Block]:
-    """The results on page one."""
+def summary_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the results, for the first page."""
     blocks: list[Block] = [_angle_table(content)]
     adjustment = content.adjustment
     if adjustment is not None:
         if rotation := str(adjustment.rotation_in_words):
             blocks.append(Paragraph(rotation))
-        blocks.append(Paragraph(_fit(adjustment)))
-        extra = [_with_sigma(p) for p in adjustment.parameters if p.value is not None]
+        blocks.append(Paragraph(_fit_text(adjustment)))
+        extra = [_value_with_sigma(p) for p in adjustment.parameters if p.value is not None]
         if extra:
             blocks.append(
                 Paragraph(
@@ -80,7 +88,7 @@ def summary(content: ReportContent) -> list[Block]:
         )
     against = content.absolute
     if against is not None and not against.together.after.mean_significant:
-        finding = sentence(against.in_words[0])
+        finding = sentence_text(against.in_words[0])
         checked = gettext(
             "Checked against {reference}: {finding}", reference=against.reference, finding=finding
         )
@@ -91,7 +99,7 @@ def summary(content: ReportContent) -> list[Block]:
     return blocks
 
 
-def _fit(adjustment: Adjustment) -> str:
+def _fit_text(adjustment: AdjustmentValues) -> str:
     return gettext(
         "RMS distance of {points:n} points from the surfaces of the targets: "
         "{before:mm.1}\u00a0mm before, {after:mm.1}\u00a0mm after. Targets: {targets:n}; "
@@ -102,46 +110,46 @@ def _fit(adjustment: Adjustment) -> str:
     )  # fmt: skip
 
 
-def _with_sigma(found: ExtraParameter) -> str:
+def _value_with_sigma(found: ExtraParameter) -> str:
     assert found.value is not None
     assert found.sigma is not None
     return gettext(
         "{name} {value} (1\u00a0sigma {sigma})",
-        name=parameter(found.name),
-        value=quantity(found.name, found.value, sign=True),
-        sigma=quantity(found.name, found.sigma),
+        name=parameter_name(found.name),
+        value=quantity_text(found.name, found.value, sign=True),
+        sigma=quantity_text(found.name, found.sigma),
     )
 
 
 def _angle_table(content: ReportContent) -> Table:
     deg = degrees_unit()
-    columns = [Column(gettext("Angle"), "left"), Column(in_unit(gettext("Prior"), deg))]
-    cells = [[title(a.name), angle(a.prior_deg)] for a in content.angles]
+    columns = [Column(gettext("Angle"), "left"), Column(title_with_unit(gettext("Prior"), deg))]
+    cells = [[title(a.name), angle_text(a.prior_deg)] for a in content.angles]
     if content.calibrated:
         columns += [
-            Column(in_unit(gettext("Estimated"), deg)),
-            Column(in_unit(gettext("1 sigma"), deg)),
-            Column(in_unit(gettext("95 % interval"), deg)),
+            Column(title_with_unit(gettext("Estimated"), deg)),
+            Column(title_with_unit(gettext("1 sigma"), deg)),
+            Column(title_with_unit(gettext("95 % interval"), deg)),
         ]
         for row, a in zip(cells, content.angles, strict=True):
             row += [
-                known(a.estimated_deg, angle),
-                known(a.sigma_deg, lambda v: fixed(v, 4)),
-                known(a.interval95_deg, lambda v: interval(fixed(v, 4))),
+                format_known(a.estimated_deg, angle_text),
+                format_known(a.sigma_deg, lambda v: fixed_number(v, 4)),
+                format_known(a.interval95_deg, lambda v: interval_text(fixed_number(v, 4))),
             ]
     if content.simulated:
-        columns.append(Column(in_unit(gettext("True value"), deg)))
+        columns.append(Column(title_with_unit(gettext("True value"), deg)))
         for row, a in zip(cells, content.angles, strict=True):
-            row.append(known(a.truth_deg, angle))
+            row.append(format_known(a.truth_deg, angle_text))
         if content.calibrated:
-            columns.append(Column(in_unit(gettext("Error"), deg)))
+            columns.append(Column(title_with_unit(gettext("Error"), deg)))
             for row, a in zip(cells, content.angles, strict=True):
-                row.append(known(a.error_deg, angle))
-    return Table(gettext("Boresight"), tuple(columns), rows(cells))
+                row.append(format_known(a.error_deg, angle_text))
+    return Table(gettext("Boresight"), tuple(columns), as_rows(cells))
 
 
-def residuals(content: ReportContent) -> list[Block]:
-    """Targets and validation planes, and how far the points lie from the targets."""
+def residual_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on targets, validation planes and residuals."""
     blocks: list[Block] = []
     if content.planes:
         blocks.append(_planes_table(content))
@@ -164,19 +172,19 @@ def _planes_table(content: ReportContent) -> Table:
             Column(gettext("Name"), "left"),
             Column(gettext("Role"), "left"),
             Column(gettext("Shape"), "left"),
-            Column(in_unit(gettext("North"), "m")),
-            Column(in_unit(gettext("West"), "m")),
-            Column(in_unit(gettext("Up"), "m")),
-            Column(in_unit(gettext("Threshold"), "mm")),
+            Column(title_with_unit(gettext("North"), "m")),
+            Column(title_with_unit(gettext("West"), "m")),
+            Column(title_with_unit(gettext("Up"), "m")),
+            Column(title_with_unit(gettext("Threshold"), "mm")),
             Column(gettext("Lines")),
         ),
-        rows(
+        as_rows(
             [
                 plane.name,
-                _role(plane),
-                _shape(plane.shape, plane.sphere_radius_m),
-                *(fixed(value, 2) for value in plane.seed_local_m),
-                mm(plane.threshold_m),
+                _role_text(plane),
+                _shape_text(plane.shape, plane.sphere_radius_m),
+                *(fixed_number(value, 2) for value in plane.seed_local_m),
+                millimetres(plane.threshold_m),
                 gettext("{count:n} of {total:n}", count=len(plane.lines), total=len(content.lines)),
             ]
             for plane in content.planes
@@ -184,13 +192,13 @@ def _planes_table(content: ReportContent) -> Table:
     )
 
 
-def _role(plane: PickedPlane) -> str:
+def _role_text(plane: PickedPlane) -> str:
     if plane.role == "target":
         return gettext("target") if plane.used else gettext("target, excluded")
     return gettext("validation plane") if plane.used else gettext("validation plane, excluded")
 
 
-def _shape(shape: str, radius: float | None) -> str:
+def _shape_text(shape: str, radius: float | None) -> str:
     if shape != "sphere":
         return gettext("plane")
     if radius is None:
@@ -198,7 +206,7 @@ def _shape(shape: str, radius: float | None) -> str:
     return gettext("sphere, radius\u00a0{radius:mm.1}\u00a0mm", radius=radius)
 
 
-def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
+def _fit_tables(adjustment: AdjustmentValues, correlated: bool) -> list[Block]:
     from lispac.report.figures import residual_figures_of
 
     targets = Table(
@@ -212,15 +220,15 @@ def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
             Column(gettext("RMS\nafter (mm)")),
             Column(gettext("Noise\nfactor")),
         ),
-        rows(
+        as_rows(
             [
                 t.target,
-                _shape(t.shape, t.radius_m),
-                fixed(t.sightings, 0),
-                grouped(t.points),
-                mm(t.rms_before_m),
-                mm(t.rms_after_m),
-                fixed(t.noise_factor, 2),
+                _shape_text(t.shape, t.radius_m),
+                fixed_number(t.sightings, 0),
+                grouped_number(t.points),
+                millimetres(t.rms_before_m),
+                millimetres(t.rms_after_m),
+                fixed_number(t.noise_factor, 2),
             ]
             for t in adjustment.targets
         ),
@@ -230,26 +238,26 @@ def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
         (
             Column(gettext("Target"), "left"),
             Column(gettext("Line"), "left"),
-            Column(in_unit(gettext("Heading"), degrees_unit())),
+            Column(title_with_unit(gettext("Heading"), degrees_unit())),
             Column(gettext("Points")),
             Column(gettext("RMS\nbefore (mm)")),
             Column(gettext("RMS\nafter (mm)")),
             Column(gettext("Mean\nafter (mm)")),
         ),
-        rows(
+        as_rows(
             [
                 s.target,
                 s.line,
-                known(s.heading_deg, heading),
-                grouped(s.points),
-                mm(s.rms_before_m),
-                mm(s.rms_after_m),
-                signed(1000 * s.mean_after_m, 1),
+                format_known(s.heading_deg, heading_text),
+                grouped_number(s.points),
+                millimetres(s.rms_before_m),
+                millimetres(s.rms_after_m),
+                signed_number(1000 * s.mean_after_m, 1),
             ]
             for s in adjustment.sightings
         ),
     )
-    bars = Drawing(
+    bars = UndrawnPictures(
         gettext("RMS of each sighting, before and after the calibration."),
         residual_figures_of,
         (adjustment.sightings,),
@@ -258,70 +266,72 @@ def _fit_tables(adjustment: Adjustment, correlated: bool) -> list[Block]:
     return [targets, sightings, *(Paragraph(gettext(each)) for each in explained), bars]
 
 
-def site(content: ReportContent) -> list[Block]:
-    """Plan of the site, its lines, and the trajectory on each."""
+def site_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the site plan, its lines, and the trajectory on each."""
     from lispac.report.figures import site_figure_of
 
     blocks: list[Block] = []
     if any(line.track_local_m for line in content.lines) or content.planes:
         values = (content.lines, content.planes)
-        blocks.append(Drawing(gettext("Site plan in the local frame."), site_figure_of, values))
+        blocks.append(
+            UndrawnPictures(gettext("Site plan in the local frame."), site_figure_of, values)
+        )
     blocks.append(
         Table(
             gettext("Lines"),
             (
                 Column(gettext("Line"), "left"),
                 Column(gettext("File"), "left"),
-                Column(in_unit(gettext("Heading"), degrees_unit())),
+                Column(title_with_unit(gettext("Heading"), degrees_unit())),
                 Column(gettext("Points")),
             ),
-            rows(
+            as_rows(
                 [
                     line.name,
                     line.file,
-                    known(line.heading_deg, heading),
-                    known(line.points, grouped),
+                    format_known(line.heading_deg, heading_text),
+                    format_known(line.points, grouped_number),
                 ]
                 for line in content.lines
             ),
         )
     )
     if content.trajectory:
-        blocks += _trajectory(content.trajectory)
+        blocks += _trajectory_tables(content.trajectory)
     return blocks
 
 
-def _trajectory(lines: Sequence[TrajectoryOnLine]) -> list[Block]:
+def _trajectory_tables(lines: Sequence[TrajectoryOnLine]) -> list[Block]:
     deg = degrees_unit()
     return [
         Table(
             gettext("Trajectory on each line"),
             (
                 Column(gettext("Line"), "left"),
-                Column(in_unit(gettext("Duration"), "s")),
-                Column(in_unit(gettext("Speed"), "m/s")),
-                Column(in_unit(gettext("Sampling\ninterval"), "s")),
+                Column(title_with_unit(gettext("Duration"), "s")),
+                Column(title_with_unit(gettext("Speed"), "m/s")),
+                Column(title_with_unit(gettext("Sampling\ninterval"), "s")),
                 Column(gettext("Longest\ngap (s)")),
-                Column(in_unit(gettext("Roll"), deg)),
-                Column(in_unit(gettext("Pitch"), deg)),
-                Column(in_unit(gettext("Horizontal"), "mm")),
-                Column(in_unit(gettext("Vertical"), "mm")),
-                Column(in_unit(gettext("Roll, pitch"), deg)),
-                Column(in_unit(gettext("Heading"), deg)),
+                Column(title_with_unit(gettext("Roll"), deg)),
+                Column(title_with_unit(gettext("Pitch"), deg)),
+                Column(title_with_unit(gettext("Horizontal"), "mm")),
+                Column(title_with_unit(gettext("Vertical"), "mm")),
+                Column(title_with_unit(gettext("Roll, pitch"), deg)),
+                Column(title_with_unit(gettext("Heading"), deg)),
             ),
-            rows(
+            as_rows(
                 [
                     each.line,
-                    fixed(each.duration_s, 1),
-                    fixed(each.speed_m_s, 2),
-                    fixed(each.interval_s, 3),
-                    fixed(each.longest_gap_s, 3),
-                    fixed(each.motion_deg[0], 2),
-                    fixed(each.motion_deg[1], 2),
-                    mm(each.sigma_horizontal_m),
-                    mm(each.sigma_vertical_m),
-                    fixed(each.sigma_roll_pitch_deg, 4),
-                    fixed(each.sigma_heading_deg, 4),
+                    fixed_number(each.duration_s, 1),
+                    fixed_number(each.speed_m_s, 2),
+                    fixed_number(each.interval_s, 3),
+                    fixed_number(each.longest_gap_s, 3),
+                    fixed_number(each.motion_deg[0], 2),
+                    fixed_number(each.motion_deg[1], 2),
+                    millimetres(each.sigma_horizontal_m),
+                    millimetres(each.sigma_vertical_m),
+                    fixed_number(each.sigma_roll_pitch_deg, 4),
+                    fixed_number(each.sigma_heading_deg, 4),
                 ]
                 for each in lines
             ),

@@ -4,20 +4,33 @@ from collections.abc import Mapping
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.report.blocks import Block, Bullets, Column, Paragraph, Table, facts, rows
+from lispac.report.document_blocks import (
+    Block,
+    Bullets,
+    Column,
+    Paragraph,
+    Table,
+    as_rows,
+    facts_table,
+)
+from lispac.report.report_values import (
+    AdjustmentValues,
+    ReportContent,
+    SettingsUsed,
+    VarianceComponent,
+)
 from lispac.report.settings_used import FILE_ROLES, role_of_line
-from lispac.report.values import Adjustment, ReportContent, SettingsUsed, VarianceComponent
-from lispac.report.wording import (
-    fixed,
-    grouped,
-    known,
-    mm,
-    origin,
-    parameter,
-    quantity,
-    sentence,
-    shortest,
-    triple,
+from lispac.report.text_format import (
+    fixed_number,
+    format_known,
+    grouped_number,
+    millimetres,
+    origin_text,
+    parameter_name,
+    quantity_text,
+    sentence_text,
+    shortest_number,
+    triple_text,
 )
 
 NOTEWORTHY_NOISE = 1.05
@@ -62,18 +75,18 @@ VARIANCE_COMPONENTS = N_(
 )
 
 
-def settings(content: ReportContent) -> list[Block]:
-    """All settings of system, points and stochastic model."""
+def settings_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the settings of system, points and stochastic model."""
     used, adjustment = content.settings, content.adjustment
     blocks: list[Block] = [
-        facts(gettext("System and points"), _system(used, adjustment)),
-        facts(gettext("Stochastic model"), _model(used, adjustment)),
+        facts_table(gettext("System and points"), _system_rows(used, adjustment)),
+        facts_table(gettext("Stochastic model"), _model_rows(used, adjustment)),
     ]
     if used.surface_from_data is not None:
         blocks.append(Paragraph(gettext(SURFACE_SIGMA)))
     if adjustment is not None and adjustment.components:
-        blocks += _components(adjustment)
-    blocks.append(_files(content))
+        blocks += _component_tables(adjustment)
+    blocks.append(_files_table(content))
     if content.notes:
         blocks += [
             Paragraph(gettext("Input assumptions:")),
@@ -82,23 +95,23 @@ def settings(content: ReportContent) -> list[Block]:
     return blocks
 
 
-def _system(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str, str]]:
+def _system_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list[tuple[str, str]]:
     names = [p.name for p in adjustment.parameters] if adjustment else []
-    lever_arm = gettext("{values} m", values=triple(used.lever_arm_m, 4))
+    lever_arm = gettext("{values} m", values=triple_text(used.lever_arm_m, 4))
     if any(name.startswith("lever") for name in names):
         values = [(gettext("Prior lever arm (forward, left, up)"), lever_arm)]
     else:
         values = [(gettext("Lever arm (forward, left, up)"), lever_arm)]
-    values.append((gettext("Origin of the local frame"), origin(used.origin_deg_m)))
+    values.append((gettext("Origin of the local frame"), origin_text(used.origin_deg_m)))
     for name, value in (
         ("range_offset", used.range_offset_m),
         ("scan_angle_offset", used.scan_angle_offset_deg),
         ("latency", used.latency_s),
     ):
         if value:
-            values.append((gettext(OFFSETS[name]), quantity(name, value, sign=True)))
+            values.append((gettext(OFFSETS[name]), quantity_text(name, value, sign=True)))
     if names:
-        estimated = [gettext("boresight"), *map(parameter, names)]
+        estimated = [gettext("boresight"), *map(parameter_name, names)]
         values.append(
             (
                 gettext("Parameters selected for estimation"),
@@ -107,13 +120,13 @@ def _system(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str
         )
     if used.accept_one_facing:
         values.append((gettext("Targets that all face the same way"), gettext("accepted")))
-    return [*values, (gettext("Point spacing"), _subsampling(used))]
+    return [*values, (gettext("Point spacing"), _subsampling_text(used))]
 
 
-def _subsampling(used: SettingsUsed) -> str:
+def _subsampling_text(used: SettingsUsed) -> str:
     if not used.subsample_m:
         return gettext("none: all points are used")
-    spacing = fixed(used.subsample_m, 3)
+    spacing = fixed_number(used.subsample_m, 3)
     if used.averaged:
         return gettext(
             "averaged: the points of a plane within a square of {spacing} m are replaced by their "
@@ -126,7 +139,7 @@ def _subsampling(used: SettingsUsed) -> str:
     )
 
 
-def _model(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str, str]]:
+def _model_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list[tuple[str, str]]:
     from_file = gettext("from the trajectory accuracy file")
     values = [
         (
@@ -135,13 +148,13 @@ def _model(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str,
         ),
         (
             gettext("Position sigma (north, east, down)"),
-            gettext("{values} m", values=triple(used.position_sigma_m, 3))
+            gettext("{values} m", values=triple_text(used.position_sigma_m, 3))
             if used.position_sigma_m
             else from_file,
         ),
         (
             gettext("Attitude sigma (roll, pitch, heading)"),
-            gettext("{values} deg", values=triple(used.attitude_sigma_deg, 4))
+            gettext("{values} deg", values=triple_text(used.attitude_sigma_deg, 4))
             if used.attitude_sigma_deg
             else from_file,
         ),
@@ -149,24 +162,24 @@ def _model(used: SettingsUsed, adjustment: Adjustment | None) -> list[tuple[str,
     if used.position_correlation_time_s and used.attitude_correlation_time_s:
         times = gettext(
             CORRELATION_TIMES,
-            position=shortest(used.position_correlation_time_s),
-            attitude=shortest(used.attitude_correlation_time_s),
+            position=shortest_number(used.position_correlation_time_s),
+            attitude=shortest_number(used.attitude_correlation_time_s),
         )
         values.append((gettext("Correlation times (position, attitude)"), times))
-    values.append((gettext("LiDAR noise, 1 sigma"), _lidar(used)))
+    values.append((gettext("LiDAR noise, 1 sigma"), _lidar_noise_text(used)))
     if adjustment is not None and used.pos_errors == "correlated":
-        values.append((gettext("Estimated LiDAR noise"), _noise(adjustment)))
+        values.append((gettext("Estimated LiDAR noise"), _noise_factor_text(adjustment)))
     if used.surface_from_data is not None:
-        values.append((gettext("Surface sigma"), _surface(used)))
+        values.append((gettext("Surface sigma"), _surface_sigma_text(used)))
     loss = f"{gettext(LOSSES[used.loss])} {gettext(used.loss_in_words)}"
     return [*values, (gettext("Outliers"), loss)]
 
 
-def _lidar(used: SettingsUsed) -> str:
+def _lidar_noise_text(used: SettingsUsed) -> str:
     if used.lidar_range_sigma_m is not None and used.lidar_angle_sigma_deg is not None:
         return gettext(
             "range {range:mm.1} mm, beam direction {angle} deg",
-            range=used.lidar_range_sigma_m, angle=fixed(used.lidar_angle_sigma_deg, 4),
+            range=used.lidar_range_sigma_m, angle=fixed_number(used.lidar_angle_sigma_deg, 4),
         )  # fmt: skip
     if used.lidar_sigma_xyz_m is not None:
         x, y, z = used.lidar_sigma_xyz_m
@@ -174,7 +187,7 @@ def _lidar(used: SettingsUsed) -> str:
     return gettext("{sigma:mm.1} mm on each axis", sigma=used.lidar_sigma_m)
 
 
-def _noise(adjustment: Adjustment) -> str:
+def _noise_factor_text(adjustment: AdjustmentValues) -> str:
     larger = [t for t in adjustment.targets if t.noise_factor >= NOTEWORTHY_NOISE]
     applied = any(c.applied and c.name == "LiDAR" for c in adjustment.components)
     if not larger:
@@ -182,7 +195,11 @@ def _noise(adjustment: Adjustment) -> str:
             return gettext("not larger than the sigma from the variance components on any target")
         return gettext("not larger than the given noise on any target")
     found = [
-        gettext("{factor}\u00a0times ({target})", factor=fixed(t.noise_factor, 1), target=t.target)
+        gettext(
+            "{factor}\u00a0times ({target})",
+            factor=fixed_number(t.noise_factor, 1),
+            target=t.target,
+        )
         for t in larger
     ]
     if applied:
@@ -197,30 +214,31 @@ def _noise(adjustment: Adjustment) -> str:
     )
 
 
-def _surface(used: SettingsUsed) -> str:
+def _surface_sigma_text(used: SettingsUsed) -> str:
     if used.surface_sigma_m is None:
         return gettext("to be estimated from the data")
     if used.surface_sigma_m == 0:
         return gettext("zero: all sightings of a target lie on the same surface")
     if used.offset_sigma_m is None:
-        sigmas = gettext("{surface}\u00a0mm", surface=_tenths(used.surface_sigma_m))
+        sigmas = gettext("{surface}\u00a0mm", surface=_tenths_of_millimetre(used.surface_sigma_m))
     else:
         sigmas = gettext(
             "offsets {offset}\u00a0mm, tilts {surface}\u00a0mm",
-            offset=_tenths(used.offset_sigma_m), surface=_tenths(used.surface_sigma_m),
-        )  # fmt: skip
+            offset=_tenths_of_millimetre(used.offset_sigma_m),
+            surface=_tenths_of_millimetre(used.surface_sigma_m),
+        )
     if used.surface_from_data:
         return gettext("{sigmas}, estimated from the data", sigmas=sigmas)
     return gettext("{sigmas}, as given", sigmas=sigmas)
 
 
-def _tenths(metres: float) -> str:
+def _tenths_of_millimetre(metres: float) -> str:
     if round(1000 * metres, 1) == 0.0:
-        return gettext("below {limit}", limit=fixed(0.1, 1))
-    return mm(metres)
+        return gettext("below {limit}", limit=fixed_number(0.1, 1))
+    return millimetres(metres)
 
 
-def _components(adjustment: Adjustment) -> list[Block]:
+def _component_tables(adjustment: AdjustmentValues) -> list[Block]:
     return [
         Table(
             gettext("Variance components: ratio of estimated to given sigmas"),
@@ -230,21 +248,21 @@ def _components(adjustment: Adjustment) -> list[Block]:
                 Column(gettext("95 % interval")),
                 Column(gettext("Finding"), "left"),
             ),
-            rows(_component(component) for component in adjustment.components),
+            as_rows(_component_row(component) for component in adjustment.components),
         ),
         Paragraph(gettext(VARIANCE_COMPONENTS)),
     ]
 
 
-def _component(found: VarianceComponent) -> tuple[str, str, str, str]:
+def _component_row(found: VarianceComponent) -> tuple[str, str, str, str]:
     interval = gettext(
-        "{lower} to {upper}", lower=fixed(found.lower, 2), upper=fixed(found.upper, 2)
+        "{lower} to {upper}", lower=fixed_number(found.lower, 2), upper=fixed_number(found.upper, 2)
     )
-    name, factor = gettext(COMPONENTS[found.name]), fixed(found.factor, 2)
-    return name, factor, interval, sentence(found.in_words)
+    name, factor = gettext(COMPONENTS[found.name]), fixed_number(found.factor, 2)
+    return name, factor, interval, sentence_text(found.in_words)
 
 
-def _files(content: ReportContent) -> Table:
+def _files_table(content: ReportContent) -> Table:
     roles = {role: gettext(role) for role in FILE_ROLES}
     for line in content.lines:
         roles[role_of_line(line.name)] = gettext("Line {name}", name=line.name)
@@ -256,11 +274,11 @@ def _files(content: ReportContent) -> Table:
             Column(gettext("Size\n(bytes)")),
             Column("SHA-256", "left", code=True),
         ),
-        rows(
+        as_rows(
             [
                 roles[file.role],
                 file.name,
-                known(file.size_bytes, grouped),
+                format_known(file.size_bytes, grouped_number),
                 file.sha256 or gettext("not readable"),
             ]
             for file in content.files

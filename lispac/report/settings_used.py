@@ -2,7 +2,7 @@
 
 from lispac.language import N_
 from lispac.project import Project
-from lispac.report.values import SettingsUsed
+from lispac.report.report_values import SettingsUsed
 
 CONVENTION = N_(
     "Local frame: north, west, up. Body frame: forward, left, up. Roll is positive with the left "

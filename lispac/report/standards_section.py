@@ -1,10 +1,16 @@
 """The section on uncertainty in the terms of published standards, as far as they apply."""
 
 from lispac.language import N_, Plural, gettext
-from lispac.report.blocks import Block, Column, Paragraph, Table, rows
+from lispac.report.document_blocks import Block, Column, Paragraph, Table, as_rows
+from lispac.report.report_values import ReportContent, S44Contribution
+from lispac.report.text_format import (
+    centimetres,
+    fixed_number,
+    grouped_number,
+    millimetres,
+    title_with_unit,
+)
 from lispac.report.validation_values import SwathDifference
-from lispac.report.values import ReportContent, S44Contribution
-from lispac.report.wording import cm, fixed, grouped, in_unit, mm
 
 S44 = N_(
     "Total horizontal and vertical uncertainty (THU, TVU) as defined in IHO S-44, edition 6.1.0, "
@@ -27,32 +33,35 @@ OVERLAP = N_(
 ALL_PLANES = Plural("All ({count:n} plane)", "All ({count:n} planes)")
 
 
-def standards(content: ReportContent) -> list[Block]:
-    """Uncertainty by IHO S-44, and the swath overlap difference."""
+def standards_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the uncertainty by IHO S-44 and the swath overlap difference."""
     blocks: list[Block] = []
     if content.adjustment is not None:
-        blocks += _s44(content.adjustment.s44)
+        blocks += _s44_tables(content.adjustment.s44)
     if content.swath_overlap:
-        blocks += _overlap(content.swath_overlap)
+        blocks += _swath_overlap_tables(content.swath_overlap)
     return blocks
 
 
-def _s44(found: tuple[S44Contribution, ...]) -> list[Block]:
+def _s44_tables(found: tuple[S44Contribution, ...]) -> list[Block]:
     return [
         Table(
             gettext("Uncertainty by IHO S-44: contribution of the boresight alone, 95 %"),
             (
-                Column(in_unit(gettext("Distance"), "m")),
-                Column(in_unit("THU", "cm")),
-                Column(in_unit("TVU", "cm")),
+                Column(title_with_unit(gettext("Distance"), "m")),
+                Column(title_with_unit("THU", "cm")),
+                Column(title_with_unit("TVU", "cm")),
             ),
-            rows([fixed(at.distance_m, 0), cm(at.thu95_m), cm(at.tvu95_m)] for at in found),
+            as_rows(
+                [fixed_number(at.distance_m, 0), centimetres(at.thu95_m), centimetres(at.tvu95_m)]
+                for at in found
+            ),
         ),
         Paragraph(gettext(S44)),
     ]
 
 
-def _overlap(found: tuple[SwathDifference, ...]) -> list[Block]:
+def _swath_overlap_tables(found: tuple[SwathDifference, ...]) -> list[Block]:
     return [
         Table(
             gettext("Swath overlap difference (RMSDn, along the normal of the surface)"),
@@ -63,13 +72,13 @@ def _overlap(found: tuple[SwathDifference, ...]) -> list[Block]:
                 Column(gettext("RMSDn before\n(mm)")),
                 Column(gettext("RMSDn after\n(mm)")),
             ),
-            rows(
+            as_rows(
                 [
                     each.plane or gettext(ALL_PLANES, count=len(found) - 1),
-                    fixed(each.pairs, 0),
-                    grouped(each.places),
-                    mm(each.rmsd_before_m),
-                    mm(each.rmsd_after_m),
+                    fixed_number(each.pairs, 0),
+                    grouped_number(each.places),
+                    millimetres(each.rmsd_before_m),
+                    millimetres(each.rmsd_after_m),
                 ]
                 for each in found
             ),

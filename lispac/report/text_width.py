@@ -15,13 +15,13 @@ LEAST = 4.5
 POINTS_PER_INCH = 72.0
 
 
-def width_of(text: str, size: float) -> float:
+def text_width(text: str, size: float) -> float:
     """Width of the widest line of a text in the usual font of that size in points, inches."""
-    longest = max(sum(map(_advance, line)) for line in text.split("\n"))
+    longest = max(sum(map(_letter_advance, line)) for line in text.split("\n"))
     return size / POINTS_PER_INCH * longest
 
 
-def fitted(texts: Sequence[str], room: float, size: float) -> float:
+def fitted_font_size(texts: Sequence[str], room: float, size: float) -> float:
     """Font size, points, at which the widest of several texts fits: `LEAST` to ``size``.
 
     Parameters
@@ -30,20 +30,20 @@ def fitted(texts: Sequence[str], room: float, size: float) -> float:
     room : float, inches
     size : float, points
     """
-    widest = max(width_of(text, size) for text in texts)
+    widest = max(text_width(text, size) for text in texts)
     return max(LEAST, min(size, size * room / widest)) if widest else size
 
 
-def cut(text: str, room: float) -> str:
+def cut_to_width(text: str, room: float) -> str:
     """The text without line breaks, cut at the end to fit in inches at the smallest size."""
     kept = len(text)
-    while kept and width_of(shown := text[:kept] + "\u2026" * (kept < len(text)), LEAST) > room:
+    while kept and text_width(shown := text[:kept] + "\u2026" * (kept < len(text)), LEAST) > room:
         kept -= 1
     return shown if kept else text[:1]
 
 
 @cache
-def _advance(letter: str) -> float:
+def _letter_advance(letter: str) -> float:
     """Advance of a letter as a share of the font size."""
     font = _font()
     font.set_size(64.0, POINTS_PER_INCH)

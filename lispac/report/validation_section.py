@@ -4,21 +4,29 @@ from collections.abc import Mapping, Sequence
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.report.blocks import Block, Bullets, Column, Drawing, Paragraph, Table, rows
-from lispac.report.validation_values import Distances, Pair, ValidationPlane
-from lispac.report.values import ReportContent
-from lispac.report.wording import (
+from lispac.report.document_blocks import (
+    Block,
+    Bullets,
+    Column,
+    Paragraph,
+    Table,
+    UndrawnPictures,
+    as_rows,
+)
+from lispac.report.report_values import ReportContent
+from lispac.report.text_format import (
     UNKNOWN,
-    fixed,
-    grouped,
-    in_unit,
-    interval,
-    known,
-    mm,
-    percent,
-    signed,
+    fixed_number,
+    format_known,
+    grouped_number,
+    interval_text,
+    millimetres,
+    percent_text,
+    signed_number,
+    title_with_unit,
     with_interval,
 )
+from lispac.report.validation_values import DistanceValues, PairValues, ValidationPlane
 
 PLACES = N_("Signed distances along the normal, reciprocal pairs (mm)")
 PLANES = N_("Comparison of the planes fitted to two lines, reciprocal pairs")
@@ -59,8 +67,8 @@ MAP = N_(
 )
 
 
-def validation(content: ReportContent) -> list[Block]:
-    """Distances between the lines before and after the calibration."""
+def validation_blocks(content: ReportContent) -> list[Block]:
+    """Blocks on the distances between the lines before and after the calibration."""
     if not content.validation:
         return [Paragraph(gettext("The lines have not been compared on any validation plane."))]
     models = sorted({message_text(plane.measured_to) for plane in content.validation})
@@ -77,7 +85,7 @@ def validation(content: ReportContent) -> list[Block]:
         Paragraph(gettext(ROBUST)),
     ]
     for plane in content.validation:
-        blocks += _figures(plane)
+        blocks += _figure_blocks(plane)
     blocks.append(
         distance_table(
             gettext("Distances for every pair of lines (mm)"),
@@ -88,7 +96,7 @@ def validation(content: ReportContent) -> list[Block]:
             [
                 (
                     (
-                        *_named(plane, pair),
+                        *_pair_name_cells(plane, pair),
                         gettext("yes") if pair.reciprocal else gettext("no"),
                     ),
                     pair.before.distances,
@@ -99,8 +107,8 @@ def validation(content: ReportContent) -> list[Block]:
             ],
         )
     )  # fmt: skip
-    blocks += _signed(content.validation)
-    apart = tuple(_not_compared(plane) for plane in content.validation if plane.not_compared)
+    blocks += _signed_tables(content.validation)
+    apart = tuple(_not_compared_text(plane) for plane in content.validation if plane.not_compared)
     if apart:
         blocks += [
             Paragraph(
@@ -111,20 +119,20 @@ def validation(content: ReportContent) -> list[Block]:
     return blocks
 
 
-def _figures(plane: ValidationPlane) -> list[Block]:
+def _figure_blocks(plane: ValidationPlane) -> list[Block]:
+    from lispac.report.distance_maps import map_figure_of
+    from lispac.report.distance_profiles import profile_figure_of
     from lispac.report.histograms import validation_figure
-    from lispac.report.maps import map_figure_of
-    from lispac.report.profiles import profile_figure_of
 
     caption = gettext(
         "{plane}: distances between lines before and after the calibration.", plane=plane.name
     )
-    blocks: list[Block] = [Drawing(caption, validation_figure, (plane,))]
+    blocks: list[Block] = [UndrawnPictures(caption, validation_figure, (plane,))]
     if plane.by_height is not None or plane.by_range is not None:
         caption = gettext(_profile_caption(plane), plane=plane.name)
-        blocks.append(Drawing(caption, profile_figure_of, (plane,)))
+        blocks.append(UndrawnPictures(caption, profile_figure_of, (plane,)))
     if plane.maps:
-        blocks.append(Drawing(gettext(MAP, plane=plane.name), map_figure_of, (plane,)))
+        blocks.append(UndrawnPictures(gettext(MAP, plane=plane.name), map_figure_of, (plane,)))
     return blocks
 
 
@@ -149,15 +157,23 @@ def _statistics_table(planes: Sequence[ValidationPlane]) -> Table:
         for state, d in ((gettext("before"), plane.before), (gettext("after"), plane.after)):
             cells.append(
                 [
-                    plane.name, state, grouped(d.n), mm(d.mean_m), mm(d.median_m), mm(d.rms_m),
-                    mm(d.p68_m), mm(d.p95_m), mm(d.p99_m), known(d.robust_sigma_m, mm),
-                    known(d.outliers, grouped),
+                    plane.name,
+                    state,
+                    grouped_number(d.n),
+                    millimetres(d.mean_m),
+                    millimetres(d.median_m),
+                    millimetres(d.rms_m),
+                    millimetres(d.p68_m),
+                    millimetres(d.p95_m),
+                    millimetres(d.p99_m),
+                    format_known(d.robust_sigma_m, millimetres),
+                    format_known(d.outliers, grouped_number),
                 ]
-            )  # fmt: skip
-    return Table(gettext("Distances between lines on each plane (mm)"), columns, rows(cells))
+            )
+    return Table(gettext("Distances between lines on each plane (mm)"), columns, as_rows(cells))
 
 
-def _signed(planes: Sequence[ValidationPlane]) -> list[Block]:
+def _signed_tables(planes: Sequence[ValidationPlane]) -> list[Block]:
     """Offsets and rotations with their intervals, of the pairs where the boresight shows most."""
     listed = [
         (plane, pair)
@@ -171,62 +187,73 @@ def _signed(planes: Sequence[ValidationPlane]) -> list[Block]:
             Table(
                 gettext(PLACES),
                 (
-                    Column(gettext("Plane"), "left"), Column(gettext("Lines"), "left"),
+                    Column(gettext("Plane"), "left"),
+                    Column(gettext("Lines"), "left"),
                     Column(gettext("Places")),
-                    *_before_and_after(
-                        gettext("Median"), gettext("95 % interval\nof a place"), gettext(
-                            "Significant\nplaces")
+                    *_before_after_columns(
+                        gettext("Median"),
+                        gettext("95 % interval\nof a place"),
+                        gettext("Significant\nplaces"),
                     ),
                 ),
-                rows([*_named(plane, pair), *_place_cells(pair)] for plane, pair in listed),
+                as_rows(
+                    [*_pair_name_cells(plane, pair), *_place_cells(pair)] for plane, pair in listed
+                ),
             ),
             Paragraph(gettext(SIGNED)),
-        ]  # fmt: skip
+        ]
     if any(pair.after.planes is not None for _, pair in listed):
         blocks += [
             Table(
                 gettext(PLANES),
                 (
-                    Column(gettext("Plane"), "left"), Column(gettext("Lines"), "left"),
-                    *_before_and_after(
-                        in_unit(gettext("Offset"), "mm"), gettext(
-                            "Rotation about\nlevel axis (deg)"),
+                    Column(gettext("Plane"), "left"),
+                    Column(gettext("Lines"), "left"),
+                    *_before_after_columns(
+                        title_with_unit(gettext("Offset"), "mm"),
+                        gettext("Rotation about\nlevel axis (deg)"),
                         gettext("Rotation about\nupright axis (deg)"),
                     ),
                 ),
-                rows([*_named(plane, pair), *_plane_cells(pair)] for plane, pair in listed),
+                as_rows(
+                    [*_pair_name_cells(plane, pair), *_plane_cells(pair)] for plane, pair in listed
+                ),
             ),
             Paragraph(gettext(PLANE_OFFSETS)),
-        ]  # fmt: skip
+        ]
     return blocks
 
 
-def _named(plane: ValidationPlane, pair: Pair) -> tuple[str, str]:
+def _pair_name_cells(plane: ValidationPlane, pair: PairValues) -> tuple[str, str]:
     return plane.name, f"{pair.line_a} / {pair.line_b}"
 
 
-def _before_and_after(*names: str) -> tuple[Column, ...]:
+def _before_after_columns(*names: str) -> tuple[Column, ...]:
     """Each value before, then each after."""
     states = gettext("before"), gettext("after")
     return tuple(Column(f"{name}\n{state}") for state in states for name in names)
 
 
-def _place_cells(pair: Pair) -> list[str]:
-    cells = [known(None if pair.after.signed is None else pair.after.signed.places, grouped)]
+def _place_cells(pair: PairValues) -> list[str]:
+    cells = [
+        format_known(
+            None if pair.after.signed is None else pair.after.signed.places, grouped_number
+        )
+    ]
     for state in (pair.before, pair.after):
         s = state.signed
         cells += (
             [UNKNOWN] * 3
             if s is None
             else [
-                signed(1000 * s.median_m, 1), interval(mm(s.interval95_m)),
-                percent(s.significant_share),
+                signed_number(1000 * s.median_m, 1), interval_text(millimetres(s.interval95_m)),
+                percent_text(s.significant_share),
             ]
         )  # fmt: skip
     return cells
 
 
-def _plane_cells(pair: Pair) -> list[str]:
+def _plane_cells(pair: PairValues) -> list[str]:
     cells: list[str] = []
     for state in (pair.before, pair.after):
         p = state.planes
@@ -234,19 +261,21 @@ def _plane_cells(pair: Pair) -> list[str]:
             [UNKNOWN] * 3
             if p is None
             else [
-                with_interval(signed(1000 * p.offset_m, 1), mm(p.offset_interval95_m)),
-                _rotation(p.turn_level_deg, p.turn_level_interval95_deg),
-                _rotation(p.turn_upright_deg, p.turn_upright_interval95_deg),
+                with_interval(
+                    signed_number(1000 * p.offset_m, 1), millimetres(p.offset_interval95_m)
+                ),
+                _rotation_cell(p.turn_level_deg, p.turn_level_interval95_deg),
+                _rotation_cell(p.turn_upright_deg, p.turn_upright_interval95_deg),
             ]
         )
     return cells
 
 
-def _rotation(value: float, half: float) -> str:
-    return with_interval(signed(value, 3), fixed(half, 3))
+def _rotation_cell(value: float, half: float) -> str:
+    return with_interval(signed_number(value, 3), fixed_number(half, 3))
 
 
-def _not_compared(plane: ValidationPlane) -> str:
+def _not_compared_text(plane: ValidationPlane) -> str:
     pairs = ", ".join(f"{a} / {b}" for a, b in plane.not_compared)
     return gettext("{plane}: {pairs}", plane=plane.name, pairs=pairs)
 
@@ -254,7 +283,7 @@ def _not_compared(plane: ValidationPlane) -> str:
 def distance_table(
     title: str,
     head: Sequence[Column],
-    compared: Sequence[tuple[tuple[str, ...], Distances, Distances]],
+    compared: Sequence[tuple[tuple[str, ...], DistanceValues, DistanceValues]],
 ) -> Table:
     """Median, RMS and 95 % of distances, before and after."""
     statistics = (gettext("Median"), gettext("RMS"), gettext("95 %"))
@@ -267,13 +296,13 @@ def distance_table(
     return Table(
         title,
         columns,
-        rows(
+        as_rows(
             [
                 *names,
-                grouped(before.n),
-                mm(before.median_m), mm(after.median_m),
-                mm(before.rms_m), mm(after.rms_m),
-                mm(before.p95_m), mm(after.p95_m),
+                grouped_number(before.n),
+                millimetres(before.median_m), millimetres(after.median_m),
+                millimetres(before.rms_m), millimetres(after.rms_m),
+                millimetres(before.p95_m), millimetres(after.p95_m),
             ]
             for names, before, after in compared
         ),

@@ -7,20 +7,20 @@ from math import degrees, sqrt
 import numpy as np
 
 from lispac.messages import Message
-from lispac.validation.distance_map import DistanceMap
-from lispac.validation.plane_offset import PlaneOffset
-from lispac.validation.profile import Profile
-from lispac.validation.results import (
+from lispac.validation.comparison_results import (
     DistanceStatistics,
     PairComparison,
     PairState,
     PlaneComparison,
     SignedStatistics,
 )
+from lispac.validation.distance_map import DistanceMap
+from lispac.validation.distance_profile import DistanceProfile
+from lispac.validation.plane_offset import PlaneOffset
 
 
 @dataclass(frozen=True)
-class Distances:
+class DistanceValues:
     """Statistics of the unsigned distances between lines; see `DistanceStatistics`."""
 
     n: int
@@ -35,8 +35,8 @@ class Distances:
     outliers: int | None
 
     @classmethod
-    def of(cls, values: DistanceStatistics) -> "Distances":
-        """The same figures."""
+    def of(cls, values: DistanceStatistics) -> "DistanceValues":
+        """Values of the statistics of distances."""
         return cls(
             values.n, values.mean, values.median, values.rms, values.p68, values.p95, values.p99,
             values.maximum, values.robust_sigma, values.outliers,
@@ -57,7 +57,7 @@ class SignedDistances:
 
     @classmethod
     def of(cls, values: SignedStatistics) -> "SignedDistances":
-        """The same figures."""
+        """Values of the statistics of signed distances."""
         return cls(
             values.n, values.mean, values.median, values.robust_sigma, values.half_width,
             values.significant, values.rms,
@@ -65,7 +65,7 @@ class SignedDistances:
 
 
 @dataclass(frozen=True)
-class Planes:
+class PlaneOffsetValues:
     """The first line's plane from the second's; see `PlaneOffset`."""
 
     offset_m: float
@@ -78,8 +78,8 @@ class Planes:
     strays: int
 
     @classmethod
-    def of(cls, values: PlaneOffset) -> "Planes":
-        """The same figures, angles in degrees."""
+    def of(cls, values: PlaneOffset) -> "PlaneOffsetValues":
+        """Values of a plane offset, angles in degrees."""
         return cls(
             offset_m=values.offset,
             offset_interval95_m=values.offset_95,
@@ -93,38 +93,42 @@ class Planes:
 
 
 @dataclass(frozen=True)
-class State:
+class PairStateValues:
     """Two lines with one boresight; what could not be measured is None."""
 
-    distances: Distances
+    distances: DistanceValues
     signed: SignedDistances | None
-    planes: Planes | None
+    planes: PlaneOffsetValues | None
 
     @classmethod
-    def of(cls, state: PairState) -> "State":
-        """The same figures."""
+    def of(cls, state: PairState) -> "PairStateValues":
+        """Values of a pair with one boresight."""
         return cls(
-            Distances.of(state.distances),
+            DistanceValues.of(state.distances),
             None if state.signed is None else SignedDistances.of(state.signed),
-            None if state.planes is None else Planes.of(state.planes),
+            None if state.planes is None else PlaneOffsetValues.of(state.planes),
         )
 
 
 @dataclass(frozen=True)
-class Pair:
-    """Two lines compared on one validation plane."""
+class PairValues:
+    """Comparison of two lines on one validation plane."""
 
     line_a: str
     line_b: str
     reciprocal: bool
-    before: State
-    after: State
+    before: PairStateValues
+    after: PairStateValues
 
     @classmethod
-    def of(cls, pair: PairComparison) -> "Pair":
-        """The same figures."""
+    def of(cls, pair: PairComparison) -> "PairValues":
+        """Values of the comparison of two lines."""
         return cls(
-            pair.line_a, pair.line_b, pair.reciprocal, State.of(pair.before), State.of(pair.after)
+            pair.line_a,
+            pair.line_b,
+            pair.reciprocal,
+            PairStateValues.of(pair.before),
+            PairStateValues.of(pair.after),
         )
 
 
@@ -140,8 +144,8 @@ class DistancesBySteps:
     p95_after_m: tuple[float | None, ...]
 
     @classmethod
-    def of(cls, profile: Profile) -> "DistancesBySteps":
-        """The same figures."""
+    def of(cls, profile: DistanceProfile) -> "DistancesBySteps":
+        """Values of a profile of distances."""
         return cls(
             tuple(profile.edges.tolist()),
             tuple(profile.n.tolist()),
@@ -169,7 +173,7 @@ class DistanceMapValues:
 
     @classmethod
     def of(cls, values: DistanceMap) -> "DistanceMapValues":
-        """The same figures."""
+        """Values of a map of distances."""
         figures = (values.across, values.up, values.before, values.after)
         return cls(values.line_a, values.line_b, values.cell, *(tuple(f.tolist()) for f in figures))
 
@@ -184,9 +188,9 @@ class ValidationPlane:
     name: str
     pooled_from: str
     measured_to: Message
-    before: Distances
-    after: Distances
-    pairs: tuple[Pair, ...]
+    before: DistanceValues
+    after: DistanceValues
+    pairs: tuple[PairValues, ...]
     not_compared: tuple[tuple[str, str], ...]
     bin_edges_m: tuple[float, ...]
     counts_before: tuple[int, ...]
@@ -197,14 +201,14 @@ class ValidationPlane:
 
     @classmethod
     def of(cls, plane: PlaneComparison) -> "ValidationPlane":
-        """The same figures."""
+        """Values of the comparison on a plane."""
         return cls(
             name=plane.name,
             pooled_from=plane.pooled_from,
             measured_to=plane.model.name,
-            before=Distances.of(plane.before),
-            after=Distances.of(plane.after),
-            pairs=tuple(map(Pair.of, plane.pairs)),
+            before=DistanceValues.of(plane.before),
+            after=DistanceValues.of(plane.after),
+            pairs=tuple(map(PairValues.of, plane.pairs)),
             not_compared=plane.not_compared,
             bin_edges_m=tuple(map(float, plane.bin_edges)),
             counts_before=tuple(map(int, plane.counts_before)),
@@ -230,20 +234,20 @@ class SwathDifference:
 
 
 def swath_overlap(planes: Sequence[PlaneComparison]) -> tuple[SwathDifference, ...]:
-    """Of each plane, then of all together; empty where no distances along the normal are known."""
-    per_plane = [(plane.name, _measured(plane)) for plane in planes]
+    """Swath overlap differences of each plane, then of all; empty without normal distances."""
+    per_plane = [(plane.name, _measured_pairs(plane)) for plane in planes]
     known = [(name, pairs) for name, pairs in per_plane if pairs]
     if not known:
         return ()
     every = [pair for _, pairs in known for pair in pairs]
-    return tuple(_difference(name, pairs) for name, pairs in (*known, ("", every)))
+    return tuple(_swath_difference(name, pairs) for name, pairs in (*known, ("", every)))
 
 
 _Measured = tuple[SignedStatistics, SignedStatistics]
 """The signed distances of a pair of lines, before and after."""
 
 
-def _measured(plane: PlaneComparison) -> list[_Measured]:
+def _measured_pairs(plane: PlaneComparison) -> list[_Measured]:
     return [
         (before, after)
         for before, after in ((pair.before.signed, pair.after.signed) for pair in plane.pairs)
@@ -252,7 +256,7 @@ def _measured(plane: PlaneComparison) -> list[_Measured]:
     ]
 
 
-def _difference(name: str, pairs: Sequence[_Measured]) -> SwathDifference:
+def _swath_difference(name: str, pairs: Sequence[_Measured]) -> SwathDifference:
     def pooled(found: Sequence[SignedStatistics]) -> float:
         squares = sum(each.n * (each.rms or 0.0) ** 2 for each in found)
         return sqrt(squares / sum(each.n for each in found))

@@ -9,10 +9,10 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from lispac.language import N_, gettext
-from lispac.report.figures import INK, LINE_COLOURS, SMALL, TEXT, blank, dress
-from lispac.report.wording import fixed, title
+from lispac.report.figures import INK, LINE_COLOURS, SMALL, TEXT, blank_figure, style_axes
+from lispac.report.text_format import fixed_number, title
 from lispac.simulation.thesis_site import HEADINGS_DEG, SIZES
-from lispac.simulation.visibility_study import THRESHOLD, Visibility
+from lispac.simulation.visibility_study import THRESHOLD, VisibilityStudy
 
 Array = NDArray[np.float64]
 
@@ -23,7 +23,7 @@ WIDTHS = (6.0, 2.0, 6.0, 4.2, 2.6, 1.0)
 
 @dataclass(frozen=True)
 class Criterion:
-    """One of the three plots of an error.
+    """Plot of an error by one of three criteria.
 
     Attributes
     ----------
@@ -31,7 +31,7 @@ class Criterion:
         English texts: the question, and the quantity on the axis with its unit.
     least : float
         Smallest height of the axis, so that rounding errors are not enlarged.
-    values : function of a `Visibility`
+    values : function of a `VisibilityStudy`
         Shape (errors, lines, inclinations), in the unit of the label.
     """
 
@@ -39,7 +39,7 @@ class Criterion:
     label: str
     decimals: int
     least: float
-    values: Callable[[Visibility], Array]
+    values: Callable[[VisibilityStudy], Array]
 
 
 CRITERIA: Mapping[str, Criterion] = {
@@ -62,15 +62,15 @@ SITE_NAMES: Mapping[str, str] = {"terrestrial": N_("terrestrial"), "marine": N_(
 """Names of the sites within a sentence."""
 
 
-def error_in_words(error: str) -> str:
+def error_text(error: str) -> str:
     """An error with its size, as ``Roll 2 deg`` or ``Lever arm X 10 cm``."""
     size = SIZES[error]
     if error.startswith(("lever", "range")):
-        return gettext("{error} {size} cm", error=title(error), size=fixed(100 * size, 0))
+        return gettext("{error} {size} cm", error=title(error), size=fixed_number(100 * size, 0))
     return gettext("{error} {size:deg.0} deg", error=title(error), size=size)
 
 
-def _as_high(axes: Axes, values: Array, least: float) -> None:
+def _set_y_limits(axes: Axes, values: Array, least: float) -> None:
     low, high = float(values.min()), float(values.max())
     wanting = max(0.0, least - (high - low)) / 2
     low, high = low - wanting, high + wanting
@@ -79,7 +79,7 @@ def _as_high(axes: Axes, values: Array, least: float) -> None:
 
 
 def visibility_figure(
-    found: Visibility,
+    found: VisibilityStudy,
     error: str,
     criterion: str,
     figure: Figure | None = None,
@@ -94,7 +94,7 @@ def visibility_figure(
     criterion : str
         Of `CRITERIA`.
     """
-    figure = blank(figure, (6.3, 3.4))
+    figure = blank_figure(figure, (6.3, 3.4))
     axes = figure.add_subplot()
     shown = CRITERIA[criterion]
     best = found.best(error)
@@ -112,7 +112,7 @@ def visibility_figure(
             marker="o", markersize=WIDTHS[k] + 1.5,
             label=gettext("{heading:n} deg", heading=heading),
         )  # fmt: skip
-    dress(
+    style_axes(
         axes,
         gettext("Inclination of the board (deg; positive: tilted towards the vessel)"),
         gettext(shown.label),
@@ -121,12 +121,12 @@ def visibility_figure(
         axes.axhline(THRESHOLD, color=BEST, linewidth=0.6, linestyle=":")
         axes.set_ylim(-0.05, 1.05)
     elif best.kept:
-        _as_high(axes, values[:, np.isin(found.site.inclinations, best.kept)], shown.least)
+        _set_y_limits(axes, values[:, np.isin(found.site.inclinations, best.kept)], shown.least)
     axes.set_xticks(inclinations[:: 3 if len(inclinations) > 20 else 1])
     axes.set_xlim(inclinations[0] - 5, inclinations[-1] + 5)
     head = gettext(
         "{error}, {site} site. {criterion}",
-        error=error_in_words(error), site=gettext(SITE_NAMES[found.site.name]),
+        error=error_text(error), site=gettext(SITE_NAMES[found.site.name]),
         criterion=gettext(shown.title),
     )  # fmt: skip
     axes.set_title(head, fontsize=TEXT + 1, color=INK, loc="left")

@@ -6,17 +6,17 @@ import numpy as np
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.report.blocks import Column, Table, rows
-from lispac.report.visibility_figures import CRITERIA, error_in_words
-from lispac.report.wording import fixed
-from lispac.simulation.thesis_answers import (
+from lispac.report.document_blocks import Column, Table, as_rows
+from lispac.report.text_format import fixed_number
+from lispac.report.visibility_figures import CRITERIA, error_text
+from lispac.simulation.thesis_comparison import (
     ALL_ERRORS,
-    Compared,
-    compared_with_thesis,
-    lines_for_all_agree,
+    ThesisComparison,
+    compare_with_thesis,
+    do_fewest_lines_agree,
 )
 from lispac.simulation.thesis_site import HEADINGS_DEG
-from lispac.simulation.visibility_study import Visibility, fewest_lines
+from lispac.simulation.visibility_study import VisibilityStudy, fewest_sufficient_lines
 
 VALUES_TITLES: Mapping[str, str] = {
     "terrestrial": N_("Visibility on the terrestrial site"),
@@ -40,7 +40,7 @@ COMPARISON = (
 """Titles of the columns; the thesis's inclinations are in degrees."""
 
 
-def values_table(found: Visibility, errors: Sequence[str]) -> Table:
+def values_table(found: VisibilityStudy, errors: Sequence[str]) -> Table:
     """A row for each error, line and inclination; without points there are no values."""
     made = []
     for error in errors:
@@ -51,24 +51,28 @@ def values_table(found: Visibility, errors: Sequence[str]) -> Table:
                 made.append(
                     (
                         error, f"{heading}", f"{np.degrees(inclination):.0f}",
-                        f"{found.points[place]}", _number(found.planarity[place], 4),
-                        _number(found.centroidal_distance[place], 5),
-                        _number(found.type_one[place], 4),
+                        f"{found.points[place]}", _number_text(found.planarity[place], 4),
+                        _number_text(found.centroidal_distance[place], 5),
+                        _number_text(found.type_one[place], 4),
                         gettext("yes") if inclination in kept else gettext("no"),
-                        _number(found.orthogonal_distance[place], 6),
-                        _number(np.degrees(found.angular_deviation[place]), 5),
+                        _number_text(found.orthogonal_distance[place], 6),
+                        _number_text(np.degrees(found.angular_deviation[place]), 5),
                     )
                 )  # fmt: skip
-    return Table(gettext(VALUES_TITLES[found.site.name]), _columns(VALUES), rows(made))
+    return Table(gettext(VALUES_TITLES[found.site.name]), _table_columns(VALUES), as_rows(made))
 
 
-def reading(found: Visibility, error: str, criterion: str, inclination_deg: float) -> str:
+def values_at_inclination(
+    found: VisibilityStudy, error: str, criterion: str, inclination_deg: float
+) -> str:
     """Values of all lines at the studied inclination nearest to the given one."""
     shown = CRITERIA[criterion]
     j = int(np.argmin(np.abs(np.degrees(found.site.inclinations) - inclination_deg)))
     values = shown.values(found)[found.site.errors.index(error), :, j]
     lines = [
-        gettext("{heading:n} deg: {value}", heading=heading, value=_shown(value, shown.decimals))
+        gettext(
+            "{heading:n} deg: {value}", heading=heading, value=_value_text(value, shown.decimals)
+        )
         for heading, value in zip(HEADINGS_DEG, values, strict=True)
     ]
     return gettext(
@@ -78,43 +82,45 @@ def reading(found: Visibility, error: str, criterion: str, inclination_deg: floa
     )  # fmt: skip
 
 
-def _shown(value: float, decimals: int) -> str:
-    return fixed(value, decimals) if np.isfinite(value) else gettext("no points")
+def _value_text(value: float, decimals: int) -> str:
+    return fixed_number(value, decimals) if np.isfinite(value) else gettext("no points")
 
 
-def plot_table(found: Visibility, error: str, criterion: str) -> Table:
+def plot_table(found: VisibilityStudy, error: str, criterion: str) -> Table:
     """Values of one figure: a row for each inclination, a column for each line."""
     shown = CRITERIA[criterion]
     values = shown.values(found)[found.site.errors.index(error)]
     return Table(
-        gettext("{error}: {quantity}", error=error_in_words(error), quantity=gettext(shown.label)),
+        gettext("{error}: {quantity}", error=error_text(error), quantity=gettext(shown.label)),
         (
             Column(gettext("Inclination (deg)")),
             *(Column(gettext("{heading:n} deg", heading=each)) for each in HEADINGS_DEG),
         ),
-        rows(
-            (f"{np.degrees(each):.0f}", *(_number(value, 6) for value in values[:, j]))
+        as_rows(
+            (f"{np.degrees(each):.0f}", *(_number_text(value, 6) for value in values[:, j]))
             for j, each in enumerate(found.site.inclinations)
         ),
     )
 
 
-def comparison_table(found: Visibility, errors: Sequence[str]) -> Table:
-    """The best configuration for each error, here and in the thesis, and whether they agree."""
-    made = [_compared(each) for each in compared_with_thesis(found) if each.best.error in errors]
-    return Table(gettext(BEST_TITLES[found.site.name]), _columns(COMPARISON), rows(made))
+def comparison_table(found: VisibilityStudy, errors: Sequence[str]) -> Table:
+    """Best configuration for each error, here and in the thesis, and their agreement."""
+    made = [
+        _comparison_row(each) for each in compare_with_thesis(found) if each.best.error in errors
+    ]
+    return Table(gettext(BEST_TITLES[found.site.name]), _table_columns(COMPARISON), as_rows(made))
 
 
-def _columns(titles: Sequence[str]) -> tuple[Column, ...]:
+def _table_columns(titles: Sequence[str]) -> tuple[Column, ...]:
     return tuple(Column(gettext(each)) for each in titles)
 
 
-def all_errors_in_words(found: Visibility) -> str:
-    """Which lines show every error, on the terrestrial site beside table 3.3 of the thesis."""
-    sets = fewest_lines([found.best(error) for error in found.site.errors])
+def all_errors_text(found: VisibilityStudy) -> str:
+    """Text on the lines that show every error, beside table 3.3 of the thesis."""
+    sets = fewest_sufficient_lines([found.best(error) for error in found.site.errors])
     if found.site.name != "terrestrial":
         template = N_("Smallest sets of lines that reveal all errors: {lines}.")
-    elif lines_for_all_agree(found):
+    elif do_fewest_lines_agree(found):
         template = N_(
             "Smallest sets of lines that reveal all errors: {lines} (the same as the {count:n} "
             "sets in table 3.3 of the thesis)."
@@ -124,47 +130,49 @@ def all_errors_in_words(found: Visibility) -> str:
             "Smallest sets of lines that reveal all errors: {lines} (different from the {count:n} "
             "sets in table 3.3 of the thesis)."
         )
-    return gettext(template, lines="; ".join(map(_headings, sets)), count=len(ALL_ERRORS))
+    return gettext(template, lines="; ".join(map(_headings_text, sets)), count=len(ALL_ERRORS))
 
 
-def _compared(each: Compared) -> tuple[str, ...]:
+def _comparison_row(each: ThesisComparison) -> tuple[str, ...]:
     best, stated = each.best, each.stated
     accepted = gettext("none")
     if best.kept:
-        accepted = _range(*(round(float(np.degrees(end))) for end in (best.kept[0], best.kept[-1])))
+        accepted = _range_text(
+            *(round(float(np.degrees(end))) for end in (best.kept[0], best.kept[-1]))
+        )
     not_seen, thesis = gettext("not visible"), stated.inclination_deg
     return (
-        error_in_words(best.error),
+        error_text(best.error),
         accepted,
-        _range(*stated.kept_deg),
+        _range_text(*stated.kept_deg),
         not_seen if best.inclination is None else f"{np.degrees(best.inclination):.0f}",
-        not_seen if thesis is None else _about(*thesis),
+        not_seen if thesis is None else _inclination_text(*thesis),
         # Lines that show the same stand together; one of each group is enough.
         ", ".join("/".join(map(str, group)) for group in best.groups) if best.lines else not_seen,
-        _headings(stated.lines) or not_seen,
-        _agree(each.inclination_agrees),
-        _agree(each.lines_agree),
+        _headings_text(stated.lines) or not_seen,
+        _agreement_text(each.inclination_agrees),
+        _agreement_text(each.lines_agree),
         "" if each.reason is None else message_text(each.reason),
     )
 
 
-def _range(low: float, high: float) -> str:
+def _range_text(low: float, high: float) -> str:
     return gettext("{low} to {high}", low=f"{low}", high=f"{high}")
 
 
-def _about(low: int, high: int) -> str:
+def _inclination_text(low: int, high: int) -> str:
     if low == high:
         return f"{low}"
     return gettext("about {inclination}", inclination=f"{(low + high) / 2:.0f}")
 
 
-def _agree(agree: bool) -> str:
+def _agreement_text(agree: bool) -> str:
     return gettext("the same") if agree else gettext("different")
 
 
-def _headings(lines: Sequence[int]) -> str:
+def _headings_text(lines: Sequence[int]) -> str:
     return ", ".join(map(str, lines))
 
 
-def _number(value: float, decimals: int) -> str:
+def _number_text(value: float, decimals: int) -> str:
     return f"{value:.{decimals}f}" if np.isfinite(value) else ""

@@ -1,1 +1,1 @@
-"""What ``import lispac`` offers to scripts: the steps of the window as Python."""
+"""Interface of ``import lispac`` for scripts: the steps of the window as Python."""

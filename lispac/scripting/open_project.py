@@ -11,26 +11,26 @@ from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import ProjectError
 from lispac.messages import as_message, error
 from lispac.project import LineSource, Role, Shape, Target
-from lispac.scripting.held import LoadedProject
-from lispac.targets.expected import ExpectedTarget
-from lispac.targets.settings import USUAL, FinderChoices
-from lispac.validation.absolute import AbsoluteCheck
-from lispac.validation.comparison import PlaneComparison
+from lispac.scripting.loaded_project import LoadedProject
+from lispac.targets.expected_target import ExpectedTarget
+from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.validation.local_models import USUAL_NEIGHBOURS, Kind, LocalModel
-from lispac.workflow import absolute, calibration, edits, picking, projects, validation
-from lispac.workflow.coordinates import require_near
+from lispac.validation.plane_comparison import PlaneComparison
+from lispac.workflow import absolute_check, calibration, edits, picking, projects, validation
+from lispac.workflow.coordinates import require_near_trajectory
 from lispac.workflow.export import write_report
-from lispac.workflow.export_request import ENDINGS, ExportRequest, What, export, system_of
+from lispac.workflow.export_request import ENDINGS, ExportRequest, What, export, output_system_of
 from lispac.workflow.georeferencing import Which
-from lispac.workflow.importing import import_lines
-from lispac.workflow.proposal_acceptance import not_picked, with_accepted
-from lispac.workflow.proposals import Proposal, propose
+from lispac.workflow.line_import import import_lines
+from lispac.workflow.output_crs import LOCAL
+from lispac.workflow.project_copy import save_project_as
+from lispac.workflow.proposal_acceptance import with_accepted, without_picked
+from lispac.workflow.proposals import Proposal, propose_targets
 from lispac.workflow.report_options import report_options
-from lispac.workflow.saving_as import save_project_as
 from lispac.workflow.script import script_of
-from lispac.workflow.seed_lists import Outcome, pick_seeds, read_seeds
+from lispac.workflow.seed_lists import SeedOutcome, pick_seeds, read_seeds
 from lispac.workflow.survey import data_key
-from lispac.workflow.target_systems import LOCAL
 
 AnyPath = str | Path
 
@@ -49,7 +49,7 @@ class OpenProject(LoadedProject):
     # -- data --------------------------------------------------------------------------------
 
     def add_lines(self, *lines: AnyPath | LineSource) -> None:
-        """Add lines; what is picked and computed stays."""
+        """Add lines; targets and results are kept."""
         sources = [
             line if isinstance(line, LineSource) else LineSource(Path(line).stem, Path(line))
             for line in lines
@@ -133,13 +133,15 @@ class OpenProject(LoadedProject):
             raise ProjectError(error("script.place_or_point", name=name))
         if point is not None:
             clicked_on, number = point
-            place = picking.point_of(self.project, survey, clicked_on, number)
+            place = picking.point_position(self.project, survey, clicked_on, number)
         else:
-            system = system_of(
+            system = output_system_of(
                 self.project, survey.trajectory, crs or LOCAL, height, trajectory_datum, epoch
             )
-            place = require_near(np.array(at, dtype=float), system, survey.trajectory, name)
-        target = picking.find(
+            place = require_near_trajectory(
+                np.array(at, dtype=float), system, survey.trajectory, name
+            )
+        target = picking.find_target(
             self.project, survey, place, name=name, role=role, shape=shape,
             sphere_radius=sphere_radius, line=line, first_line=clicked_on, threshold=threshold,
             radius=radius, expected=expected, choices=choices, progress=self._progress,
@@ -157,7 +159,7 @@ class OpenProject(LoadedProject):
         height: str = "",
         trajectory_datum: str | None = None,
         epoch: float | None = None,
-    ) -> tuple[Outcome, ...]:
+    ) -> tuple[SeedOutcome, ...]:
         """Pick all targets of a list of coordinates, as ``lispac pick --seeds`` does.
 
         Returns
@@ -166,7 +168,7 @@ class OpenProject(LoadedProject):
             For each row its ``target``, or the ``reason`` why there is none.
         """
         survey = self.survey
-        system = system_of(
+        system = output_system_of(
             self.project, survey.trajectory, crs or LOCAL, height, trajectory_datum, epoch
         )
         listed = read_seeds(
@@ -179,8 +181,8 @@ class OpenProject(LoadedProject):
 
     def propose(self) -> Proposal:
         """Planes that could be used, with reasons; `accept` adds them."""
-        found = propose(self.project, self.survey, progress=self._progress)
-        return not_picked(self.project, found)
+        found = propose_targets(self.project, self.survey, progress=self._progress)
+        return without_picked(self.project, found)
 
     def accept(self, proposal: Proposal, names: Collection[str] | None = None) -> tuple[str, ...]:
         """Add proposed targets, all of them or those of these names; the names they get."""
@@ -193,25 +195,25 @@ class OpenProject(LoadedProject):
         # Scripts of former versions give the reasons as sentences.
         reasons = {line: as_message(reason) for line, reason in target.missing.items()}
         target = replace(target, missing=reasons)
-        picking.require_points(self.survey, target)
+        picking.require_survey_points(self.survey, target)
         self.project = self.project.with_target(target)
 
     def reject(self, name: str, line: str | None = None) -> None:
-        """Leave a target out of everything, or one sighting of it."""
-        self._use(name, line, False)
+        """Exclude a target, or one sighting of it."""
+        self._set_use(name, line, False)
 
     def use(self, name: str, line: str | None = None) -> None:
         """The inverse of `reject`."""
-        self._use(name, line, True)
+        self._set_use(name, line, True)
 
     def rename(self, old: str, new: str) -> None:
         """Give a target another name."""
-        self.project = edits.with_name(self.project, old, new)
+        self.project = edits.with_renamed_target(self.project, old, new)
 
     def set_role(self, name: str, role: Role) -> None:
         """Make a target a validation plane, or a validation plane a target."""
         if self.project.target(name).role != role:
-            self.project = edits.with_other_role(self.project, name)
+            self.project = edits.with_switched_role(self.project, name)
 
     def remove(self, name: str) -> None:
         """Remove a target or validation plane."""
@@ -255,8 +257,8 @@ class OpenProject(LoadedProject):
         self,
         reference: AnyPath,
         *,
-        sigma: float = absolute.SIGMA,
-        reach: float = absolute.REACH,
+        sigma: float = absolute_check.SIGMA,
+        reach: float = absolute_check.REACH,
         crs: str = "",
         height: str = "",
         trajectory_datum: str | None = None,
@@ -269,7 +271,7 @@ class OpenProject(LoadedProject):
         sigma : metres, of the reference
         reach : metres from the reference within which lines are searched for
         """
-        self.project, _ = absolute.check_absolute(
+        self.project, _ = absolute_check.check_absolute(
             self.project, self.survey, Path(reference), crs=crs, height=height,
             trajectory_datum=trajectory_datum, epoch=epoch, sigma=sigma, reach=reach,
             progress=self._progress,
@@ -373,7 +375,7 @@ class OpenProject(LoadedProject):
         )
         self.project, self._survey, self._key = project, survey, data_key(project)
 
-    def _use(self, name: str, line: str | None, used: bool) -> None:
+    def _set_use(self, name: str, line: str | None, used: bool) -> None:
         if line is None:
             self.project = edits.with_use_of_target(self.project, name, used)
             return

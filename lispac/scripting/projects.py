@@ -1,4 +1,4 @@
-"""How a script comes to a project: a new one, one that is there, or the built-in survey."""
+"""Opening and creating projects in a script."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -7,11 +7,11 @@ from typing import Any
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Reading, Settings, Triple
 from lispac.scripting.open_project import OpenProject
-from lispac.simulation.survey import POINTS_PER_SECOND
-from lispac.survey.source import USUAL
+from lispac.simulation.simulated_survey import POINTS_PER_SECOND
+from lispac.survey.line_source import USUAL
 from lispac.workflow import projects
 from lispac.workflow.demo import make_demo
-from lispac.workflow.moved import with_files_in
+from lispac.workflow.moved_files import with_files_in
 
 AnyPath = str | Path
 
@@ -63,7 +63,7 @@ def new(
     project, survey = projects.new_project(
         Path(folder),
         trajectory=Path(trajectory).absolute(),
-        lines=[_line(line, line_reading) for line in lines],
+        lines=[_line_source(line, line_reading) for line in lines],
         settings=Settings(lever_arm, **settings),
         accuracy=None if accuracy is None else Path(accuracy).absolute(),
         truth_deg=truth_deg,
@@ -120,7 +120,7 @@ def demo(
     return OpenProject(made, progress=progress)
 
 
-def _line(line: AnyPath | LineSource, reading: Reading) -> LineSource:
+def _line_source(line: AnyPath | LineSource, reading: Reading) -> LineSource:
     if isinstance(line, LineSource):
         return line
     path = Path(line).absolute()

@@ -1,1 +1,1 @@
-"""Surveys with a known truth, and what an error does to a board."""
+"""Simulated surveys with known truth, and effects of errors on a board."""

@@ -1,4 +1,4 @@
-"""More ways in which a POS errs: white noise, drift while GNSS is out, jumps; and all together.
+"""Further models of POS errors: white noise, GNSS outage, jumps, and combinations.
 
 A model draws errors and gives the variance that the POS itself would report for them. Times count
 from the first sample of the trajectory.
@@ -18,7 +18,7 @@ TO_LOCAL = np.array([1.0, -1.0, 1.0])
 
 
 class PosErrors(Protocol):
-    """What a model of POS errors does."""
+    """Protocol of a model of POS errors."""
 
     def draw(
         self, count: int, interval: float, generator: np.random.Generator
@@ -212,6 +212,6 @@ class CombinedModel:
         return total
 
 
-def together(parts: Sequence[PosErrors]) -> PosErrors:
+def combine_models(parts: Sequence[PosErrors]) -> PosErrors:
     """One model of several; a single one stays as it is."""
     return parts[0] if len(parts) == 1 else CombinedModel(tuple(parts))

@@ -1,11 +1,11 @@
-"""Where rays meet the surfaces that have a formula: compiled, in double precision."""
+"""Intersections of rays with analytic surfaces: compiled, in double precision."""
 
 import numpy as np
 from numba import njit
 
 
 @njit(nogil=True, cache=True, error_model="numpy")
-def cast(  # type: ignore[no-untyped-def]
+def cast_rays(  # type: ignore[no-untyped-def]
     origins, directions, max_range, rectangles, cylinders, spheres, ranges, labels, cosines
 ):
     """Range, surface index (-1 none) and cosine of incidence of each ray, into the last three.

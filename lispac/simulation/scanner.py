@@ -1,4 +1,4 @@
-"""Scanners that turn about an axis: which pulses they send, what these meet, what is read.
+"""Rotating scanners: pulses sent, surfaces hit, and readings.
 
 The errors of the mounting are put into the beams themselves, not added to finished points: a pulse
 leaves from where the true lever arm puts the scanner, along ``R_local_body R_body_lidar R_x u``, at
@@ -132,7 +132,7 @@ class Scanner:
 
 @dataclass(frozen=True, eq=False)
 class Echoes:
-    """What came back from one pass.
+    """Echoes of one line.
 
     Attributes
     ----------
@@ -153,8 +153,8 @@ class Echoes:
 
 
 @dataclass(frozen=True, eq=False)
-class _Hits:
-    """Pulses that met something, before anything is read."""
+class _PulseHits:
+    """Pulses that hit a surface, before any reading."""
 
     time: Array
     angle: Array
@@ -166,13 +166,13 @@ class _Hits:
     label: NDArray[np.int16]
 
     @classmethod
-    def joined(cls, parts: Sequence["_Hits"]) -> "_Hits":
+    def joined(cls, parts: Sequence["_PulseHits"]) -> "_PulseHits":
         columns = zip(*(vars(part).values() for part in parts), strict=True)
         return cls(*(np.concatenate(column) for column in columns))
 
 
-class _Intersections(NamedTuple):
-    """Rays and what they meet; label -1 where that is nothing."""
+class _RayIntersections(NamedTuple):
+    """Rays and their intersections; label -1 where there is none."""
 
     origins: Array
     directions: Array
@@ -185,17 +185,17 @@ class _Intersections(NamedTuple):
         """Where they meet it, shape (n, 3), metres, local."""
         return np.asarray(self.origins + self.distance[:, None] * self.directions)
 
-    def of(self, chosen: NDArray[np.intp]) -> "_Intersections":
+    def of(self, chosen: NDArray[np.intp]) -> "_RayIntersections":
         """Some of the rays."""
-        return _Intersections(
+        return _RayIntersections(
             self.origins[chosen], self.directions[chosen], self.distance[chosen],
             self.label[chosen], self.cosine[chosen],
         )  # fmt: skip
 
-    def or_else(self, other: "_Intersections") -> "_Intersections":
+    def filled_from(self, other: "_RayIntersections") -> "_RayIntersections":
         """The other's rays where these meet nothing, beside a rim."""
         meets = self.label >= 0
-        return _Intersections(
+        return _RayIntersections(
             np.where(meets[:, None], self.origins, other.origins),
             np.where(meets[:, None], self.directions, other.directions),
             np.where(meets, self.distance, other.distance),
@@ -204,7 +204,7 @@ class _Intersections(NamedTuple):
         )
 
 
-def scan(
+def scan_scene(
     scanner: Scanner,
     scene: Scene,
     states: tuple[Array, Array, Array],
@@ -229,7 +229,7 @@ def scan(
         None for a scanner without noise and without width of beam.
     """
     astray = None if generator is None else generator.spawn(1)[0]
-    hits = _met(scanner, scene, states, recorded, starboard, mounting, astray)
+    hits = _intersect_pulses(scanner, scene, states, recorded, starboard, mounting, astray)
     angle, distance, label = hits.angle, hits.distance, hits.label
     elevation = np.array(scanner.elevations)[hits.beam]
     brightness = 60000 * scene.reflectances[label] * hits.cosine
@@ -253,7 +253,7 @@ def scan(
     )  # fmt: skip
 
 
-def _met(
+def _intersect_pulses(
     scanner: Scanner,
     scene: Scene,
     states: tuple[Array, Array, Array],
@@ -261,7 +261,7 @@ def _met(
     starboard: bool,
     mounting: Mounting,
     astray: np.random.Generator | None,
-) -> _Hits:
+) -> _PulseHits:
     """What the pulses meet; where beams go ``astray``, what they and their rims meet there."""
     elevations = np.array(scanner.elevations)
     rotation_body_lidar = mounting.rotation_body_lidar
@@ -271,18 +271,18 @@ def _met(
     knots, position, attitude = states
     poses = np.hstack([position, attitude])
 
-    def met(time: Array, angle: Array, elevation: Array) -> _Intersections:
+    def met(time: Array, angle: Array, elevation: Array) -> _RayIntersections:
         """Where these pulses go, and what they meet."""
         at = time + mounting.latency
         # Only the samples around: the kernel walks through them pulse by pulse.
         first = max(int(np.searchsorted(knots, at[0])) - 1, 0)
         last = int(np.searchsorted(knots, at[-1])) + 1
         origins, directions = np.empty((len(at), 3)), np.empty((len(at), 3))
-        _send(
+        _emit_beams(
             at, angle, elevation, scanner.axis == "x", knots[first:last], poses[first:last],
             rotation_body_lidar, mounting.lever_arm, origins, directions,
         )  # fmt: skip
-        return _Intersections(
+        return _RayIntersections(
             origins, directions, *scene.intersect(origins, directions, scanner.max_range)
         )
 
@@ -301,7 +301,7 @@ def _met(
         elevation, edge_distance = elevations[beam[hit]], found.distance
         if astray is not None and len(hit):
             elevation = elevation + scanner.angle_sigma * astray.standard_normal(len(hit))
-            found = met(time[hit], angle[hit], elevation).or_else(found)
+            found = met(time[hit], angle[hit], elevation).filled_from(found)
             edge_distance = found.distance
         if astray is not None and scanner.divergence > 0 and len(hit):
             # One more ray on the rim of the beam, on either side in turn
@@ -311,14 +311,22 @@ def _met(
             other = (rim.label >= 0) & (rim.label != found.label)
             edge_distance = np.where(other, rim.distance, found.distance)
         parts.append(
-            _Hits(time[hit], angle[hit], beam[hit], found.distance, edge_distance, found.cosine,
-                  found.points_local, found.label)
-        )  # fmt: skip
-    return _Hits.joined(parts)
+            _PulseHits(
+                time[hit],
+                angle[hit],
+                beam[hit],
+                found.distance,
+                edge_distance,
+                found.cosine,
+                found.points_local,
+                found.label,
+            )
+        )
+    return _PulseHits.joined(parts)
 
 
 @njit(nogil=True, cache=True)
-def _send(  # type: ignore[no-untyped-def]
+def _emit_beams(  # type: ignore[no-untyped-def]
     time, angle, elevation, about_x, knots, states, rotation_body_lidar, lever_arm,
     origins, directions,
 ):  # fmt: skip
@@ -329,9 +337,9 @@ def _send(  # type: ignore[no-untyped-def]
             k += 1
         u = (time[i] - knots[k]) / (knots[k + 1] - knots[k])
         low, high = states[k], states[k + 1]
-        cr, sr = _cos_sin(low[3] + u * (high[3] - low[3]))
-        cp, sp = _cos_sin(low[4] + u * (high[4] - low[4]))
-        cy, sy = _cos_sin(low[5] + u * (high[5] - low[5]))
+        cr, sr = _cosine_sine(low[3] + u * (high[3] - low[3]))
+        cp, sp = _cosine_sine(low[4] + u * (high[4] - low[4]))
+        cy, sy = _cosine_sine(low[5] + u * (high[5] - low[5]))
         # The rows of `lispac.geometry.rotations.rotation_matrix`
         rotation[0, 0], rotation[0, 1], rotation[0, 2] = (
             cy * cp, cr * sy + cy * sp * sr, cy * cr * sp - sy * sr,
@@ -340,26 +348,26 @@ def _send(  # type: ignore[no-untyped-def]
             -cp * sy, cy * cr - sy * sp * sr, -cy * sr - cr * sy * sp,
         )  # fmt: skip
         rotation[2, 0], rotation[2, 1], rotation[2, 2] = -sp, cp * sr, cp * cr
-        ox, oy, oz = _turn(rotation, lever_arm[0], lever_arm[1], lever_arm[2])
+        ox, oy, oz = _rotate(rotation, lever_arm[0], lever_arm[1], lever_arm[2])
         origins[i, 0] = ox + (low[0] + u * (high[0] - low[0]))
         origins[i, 1] = oy + (low[1] + u * (high[1] - low[1]))
         origins[i, 2] = oz + (low[2] + u * (high[2] - low[2]))
-        ce, se = _cos_sin(elevation[i])
-        ca, sa = _cos_sin(angle[i])
+        ce, se = _cosine_sine(elevation[i])
+        ca, sa = _cosine_sine(angle[i])
         if about_x:
-            bx, by, bz = _turn(rotation_body_lidar, se, ce * ca, ce * sa)
+            bx, by, bz = _rotate(rotation_body_lidar, se, ce * ca, ce * sa)
         else:
-            bx, by, bz = _turn(rotation_body_lidar, ce * ca, ce * sa, se)
-        directions[i] = _turn(rotation, bx, by, bz)
+            bx, by, bz = _rotate(rotation_body_lidar, ce * ca, ce * sa, se)
+        directions[i] = _rotate(rotation, bx, by, bz)
 
 
 @njit(nogil=True, cache=True)
-def _cos_sin(angle):  # type: ignore[no-untyped-def]
+def _cosine_sine(angle):  # type: ignore[no-untyped-def]
     return np.cos(angle), np.sin(angle)
 
 
 @njit(nogil=True, cache=True)
-def _turn(rotation, x, y, z):  # type: ignore[no-untyped-def]
+def _rotate(rotation, x, y, z):  # type: ignore[no-untyped-def]
     return (
         rotation[0, 0] * x + rotation[0, 1] * y + rotation[0, 2] * z,
         rotation[1, 0] * x + rotation[1, 1] * y + rotation[1, 2] * z,

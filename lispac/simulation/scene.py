@@ -1,4 +1,4 @@
-"""What the beams meet: rectangles, upright cylinders and spheres, and meshes of triangles."""
+"""Surfaces of a scene: rectangles, upright cylinders, spheres, and triangle meshes."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.simulation.meshes import Mesh, MeshCaster
-from lispac.simulation.ray_casting import cast
+from lispac.simulation.ray_casting import cast_rays
 
 Array = NDArray[np.float64]
 UP = (0.0, 0.0, 1.0)
@@ -113,7 +113,7 @@ class Sphere:
 Surface = Rectangle | Cylinder | Sphere | Mesh
 
 
-def upright(
+def upright_rectangle(
     name: str,
     foot: tuple[float, float],
     bottom: float,
@@ -138,7 +138,7 @@ def upright(
     return Rectangle(name, centre, normal, np.cross(UP, normal), width, top - bottom, reflectance)
 
 
-def tilted(
+def tilted_rectangle(
     name: str,
     centre: tuple[float, float, float],
     width: float,
@@ -163,7 +163,7 @@ def tilted(
     return Rectangle(name, np.array(centre), normal, across, width, height, reflectance)
 
 
-def box(
+def box_faces(
     name: str,
     north: tuple[float, float],
     west: tuple[float, float],
@@ -176,11 +176,19 @@ def box(
     length, depth = north_end - south_end, west_end - east_end
     n, w = (south_end + north_end) / 2, (east_end + west_end) / 2
     return [
-        upright(f"{name}, north face", (north_end, w), bottom, top, depth, 0, reflectance),
-        upright(f"{name}, east face", (n, east_end), bottom, top, length, 90, reflectance),
-        upright(f"{name}, south face", (south_end, w), bottom, top, depth, 180, reflectance),
-        upright(f"{name}, west face", (n, west_end), bottom, top, length, 270, reflectance),
-        tilted(f"{name}, top", (n, w, top), length, depth, 270, 90, reflectance),
+        upright_rectangle(
+            f"{name}, north face", (north_end, w), bottom, top, depth, 0, reflectance
+        ),
+        upright_rectangle(
+            f"{name}, east face", (n, east_end), bottom, top, length, 90, reflectance
+        ),
+        upright_rectangle(
+            f"{name}, south face", (south_end, w), bottom, top, depth, 180, reflectance
+        ),
+        upright_rectangle(
+            f"{name}, west face", (n, west_end), bottom, top, length, 270, reflectance
+        ),
+        tilted_rectangle(f"{name}, top", (n, w, top), length, depth, 270, 90, reflectance),
     ]
 
 
@@ -253,7 +261,7 @@ class Scene:
         """
         ranges, cosines = np.empty(len(origins)), np.empty(len(origins))
         labels = np.empty(len(origins), dtype=np.int16)
-        cast(
+        cast_rays(
             np.ascontiguousarray(origins), np.ascontiguousarray(directions), max_range,
             self.rectangles, self.cylinders, self.spheres, ranges, labels, cosines,
         )  # fmt: skip

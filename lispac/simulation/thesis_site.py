@@ -27,9 +27,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.geometry.planes import Plane, in_plane_axes, plane_through
-from lispac.simulation.closed_form import Board, Course, six_courses
-from lispac.survey.georeferencing import CALIBRATION, Mounting, place
+from lispac.geometry.planes import Plane, plane_axes, plane_through
+from lispac.simulation.closed_form_survey import Board, Course, six_courses
+from lispac.survey.georeferencing import CALIBRATION, Mounting, place_points
 from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
@@ -55,7 +55,7 @@ MARGIN: Mapping[Beams, float] = {"aimed": 0.0, "struck": np.radians(2.5)}
 
 
 @dataclass(frozen=True)
-class Site:
+class ThesisSite:
     """Where the board stands, and how it is scanned.
 
     Attributes
@@ -86,17 +86,23 @@ class Site:
         return Board(f"{np.degrees(inclination):.0f}", centre, (0.0, -cosine, -sine), SIDE, SIDE)
 
 
-def _steps(first: int, last: int) -> tuple[float, ...]:
+def _angle_steps(first: int, last: int) -> tuple[float, ...]:
     return tuple(float(np.radians(degrees)) for degrees in range(first, last + 1, 10))
 
 
-TERRESTRIAL = Site(
-    "terrestrial", 5.0, -2.5, _steps(-90, 90), tuple(SIZES), float(np.radians(0.2)), 0.03
+TERRESTRIAL = ThesisSite(
+    "terrestrial", 5.0, -2.5, _angle_steps(-90, 90), tuple(SIZES), float(np.radians(0.2)), 0.03
 )
-MARINE = Site(
-    "marine", 15.0, 5.0, _steps(-90, 180), ("roll", "pitch", "yaw"), float(np.radians(0.1)), 0.03
+MARINE = ThesisSite(
+    "marine",
+    15.0,
+    5.0,
+    _angle_steps(-90, 180),
+    ("roll", "pitch", "yaw"),
+    float(np.radians(0.1)),
+    0.03,
 )
-SITES: Mapping[str, Site] = {site.name: site for site in (TERRESTRIAL, MARINE)}
+SITES: Mapping[str, ThesisSite] = {site.name: site for site in (TERRESTRIAL, MARINE)}
 
 LINES: tuple[Course, ...] = six_courses()
 HEADINGS_DEG = tuple(round(float(np.degrees(course.heading))) for course in LINES)
@@ -105,7 +111,7 @@ HEADINGS_DEG = tuple(round(float(np.degrees(course.heading))) for course in LINE
 NO_ERROR = Mounting(np.zeros(3), np.zeros(3))
 
 
-def mounting_with(error: str, share: float = 1.0) -> Mounting:
+def mounting_with_error(error: str, share: float = 1.0) -> Mounting:
     """The true mounting where one of the eight errors is there, as a share of its size."""
     values = np.zeros(len(CALIBRATION))
     values[CALIBRATION.index(error)] = share * SIZES[error]
@@ -117,20 +123,20 @@ def board_plane(board: Board) -> Plane:
     return plane_through(np.array(board.centre), np.array(board.normal))
 
 
-def on_board(points: Array, board: Board) -> NDArray[np.bool_]:
+def is_on_board(points: Array, board: Board) -> NDArray[np.bool_]:
     """Which points of its plane lie on the board, (n,): what 3.4.3 asks of four triangles' areas.
 
     Parameters
     ----------
     points : ndarray of shape (n, 3), metres, local
     """
-    along = (points - np.array(board.centre)) @ in_plane_axes(np.array(board.normal)).T
+    along = (points - np.array(board.centre)) @ plane_axes(np.array(board.normal)).T
     inside: NDArray[np.bool_] = (np.abs(along) <= (board.width / 2, board.height / 2)).all(axis=1)
     return inside
 
 
-def simulated(
-    site: Site, course: Course, inclination: float, error: Mounting, beams: Beams = "aimed"
+def simulate_board(
+    site: ThesisSite, course: Course, inclination: float, error: Mounting, beams: Beams = "aimed"
 ) -> Array:
     """The board's points, placed by someone who takes the mounting to have no error.
 
@@ -147,22 +153,24 @@ def simulated(
         None where the board is only seen from behind.
     """
     board = site.board(inclination)
-    directions, poses = _profiles(site, board, course, MARGIN[beams])
-    ranges, hits = _met(directions, poses, error, board)
+    directions, poses = _beams_and_poses(site, board, course, MARGIN[beams])
+    ranges, hits = _intersect_board(directions, poses, error, board)
     seen = np.isfinite(ranges)
     if beams == "aimed":
-        meant, hits = _met(directions, poses, NO_ERROR, board)
+        meant, hits = _intersect_board(directions, poses, NO_ERROR, board)
         seen &= np.isfinite(meant)
-    seen[seen] = on_board(hits[seen], board)
+    seen[seen] = is_on_board(hits[seen], board)
     measured = directions[seen] * ranges[seen, None]
-    return place(measured, Poses(poses.position[seen], poses.attitude[seen]), NO_ERROR)
+    return place_points(measured, Poses(poses.position[seen], poses.attitude[seen]), NO_ERROR)
 
 
-def _profiles(site: Site, board: Board, course: Course, margin: float) -> tuple[Array, Poses]:
+def _beams_and_poses(
+    site: ThesisSite, board: Board, course: Course, margin: float
+) -> tuple[Array, Poses]:
     """Unit beams in the LiDAR frame and the poses they leave from, about the board."""
     ahead = course.direction
     left = np.array([np.sin(course.heading), np.cos(course.heading), 0.0])
-    across, up = in_plane_axes(np.array(board.normal))
+    across, up = plane_axes(np.array(board.normal))
     corners = np.array(board.centre) + [
         (u * across + v * up) * SIDE / 2 for u in (-1, 1) for v in (-1, 1)
     ]
@@ -186,13 +194,18 @@ def _profiles(site: Site, board: Board, course: Course, margin: float) -> tuple[
     return directions, Poses(along[:, None] * ahead, attitude)
 
 
-def _met(directions: Array, poses: Poses, mounting: Mounting, board: Board) -> tuple[Array, Array]:
+def _intersect_board(
+    directions: Array, poses: Poses, mounting: Mounting, board: Board
+) -> tuple[Array, Array]:
     """Where beams meet a board's plane on its face: readings (n,) and points (n, 3), metres.
 
     Readings of beams that come from behind, or never meet it, are NaN.
     """
     # Whatever the mounting, a reading of one metre more is a point one metre farther on the beam.
-    near, far = place(directions, poses, mounting), place(2 * directions, poses, mounting)
+    near, far = (
+        place_points(directions, poses, mounting),
+        place_points(2 * directions, poses, mounting),
+    )
     plane = board_plane(board)
     rate = (far - near) @ plane.normal
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -1,4 +1,4 @@
-"""Every error, line and inclination of a site: what is seen of it, and the best configurations.
+"""Visibility of every error on every line and inclination of a site; best configurations.
 
 The rule the thesis applies by eye (3.5.2), made exact: an inclination is kept where Type I reaches
 a threshold on every line, from the upright board outwards; of those kept it is best where the
@@ -19,18 +19,18 @@ from lispac.simulation.thesis_site import (
     HEADINGS_DEG,
     LINES,
     Beams,
-    Site,
+    ThesisSite,
     board_plane,
-    mounting_with,
-    simulated,
+    mounting_with_error,
+    simulate_board,
 )
-from lispac.simulation.visibility import (
+from lispac.simulation.visibility_criteria import (
     angular_deviation,
     centroidal_distance,
-    normalised,
+    normalise_distances,
     orthogonal_distance,
-    shape_of,
-    type_one,
+    points_shape,
+    type_one_criterion,
 )
 
 Array = NDArray[np.float64]
@@ -44,7 +44,7 @@ LEAST = 0.001, np.radians(0.02)
 
 
 @dataclass(frozen=True, eq=False)
-class Visibility:
+class VisibilityStudy:
     """The criteria of a site.
 
     Attributes
@@ -56,7 +56,7 @@ class Visibility:
     angular_deviation : ndarray of that shape, radians
     """
 
-    site: Site
+    site: ThesisSite
     beams: Beams
     points: NDArray[np.int64]
     planarity: Array
@@ -77,7 +77,9 @@ class Visibility:
         """
         kept = self.kept(error)
         low, high = considered
-        chosen = self._most_visible(error, [each for each in kept if low <= each <= high])
+        chosen = self._most_visible_inclination(
+            error, [each for each in kept if low <= each <= high]
+        )
         if chosen is None:
             return BestConfiguration(error, kept, None, (HEADINGS_DEG,))
         return BestConfiguration(
@@ -105,7 +107,7 @@ class Visibility:
         k = self.site.errors.index(error)
         return np.ptp(self.orthogonal_distance[k], 0), np.ptp(self.angular_deviation[k], 0)
 
-    def _most_visible(self, error: str, kept: Sequence[float]) -> int | None:
+    def _most_visible_inclination(self, error: str, kept: Sequence[float]) -> int | None:
         """Place of the inclination where the lines differ most, None where they do not.
 
         Both differences count alike, each as a share of the largest among these inclinations.
@@ -162,16 +164,16 @@ class BestConfiguration:
         """Headings (deg) of the first line of each group; none where the error is not seen."""
         return () if self.inclination is None else tuple(group[0] for group in self.groups)
 
-    def seen_by(self, lines: Sequence[int]) -> bool:
-        """Whether these lines hold one of each group."""
+    def is_seen_by(self, lines: Sequence[int]) -> bool:
+        """Whether these lines contain one of each group."""
         return self.inclination is not None and all(
             set(group) & set(lines) for group in self.groups
         )
 
 
-def visibility(
-    site: Site, beams: Beams = "aimed", *, progress: Progress = no_progress
-) -> Visibility:
+def study_visibility(
+    site: ThesisSite, beams: Beams = "aimed", *, progress: Progress = no_progress
+) -> VisibilityStudy:
     """Simulate every error on every line and inclination.
 
     Centroidal distances are normalised over all of a site's errors together. Within one error
@@ -182,16 +184,16 @@ def visibility(
     points = np.zeros(shape, dtype=np.int64)
     values = np.full((4, *shape), np.nan)
     for e, error in enumerate(site.errors):
-        mounting = mounting_with(error)
+        mounting = mounting_with_error(error)
         for j, inclination in enumerate(site.inclinations):
             progress((e + j / shape[2]) / shape[0])
             board = site.board(inclination)
             plane = board_plane(board)
             for k, course in enumerate(LINES):
-                cloud = simulated(site, course, inclination, mounting, beams)
+                cloud = simulate_board(site, course, inclination, mounting, beams)
                 points[e, k, j] = len(cloud)
                 try:
-                    found = shape_of(cloud)
+                    found = points_shape(cloud)
                 except PlaneNotFound:
                     continue  # not seen, or along one beam only
                 values[:, e, k, j] = (
@@ -202,18 +204,18 @@ def visibility(
                 )
     progress(1.0)
     planarity, centroidal, orthogonal, angular = values
-    good = type_one(planarity, normalised(centroidal))
-    return Visibility(site, beams, points, planarity, centroidal, good, orthogonal, angular)
+    good = type_one_criterion(planarity, normalise_distances(centroidal))
+    return VisibilityStudy(site, beams, points, planarity, centroidal, good, orthogonal, angular)
 
 
-def fewest_lines(found: Sequence[BestConfiguration]) -> tuple[tuple[int, ...], ...]:
+def fewest_sufficient_lines(found: Sequence[BestConfiguration]) -> tuple[tuple[int, ...], ...]:
     """The smallest sets of lines, headings in degrees, that see every error any lines can see."""
     visible = [best for best in found if best.inclination is not None]
     for count in range(1, len(HEADINGS_DEG) + 1):
         enough = tuple(
             lines
             for lines in combinations(HEADINGS_DEG, count)
-            if all(best.seen_by(lines) for best in visible)
+            if all(best.is_seen_by(lines) for best in visible)
         )
         if enough:
             return enough

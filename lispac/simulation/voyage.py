@@ -1,4 +1,4 @@
-"""What a vessel does during a survey: passes sailed along courses, or a recorded trajectory."""
+"""Motion of a vessel during a survey: sailed passes or a recorded trajectory."""
 
 from dataclasses import dataclass
 from typing import Protocol
@@ -7,7 +7,7 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.messages import error
-from lispac.simulation.vessel import Motion, Pass, sail
+from lispac.simulation.vessel_motion import StraightPass, VesselMotion, sail_passes
 from lispac.survey.trajectory import LocalTrajectory
 
 FINEST = 0.005
@@ -16,7 +16,7 @@ START = 2 * 86400 + 15 * 3600.0  # GPS seconds of week: a Tuesday afternoon
 
 
 @dataclass(frozen=True)
-class Leg:
+class RecordedLeg:
     """A line to be recorded.
 
     Attributes
@@ -32,7 +32,7 @@ class Leg:
     starboard: bool
 
     @classmethod
-    def numbered(cls, number: int, heading_deg: float, starboard: bool) -> "Leg":
+    def numbered_leg(cls, number: int, heading_deg: float, starboard: bool) -> "RecordedLeg":
         """Named after its place and heading."""
         return cls(f"L{number}_{round(heading_deg) % 360:03d}", heading_deg, starboard)
 
@@ -45,25 +45,25 @@ class Voyage(Protocol):
         """GPS seconds of week at time 0 of the motion."""
 
     @property
-    def legs(self) -> tuple[Leg, ...]:
+    def legs(self) -> tuple[RecordedLeg, ...]:
         """The lines, in the order of the recorded stretches."""
 
-    def motion(self, generator: np.random.Generator) -> Motion:
+    def motion(self, generator: np.random.Generator) -> VesselMotion:
         """True states."""
 
 
 @dataclass(frozen=True, eq=False)
 class SailedTrajectory:
-    """Passes sailed one after the other (see `lispac.simulation.vessel.sail`).
+    """Passes sailed one after the other (see `lispac.simulation.vessel_motion.sail_passes`).
 
     Attributes
     ----------
-    passes : tuple of Pass
+    passes : tuple of StraightPass
     height : float, metres
         Of the POS in the local frame.
     """
 
-    passes: tuple[Pass, ...]
+    passes: tuple[StraightPass, ...]
     height: float
 
     @property
@@ -72,20 +72,20 @@ class SailedTrajectory:
         return START
 
     @property
-    def legs(self) -> tuple[Leg, ...]:
+    def legs(self) -> tuple[RecordedLeg, ...]:
         """One a pass."""
         return tuple(
-            Leg.numbered(k + 1, float(np.degrees(each.heading)), each.starboard)
+            RecordedLeg.numbered_leg(k + 1, float(np.degrees(each.heading)), each.starboard)
             for k, each in enumerate(self.passes)
         )
 
-    def motion(self, generator: np.random.Generator) -> Motion:
+    def motion(self, generator: np.random.Generator) -> VesselMotion:
         """Courses and the sea on top of them."""
-        return sail(self.passes, self.height, generator)
+        return sail_passes(self.passes, self.height, generator)
 
 
 @dataclass(frozen=True)
-class Stretch:
+class TrajectoryStretch:
     """A part of a trajectory that is recorded as a line.
 
     Attributes
@@ -108,11 +108,11 @@ class RecordedTrajectory:
     Attributes
     ----------
     trajectory : LocalTrajectory
-    stretches : tuple of Stretch
+    stretches : tuple of TrajectoryStretch
     """
 
     trajectory: LocalTrajectory
-    stretches: tuple[Stretch, ...]
+    stretches: tuple[TrajectoryStretch, ...]
 
     @property
     def start(self) -> float:
@@ -120,7 +120,7 @@ class RecordedTrajectory:
         return 0.0
 
     @property
-    def legs(self) -> tuple[Leg, ...]:
+    def legs(self) -> tuple[RecordedLeg, ...]:
         """One a stretch, named after its median heading."""
         headings = []
         for each in self.stretches:
@@ -128,18 +128,18 @@ class RecordedTrajectory:
             own = (time >= each.start) & (time <= each.stop)
             headings.append(float(np.degrees(np.median(self.trajectory.attitude[own, 2]))) % 360)
         return tuple(
-            Leg.numbered(k + 1, heading, each.starboard)
+            RecordedLeg.numbered_leg(k + 1, heading, each.starboard)
             for k, (heading, each) in enumerate(zip(headings, self.stretches, strict=True))
         )
 
-    def motion(self, generator: np.random.Generator) -> Motion:
+    def motion(self, generator: np.random.Generator) -> VesselMotion:
         """The states as they were recorded; nothing is drawn."""
         known = self.trajectory
         interval = max(float(np.median(np.diff(known.time))), FINEST)
         recorded = tuple((each.start, each.stop) for each in self.stretches)
-        return Motion(known.time, known.position, known.attitude, recorded, interval)
+        return VesselMotion(known.time, known.position, known.attitude, recorded, interval)
 
-    def require_inside(self, latency: float) -> None:
+    def require_stretches_covered(self, latency: float) -> None:
         """Refuse stretches that the trajectory does not cover.
 
         Raises

@@ -1,1 +1,1 @@
-"""Trajectory, scan, georeferencing: how a point comes into the local frame."""
+"""Trajectory, scan, georeferencing: how points are placed in the local frame."""

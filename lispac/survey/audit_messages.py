@@ -6,15 +6,15 @@ from itertools import combinations, pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.causes import Cause
 from lispac.messages import Action, Level, Message, Value
 from lispac.survey.line_audit import (
     POINTS_PER_TIME,
     LineAudit,
-    shared_fraction,
+    shared_point_fraction,
 )
 from lispac.survey.time_base import DAY, HOUR, WEEK
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.warning_causes import Cause
 
 MANY_TOO_FAR = 0.001
 """Share of points beyond the reach of the scanner from which the file is suspect: its unit, or the
@@ -68,11 +68,11 @@ def line_messages(
         return ()
     times = np.zeros(0) if times is None else times
     found = [
-        *_time_resolution(name, audit, trajectory, times),
-        *_excluded(name, audit),
-        *_noise(name, audit),
-        *_groups(name, audit),
-        *_passes(name, audit, trajectory, times),
+        *_time_resolution_warning(name, audit, trajectory, times),
+        *_excluded_point_notes(name, audit),
+        *_noise_class_warning(name, audit),
+        *_group_messages(name, audit),
+        *_several_lines_messages(name, audit, trajectory, times),
     ]
     return tuple(found)
 
@@ -81,7 +81,7 @@ def shared_messages(audits: Mapping[str, LineAudit]) -> tuple[Message, ...]:
     """Messages about lines that have points in common, by name of the line."""
     found = []
     for (one, first), (other, second) in combinations(audits.items(), 2):
-        share = shared_fraction(first, second)
+        share = shared_point_fraction(first, second)
         if share >= SHARED:
             smaller = one if first.read < second.read else other
             found.append(
@@ -111,7 +111,7 @@ def simultaneous_messages(
         The earliest time of each line in the trajectory's time base.
     """
     spans = {
-        name: _shifted(_without_restart(audit.spans), first_times[name])
+        name: _shift_to_trajectory_time(_unrolled_spans(audit.spans), first_times[name])
         for name, audit in audits.items()
         if audit.spans
     }
@@ -125,7 +125,7 @@ def simultaneous_messages(
         shorter = min(sum(end - start for start, end in each) for each in (own, others))
         if common < SIMULTANEOUS * shorter or common == 0:
             continue
-        if shared_fraction(audits[one], audits[other]) < SHARED:
+        if shared_point_fraction(audits[one], audits[other]) < SHARED:
             params: dict[str, Value] = {"line": other, "other": one, "seconds": common}
             found.append(
                 Message(
@@ -139,13 +139,15 @@ def simultaneous_messages(
     return tuple(found)
 
 
-def _shifted(spans: Sequence[tuple[float, float]], first_time: float) -> list[tuple[float, float]]:
+def _shift_to_trajectory_time(
+    spans: Sequence[tuple[float, float]], first_time: float
+) -> list[tuple[float, float]]:
     """Spans of a file in the trajectory's time base, by the earliest time of the line."""
     shift = np.floor(first_time) - spans[0][0]
     return [(start + shift, end + shift) for start, end in spans]
 
 
-def _time_resolution(
+def _time_resolution_warning(
     name: str, audit: LineAudit, trajectory: LocalTrajectory | None, times: NDArray[np.float64]
 ) -> Iterator[Message]:
     if audit.time_step < COARSE_STEP or audit.points_per_time < POINTS_PER_TIME:
@@ -174,7 +176,7 @@ def _time_resolution(
     )
 
 
-def _excluded(name: str, audit: LineAudit) -> Iterator[Message]:
+def _excluded_point_notes(name: str, audit: LineAudit) -> Iterator[Message]:
     subject = Cause.of_line(name)
 
     def excluded(code: str, count: int, *actions: Action, level: Level = Level.NOTE) -> Message:
@@ -191,27 +193,27 @@ def _excluded(name: str, audit: LineAudit) -> Iterator[Message]:
     if audit.duplicates:
         yield excluded("duplicates", audit.duplicates)
     if audit.withheld:
-        yield excluded("withheld", audit.withheld, _option("withheld", "keep"))
+        yield excluded("withheld", audit.withheld, _set_option_action("withheld", "keep"))
     if audit.of_classes:
         yield excluded("of_classes", audit.of_classes)
     if audit.not_selected:
         yield excluded("not_selected", audit.not_selected)
 
 
-def _noise(name: str, audit: LineAudit) -> Iterator[Message]:
+def _noise_class_warning(name: str, audit: LineAudit) -> Iterator[Message]:
     if audit.noise:
         yield Message(
             "audit.noise_classes",
             Level.WARNING,
             {"line": name, "count": sum(audit.noise.values()), "classes": tuple(audit.noise)},
             Cause.of_line(name),
-            (_option("exclude_classes", " ".join(audit.noise)),),
+            (_set_option_action("exclude_classes", " ".join(audit.noise)),),
         )
 
 
-def _groups(name: str, audit: LineAudit) -> Iterator[Message]:
+def _group_messages(name: str, audit: LineAudit) -> Iterator[Message]:
     """Scanners or passes that one file holds, by an attribute."""
-    for attribute, large in _large_groups(audit):
+    for attribute, large in _find_large_groups(audit):
         code = "several_scanners" if attribute in SCANNERS else "several_sources"
         yield Message(
             f"audit.{code}",
@@ -220,17 +222,17 @@ def _groups(name: str, audit: LineAudit) -> Iterator[Message]:
             Cause.of_line(name),
             (
                 Action("split_line", {"line": name, "by": attribute}),
-                *(_option("only", f"{attribute}={value}") for value in large[:2]),
+                *(_set_option_action("only", f"{attribute}={value}") for value in large[:2]),
             ),
         )
 
 
 def has_several_scanners(audit: LineAudit) -> bool:
     """Whether an attribute shows that the points are of more than one scanner."""
-    return any(attribute in SCANNERS for attribute, _ in _large_groups(audit))
+    return any(attribute in SCANNERS for attribute, _ in _find_large_groups(audit))
 
 
-def _large_groups(audit: LineAudit) -> Iterator[tuple[str, list[str]]]:
+def _find_large_groups(audit: LineAudit) -> Iterator[tuple[str, list[str]]]:
     """Attributes that divide the points into a few large groups, and their values."""
     for attribute, counts in audit.groups.items():
         used = sum(counts.values())
@@ -239,11 +241,11 @@ def _large_groups(audit: LineAudit) -> Iterator[tuple[str, list[str]]]:
             yield attribute, large
 
 
-def _passes(
+def _several_lines_messages(
     name: str, audit: LineAudit, trajectory: LocalTrajectory | None, times: NDArray[np.float64]
 ) -> Iterator[Message]:
     """Passes that one file holds, by pauses over which the vessel turned or that are long."""
-    spans = _without_restart(audit.spans)
+    spans = _unrolled_spans(audit.spans)
     if len(spans) < 2:
         return
     passes = 1
@@ -254,8 +256,8 @@ def _passes(
         # The audit has the times of the file: only their differences are taken from it.
         shift = times[0] - spans[0][0]
         ends = np.clip(np.array([before, after]) + shift, times[0], times[-1])
-        passes += _turned(trajectory, ends) or (
-            after - before > LONG_PAUSE and not _went_on(trajectory, ends)
+        passes += _has_vessel_turned(trajectory, ends) or (
+            after - before > LONG_PAUSE and not _has_vessel_continued(trajectory, ends)
         )
     if passes > 1:
         yield Message(
@@ -267,7 +269,7 @@ def _passes(
         )
 
 
-def _turned(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
+def _has_vessel_turned(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
     """Whether the vessel turned between two times, shape (2,), seconds."""
     inside = (trajectory.time > ends[0]) & (trajectory.time < ends[1])
     heading = np.interp(ends, trajectory.time, trajectory.attitude[:, 2])
@@ -276,8 +278,8 @@ def _turned(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
     return bool(abs(apart) > TURN or (len(within) and np.ptp(within) > TURN))
 
 
-def _went_on(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
-    """Whether the vessel is as far on as its speed takes it between two times, (2,), seconds.
+def _has_vessel_continued(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
+    """Whether the vessel continued at its speed between two times, (2,), seconds.
 
     So it is where a line was cut to objects: the trajectory may have no states between them.
     """
@@ -287,8 +289,8 @@ def _went_on(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:
     return way > HALFWAY * speed * float(ends[1] - ends[0])
 
 
-def _without_restart(spans: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
-    """Spans of times continued across a rollover at midnight or at the end of the week.
+def _unrolled_spans(spans: Sequence[Sequence[float]]) -> list[tuple[float, float]]:
+    """Spans of times with the rollover at midnight or end of the week resolved.
 
     Parameters
     ----------
@@ -308,5 +310,5 @@ def _without_restart(spans: Sequence[Sequence[float]]) -> list[tuple[float, floa
     return own
 
 
-def _option(name: str, value: str) -> Action:
+def _set_option_action(name: str, value: str) -> Action:
     return Action("set_option", {"name": name, "value": value})

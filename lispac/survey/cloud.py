@@ -1,4 +1,4 @@
-"""Lines placed in the local frame, of which only what is examined is read.
+"""Lines placed in the local frame, read only where needed.
 
 Points are identified by number: the place in their line, in the order of its file. That is what
 picks are kept in, whether the line is in memory or on disk.
@@ -12,11 +12,11 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.geometry.neighbours import points_within
+from lispac.geometry.radius_search import points_within
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.scan import Scan
-from lispac.survey.store.cells import MOST_HALVINGS, in_sample
-from lispac.survey.store.reading import StoredLine
+from lispac.survey.store.spatial_cells import MOST_HALVINGS, is_number_in_sample
+from lispac.survey.store.stored_line import StoredLine
 from lispac.survey.trajectory import LocalTrajectory
 
 Array = NDArray[np.float64]
@@ -34,8 +34,8 @@ SPARE, MARGIN_LEAST = 1.25, 0.05
 
 
 @dataclass(frozen=True, eq=False)
-class Region:
-    """What a line has within a sphere.
+class SphereRegion:
+    """Points of a line within a sphere.
 
     Attributes
     ----------
@@ -51,12 +51,12 @@ class Region:
 
 
 class Line(Protocol):
-    """One pass as the scanner saw it, in memory (`Scan`) or on disk (`StoredLine`)."""
+    """One line in the LiDAR frame, in memory (`Scan`) or on disk (`StoredLine`)."""
 
     def __len__(self) -> int: ...
     @property
     def fingerprint(self) -> str:
-        """Checks whether numbers still refer to the same points."""
+        """Identifies the points, so that stored point numbers can be verified."""
 
     @property
     def first_time(self) -> float:
@@ -78,13 +78,13 @@ class Cloud(Protocol):
 
     @property
     def place(self) -> Georeferencer:
-        """Puts its points into the local frame."""
+        """Transformation of its points into the local frame."""
 
     def __len__(self) -> int: ...
     def __getitem__(self, numbers: Numbers) -> Array:
         """Points by their numbers, shape (n, 3), metres."""
 
-    def within(self, centre: Array, radius: float, *, most: int | None = None) -> Region:
+    def within(self, centre: Array, radius: float, *, most: int | None = None) -> SphereRegion:
         """The points within a sphere; a fair sample where there are more than ``most``.
 
         Parameters
@@ -97,25 +97,25 @@ class Cloud(Protocol):
 
     @property
     def sample(self) -> Array:
-        """What stands for the line in a picture, always the same: (n, 3), metres, local frame."""
+        """Fixed sample of the line for display: (n, 3), metres, local frame."""
 
     @property
     def sample_time(self) -> Array:
-        """Their times, shape (n,), seconds."""
+        """Times of the sample, shape (n,), seconds."""
 
     @property
     def sample_range(self) -> Array:
-        """Their distances from the scanner, shape (n,), metres."""
+        """Ranges of the sample, shape (n,), metres."""
 
     @property
     def sample_intensity(self) -> Array | None:
-        """Their intensities, shape (n,), as in the file, if the line has any."""
+        """Intensities of the sample, shape (n,), as in the file, if the line has any."""
 
     def sample_lidar(self, numbers: Numbers) -> tuple[Array, Array]:
-        """Some of them, by their index in the sample, as `Line.take`."""
+        """Points of the sample by their place in it, as `Line.take`."""
 
     def placed_with(self, mounting: Mounting) -> "Cloud":
-        """The same line with another mounting."""
+        """The line placed with another mounting."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,9 +152,11 @@ class CloudInMemory:
             return self.ordered[numbers]
         return self.place(*self.scan.take(numbers))
 
-    def within(self, centre: Array, radius: float, *, most: int | None = None) -> Region:
+    def within(self, centre: Array, radius: float, *, most: int | None = None) -> SphereRegion:
         """See `Cloud`."""
-        margin = self._margin and _margin_near(*self._probes, centre, radius, self._margin)
+        margin = self._largest_move and _largest_move_near(
+            *self._probe_positions, centre, radius, self._largest_move
+        )
         numbers = points_within(self.ordered, centre, radius + margin)
         points = self[numbers]
         if margin:
@@ -163,9 +165,9 @@ class CloudInMemory:
         halvings = 0
         while len(numbers) > (most or MOST) and halvings < MOST_HALVINGS:
             halvings += 1
-            kept = in_sample(numbers, halvings)
+            kept = is_number_in_sample(numbers, halvings)
             numbers, points = numbers[kept], points[kept]
-        return Region(numbers, points, 2**halvings)
+        return SphereRegion(numbers, points, 2**halvings)
 
     @cached_property
     def sample(self) -> Array:
@@ -199,11 +201,11 @@ class CloudInMemory:
         return CloudInMemory(self.scan, place, self.ordered, self.ordered_with)
 
     @cached_property
-    def _margin(self) -> float:
-        return self.place.farthest_move(self.ordered_with, self.scan.reach)
+    def _largest_move(self) -> float:
+        return self.place.largest_displacement(self.ordered_with, self.scan.reach)
 
     @cached_property
-    def _probes(self) -> tuple[Array, Array]:
+    def _probe_positions(self) -> tuple[Array, Array]:
         numbers = np.arange(0, len(self), 1 + len(self) // PROBES)
         return self.ordered[numbers], self[numbers]
 
@@ -228,21 +230,23 @@ class CloudOnDisk:
     def __getitem__(self, numbers: Numbers) -> Array:
         return self.place(*self.stored.take(numbers))
 
-    def within(self, centre: Array, radius: float, *, most: int | None = None) -> Region:
+    def within(self, centre: Array, radius: float, *, most: int | None = None) -> SphereRegion:
         """See `Cloud`."""
-        margin = self._margin and _margin_near(*self._probes, centre, radius, self._margin)
+        margin = self._largest_move and _largest_move_near(
+            *self._probe_positions, centre, radius, self._largest_move
+        )
         rows, points, halvings = self.stored.sampled_within(
             centre, radius, self.place, margin=margin, most=most or MOST
         )
         numbers = self.stored.numbers(rows)
         order = np.argsort(numbers)
-        return Region(numbers[order], points[order], 2**halvings)
+        return SphereRegion(numbers[order], points[order], 2**halvings)
 
     @cached_property
     def sample(self) -> Array:
         """The coarse level of the store, shape (n, 3), metres, local frame."""
         coarse = self.stored.coarse
-        if not self._margin:
+        if not self._largest_move:
             return np.asarray(coarse.points_local)
         return self.place(np.asarray(coarse.points_lidar, dtype=np.float64), coarse.time)
 
@@ -274,20 +278,22 @@ class CloudOnDisk:
         return CloudOnDisk(self.stored, Georeferencer.of(self.place.trajectory, mounting))
 
     @cached_property
-    def _margin(self) -> float:
+    def _largest_move(self) -> float:
         then = Mounting.of_values(np.array(self.stored.manifest.placed_with["mounting"]))
-        return self.place.farthest_move(then, self.stored.manifest.reach)
+        return self.place.largest_displacement(then, self.stored.manifest.reach)
 
     @cached_property
-    def _probes(self) -> tuple[Array, Array]:
+    def _probe_positions(self) -> tuple[Array, Array]:
         coarse = self.stored.coarse
         numbers = np.arange(0, len(coarse.time), 1 + len(coarse.time) // PROBES)
         before = np.asarray(coarse.points_local[numbers], dtype=np.float64)
         return before, self.place(*self.sample_lidar(numbers))
 
 
-def _margin_near(before: Array, after: Array, centre: Array, radius: float, most: float) -> float:
-    """How far points near a place have moved at most, metres.
+def _largest_move_near(
+    before: Array, after: Array, centre: Array, radius: float, most: float
+) -> float:
+    """Largest displacement of points near a place, metres.
 
     Less by far than ``most``, which the farthest point of the line may have: those about the place
     are told by some of the line's points, shape (n, 3), as they were placed and as they are.
@@ -299,6 +305,6 @@ def _margin_near(before: Array, after: Array, centre: Array, radius: float, most
     return min(most, SPARE * moved + MARGIN_LEAST)
 
 
-def placed_with(clouds: Mapping[str, Cloud], mounting: Mounting) -> dict[str, Cloud]:
-    """All lines with another mounting."""
+def place_clouds(clouds: Mapping[str, Cloud], mounting: Mounting) -> dict[str, Cloud]:
+    """All lines placed with another mounting."""
     return {name: cloud.placed_with(mounting) for name, cloud in clouds.items()}

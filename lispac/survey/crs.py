@@ -31,9 +31,9 @@ from lispac.geometry.frames import (
 )
 from lispac.language import gettext
 from lispac.messages import Message, error, note
-from lispac.survey.blocks import in_blocks
 from lispac.survey.crs_operation import best_operation
 from lispac.survey.geoid import geoid_grid
+from lispac.survey.parallel_blocks import run_in_blocks
 
 Array = NDArray[np.float64]
 Geodetic = tuple[Array, Array, Array]
@@ -93,7 +93,7 @@ class CoordinateSystem:
 
     @property
     def pipeline(self) -> tuple[str, ...]:
-        """What PROJ does with coordinates: the same of two systems that give the same numbers."""
+        """PROJ pipeline; equal for two systems that give the same numbers."""
         steps = (self._to_geographic, self._to_ellipsoid)
         said = tuple(str(step.definition) for step in steps if step is not None)
         if self.frame is not None:
@@ -122,8 +122,8 @@ class CoordinateSystem:
         InputError
             Where points lie outside what the system or its geoid grid covers.
         """
-        run = partial(self._block_to_geodetic, strict=strict)
-        return in_blocks(run, *np.asarray(points_crs, dtype=float).T)
+        run = partial(self._to_geodetic_block, strict=strict)
+        return run_in_blocks(run, *np.asarray(points_crs, dtype=float).T)
 
     def to_ecef(self, points_crs: Array) -> Array:
         """Earth-centred coordinates of points, shape (n, 3), metres."""
@@ -137,8 +137,8 @@ class CoordinateSystem:
         self, latitude: Array, longitude: Array, height: Array, *, strict: bool = True
     ) -> Array:
         """The inverse of `to_geodetic`, shape (n, 3); not finite outside unless ``strict``."""
-        run = partial(self._block_from_geodetic, strict=strict)
-        return np.stack(in_blocks(run, latitude, longitude, height), axis=-1)
+        run = partial(self._from_geodetic_block, strict=strict)
+        return np.stack(run_in_blocks(run, latitude, longitude, height), axis=-1)
 
     def from_ecef(self, points_ecef: Array) -> Array:
         """The inverse of `to_ecef`, shape (n, 3)."""
@@ -148,7 +148,7 @@ class CoordinateSystem:
         """The inverse of `to_local`, shape (n, 3); not finite outside unless ``strict``."""
         return self.from_geodetic(*frame.to_geodetic(points_local), strict=strict)
 
-    def _block_to_geodetic(self, x: Array, y: Array, z: Array, *, strict: bool = True) -> Geodetic:
+    def _to_geodetic_block(self, x: Array, y: Array, z: Array, *, strict: bool = True) -> Geodetic:
         if self.frame is not None:
             return self.frame.to_geodetic(np.stack([x, y, z], axis=-1))
         place = self._transform(self._to_geographic, (x, y, z * self._height_factor))
@@ -164,7 +164,7 @@ class CoordinateSystem:
             )
         return np.radians(latitude), np.radians(longitude), height + self._height_offset
 
-    def _block_from_geodetic(
+    def _from_geodetic_block(
         self, latitude: Array, longitude: Array, height: Array, *, strict: bool = True
     ) -> Geodetic:
         if self.frame is not None:
@@ -211,7 +211,7 @@ def coordinate_system(
     trajectory_datum: str = "",
     epoch: float | None = None,
 ) -> CoordinateSystem:
-    """Determine a coordinate system.
+    """Resolve a coordinate system from its text.
 
     Parameters
     ----------
@@ -238,14 +238,16 @@ def coordinate_system(
     if text.startswith(LOCAL_PREFIX):
         return _local_system(text)
     try:
-        return _settled(_unbound(_known(text)), height, height_unit, trajectory_datum, epoch)
+        return _resolve_heights(
+            _without_datum_shift(_parse_system(text)), height, height_unit, trajectory_datum, epoch
+        )
     except (CRSError, ProjError, IndexError) as reason:  # pyproj's words for systems out of joint
         raise InputError(
-            error("crs.unusable", system=_short(text), reason=_short(str(reason)))
+            error("crs.unusable", system=_shorten(text), reason=_shorten(str(reason)))
         ) from reason
 
 
-def local_text(frame: LocalFrame) -> str:
+def local_frame_text(frame: LocalFrame) -> str:
     """The text of a local frame that `coordinate_system` takes."""
     latitude, longitude = np.degrees(frame.latitude), np.degrees(frame.longitude)
     return f"{LOCAL_PREFIX}{float(latitude)!r},{float(longitude)!r},{float(frame.height)!r}"
@@ -263,7 +265,7 @@ def _local_system(text: str) -> CoordinateSystem:
             float(part) for part in text.removeprefix(LOCAL_PREFIX).split(",")
         )
     except ValueError as reason:
-        raise InputError(error("crs.local_frame", system=_short(text))) from reason
+        raise InputError(error("crs.local_frame", system=_shorten(text))) from reason
     wgs = CRS.from_epsg(4979)
     frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
     return CoordinateSystem(
@@ -275,12 +277,12 @@ def _local_system(text: str) -> CoordinateSystem:
 LOCAL_PREFIX = "local:"
 
 
-def _settled(
+def _resolve_heights(
     crs: CRS, height: str, height_unit: str, trajectory_datum: str, epoch: float | None
 ) -> CoordinateSystem:
-    horizontal, vertical = _parts(crs)
+    horizontal, vertical = _split_compound(crs)
     if not (horizontal.is_projected or horizontal.is_geographic or horizontal.is_geocentric):
-        raise InputError(error("crs.not_tied_to_earth", system=_short(crs.name)))
+        raise InputError(error("crs.not_tied_to_earth", system=_shorten(crs.name)))
     assumptions = [note("assumed.system", system=crs.name)]
     grid: Path | None = None
     offset = 0.0
@@ -292,12 +294,12 @@ def _settled(
     elif height == ELLIPSOID:
         vertical = None
     elif height:
-        vertical = _vertical(height)
+        vertical = _parse_vertical_system(height)
     elif vertical is None and len(crs.axis_info) < 3:
         assumptions.append(note("assumed.heights_not_named"))
     if horizontal.is_geocentric:
         if height:
-            raise InputError(error("crs.geocentric_height", system=_short(crs.name)))
+            raise InputError(error("crs.geocentric_height", system=_shorten(crs.name)))
         grid = vertical = None
     source = (
         horizontal.to_3d() if vertical is None
@@ -309,7 +311,7 @@ def _settled(
         if not crs.is_geographic:
             code = "assumed.height_unit_as_horizontal"
         assumptions.append(note(code, unit=unit))
-    target = _target(horizontal, trajectory_datum)
+    target = _ellipsoidal_system(horizontal, trajectory_datum)
     assumptions.append(
         note("assumed.datum_shift", datum=target.name, source=horizontal.name)
         if trajectory_datum
@@ -322,7 +324,7 @@ def _settled(
         height=f"{above} ({unit})",
         unit=horizontal.axis_info[0].unit_name,
         assumptions=tuple(assumptions),
-        metres=_metres(horizontal, source, factor),
+        metres=_metres_per_unit(horizontal, source, factor),
         written=crs if not height else horizontal if vertical is None else source,
         _height_factor=factor,
         _to_geographic=to_geographic,
@@ -332,36 +334,36 @@ def _settled(
     )
 
 
-def _known(text: str) -> CRS:
+def _parse_system(text: str) -> CRS:
     if not text.strip():
         raise InputError(error("crs.none_given"))
     plain = text.strip()
     try:
         return CRS.from_user_input(f"EPSG:{plain}" if plain.isdigit() else plain)
     except CRSError as reason:
-        raise InputError(error("crs.unknown", system=_short(text))) from reason
+        raise InputError(error("crs.unknown", system=_shorten(text))) from reason
 
 
-def _short(text: str) -> str:
+def _shorten(text: str) -> str:
     line = " ".join(text.split())
     return line if len(line) <= 60 else f"{line[:57]}..."
 
 
-def _parts(crs: CRS) -> tuple[CRS, CRS | None]:
+def _split_compound(crs: CRS) -> tuple[CRS, CRS | None]:
     """The horizontal system, and the vertical one where heights are not above the ellipsoid."""
     if not crs.is_compound:
         return crs, None
     horizontal, vertical = crs.sub_crs_list[:2]
-    return _unbound(horizontal), _unbound(vertical)
+    return _without_datum_shift(horizontal), _without_datum_shift(vertical)
 
 
-def _unbound(crs: CRS) -> CRS:
+def _without_datum_shift(crs: CRS) -> CRS:
     """The system without a shift to another datum that its text may have brought."""
     return crs.source_crs if crs.is_bound and crs.source_crs is not None else crs
 
 
-def _vertical(height: str) -> CRS:
-    vertical = _known(height)
+def _parse_vertical_system(height: str) -> CRS:
+    vertical = _parse_system(height)
     if not vertical.is_vertical:
         raise InputError(error("crs.not_vertical", height=height, system=vertical.name))
     return vertical
@@ -386,14 +388,14 @@ def _height_factor(crs: CRS, source: CRS, height_unit: str) -> tuple[float, str]
     return 1.0, source.axis_info[-1].unit_name
 
 
-def _metres(horizontal: CRS, source: CRS, factor: float) -> tuple[float, float, float]:
+def _metres_per_unit(horizontal: CRS, source: CRS, factor: float) -> tuple[float, float, float]:
     across = horizontal.axis_info[0].unit_conversion_factor
     if horizontal.is_geographic:
         across *= SEMI_MAJOR_AXIS
     return across, across, factor * source.axis_info[-1].unit_conversion_factor
 
 
-def _target(horizontal: CRS, trajectory_datum: str) -> CRS:
+def _ellipsoidal_system(horizontal: CRS, trajectory_datum: str) -> CRS:
     """Longitude, latitude and ellipsoidal height in the datum of the trajectory.
 
     Raises
@@ -402,10 +404,10 @@ def _target(horizontal: CRS, trajectory_datum: str) -> CRS:
         If the datum cannot be determined, or is not geographic.
     """
     if trajectory_datum:
-        datum = _known(trajectory_datum)
+        datum = _parse_system(trajectory_datum)
         if datum.is_geographic:
             return datum.to_3d()
-        raise InputError(error("crs.not_geographic", datum=_short(trajectory_datum)))
+        raise InputError(error("crs.not_geographic", datum=_shorten(trajectory_datum)))
     ellipsoid, own = horizontal.ellipsoid, horizontal.datum
     if ellipsoid is None or own is None:
         raise InputError(error("crs.no_datum", system=horizontal.name))

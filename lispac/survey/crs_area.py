@@ -9,8 +9,8 @@ BEYOND = 3.0
 """Degrees beyond the area of a coordinate system that a survey may lie: half a UTM zone."""
 
 
-def meant_elsewhere(crs: "CRS", latitude_deg: float, longitude_deg: float) -> str:
-    """The area that a system is meant for, where a place is well outside; empty otherwise."""
+def area_of_use_elsewhere(crs: "CRS", latitude_deg: float, longitude_deg: float) -> str:
+    """Area of use of a system if a place is well outside; empty otherwise."""
     area = crs.area_of_use
     if area is None:
         return ""

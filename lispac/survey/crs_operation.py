@@ -1,4 +1,4 @@
-"""The way from one coordinate system to another, by PROJ, or why there is none."""
+"""Coordinate operation between two systems by PROJ, or why there is none."""
 
 import re
 import warnings
@@ -28,10 +28,10 @@ def best_operation(source: CRS, target: CRS, epoch: float | None) -> Transformer
     ------
     InputError
     """
-    group = _group(source, target)
+    group = _transformer_group(source, target)
     known = bool(group.transformers or group.unavailable_operations)
-    if not known and _datums_apart(source, target):
-        raise InputError(_no_operation(source, target))
+    if not known and _are_datums_unrelated(source, target):
+        raise InputError(_no_operation_error(source, target))
     if not group.transformers or not group.best_available:
         grids = [
             grid.short_name
@@ -39,7 +39,7 @@ def best_operation(source: CRS, target: CRS, epoch: float | None) -> Transformer
             for grid in operation.grids
             if not grid.available
         ]
-        raise InputError(_grids_missing(source, target, grids))
+        raise InputError(_missing_grids_error(source, target, grids))
     transformer = group.transformers[0]
     if "t_epoch=" in transformer.definition and epoch is None:
         raise InputError(error("crs.epoch_missing", source=source.name, target=target.name))
@@ -79,31 +79,31 @@ def realizations(system: CRS, target: CRS) -> list[tuple[str, str]]:
         code = f"EPSG:{base}"
         if system.is_projected and operation is not None:
             name = f"{name} / {operation.name}"
-            code = projected.get(name) or _composed(system, base)
-        if code and not _is_dead_end(CRS.from_user_input(code).to_3d(), target):
+            code = projected.get(name) or _projection_on_base(system, base)
+        if code and not _has_no_operation(CRS.from_user_input(code).to_3d(), target):
             found.append((code, name))
         if len(found) == MOST_NAMED:
             break
     return found
 
 
-def _group(source: CRS, target: CRS) -> TransformerGroup:
+def _transformer_group(source: CRS, target: CRS) -> TransformerGroup:
     set_network_enabled(active=False)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # of missing grids, which the caller reports
         return TransformerGroup(source, target, always_xy=True, allow_ballpark=False)
 
 
-def _datums_apart(source: CRS, target: CRS) -> bool:
-    """Whether it is the datums between which there is no way, not the heights."""
-    return not source.is_compound or _is_dead_end(source.sub_crs_list[0].to_3d(), target)
+def _are_datums_unrelated(source: CRS, target: CRS) -> bool:
+    """Whether the datums, not the heights, prevent an operation."""
+    return not source.is_compound or _has_no_operation(source.sub_crs_list[0].to_3d(), target)
 
 
-def _is_dead_end(source: CRS, target: CRS) -> bool:
-    return not _group(source, target).transformers
+def _has_no_operation(source: CRS, target: CRS) -> bool:
+    return not _transformer_group(source, target).transformers
 
 
-def _composed(system: CRS, base: str) -> str:
+def _projection_on_base(system: CRS, base: str) -> str:
     """What PROJ reads as the projection of ``system`` on another base; empty where it cannot.
 
     EPSG has a code for a projection on each realization only where somebody asked for one.
@@ -118,7 +118,7 @@ def _composed(system: CRS, base: str) -> str:
     )
 
 
-def _grids_missing(source: CRS, target: CRS, grids: list[str]) -> Message:
+def _missing_grids_error(source: CRS, target: CRS, grids: list[str]) -> Message:
     """Message that PROJ lacks grid files; for some operations the files are unknown."""
     folder = str(get_user_data_dir())
     if not grids:
@@ -130,7 +130,7 @@ def _grids_missing(source: CRS, target: CRS, grids: list[str]) -> Message:
     )
 
 
-def _no_operation(source: CRS, target: CRS) -> Message:
+def _no_operation_error(source: CRS, target: CRS) -> Message:
     """The message that PROJ knows no operation between two systems."""
     horizontal = source.sub_crs_list[0] if source.is_compound else source
     found = realizations(horizontal.to_2d(), target)

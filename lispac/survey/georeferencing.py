@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.foreign_values import Shape
-from lispac.geometry.rotations import angles_of, rotation_derivatives, rotation_matrix
+from lispac.geometry.rotations import rotation_angles, rotation_derivatives, rotation_matrix
 from lispac.progress import Progress, no_progress
 from lispac.survey import kernels
-from lispac.survey.trajectory import LocalTrajectory, Poses, outside_trajectory
+from lispac.survey.trajectory import LocalTrajectory, Poses, outside_trajectory_message
+from lispac.untrusted_values import ArrayShape
 
 Array = NDArray[np.float64]
 
@@ -57,7 +57,7 @@ def is_steep(boresight: Array) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class Mounting:
-    """How the LiDAR sits in the body frame, and what its readings are off by.
+    """Position and orientation of the LiDAR in the body frame, and corrections of its readings.
 
     Attributes
     ----------
@@ -77,12 +77,12 @@ class Mounting:
         yaw are one angle at a pitch of 90 deg; with the axes turned, the boresight stays small.
     """
 
-    lever_arm: Annotated[Array, Shape(3)]
-    boresight: Annotated[Array, Shape(3)]
+    lever_arm: Annotated[Array, ArrayShape(3)]
+    boresight: Annotated[Array, ArrayShape(3)]
     range_offset: float = 0.0
     scan_angle_offset: float = 0.0
     latency: float = 0.0
-    axes: Annotated[Array, Shape(3, 3)] | None = None
+    axes: Annotated[Array, ArrayShape(3, 3)] | None = None
 
     @classmethod
     def near(
@@ -107,7 +107,7 @@ class Mounting:
         if not is_steep(given.boresight):
             return given
         axes = max(AXES, key=lambda each: float(np.trace(each.T @ rotation)))
-        return replace(given, boresight=angles_of(rotation @ axes.T), axes=axes)
+        return replace(given, boresight=rotation_angles(rotation @ axes.T), axes=axes)
 
     @property
     def rotation_body_lidar(self) -> Array:
@@ -123,10 +123,10 @@ class Mounting:
 
     @property
     def plain(self) -> "Mounting":
-        """The same mounting without turned axes: its boresight is that of the whole rotation."""
+        """Mounting without turned axes: its boresight is that of the whole rotation."""
         if self.axes is None:
             return self
-        return replace(self, boresight=angles_of(self.rotation_body_lidar), axes=None)
+        return replace(self, boresight=rotation_angles(self.rotation_body_lidar), axes=None)
 
     @property
     def values(self) -> Array:
@@ -156,8 +156,8 @@ class Mounting:
         ranges = np.linalg.norm(points_lidar, axis=1, keepdims=True)
         return (points_lidar * (1 + self.range_offset / ranges)) @ self._turn.T
 
-    def as_read(self, points_lidar: Array) -> Array:
-        """The inverse of `corrected`: what a scanner with these offsets gives out."""
+    def apply_offsets(self, points_lidar: Array) -> Array:
+        """Apply range and scan-angle offset; the inverse of `corrected`."""
         if self.range_offset == 0 and self.scan_angle_offset == 0:
             return points_lidar
         ranges = np.linalg.norm(points_lidar, axis=1, keepdims=True)
@@ -168,7 +168,7 @@ class Mounting:
         return rotation_matrix(self.scan_angle_offset, 0.0, 0.0)
 
 
-def place(points_lidar: Array, poses: Poses, mounting: Mounting) -> Array:
+def place_points(points_lidar: Array, poses: Poses, mounting: Mounting) -> Array:
     """Georeference points whose POS states are known one by one: the reference formula.
 
     Parameters
@@ -188,10 +188,10 @@ def place(points_lidar: Array, poses: Poses, mounting: Mounting) -> Array:
 
 
 def to_lidar(points_local: Array, poses: Poses, mounting: Mounting) -> Array:
-    """The exact inverse of `place`: local frame back to the LiDAR frame, shape (n, 3), metres."""
+    """Transform points from the local to the LiDAR frame, shape (n, 3), metres."""
     rotation_local_body = rotation_matrix(*poses.attitude.T)
     points_body = np.einsum("nji,nj->ni", rotation_local_body, points_local - poses.position)
-    return mounting.as_read((points_body - mounting.lever_arm) @ mounting.rotation_body_lidar)
+    return mounting.apply_offsets((points_body - mounting.lever_arm) @ mounting.rotation_body_lidar)
 
 
 def georeference(
@@ -226,7 +226,7 @@ def georeference(
 
 @dataclass(frozen=True, eq=False)
 class Georeferencer:
-    """Georeferencing again and again: what it takes of the trajectory is made ready once.
+    """Repeated georeferencing with prepared data of the trajectory.
 
     A few hundred thousand points, a region of a line, already go to all cores.
     """
@@ -237,7 +237,7 @@ class Georeferencer:
 
     @classmethod
     def of(cls, trajectory: LocalTrajectory, mounting: Mounting) -> "Georeferencer":
-        """Make ready."""
+        """Prepare the data of the trajectory."""
         return cls(trajectory, mounting, kernel_arguments(trajectory, mounting))
 
     def __call__(
@@ -252,7 +252,7 @@ class Georeferencer:
         def run(start: int) -> bool:
             chunk = slice(start, start + CHUNK)
             return bool(
-                kernels.georeferenced(
+                kernels.georeference_in_place(
                     points_lidar[chunk], time[chunk], *self._passage, points_local[chunk]
                 )
             )
@@ -260,15 +260,15 @@ class Georeferencer:
         starts = range(0, len(time), CHUNK)
         if len(starts) <= 1:
             sound: Iterable[bool] = map(run, starts)
-            return self._checked(points_local, sound, time, len(starts), progress)
+            return self._require_all_inside(points_local, sound, time, len(starts), progress)
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             try:
                 sound = pool.map(run, starts)
-                return self._checked(points_local, sound, time, len(starts), progress)
+                return self._require_all_inside(points_local, sound, time, len(starts), progress)
             finally:
                 pool.shutdown(cancel_futures=True)
 
-    def _checked(
+    def _require_all_inside(
         self,
         points_local: Array,
         sound: Iterable[bool],
@@ -278,12 +278,12 @@ class Georeferencer:
     ) -> Array:
         for done, inside in enumerate(sound):
             if not inside:
-                raise outside(time + self.mounting.latency, self.trajectory)
+                raise outside_trajectory_error(time + self.mounting.latency, self.trajectory)
             progress((done + 1) / chunks)
         return points_local
 
-    def farthest_move(self, other: Mounting, reach: float) -> float:
-        """How far a point may be from where it is with another mounting, metres.
+    def largest_displacement(self, other: Mounting, reach: float) -> float:
+        """Largest displacement of a point by another mounting, metres.
 
         Parameters
         ----------
@@ -319,11 +319,11 @@ def kernel_arguments(
     )
 
 
-def outside(time: Array, trajectory: LocalTrajectory) -> InputError:
-    """The error that times have no pose.
+def outside_trajectory_error(time: Array, trajectory: LocalTrajectory) -> InputError:
+    """Error that times lie outside the trajectory.
 
     Parameters
     ----------
     time : ndarray of shape (n,), seconds
     """
-    return InputError(outside_trajectory(time, trajectory.time))
+    return InputError(outside_trajectory_message(time, trajectory.time))

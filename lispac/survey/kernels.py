@@ -20,7 +20,7 @@ TERMS = 20
 
 
 @njit(nogil=True, cache=True)
-def interval(t, knots, k):  # type: ignore[no-untyped-def]
+def find_interval(t, knots, k):  # type: ignore[no-untyped-def]
     """The interval of ``knots`` that holds ``t``; -1 outside. ``k`` is where the last one was.
 
     Times mostly increase, so the interval of the last point or the next one holds; a jump is
@@ -37,7 +37,7 @@ def interval(t, knots, k):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True, fastmath={"contract"})
-def turned(cosine, sine, angle, turn):  # type: ignore[no-untyped-def]
+def rotate_cosine_sine(cosine, sine, angle, turn):  # type: ignore[no-untyped-def]
     """Cosine and sine of ``angle + turn`` from those of ``angle``.
 
     Between two states of a POS angles hardly change: a short series, exact to the last digits of a
@@ -52,7 +52,9 @@ def turned(cosine, sine, angle, turn):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True, fastmath={"contract"})
-def georeferenced(points_lidar, time, latency, knots, states, rotation, lever_arm, points_local):  # type: ignore[no-untyped-def]
+def georeference_in_place(  # type: ignore[no-untyped-def]
+    points_lidar, time, latency, knots, states, rotation, lever_arm, points_local
+):
     """Scanner frame to local frame; False where a time lies outside the trajectory.
 
     ``states`` are position and attitude at ``knots``, shape (m, 6).
@@ -60,7 +62,7 @@ def georeferenced(points_lidar, time, latency, knots, states, rotation, lever_ar
     k, known = 0, -1
     for i in range(len(time)):
         t = time[i] + latency
-        k = interval(t, knots, k)
+        k = find_interval(t, knots, k)
         if k < 0:
             return False
         low, high = states[k], states[k + 1]
@@ -75,11 +77,11 @@ def georeferenced(points_lidar, time, latency, knots, states, rotation, lever_ar
         by = rotation[1, 0] * x + rotation[1, 1] * y + rotation[1, 2] * z + lever_arm[1]
         bz = rotation[2, 0] * x + rotation[2, 1] * y + rotation[2, 2] * z + lever_arm[2]
         # Rx(roll), Ry(pitch), Rz(-heading), one after the other
-        c, s = turned(cos_r, sin_r, low[3], u * (high[3] - low[3]))
+        c, s = rotate_cosine_sine(cos_r, sin_r, low[3], u * (high[3] - low[3]))
         by, bz = c * by - s * bz, s * by + c * bz
-        c, s = turned(cos_p, sin_p, low[4], u * (high[4] - low[4]))
+        c, s = rotate_cosine_sine(cos_p, sin_p, low[4], u * (high[4] - low[4]))
         bx, bz = c * bx + s * bz, -s * bx + c * bz
-        c, s = turned(cos_h, sin_h, low[5], u * (high[5] - low[5]))
+        c, s = rotate_cosine_sine(cos_h, sin_h, low[5], u * (high[5] - low[5]))
         bx, by = c * bx + s * by, -s * bx + c * by
         points_local[i, 0] = low[0] + u * (high[0] - low[0]) + bx
         points_local[i, 1] = low[1] + u * (high[1] - low[1]) + by
@@ -88,12 +90,14 @@ def georeferenced(points_lidar, time, latency, knots, states, rotation, lever_ar
 
 
 @njit(nogil=True, cache=True, fastmath={"contract"})
-def scanned(points_local, time, latency, knots, states, rotation, lever_arm, points_lidar):  # type: ignore[no-untyped-def]
-    """The inverse of `georeferenced`; both arrays may be the same one."""
+def to_scanner_in_place(  # type: ignore[no-untyped-def]
+    points_local, time, latency, knots, states, rotation, lever_arm, points_lidar
+):
+    """The inverse of `georeference_in_place`; both arrays may be the same one."""
     k, known = 0, -1
     for i in range(len(time)):
         t = time[i] + latency
-        k = interval(t, knots, k)
+        k = find_interval(t, knots, k)
         if k < 0:
             return False
         low, high = states[k], states[k + 1]
@@ -107,11 +111,11 @@ def scanned(points_local, time, latency, knots, states, rotation, lever_arm, poi
         by = points_local[i, 1] - (low[1] + u * (high[1] - low[1]))
         bz = points_local[i, 2] - (low[2] + u * (high[2] - low[2]))
         # The turns of `georeferenced` backwards, in the other order
-        c, s = turned(cos_h, sin_h, low[5], u * (high[5] - low[5]))
+        c, s = rotate_cosine_sine(cos_h, sin_h, low[5], u * (high[5] - low[5]))
         bx, by = c * bx - s * by, s * bx + c * by
-        c, s = turned(cos_p, sin_p, low[4], u * (high[4] - low[4]))
+        c, s = rotate_cosine_sine(cos_p, sin_p, low[4], u * (high[4] - low[4]))
         bx, bz = c * bx - s * bz, s * bx + c * bz
-        c, s = turned(cos_r, sin_r, low[3], u * (high[3] - low[3]))
+        c, s = rotate_cosine_sine(cos_r, sin_r, low[3], u * (high[3] - low[3]))
         by, bz = c * by + s * bz, -s * by + c * bz
         bx, by, bz = bx - lever_arm[0], by - lever_arm[1], bz - lever_arm[2]
         points_lidar[i, 0] = rotation[0, 0] * bx + rotation[1, 0] * by + rotation[2, 0] * bz
@@ -121,7 +125,7 @@ def scanned(points_local, time, latency, knots, states, rotation, lever_arm, poi
 
 
 @njit(nogil=True, cache=True, fastmath={"contract"})
-def cubic(c, x, y, z):  # type: ignore[no-untyped-def]
+def evaluate_cubic(c, x, y, z):  # type: ignore[no-untyped-def]
     """A polynomial of third degree; the order of ``c`` is that of `lispac.survey.smooth_map`."""
     return (
         c[0]
@@ -138,7 +142,7 @@ def cubic(c, x, y, z):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True, fastmath={"contract"})
-def evaluated(points, root, children, leaf_of, boxes, coefficients, missed):  # type: ignore[no-untyped-def]
+def evaluate_smooth_map(points, root, children, leaf_of, boxes, coefficients, missed):  # type: ignore[no-untyped-def]
     """Put points through the polynomial of the cell that holds each, in place.
 
     ``root`` is low x, low y, low z, side, high z; ``children`` of shape (nodes, 4) are -1 for a
@@ -176,14 +180,14 @@ def evaluated(points, root, children, leaf_of, boxes, coefficients, missed):  # 
         box = boxes[leaf]
         c = coefficients[leaf]
         sx, sy, sz = (x - box[0]) * box[3], (y - box[1]) * box[4], (z - box[2]) * box[5]
-        points[i, 0] = cubic(c[0], sx, sy, sz)
-        points[i, 1] = cubic(c[1], sx, sy, sz)
-        points[i, 2] = cubic(c[2], sx, sy, sz)
+        points[i, 0] = evaluate_cubic(c[0], sx, sy, sz)
+        points[i, 1] = evaluate_cubic(c[1], sx, sy, sz)
+        points[i, 2] = evaluate_cubic(c[2], sx, sy, sz)
     return count
 
 
 @njit(nogil=True, cache=True)
-def georeferenced_to_map(  # type: ignore[no-untyped-def]
+def georeference_to_map(  # type: ignore[no-untyped-def]
     points_lidar, time, latency, knots, states, rotation, lever_arm,
     root, children, leaf_of, boxes, coefficients, points_map, missed,
 ):  # fmt: skip
@@ -195,17 +199,19 @@ def georeferenced_to_map(  # type: ignore[no-untyped-def]
     for start in range(0, len(time), TILE):
         stop = min(start + TILE, len(time))
         tile = points_map[start:stop]
-        if not georeferenced(
+        if not georeference_in_place(
             points_lidar[start:stop], time[start:stop], latency, knots, states, rotation,
             lever_arm, tile,
         ):  # fmt: skip
             return -1
-        count += evaluated(tile, root, children, leaf_of, boxes, coefficients, missed[start:stop])
+        count += evaluate_smooth_map(
+            tile, root, children, leaf_of, boxes, coefficients, missed[start:stop]
+        )
     return count
 
 
 @njit(nogil=True, cache=True)
-def scaled(x, y, z, scales, offsets, points):  # type: ignore[no-untyped-def]
+def coordinates_from_integers(x, y, z, scales, offsets, points):  # type: ignore[no-untyped-def]
     """Coordinates from whole steps, digit by digit what laspy makes of them."""
     for i in range(len(x)):
         points[i, 0] = x[i] * scales[0] + offsets[0]
@@ -214,7 +220,7 @@ def scaled(x, y, z, scales, offsets, points):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True)
-def quantised(points, offsets, scales, x, y, z):  # type: ignore[no-untyped-def]
+def integers_from_coordinates(points, offsets, scales, x, y, z):  # type: ignore[no-untyped-def]
     """Whole steps of ``scales`` from ``offsets`` into ``x``, ``y``, ``z``; False past 32 bits."""
     fx, fy, fz = 1 / scales[0], 1 / scales[1], 1 / scales[2]
     for i in range(len(points)):
@@ -228,7 +234,7 @@ def quantised(points, offsets, scales, x, y, z):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True)
-def bounds(points):  # type: ignore[no-untyped-def]
+def bounds_and_reach(points):  # type: ignore[no-untyped-def]
     """Low and high corner of points and the largest squared distance from the origin."""
     low, high, farthest = np.full(3, np.inf), np.full(3, -np.inf), 0.0
     for i in range(len(points)):

@@ -1,4 +1,4 @@
-"""Audit of one line: what its points are like, gathered chunk by chunk while they are read."""
+"""Audit of one line: statistics of its points, collected chunk by chunk during reading."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -69,7 +69,7 @@ class LineAudit:
         return self.first_returns / max(self.distinct_times, 1)
 
 
-def shared_fraction(one: LineAudit, other: LineAudit) -> float:
+def shared_point_fraction(one: LineAudit, other: LineAudit) -> float:
     """Estimated share of the points of the smaller line that both lines have.
 
     By the bottom-k sketches: below the smaller of both largest hashes each sketch holds every hash
@@ -77,7 +77,7 @@ def shared_fraction(one: LineAudit, other: LineAudit) -> float:
     """
     if not one.sketch or not other.sketch:
         return 0.0
-    limit = min(_limit(one.sketch), _limit(other.sketch))
+    limit = min(_sketch_limit(one.sketch), _sketch_limit(other.sketch))
     first = {value for value in one.sketch if value <= limit}
     second = {value for value in other.sketch if value <= limit}
     fewest = min(len(first), len(second))
@@ -88,12 +88,12 @@ SKETCH = 2048
 """Hashes of a sketch: a share of points is estimated to 2 %, one from 0.2 % is seen."""
 
 
-def _limit(sketch: list[int]) -> int:
+def _sketch_limit(sketch: list[int]) -> int:
     """Largest hash up to which a sketch is complete."""
     return max(sketch) if len(sketch) >= SKETCH else np.iinfo(np.int64).max
 
 
-def time_step_of(gaps: NDArray[np.int64], sums: NDArray[np.float64], changes: int) -> float:
+def usual_time_step(gaps: NDArray[np.int64], sums: NDArray[np.float64], changes: int) -> float:
     """Usual gap between distinct times, seconds; 0 where most gaps are short.
 
     Parameters
@@ -118,7 +118,7 @@ GRID_TOLERANCE = 1e-6
 """Seconds by which rounded times may miss a step: what 64 bits leave of a time since 1980."""
 
 
-def grid_of(times: NDArray[np.float64]) -> float:
+def time_grid_step(times: NDArray[np.float64]) -> float:
     """Coarsest step that all ``times`` (n,), seconds, are multiples of; 0 where there is none."""
     for step in GRID_STEPS:
         if np.abs(times - np.round(times / step) * step).max(initial=0.0) <= GRID_TOLERANCE:
@@ -126,7 +126,7 @@ def grid_of(times: NDArray[np.float64]) -> float:
     return 0.0
 
 
-def spans_of(seconds: NDArray[np.int64]) -> list[list[float]]:
+def time_spans(seconds: NDArray[np.int64]) -> list[list[float]]:
     """Spans of ``seconds`` (n,), ascending whole seconds with points, apart by `PASS_GAP`."""
     if not len(seconds):
         return []

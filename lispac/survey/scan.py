@@ -1,4 +1,4 @@
-"""A line: one pass of the vessel, as the scanner saw it."""
+"""A line in the LiDAR frame."""
 
 from dataclasses import dataclass
 from functools import cached_property

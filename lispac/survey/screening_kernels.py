@@ -85,7 +85,7 @@ def screen_values(time, xyz, nearest, farthest, largest, largest_time, status): 
 
 
 @njit(nogil=True, cache=True)
-def _contains(table, h):  # type: ignore[no-untyped-def]
+def _table_contains(table, h):  # type: ignore[no-untyped-def]
     """Whether an open-addressing table holds a hash."""
     mask = np.uint64(len(table) - 1)
     k = h & mask
@@ -97,7 +97,7 @@ def _contains(table, h):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True)
-def _insert(table, h):  # type: ignore[no-untyped-def]
+def _table_insert(table, h):  # type: ignore[no-untyped-def]
     """Put a hash into an open-addressing table that has room."""
     mask = np.uint64(len(table) - 1)
     k = h & mask
@@ -107,17 +107,17 @@ def _insert(table, h):  # type: ignore[no-untyped-def]
 
 
 @njit(nogil=True, cache=True)
-def grown(table):  # type: ignore[no-untyped-def]
+def doubled_table(table):  # type: ignore[no-untyped-def]
     """A table of twice the size with the same hashes."""
     larger = np.zeros(2 * len(table), np.uint64)
     for h in table:
         if h != 0:
-            _insert(larger, h)
+            _table_insert(larger, h)
     return larger
 
 
 @njit(nogil=True, cache=True)
-def _equal_in_run(i, start, tail, time_bits, xyz_bits):  # type: ignore[no-untyped-def]
+def _is_duplicate_in_run(i, start, tail, time_bits, xyz_bits):  # type: ignore[no-untyped-def]
     """Whether a point equals one of the same time before it, in this chunk or at its border."""
     for j in range(i - 1, start - 1, -1):
         if (
@@ -166,25 +166,25 @@ def mark_duplicates(  # type: ignore[no-untyped-def]
                 for j in range(max(0, i - room + 1), i):
                     if status[j] == KEPT:
                         before = xyz_bits[j]
-                        _insert(
+                        _table_insert(
                             tables[fill[1]],
                             point_hash(time_bits[j], before[0], before[1], before[2]),
                         )
                         fill[0] += 1
-            elif _equal_in_run(i, run, tail, time_bits, xyz_bits):
+            elif _is_duplicate_in_run(i, run, tail, time_bits, xyz_bits):
                 status[i] = DUPLICATE
                 found += 1
                 continue
         h = point_hash(time_bits[i], xyz_bits[i, 0], xyz_bits[i, 1], xyz_bits[i, 2])
         if fill[2] != 0:
-            if _contains(tables[fill[1]], h) or _contains(tables[1 - fill[1]], h):
+            if _table_contains(tables[fill[1]], h) or _table_contains(tables[1 - fill[1]], h):
                 status[i] = DUPLICATE
                 found += 1
                 continue
             if fill[0] >= room:
                 fill[0], fill[1] = 0, 1 - fill[1]
                 tables[fill[1]] = 0
-            _insert(tables[fill[1]], h)
+            _table_insert(tables[fill[1]], h)
             fill[0] += 1
         if h <= threshold:
             sampled[count] = h

@@ -28,10 +28,10 @@ SMALLEST = 30.0
 MOST = 40_000
 """Cells; above them the rest goes the exact way."""
 POWERS = np.array([(i, j, k) for i in range(4) for j in range(4 - i) for k in range(4 - i - j)])
-"""Exponents of x, y, z in the order that `lispac.survey.kernels.cubic` takes coefficients."""
+"""Exponents of x, y, z in the order of the coefficients of `evaluate_cubic`."""
 
 
-def _terms(places: Array) -> Array:
+def _polynomial_terms(places: Array) -> Array:
     return np.asarray(np.prod(places[:, None, :] ** POWERS, axis=2))
 
 
@@ -43,14 +43,14 @@ _CHECKS = np.concatenate(
         np.random.default_rng(2).uniform(-1, 1, (25, 3)),
     ]
 )
-_FIT = np.linalg.pinv(_terms(_NODES))
-_CHECK_TERMS = _terms(_CHECKS)
+_FIT = np.linalg.pinv(_polynomial_terms(_NODES))
+_CHECK_TERMS = _polynomial_terms(_CHECKS)
 _SAMPLES = np.concatenate([_NODES, _CHECKS])
 
 
 @dataclass(frozen=True, eq=False)
 class SmoothMap:
-    """Polynomials of third degree in cells of a quadtree over x and y; see `fitted`.
+    """Polynomials of third degree in cells of a quadtree over x and y; see `fit_smooth_map`.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class SmoothMap:
     leaf_of : ndarray of shape (nodes,)
     boxes : ndarray of shape (leaves, 6)
     coefficients : ndarray of shape (leaves, 3, 20)
-        As `lispac.survey.kernels.evaluated` takes them.
+        As `lispac.survey.kernels.evaluate_smooth_map` takes them.
     residual : float, metres
         Largest departure from the exact mapping at the check points of all cells.
     exact_share : float, 0 to 1
@@ -87,7 +87,7 @@ class SmoothMap:
     def apply(self, points: Array) -> NDArray[np.bool_]:
         """Map points in place, shape (n, 3); gives back which are left as they were."""
         missed = np.zeros(len(points), dtype=np.bool_)
-        kernels.evaluated(points, *self.tables, missed)
+        kernels.evaluate_smooth_map(points, *self.tables, missed)
         return missed
 
     @property
@@ -96,7 +96,7 @@ class SmoothMap:
         return self.root, self.children, self.leaf_of, self.boxes, self.coefficients
 
 
-def fitted(
+def fit_smooth_map(
     exact: Callable[[Array], Array],
     low: Array,
     high: Array,
@@ -127,7 +127,7 @@ def fitted(
     while len(open_nodes):
         centres = np.column_stack([corners + side / 2, np.full(len(corners), middle[2])])
         halves = np.array([side / 2, side / 2, max(half[2], 1e-9)])
-        found, off = _fit(exact, centres, halves, metres_out)
+        found, off = _fit_cells(exact, centres, halves, metres_out)
         good = off <= RESIDUAL
         for k in np.flatnonzero(good):
             leaf_of[open_nodes[k]] = len(boxes)
@@ -163,7 +163,7 @@ def fitted(
     )
 
 
-def _fit(
+def _fit_cells(
     exact: Callable[[Array], Array], centres: Array, halves: Array, metres: Array
 ) -> tuple[Array, Array]:
     """Coefficients of shape (cells, 3, 20) and the largest residual of each cell, metres."""

@@ -1,4 +1,4 @@
-"""Time bases: which one times are in, and what brings one into another.
+"""Time bases: identification, and conversion between them.
 
 Two bases differ by a constant over any survey that no leap second falls into: by the offset of
 their zeros, by the leap seconds, and by whole days or weeks where a base starts again at midnight
@@ -42,7 +42,7 @@ LEAP_SECONDS_NOW = len(LEAP_DATES)
 
 @dataclass(frozen=True)
 class TimeBase:
-    """What a time counts.
+    """Definition of a time base.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class TimeBase:
     highest: float
 
 
-def _absolute(key: str, offset: float, utc: bool) -> TimeBase:
+def _absolute_base(key: str, offset: float, utc: bool) -> TimeBase:
     first = datetime(2000, 1, 1, tzinfo=UTC).timestamp() - GPS_EPOCH
     last = datetime(2045, 1, 1, tzinfo=UTC).timestamp() - GPS_EPOCH
     return TimeBase(key, offset, None, utc, first - offset, last - offset)
@@ -78,10 +78,10 @@ BASES = (
     TimeBase("gps-day", 0.0, DAY, False, 0.0, 2 * DAY),
     TimeBase("utc-day", 0.0, DAY, True, 0.0, 2 * DAY),
     TimeBase("utc-week", 0.0, WEEK, True, 0.0, 2 * WEEK),
-    _absolute("gps-adjusted", 1e9, False),
-    _absolute("gps-full", 0.0, False),
-    _absolute("unix", -GPS_EPOCH, True),
-    _absolute("tai", -GPS_EPOCH - GPS_AFTER_TAI, False),
+    _absolute_base("gps-adjusted", 1e9, False),
+    _absolute_base("gps-full", 0.0, False),
+    _absolute_base("unix", -GPS_EPOCH, True),
+    _absolute_base("tai", -GPS_EPOCH - GPS_AFTER_TAI, False),
     TimeBase("utc-hour", 0.0, HOUR, True, 0.0, 2 * HOUR),
 )
 """All bases, the more usual first."""
@@ -89,7 +89,7 @@ BASES = (
 KEYS = tuple(base.key for base in BASES)
 
 
-def base_of(key: str) -> TimeBase:
+def base_of_key(key: str) -> TimeBase:
     """The base of that key.
 
     Raises
@@ -102,7 +102,7 @@ def base_of(key: str) -> TimeBase:
     raise InputError(error("time.unknown_base", base=key, bases=KEYS))
 
 
-def plausible(times: Array) -> tuple[TimeBase, ...]:
+def plausible_bases(times: Array) -> tuple[TimeBase, ...]:
     """Bases that ``times`` can be in by their values alone, the more usual first.
 
     Below one week, times are not taken for adjusted GPS time, which had such values in September
@@ -141,7 +141,7 @@ def to_gps(times: Array, base: TimeBase, near: float | None = None) -> Array:
 
     Parameters
     ----------
-    times : ndarray of shape (n,), seconds in ``base``; wraps already unrolled (`unrolled`)
+    times : ndarray of shape (n,), seconds in ``base``; wraps already unrolled (`unroll_times`)
     near : float, GPS seconds since 1980-01-06
         For a base that starts again every day or week: a time within half a period of the first.
 
@@ -174,8 +174,8 @@ def from_gps(gps: Array, base: TimeBase) -> Array:
     return values
 
 
-def unrolled(times: Array) -> tuple[Array, int]:
-    """Times that count on where they started again at midnight or at the end of the week.
+def unroll_times(times: Array) -> tuple[Array, int]:
+    """Times with the rollover at midnight or end of the week resolved.
 
     A step back counts as a new start where it is a whole day or week but for a step ahead of at
     most a minute, from the last minute before to the first one after it.
@@ -216,7 +216,7 @@ def period_between(before: float, after: float, leeway: float = NEAR_START) -> f
 
 
 @dataclass(frozen=True)
-class Match:
+class TimeMatch:
     """One way to bring point times onto the trajectory.
 
     Attributes
@@ -251,14 +251,14 @@ class Match:
         return np.asarray(times, dtype=np.float64) + self.shift
 
 
-def matches(
+def find_time_matches(
     point_times: Array,
     trajectory_times: Array,
     *,
     point_bases: Iterable[TimeBase] | None = None,
     trajectory_bases: Iterable[TimeBase] | None = None,
-) -> tuple[Match, ...]:
-    """All ways that bring points onto the trajectory, best first.
+) -> tuple[TimeMatch, ...]:
+    """All conversions that bring points onto the trajectory, best first.
 
     Parameters
     ----------
@@ -281,23 +281,25 @@ def matches(
         return ()
     start, end = float(track.min()), float(track.max())
     centre, goal = float(np.median(points)), (start + end) / 2
-    found: dict[int, Match] = {}
-    for own in plausible(points) if point_bases is None else point_bases:
-        for other in plausible(track) if trajectory_bases is None else trajectory_bases:
-            for shift, assumed in _shifts(own, other, centre, goal):
+    found: dict[int, TimeMatch] = {}
+    for own in plausible_bases(points) if point_bases is None else point_bases:
+        for other in plausible_bases(track) if trajectory_bases is None else trajectory_bases:
+            for shift, assumed in _possible_shifts(own, other, centre, goal):
                 inside = (points + shift >= start) & (points + shift <= end)
                 share = float(inside.mean())
                 key, pair = round(shift * 1000), ((own, other),)
                 if key in found:
                     before = found[key]
                     assumed = assumed and before.leap_assumed
-                    found[key] = Match(before.pairs + pair, shift, share, assumed)
+                    found[key] = TimeMatch(before.pairs + pair, shift, share, assumed)
                 elif share:
-                    found[key] = Match(pair, shift, share, assumed)
-    return tuple(sorted(found.values(), key=_rank))
+                    found[key] = TimeMatch(pair, shift, share, assumed)
+    return tuple(sorted(found.values(), key=_match_rank))
 
 
-def _shifts(own: TimeBase, other: TimeBase, centre: float, goal: float) -> list[tuple[float, bool]]:
+def _possible_shifts(
+    own: TimeBase, other: TimeBase, centre: float, goal: float
+) -> list[tuple[float, bool]]:
     """Shifts from one base to another that bring ``centre`` next to ``goal``."""
     leap, assumed = 0.0, False
     if own.utc != other.utc:
@@ -316,11 +318,11 @@ def _shifts(own: TimeBase, other: TimeBase, centre: float, goal: float) -> list[
     return [(shift + min(periods) * (near + k), assumed) for k in (0, -1, 1)]
 
 
-def _rank(match: Match) -> tuple[float, bool, int]:
+def _match_rank(match: TimeMatch) -> tuple[float, bool, int]:
     usual = min(KEYS.index(own.key) + KEYS.index(other.key) for own, other in match.pairs)
     return -round(match.share, 3), abs(match.shift) > 1e-9, usual
 
 
-def rival_matches(found: tuple[Match, ...]) -> tuple[Match, ...]:
-    """Those that fit as well as the first, to half a per cent of the points."""
+def equally_good_matches(found: tuple[TimeMatch, ...]) -> tuple[TimeMatch, ...]:
+    """Matches as good as the first, to half a per cent of the points."""
     return tuple(match for match in found[1:] if match.share >= found[0].share - 0.005)

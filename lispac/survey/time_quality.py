@@ -1,12 +1,12 @@
-"""How sound times are in themselves, and how a trajectory covers a line."""
+"""Quality of times, and coverage of a line by the trajectory."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.foreign_values import LEAST_AMOUNT
 from lispac.messages import Message, note, warning
+from lispac.untrusted_values import LEAST_AMOUNT
 
 Array = NDArray[np.float64]
 
@@ -54,7 +54,7 @@ class TimeQuality:
         return tuple(found)
 
 
-def time_quality(times: Array) -> TimeQuality:
+def assess_times(times: Array) -> TimeQuality:
     """Examine ``times``, shape (n,), seconds, in the order of the file."""
     times = np.asarray(times, dtype=np.float64)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -65,11 +65,11 @@ def time_quality(times: Array) -> TimeQuality:
         int((np.abs(steps) < LEAST_AMOUNT).sum()),
         int((steps <= -LEAST_AMOUNT).sum()),
         int(disorder[0]) + 1 if disorder.size else None,
-        _lost_resolution(times),
+        _float32_step(times),
     )
 
 
-def _lost_resolution(times: Array) -> float | None:
+def _float32_step(times: Array) -> float | None:
     """Step of 32-bit numbers where times use every one of its values, not a coarser grid.
 
     Times at whole seconds pass through 32 bits unharmed: all their steps are multiples of a
@@ -131,8 +131,8 @@ class Coverage:
         return self.count - self.outside - self.in_gaps
 
 
-def coverage(line_times: Array, trajectory_times: Array, longest_gap: float) -> Coverage:
-    """How a trajectory covers one line, or a part of it (join parts with `joined`).
+def assess_coverage(line_times: Array, trajectory_times: Array, longest_gap: float) -> Coverage:
+    """How a trajectory covers one line, or a part of it (join parts with `join_coverages`).
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ SHORT = 2.0
 """Seconds that accuracies may miss at the ends of the trajectory without a word."""
 
 
-def short_of_trajectory(own: Array, track: Array, file: str) -> Message | None:
+def accuracy_coverage_warning(own: Array, track: Array, file: str) -> Message | None:
     """The warning that accuracies do not cover the whole trajectory; None where they do.
 
     Parameters
@@ -212,7 +212,7 @@ def exclusion_notes(covered: Coverage, lost: int, file: str) -> tuple[Message, .
     return tuple(found)
 
 
-def joined(parts: list[Coverage]) -> Coverage:
+def join_coverages(parts: list[Coverage]) -> Coverage:
     """Coverage of a line read in parts."""
     parts = [part for part in parts if part.count] or parts[:1]
     if not parts:

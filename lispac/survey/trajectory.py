@@ -1,4 +1,4 @@
-"""The trajectory: where the POS was and how it was turned, and how well that is known."""
+"""Trajectory: position and attitude of the POS, and their accuracy."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
-from lispac.geometry.rotations import angles_of, rotation_matrix
+from lispac.geometry.rotations import rotation_angles, rotation_matrix
 from lispac.messages import Level, Message, error
-from lispac.survey.states_between import densified
+from lispac.survey.state_densification import insert_states
 
 Array = NDArray[np.float64]
 
@@ -59,7 +59,7 @@ class Trajectory:
     attitude_rate: Array | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "longitude", continuous(self.longitude))
+        object.__setattr__(self, "longitude", continuous_longitude(self.longitude))
 
     @property
     def longitude_within_half_turn(self) -> Array:
@@ -99,7 +99,7 @@ class Trajectory:
         )
 
 
-def continuous(longitude: Array) -> Array:
+def continuous_longitude(longitude: Array) -> Array:
     """Longitudes without jumps by 2 pi, with their mean between -pi and pi, shape (n,), radians.
 
     Parameters
@@ -203,7 +203,7 @@ class LocalTrajectory:
         """Bring a trajectory into ``frame``: positions, and attitude turned to its axes.
 
         Where the trajectory has velocities and angular rates, and straight lines between its states
-        are too coarse for the motion, further states are inserted (`densified`).
+        are too coarse for the motion, further states are inserted (`insert_states`).
 
         Raises
         ------
@@ -213,7 +213,7 @@ class LocalTrajectory:
         position = frame.to_local(trajectory.latitude, trajectory.longitude, trajectory.height)
         rotation_level_body = rotation_matrix(*trajectory.attitude.T)
         rotation_local_level = frame.rotation_local_level(trajectory.latitude, trajectory.longitude)
-        attitude = angles_of(rotation_local_level @ rotation_level_body)
+        attitude = rotation_angles(rotation_local_level @ rotation_level_body)
         if (np.abs(attitude[:, 1]) > STEEPEST).mean() > 0.5:
             raise InputError(error("survey.trajectory_steep", limit=float(STEEPEST)))
         attitude = np.unwrap(attitude, axis=0)
@@ -225,10 +225,10 @@ class LocalTrajectory:
             derivatives[:, :3] = (rotation_local_level @ velocity)[:, :, 0]
         if trajectory.attitude_rate is not None:
             ahead = rotation_matrix(*(trajectory.attitude + TICK * trajectory.attitude_rate).T)
-            turned = angles_of(rotation_local_level @ ahead) - attitude
+            turned = rotation_angles(rotation_local_level @ ahead) - attitude
             derivatives[:, 3:] = (np.remainder(turned + np.pi, 2 * np.pi) - np.pi) / TICK
         states = np.hstack([position, attitude])
-        dense = densified(trajectory.time, states, derivatives, longest_gap)
+        dense = insert_states(trajectory.time, states, derivatives, longest_gap)
         messages = trajectory.messages
         if dense.unused:
             names = tuple(COMPONENTS[k] for k in dense.unused)
@@ -252,10 +252,10 @@ class LocalTrajectory:
     @cached_property
     def has_gaps(self) -> bool:
         """Whether anything between two states may not be bridged."""
-        return bool(self._unbridged.any())
+        return bool(self._gap_intervals.any())
 
     @cached_property
-    def _unbridged(self) -> NDArray[np.bool_]:
+    def _gap_intervals(self) -> NDArray[np.bool_]:
         """Intervals between states that are too long, or too steep, shape (n - 1,)."""
         steep = np.abs(self.attitude[:, 1]) > STEEPEST
         return np.asarray((np.diff(self.time) > self.longest_gap) | steep[:-1] | steep[1:])
@@ -275,10 +275,10 @@ class LocalTrajectory:
         if self.has_gaps:
             last = len(self.time) - 2
             behind = np.searchsorted(self.time, time)
-            out = np.flatnonzero(self._unbridged[np.clip(behind - 1, 0, last)])
+            out = np.flatnonzero(self._gap_intervals[np.clip(behind - 1, 0, last)])
             # At a state itself it is enough that what follows may be bridged.
             at = np.minimum(behind[out], last)
-            inside[out] &= (self.time[at] == time[out]) & ~self._unbridged[at]
+            inside[out] &= (self.time[at] == time[out]) & ~self._gap_intervals[at]
         return np.asarray(inside)
 
     def rate_at(self, time: Array) -> Array:
@@ -302,7 +302,7 @@ class LocalTrajectory:
             Where a time lies outside the trajectory.
         """
         if len(time) and not self.covers(np.array([np.min(time), np.max(time)])).all():
-            raise InputError(outside_trajectory(time, self.time))
+            raise InputError(outside_trajectory_message(time, self.time))
         return Poses(
             _interpolate(time, self.time, self.position),
             _interpolate(time, self.time, self.attitude),
@@ -313,7 +313,7 @@ def _interpolate(time: Array, known_time: Array, values: Array) -> Array:
     return np.stack([np.interp(time, known_time, column) for column in values.T], axis=-1)
 
 
-def outside_trajectory(time: Array, known: Array) -> Message:
+def outside_trajectory_message(time: Array, known: Array) -> Message:
     """The message that points lie outside the trajectory.
 
     Parameters

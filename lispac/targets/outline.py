@@ -1,10 +1,10 @@
-"""Where a flat patch ends: connected cells of points on a plane."""
+"""Outline of a flat patch: connected raster cells of points on a plane."""
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from lispac.geometry.neighbours import bounds, cell_keys
+from lispac.geometry.radius_search import cell_keys, finite_bounds
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -14,7 +14,7 @@ Flags = NDArray[np.bool_]
 MOST_CELLS = 1500
 
 
-def cell_size(placed: Array, votes: Array) -> float:
+def outline_cell_size(placed: Array, votes: Array) -> float:
     """Side of a raster cell that a patch fills without holes.
 
     Three times the mean point spacing where the votes are: lines of a profiler may lie several
@@ -37,7 +37,7 @@ def cell_size(placed: Array, votes: Array) -> float:
     return float(np.clip(3.0 * np.sqrt(area / (few + 1)), 0.02, 0.5))
 
 
-def connected(placed: Array, votes: Array, cell: float) -> Flags:
+def is_connected(placed: Array, votes: Array, cell: float) -> Flags:
     """Which points belong to the connected patch that holds most of the votes.
 
     Points are laid on a raster; filled cells that touch, corners included, belong together.
@@ -52,11 +52,11 @@ def connected(placed: Array, votes: Array, cell: float) -> Flags:
     -------
     ndarray of shape (n,), bool
     """
-    low, high = bounds(placed)
-    at, shape = cell_keys(placed, low, _coarse_enough(cell, low, high), 1)
+    low, high = finite_bounds(placed)
+    at, shape = cell_keys(placed, low, _limit_cell_count(cell, low, high), 1)
     filled = np.zeros(int(shape[0] * shape[1]), dtype=np.bool_)
     filled[at] = True
-    label = _label(filled, int(shape[1]))[at]
+    label = _label_components(filled, int(shape[1]))[at]
     winner = np.argmax(np.bincount(label, weights=votes))
     same: Flags = label == winner
     return same
@@ -75,13 +75,13 @@ def share_in_cell(placed: Array, chosen: Flags, cell: float) -> Array:
     -------
     ndarray of shape (n,)
     """
-    low, high = bounds(placed)
-    at, _ = cell_keys(placed, low, _coarse_enough(cell, low, high))
+    low, high = finite_bounds(placed)
+    at, _ = cell_keys(placed, low, _limit_cell_count(cell, low, high))
     share: Array = (np.bincount(at, weights=chosen) / np.maximum(np.bincount(at), 1))[at]
     return share
 
 
-def covered(placed: Array, other: Array, cell: float) -> Flags:
+def is_covered(placed: Array, other: Array, cell: float) -> Flags:
     """Which points of ``placed`` have one of ``other`` in their cell or a cell beside it.
 
     Parameters
@@ -93,23 +93,23 @@ def covered(placed: Array, other: Array, cell: float) -> Flags:
     -------
     ndarray of shape (n,), bool
     """
-    (low, high), (other_low, other_high) = bounds(placed), bounds(other)
+    (low, high), (other_low, other_high) = finite_bounds(placed), finite_bounds(other)
     low, high = np.minimum(low, other_low), np.maximum(high, other_high)
-    return _beside(placed, other, low, high, _coarse_enough(cell, low, high))
+    return _is_near_filled_cell(placed, other, low, high, _limit_cell_count(cell, low, high))
 
 
-def area(placed: Array, cell: float) -> float:
+def filled_area(placed: Array, cell: float) -> float:
     """Area of the raster cells that points ``placed`` (n, 2), metres, fill, square metres."""
-    at, _ = cell_keys(placed, bounds(placed)[0], cell)
+    at, _ = cell_keys(placed, finite_bounds(placed)[0], cell)
     return len(np.unique(at)) * cell * cell
 
 
-def _coarse_enough(cell: float, low: Array, high: Array) -> float:
+def _limit_cell_count(cell: float, low: Array, high: Array) -> float:
     return max(cell, float((high - low).max()) / MOST_CELLS)
 
 
 @njit(nogil=True, cache=True)
-def _beside(
+def _is_near_filled_cell(
     placed: Array, other: Array, low: Array, high: Array, cell: float
 ) -> Flags:  # pragma: no cover - compiled
     filled = np.zeros(
@@ -126,7 +126,7 @@ def _beside(
 
 
 @njit(nogil=True, cache=True)
-def _label(filled: Flags, width: int) -> Indices:  # pragma: no cover - compiled
+def _label_components(filled: Flags, width: int) -> Indices:  # pragma: no cover - compiled
     # Flood fill over a raster whose rim is empty, so neighbours need no bounds checks.
     label = np.full(filled.size, -1, np.int64)
     stack = np.empty(filled.size, np.int64)

@@ -3,10 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.geometry.planes import Plane, fit_plane, in_plane_axes
+from lispac.geometry.planes import Plane, fit_plane, plane_axes
 from lispac.targets import outline
-from lispac.targets.ransac import BESIDE, SAMPLE
-from lispac.targets.settings import FinderSettings
+from lispac.targets.finder_settings import FinderSettings
+from lispac.targets.plane_ransac import BESIDE, SAMPLE
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -22,7 +22,7 @@ ROBUST_ROUNDS = 5
 TRIM = 3.0
 
 
-def grow(
+def grow_plane(
     points: Array, votes: Array, plane: Plane, settings: FinderSettings, through: Array | None
 ) -> Indices:
     """Points connected with the votes on the plane, fitted and grown in turns.
@@ -41,10 +41,10 @@ def grow(
     """
     on: Indices = np.empty(0, dtype=np.int64)
     for _ in range(MOST_ROUNDS):
-        grown = _connected_on(points, votes, plane, settings.threshold)
+        grown = _connected_points_on_plane(points, votes, plane, settings.threshold)
         if len(grown) < 3 or np.array_equal(grown, on):
             break
-        fitted = _robust_plane(points[grown], plane, settings.threshold)
+        fitted = _fit_plane_robustly(points[grown], plane, settings.threshold)
         # A larger surface nearby must not draw the plane off the point that was clicked.
         if through is not None and abs(float(fitted.distances(through))) > settings.threshold:
             on = grown if len(on) == 0 else on
@@ -53,7 +53,7 @@ def grow(
     return on
 
 
-def strongest(
+def grow_best_contender(
     points: Array,
     votes: Array,
     contenders: list[Plane],
@@ -79,10 +79,10 @@ def strongest(
     sample, weights = points[::step], votes[::step]
     best_merit, best = -1.0, contenders[0]
     for plane in contenders:
-        on = grow(sample, weights, plane, settings, through)
+        on = grow_plane(sample, weights, plane, settings, through)
         if len(on) < 3:
             continue
-        fitted = _robust_plane(sample[on], plane, settings.threshold)
+        fitted = _fit_plane_robustly(sample[on], plane, settings.threshold)
         off = fitted.distances(sample[on]) / settings.threshold
         merit = float((np.maximum(1.0 - off * off, 0.0) ** 2).sum())
         if merit > best_merit:
@@ -90,7 +90,7 @@ def strongest(
     return best
 
 
-def _robust_plane(points: Array, plane: Plane, threshold: float) -> Plane:
+def _fit_plane_robustly(points: Array, plane: Plane, threshold: float) -> Plane:
     """Weighted fit with the biweight (Beaton and Tukey 1974).
 
     It converges to the densest layer of the points. A plain fit of everything within the threshold
@@ -106,23 +106,25 @@ def _robust_plane(points: Array, plane: Plane, threshold: float) -> Plane:
     return plane
 
 
-def _connected_on(points: Array, votes: Array, plane: Plane, threshold: float) -> Indices:
+def _connected_points_on_plane(
+    points: Array, votes: Array, plane: Plane, threshold: float
+) -> Indices:
     off = np.abs(plane.distances(points))
     band = np.flatnonzero(off <= BESIDE * threshold)
     on = off[band] <= threshold
     if np.count_nonzero(on) < 3:
         return band[on]
-    placed = points[band] @ in_plane_axes(plane.normal).T
+    placed = points[band] @ plane_axes(plane.normal).T
     weights = votes[band] * on
-    cell = outline.cell_size(placed[on], weights[on])
+    cell = outline.outline_cell_size(placed[on], weights[on])
     share = outline.share_in_cell(placed, on, cell)
     on &= share >= PURE * np.average(share, weights=weights)
     if np.count_nonzero(on) < 3:
         return band[on]
-    return band[on][outline.connected(placed[on], weights[on], cell)]
+    return band[on][outline.is_connected(placed[on], weights[on], cell)]
 
 
-def trimmed(points: Array, on: Indices, settings: FinderSettings) -> Indices:
+def trim_outliers(points: Array, on: Indices, settings: FinderSettings) -> Indices:
     """Remove points beyond three sigma, the sigma taken from the middle of the residuals.
 
     Parameters

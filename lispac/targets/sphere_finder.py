@@ -7,20 +7,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, PlaneNotFound, SphereNotFound
-from lispac.geometry.neighbours import PointGrid
 from lispac.geometry.planes import fit_plane, rms_distance
-from lispac.geometry.spheres import Sphere, cap_axis, fit_sphere, rms_from_sphere, share_seen
+from lispac.geometry.radius_search import PointGrid
+from lispac.geometry.spheres import (
+    Sphere,
+    cap_axis,
+    fit_sphere,
+    rms_from_sphere,
+    seen_surface_share,
+)
 from lispac.messages import Message, error, note
-from lispac.targets.finder import checked_seed, neighbourhood, place_of
-from lispac.targets.ransac import BESIDE
+from lispac.targets.finder_settings import FinderSettings
+from lispac.targets.plane_finder import neighbourhood_of, require_seed, seed_text
+from lispac.targets.plane_ransac import BESIDE
 from lispac.targets.region_growing import MOST_ROUNDS, ROBUST_ROUNDS, TRIM
-from lispac.targets.settings import FinderSettings
-from lispac.targets.sphere_ransac import draw
+from lispac.targets.sphere_ransac import draw_spheres
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-__all__ = ["RadiusSought", "SpherePatch", "find_sphere"]
+__all__ = ["RadiusRange", "SpherePatch", "find_sphere"]
 
 # The farthest from the seed, in largest radii, at which a point can belong to its ball.
 REACH = 3.0
@@ -40,8 +46,8 @@ BETTER_THAN_FLAT = 2.0
 
 
 @dataclass(frozen=True)
-class RadiusSought:
-    """Which radius a ball may have.
+class RadiusRange:
+    """Allowed radius of a ball.
 
     Attributes
     ----------
@@ -57,7 +63,7 @@ class RadiusSought:
             raise InputError(error("finder.radii", least=self.least, most=self.most))
 
     @classmethod
-    def exactly(cls, radius: float) -> "RadiusSought":
+    def of_known_radius(cls, radius: float) -> "RadiusRange":
         """A ball of known radius, metres."""
         return cls(radius, radius)
 
@@ -67,7 +73,7 @@ class RadiusSought:
         return self.least if self.least == self.most else None
 
     @property
-    def described(self) -> Message:
+    def radius_message(self) -> Message:
         """A sphere of such a radius as part of a message."""
         if self.known is not None:
             return note("finder.sphere_of_radius", radius=self.known)
@@ -106,7 +112,7 @@ class SpherePatch:
 def find_sphere(
     points_local: Array,
     seed: Array,
-    sought: RadiusSought,
+    sought: RadiusRange,
     settings: FinderSettings,
     *,
     index: PointGrid | None = None,
@@ -124,7 +130,7 @@ def find_sphere(
         Points with a missing coordinate are passed over.
     seed : ndarray of shape (3,), metres, same frame
         On the ball, near it, or its centre.
-    sought : RadiusSought
+    sought : RadiusRange
     settings : FinderSettings
     index : PointGrid, optional
         Prepared cells of the same points.
@@ -135,8 +141,8 @@ def find_sphere(
         No points, too few points, or no such sphere at the seed.
     """
     try:
-        seed = checked_seed(seed)
-        near = neighbourhood(points_local, seed, settings, index=index)
+        seed = require_seed(seed)
+        near = neighbourhood_of(points_local, seed, settings, index=index)
     except PlaneNotFound as failure:  # its messages are about points, not about planes
         raise SphereNotFound(failure.reason) from None
     distance = np.linalg.norm(points_local[near] - seed, axis=1)
@@ -148,41 +154,41 @@ def find_sphere(
                 "finder.sphere_few_nearby",
                 count=len(near),
                 radius=reach,
-                sphere=sought.described,
+                sphere=sought.radius_message,
                 needed=settings.min_points,
-                place=place_of(seed),
+                place=seed_text(seed),
             )
         )
     # Far from the origin of the survey the products would lose digits.
     local = points_local[near] - seed
     spread = 2.0 * sought.least
     votes = 1.0 / (1.0 + ((local**2).sum(axis=1) / spread**2)) ** 2
-    hypotheses = draw(local, votes, sought.least, sought.most, settings)
+    hypotheses = draw_spheres(local, votes, sought.least, sought.most, settings)
     best: tuple[float, Sphere, Indices] | None = None
     for hypothesis in hypotheses:
-        settled = _settle(local, hypothesis, sought, settings)
+        settled = _refine_sphere(local, hypothesis, sought, settings)
         if settled is None:
             continue
         sphere, on = settled
-        merit = _merit(local, votes, sphere, settings.threshold)
+        merit = _sphere_votes(local, votes, sphere, settings.threshold)
         if best is None or merit > best[0]:
             best = merit, sphere, on
     if best is None:
         raise SphereNotFound(
             error(
                 "finder.no_sphere",
-                sphere=sought.described,
+                sphere=sought.radius_message,
                 threshold=settings.threshold,
-                place=place_of(seed),
+                place=seed_text(seed),
             )
         )
     _, sphere, on = best
-    _check(local, sphere, on, sought, settings, seed)
+    _require_ball(local, sphere, on, sought, settings, seed)
     indices = np.sort(near[on])
     return patch_on_sphere(points_local, indices, sought)
 
 
-def patch_on_sphere(points_local: Array, indices: Indices, sought: RadiusSought) -> SpherePatch:
+def patch_on_sphere(points_local: Array, indices: Indices, sought: RadiusRange) -> SpherePatch:
     """The patch that chosen points of a cloud form.
 
     Parameters
@@ -197,31 +203,33 @@ def patch_on_sphere(points_local: Array, indices: Indices, sought: RadiusSought)
     """
     points = points_local[indices]
     sphere = fit_sphere(points, sought.known)
-    return SpherePatch(indices, sphere, rms_from_sphere(sphere, points), share_seen(sphere, points))
+    return SpherePatch(
+        indices, sphere, rms_from_sphere(sphere, points), seen_surface_share(sphere, points)
+    )
 
 
-def _settle(
-    points: Array, sphere: Sphere, sought: RadiusSought, settings: FinderSettings
+def _refine_sphere(
+    points: Array, sphere: Sphere, sought: RadiusRange, settings: FinderSettings
 ) -> tuple[Sphere, Indices] | None:
     """The sphere fitted and its points chosen in turns; None where that leads nowhere."""
     on: Indices = np.empty(0, dtype=np.int64)
     try:
         for _ in range(MOST_ROUNDS):
-            grown = _on_cap(points, sphere, settings.threshold)
+            grown = _points_on_cap(points, sphere, settings.threshold)
             if np.array_equal(grown, on):
                 break
             on = grown
             few = on[:: max(1, len(on) // ENOUGH)]
-            sphere = _tukey(points[few], sphere, sought.known, settings.threshold)
+            sphere = _fit_sphere_robustly(points[few], sphere, sought.known, settings.threshold)
             if not sought.least / LOOSE <= sphere.radius <= sought.most * LOOSE:
                 return None
-        on = _trimmed(points, on, sought.known, settings)
+        on = _trim_outliers(points, on, sought.known, settings)
         return fit_sphere(points[on], sought.known), on
     except SphereNotFound:
         return None
 
 
-def _on_cap(points: Array, sphere: Sphere, threshold: float) -> Indices:
+def _points_on_cap(points: Array, sphere: Sphere, threshold: float) -> Indices:
     """Points within the threshold and on the side that was seen."""
     on: Indices = np.flatnonzero(np.abs(sphere.distances(points)) <= threshold).astype(np.int64)
     directions = sphere.directions(points[on])
@@ -231,7 +239,9 @@ def _on_cap(points: Array, sphere: Sphere, threshold: float) -> Indices:
     return on[seen]
 
 
-def _tukey(points: Array, sphere: Sphere, radius: float | None, threshold: float) -> Sphere:
+def _fit_sphere_robustly(
+    points: Array, sphere: Sphere, radius: float | None, threshold: float
+) -> Sphere:
     """Weighted fit with the biweight (Beaton and Tukey 1974).
 
     It converges to the densest layer of the points.
@@ -242,7 +252,9 @@ def _tukey(points: Array, sphere: Sphere, radius: float | None, threshold: float
     return sphere
 
 
-def _trimmed(points: Array, on: Indices, radius: float | None, settings: FinderSettings) -> Indices:
+def _trim_outliers(
+    points: Array, on: Indices, radius: float | None, settings: FinderSettings
+) -> Indices:
     """Remove points beyond three sigma, the sigma taken from the middle of the residuals."""
     residuals = np.abs(fit_sphere(points[on], radius).distances(points[on]))
     sigma = 1.4826 * float(np.median(residuals))
@@ -251,18 +263,18 @@ def _trimmed(points: Array, on: Indices, radius: float | None, settings: FinderS
     return kept if len(kept) >= max(4, len(on) // 2) else on
 
 
-def _merit(points: Array, votes: Array, sphere: Sphere, threshold: float) -> float:
+def _sphere_votes(points: Array, votes: Array, sphere: Sphere, threshold: float) -> float:
     """Votes of the points on the sphere, less those inside it."""
     off = sphere.distances(points) / threshold
     on = np.maximum(1.0 - off * off, 0.0) ** 2
     return float(votes @ (on - (off < -1.0)))
 
 
-def _check(
+def _require_ball(
     points: Array,
     sphere: Sphere,
     on: Indices,
-    sought: RadiusSought,
+    sought: RadiusRange,
     settings: FinderSettings,
     seed: Array,
 ) -> None:
@@ -279,7 +291,7 @@ def _check(
                 count=len(on),
                 needed=settings.min_points,
                 threshold=settings.threshold,
-                place=place_of(seed),
+                place=seed_text(seed),
             )
         )
     if not 0.999999 * sought.least <= sphere.radius <= 1.000001 * sought.most:
@@ -287,8 +299,8 @@ def _check(
             error(
                 "finder.sphere_other_radius",
                 radius=sphere.radius,
-                sphere=sought.described,
-                place=place_of(seed),
+                sphere=sought.radius_message,
+                place=seed_text(seed),
             )
         )
     if sphere.distances(np.zeros(3)) > sphere.radius:
@@ -296,7 +308,7 @@ def _check(
             error(
                 "finder.sphere_far",
                 distance=float(sphere.distances(np.zeros(3))),
-                place=place_of(seed),
+                place=seed_text(seed),
             )
         )
     off = sphere.distances(points)
@@ -309,15 +321,17 @@ def _check(
                 "finder.sphere_continues",
                 count=len(on),
                 beside=int(np.count_nonzero(beside)),
-                sphere=sought.described,
-                place=place_of(seed),
+                sphere=sought.radius_message,
+                place=seed_text(seed),
             )
         )
-    share = share_seen(sphere, points[on])
+    share = seen_surface_share(sphere, points[on])
     if share < LEAST_SHARE:
         raise SphereNotFound(
-            error("finder.sphere_small_part", share=share, needed=LEAST_SHARE, place=place_of(seed))
+            error(
+                "finder.sphere_small_part", share=share, needed=LEAST_SHARE, place=seed_text(seed)
+            )
         )
     flat = rms_distance(fit_plane(points[on]), points[on])
     if flat < BETTER_THAN_FLAT * rms_from_sphere(sphere, points[on]):
-        raise SphereNotFound(error("finder.sphere_flat", place=place_of(seed)))
+        raise SphereNotFound(error("finder.sphere_flat", place=seed_text(seed)))

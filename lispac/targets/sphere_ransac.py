@@ -5,8 +5,8 @@ from numba import njit
 from numpy.typing import NDArray
 
 from lispac.geometry.spheres import Sphere
-from lispac.targets.ransac import AGAINST, BATCH, BESIDE, MOST_BATCHES
-from lispac.targets.settings import FinderSettings
+from lispac.targets.finder_settings import FinderSettings
+from lispac.targets.plane_ransac import AGAINST, BATCH, BESIDE, MOST_BATCHES
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -21,7 +21,7 @@ ROUGH = 0.25
 CONTENDERS, WORTH, APART = 8, 0.6, 0.25
 
 
-def draw(
+def draw_spheres(
     points: Array, votes: Array, least: float, most: float, settings: FinderSettings
 ) -> list[Sphere]:
     """The best spheres through neighbouring points (Fischler and Bolles 1981), by votes.
@@ -49,17 +49,19 @@ def draw(
         # From a piece of the smallest ball up to the breadth of the largest.
         reach = np.exp(rng.uniform(np.log(0.5 * least), np.log(2.0 * most), BATCH))
         picks = rng.random((BATCH, 3))
-        drawn = _judge(sample, weights, first, reach, picks, settings.threshold, span, known)
+        drawn = _score_spheres(
+            sample, weights, first, reach, picks, settings.threshold, span, known
+        )
         hypotheses = np.concatenate([hypotheses, drawn[drawn[:, 0] > 0.0]])
         if len(hypotheses) == 0:
             continue
         share = float(hypotheses[np.argmax(hypotheses[:, 0]), 1])
         if (1.0 - share**need) ** (batch * BATCH) <= 1.0 - settings.stop:
             break
-    return _contenders(hypotheses)
+    return _distinct_best_spheres(hypotheses)
 
 
-def _contenders(hypotheses: Array) -> list[Sphere]:
+def _distinct_best_spheres(hypotheses: Array) -> list[Sphere]:
     """The best hypotheses that differ and are nearly as good as the very best."""
     kept: list[Sphere] = []
     if len(hypotheses) == 0:
@@ -77,7 +79,7 @@ def _contenders(hypotheses: Array) -> list[Sphere]:
 
 
 @njit(nogil=True, cache=True)
-def _judge(
+def _score_spheres(
     points: Array,
     weights: Array,
     first: Indices,

@@ -1,4 +1,4 @@
-"""One seed, every line: the same sphere where each line puts it.
+"""Search for one sphere in every line from one seed.
 
 Where the surroundings predict it in the other lines, the sphere is sought again, and compared with
 the reference by its place and, where the radius is not known, by its radius.
@@ -10,21 +10,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import PlaneNotFound, SphereNotFound
-from lispac.geometry.neighbours import PointGrid
+from lispac.geometry.radius_search import PointGrid
 from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
-from lispac.targets.finder import checked_seed
-from lispac.targets.lines import (
-    Shape,
-    Surroundings,
+from lispac.targets.cloud_shift import CloudShift
+from lispac.targets.finder_settings import FinderSettings
+from lispac.targets.line_search import (
+    ShapeSearch,
+    WeightedSurroundings,
     best_match,
-    search_lines,
-    shifts_into,
-    surroundings,
+    find_shifts_into_line,
+    search_target_in_lines,
+    surroundings_of_patch,
 )
-from lispac.targets.settings import FinderSettings
-from lispac.targets.shift import Shift
-from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere
+from lispac.targets.plane_finder import require_seed
+from lispac.targets.sphere_finder import RadiusRange, SpherePatch, find_sphere
 
 Array = NDArray[np.float64]
 
@@ -38,7 +38,7 @@ MOST_LARGER = 2.0
 def find_spheres_in_lines(
     clouds: Mapping[str, Array],
     seed: Array,
-    sought: RadiusSought,
+    sought: RadiusRange,
     settings: FinderSettings,
     *,
     first_line: str | None = None,
@@ -52,7 +52,7 @@ def find_spheres_in_lines(
     clouds : mapping of line name to ndarray of shape (n, 3), metres, one local frame
     seed : ndarray of shape (3,), metres, local frame
         On the ball, near it, or its centre.
-    sought : RadiusSought
+    sought : RadiusRange
     settings : FinderSettings
     first_line : str, optional
         The line that was clicked. Without it, the line with a point at the seed; or else the line
@@ -74,19 +74,19 @@ def find_spheres_in_lines(
         The line clicked has no such sphere at the seed, or no line has.
     """
     try:
-        seed = checked_seed(seed)
+        seed = require_seed(seed)
     except PlaneNotFound as failure:
         raise SphereNotFound(failure.reason) from None
     grids = indices or {}
 
     def follow(first_line: str, first: SpherePatch) -> Callable[[str], SpherePatch]:
         cloud, grid = clouds[first_line], grids.get(first_line)
-        around = surroundings(cloud, grid, first.indices, first.centre, seed, settings)
-        return lambda name: _find_in(
+        around = surroundings_of_patch(cloud, grid, first.indices, first.centre, seed, settings)
+        return lambda name: _find_in_line(
             clouds[name], grids.get(name), first, around, seed, sought, settings
         )
 
-    shape = Shape(
+    shape = ShapeSearch(
         no_line="finder.no_line_for_sphere",
         in_no_line="finder.no_sphere_in_lines",
         error=SphereNotFound,
@@ -94,19 +94,19 @@ def find_spheres_in_lines(
         distance=lambda _, patch: max(0.0, float(patch.sphere.distances(seed))),
         follow=follow,
     )
-    return search_lines(clouds, grids, seed, shape, first_line, progress)
+    return search_target_in_lines(clouds, grids, seed, shape, first_line, progress)
 
 
-def _find_in(
+def _find_in_line(
     cloud: Array,
     grid: PointGrid | None,
     first: SpherePatch,
-    around: Surroundings,
+    around: WeightedSurroundings,
     seed: Array,
-    sought: RadiusSought,
+    sought: RadiusRange,
     settings: FinderSettings,
 ) -> SpherePatch:
-    def match(shift: Shift) -> tuple[SpherePatch, float]:
+    def match(shift: CloudShift) -> tuple[SpherePatch, float]:
         """The sphere where the translation predicts it, and how well it matches the reference.
 
         Raises
@@ -130,11 +130,11 @@ def _find_in(
         likeness = 1.0 / (1.0 + (off / OFFSET) ** 2) / larger
         return patch, shift.score * likeness
 
-    shifts = shifts_into(cloud, grid, around, seed, settings)
-    return best_match(shifts, match, _contradiction)
+    shifts = find_shifts_into_line(cloud, grid, around, seed, settings)
+    return best_match(shifts, match, _two_spheres_error)
 
 
-def _contradiction(best: SpherePatch, other: SpherePatch) -> Message | None:
+def _two_spheres_error(best: SpherePatch, other: SpherePatch) -> Message | None:
     """Two balls cannot both be the target; one found twice is no contradiction."""
     apart = float(np.linalg.norm(best.centre - other.centre))
     if apart <= 0.5 * best.sphere.radius:

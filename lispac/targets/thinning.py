@@ -10,7 +10,7 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 
-def thin(points: Array, distance: float) -> Indices:
+def thin_points(points: Array, distance: float) -> Indices:
     """Choose points so that each cube of side ``distance`` keeps one: the nearest to its centre.
 
     Every finite point has a kept one in its own cube, so within ``sqrt(3) * distance``. The cubes

@@ -1,1 +1,1 @@
-"""How far apart the lines were on what was not used in the adjustment, and how close they are."""
+"""Distances between lines on surfaces not used in the adjustment, before and after."""

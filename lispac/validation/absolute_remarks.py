@@ -3,27 +3,27 @@
 from collections.abc import Iterator, Sequence
 
 from lispac.messages import Message, note
-from lispac.validation.absolute import AbsoluteCheck, AbsoluteState
+from lispac.validation.absolute_check import AbsoluteCheck, AbsoluteState
 
 Off = tuple[str, float, float]
 """A name, a mean, and half its 95 % interval, metres."""
 
 
-def remarks_on(check: AbsoluteCheck) -> tuple[Message, ...]:
+def absolute_check_remarks(check: AbsoluteCheck) -> tuple[Message, ...]:
     """The means of all lines, what is off by more than its errors, the RMS, and what counted."""
     return (
-        _mean(check.together.after, "after"),
-        _mean(check.together.before, "before"),
-        _lines(check),
-        *_points(check),
-        _rms(check),
-        *_others(check),
+        _mean_remark(check.together.after, "after"),
+        _mean_remark(check.together.before, "before"),
+        _line_remark(check),
+        *_point_remarks(check),
+        _rms_remark(check),
+        *_other_surface_remarks(check),
         note("absolute.scan_error" if check.kind == "scan" else "absolute.point_errors"),
         *((note("absolute.lines_alike"),) if len(check.lines) > 1 else ()),
     )
 
 
-def items(off: Sequence[Off]) -> list[Message]:
+def list_items_with_means(off: Sequence[Off]) -> list[Message]:
     """Names with their means, as the items of a list."""
     return [
         note("item.mean_distance", name=name, mean=mean, interval=half) for name, mean, half in off
@@ -46,7 +46,7 @@ FINDINGS = {
 """Code by state, and whether the mean is larger than its errors explain."""
 
 
-def _mean(found: AbsoluteState, state: str) -> Message:
+def _mean_remark(found: AbsoluteState, state: str) -> Message:
     mean = found.signed.mean
     return note(
         MEANS[state, mean > 0],
@@ -55,7 +55,7 @@ def _mean(found: AbsoluteState, state: str) -> Message:
     )  # fmt: skip
 
 
-def _lines(check: AbsoluteCheck) -> Message:
+def _line_remark(check: AbsoluteCheck) -> Message:
     off = [
         (line.line, line.after.signed.mean, line.after.interval_95)
         for line in check.lines
@@ -64,11 +64,14 @@ def _lines(check: AbsoluteCheck) -> Message:
     if not off:
         return note("absolute.no_line_off")
     return note(
-        "report.absolute_line_off", count=len(off), total=len(check.lines), lines=items(off)
+        "report.absolute_line_off",
+        count=len(off),
+        total=len(check.lines),
+        lines=list_items_with_means(off),
     )
 
 
-def _points(check: AbsoluteCheck) -> Iterator[Message]:
+def _point_remarks(check: AbsoluteCheck) -> Iterator[Message]:
     off = [
         (point.name, point.after, point.interval_95)
         for point in check.points
@@ -76,10 +79,15 @@ def _points(check: AbsoluteCheck) -> Iterator[Message]:
     ]
     if off:
         total = len(check.points)
-        yield note("report.absolute_point_off", count=len(off), total=total, points=items(off))
+        yield note(
+            "report.absolute_point_off",
+            count=len(off),
+            total=total,
+            points=list_items_with_means(off),
+        )
 
 
-def _rms(check: AbsoluteCheck) -> Message:
+def _rms_remark(check: AbsoluteCheck) -> Message:
     before, after = check.together.before, check.together.after
     return note(
         "absolute.rms",
@@ -89,7 +97,7 @@ def _rms(check: AbsoluteCheck) -> Message:
     )  # fmt: skip
 
 
-def _others(check: AbsoluteCheck) -> Iterator[Message]:
+def _other_surface_remarks(check: AbsoluteCheck) -> Iterator[Message]:
     """Surfaces that may have been confused with the reference surface."""
     if check.others is None:
         yield note("absolute.former_version")

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lispac.errors import InputError
-from lispac.geometry.knn import build_tree, spatial_order
+from lispac.geometry.nearest_neighbours import build_tree, spatial_order
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
@@ -69,8 +69,8 @@ def cloud_to_cloud(
     is a height over the plane through its points, where CloudCompare takes the height along the
     coordinate axis nearest to that plane's normal, which is larger on oblique surfaces.
     """
-    compared = _cloud(compared, COMPARED)
-    reference = _cloud(reference, REFERENCE)
+    compared = _checked_cloud(compared, COMPARED)
+    reference = _checked_cloud(reference, REFERENCE)
     if max_distance is not None and not max_distance > 0.0:
         raise InputError(error("validation.max_distance", distance=max_distance))
     if len(compared) == 0:
@@ -93,7 +93,7 @@ def cloud_to_cloud(
 
         def measure(start: int) -> None:
             chosen = order[start : start + _CHUNK]
-            distances[chosen] = _distances(compared[chosen], reference, tree, model, limit)
+            distances[chosen] = _chunk_distances(compared[chosen], reference, tree, model, limit)
 
         tasks = [pool.submit(measure, start) for start in starts]
         for done, task in enumerate(tasks, start=1):
@@ -105,7 +105,7 @@ def cloud_to_cloud(
     return distances
 
 
-def _distances(
+def _chunk_distances(
     compared: NDArray[np.float64],
     reference: NDArray[np.float64],
     tree: "cKDTree",
@@ -122,7 +122,7 @@ def _distances(
     return np.asarray(distances)
 
 
-def _cloud(points: ArrayLike, codes: tuple[str, str]) -> NDArray[np.float64]:
+def _checked_cloud(points: ArrayLike, codes: tuple[str, str]) -> NDArray[np.float64]:
     """Points as a contiguous (n, 3) array of finite numbers.
 
     Raises

@@ -1,4 +1,4 @@
-"""Calibrations of one system in the order of time: has its mounting moved?
+"""Control chart of calibrations of one system in order of time.
 
 Each calibration is compared with the mean of those before it, as a control chart does (Shewhart
 1931), with limits of three sigmas of that very difference: calibrations are not equally good. One
@@ -12,7 +12,12 @@ from statistics import NormalDist
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.validation.repeatability import Calibration, Difference, difference, mean_of
+from lispac.validation.repeatability import (
+    Calibration,
+    CalibrationDifference,
+    compare_calibrations,
+    mean_calibration,
+)
 
 Array = NDArray[np.float64]
 
@@ -25,7 +30,7 @@ comes up without a reason for hardly one calibration in a hundred."""
 
 @dataclass(frozen=True, eq=False)
 class ChartedCalibration:
-    """A calibration in its chart.
+    """A calibration in its control chart.
 
     Attributes
     ----------
@@ -34,14 +39,14 @@ class ChartedCalibration:
         Number of the series it belongs to, from 0.
     before : Calibration, optional
         Mean of those before it in the series that was running; None for the first of all.
-    change : Difference, optional
+    change : CalibrationDifference, optional
         From that mean.
     """
 
     calibration: Calibration
     series: int
     before: Calibration | None = None
-    change: Difference | None = None
+    change: CalibrationDifference | None = None
 
     @property
     def moved(self) -> bool:
@@ -69,8 +74,10 @@ def control_chart(calibrations: Sequence[Calibration]) -> tuple[ChartedCalibrati
         if not running:
             each = ChartedCalibration(calibration, number)
         else:
-            mean = mean_of(running)
-            each = ChartedCalibration(calibration, number, mean, difference(mean, calibration))
+            mean = mean_calibration(running)
+            each = ChartedCalibration(
+                calibration, number, mean, compare_calibrations(mean, calibration)
+            )
         if each.moved:
             each = ChartedCalibration(calibration, number + 1, each.before, each.change)
             running = []
@@ -79,7 +86,7 @@ def control_chart(calibrations: Sequence[Calibration]) -> tuple[ChartedCalibrati
     return tuple(charted)
 
 
-def limits(charted: ChartedCalibration) -> Array | None:
+def control_limits(charted: ChartedCalibration) -> Array | None:
     """Lower and upper limits of the three angles, shape (2, 3), radians; None for the first."""
     if charted.before is None or charted.change is None:
         return None

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import NotComparable
-from lispac.foreign_values import Shape
-from lispac.geometry.planes import fit_plane, in_plane_axes
-from lispac.targets.thinning import thin
+from lispac.geometry.planes import fit_plane, plane_axes
+from lispac.targets.thinning import thin_points
+from lispac.untrusted_values import ArrayShape
 from lispac.validation.normal_distance import NormalDistances, distances_along_normal
 
 Array = NDArray[np.float64]
@@ -47,10 +47,10 @@ class DistanceMap:
     line_a: str
     line_b: str
     cell: float
-    across: Annotated[Array, Shape("n")]
-    up: Annotated[Array, Shape("n")]
-    before: Annotated[Array, Shape("n")]
-    after: Annotated[Array, Shape("n")]
+    across: Annotated[Array, ArrayShape("n")]
+    up: Annotated[Array, ArrayShape("n")]
+    before: Annotated[Array, ArrayShape("n")]
+    after: Annotated[Array, ArrayShape("n")]
 
 
 def distance_map(
@@ -81,12 +81,12 @@ def distance_map(
     DistanceMap, or None where no cell has enough points of both lines
     """
     after = theirs[1]
-    axes = in_plane_axes(fit_plane(after).facing(facing).normal)
+    axes = plane_axes(fit_plane(after).facing(facing).normal)
     flat = after @ axes.T
     corner = flat.min(axis=0)
     flat = flat - corner
     cell = max(WIDE * spacing, float(np.sqrt(np.prod(flat.max(axis=0)) / MOST_CELLS)))
-    chosen = thin(np.column_stack([flat, np.zeros(len(flat))]), cell)
+    chosen = thin_points(np.column_stack([flat, np.zeros(len(flat))]), cell)
     found: list[NormalDistances] = []
     try:
         for compared, reference, apart in zip(ours, theirs, reach, strict=True):

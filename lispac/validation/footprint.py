@@ -1,4 +1,4 @@
-"""What part of a plane a line has seen: the footprint of its points within the plane.
+"""Footprint of a line's points within a plane.
 
 A point of one line can be compared with another line only where that line has points too. Beyond
 its edge, or in a hole (a door, a ladder in front), a distance would speak of the edge and not of
@@ -16,7 +16,7 @@ _MOST_CELLS = 4e6
 _RIM = 3
 
 
-def common_frame(patches: list[Array]) -> tuple[Array, Array]:
+def common_plane_frame(patches: list[Array]) -> tuple[Array, Array]:
     """Origin (3,), metres, and axes (2, 3) of the plane along which several patches lie.
 
     Parameters

@@ -1,4 +1,4 @@
-"""What lies between two lines where the scene is flat, without any calibration.
+"""Distances between two lines where the scene is flat, without calibration.
 
 As the relative accuracy of airborne surveys is judged where swaths overlap (Heidemann 2018, USGS
 Lidar Base Specification: "interswath accuracy, smooth surface"), but along the normal instead of
@@ -13,17 +13,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import NotComparable
-from lispac.geometry.knn import build_tree
+from lispac.geometry.nearest_neighbours import build_tree
 from lispac.messages import error
-from lispac.validation.place_widths import (
+from lispac.validation.cylinder_diameters import (
     WIDE,
     WIDEST,
-    candidates,
-    diameters_at,
-    spacing,
-    spread_out,
+    candidate_places,
+    cylinder_diameters,
+    select_separate_places,
+    twelfth_neighbour_distance,
 )
-from lispac.validation.reference_places import SMOOTH, flat_places, on_surface
+from lispac.validation.reference_places import SMOOTH, is_reference_flat, measure_to_surface
 
 Array = NDArray[np.float64]
 
@@ -73,7 +73,7 @@ class LineDifference:
         )  # fmt: skip
 
 
-def line_difference(
+def compare_lines(
     first: tuple[str, Array],
     second: tuple[str, Array],
     vessel: Array,
@@ -101,23 +101,23 @@ def line_difference(
     """
     (one, surface), (other, points) = first, second
     surface, points = (each[:: -(-len(each) // MOST_READ) or 1] for each in (surface, points))
-    places = candidates(surface)
-    wanted = diameters_at(build_tree(points), places, reach)
+    places = candidate_places(surface)
+    wanted = cylinder_diameters(build_tree(points), places, reach)
     near = np.flatnonzero(np.isfinite(wanted))
     if not len(near):
         raise NotComparable(
             error("validation.no_place_in_common", line=one, other=other, reach=reach)
         )
-    own = np.minimum(WIDE * spacing(build_tree(surface), places[near]), WIDEST)
-    chosen, wide = spread_out(places[near], np.maximum(wanted[near], own))
+    own = np.minimum(WIDE * twelfth_neighbour_distance(build_tree(surface), places[near]), WIDEST)
+    chosen, wide = select_separate_places(places[near], np.maximum(wanted[near], own))
     cores = places[near][chosen]
     roughest = 3 * noise
-    flat = flat_places(surface, cores, SMOOTH * wide, roughest)
+    flat = is_reference_flat(surface, cores, SMOOTH * wide, roughest)
     if not flat.any():
         raise NotComparable(error("validation.no_flat_place", line=one, other=other))
     cores, wide = cores[flat], wide[flat]
     try:
-        found = on_surface(
+        found = measure_to_surface(
             points, points, surface, cores, facing=vessel - cores, diameters=wide, reach=reach,
             roughest=roughest,
         ).before  # fmt: skip

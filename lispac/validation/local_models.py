@@ -1,4 +1,4 @@
-"""What stands for the surface between the points of a cloud: a point, a plane or a quadric.
+"""Local model of a surface between the points of a cloud: point, plane or quadric.
 
 The local models are those of CloudCompare.
 """
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.geometry.knn import local_planes
+from lispac.geometry.nearest_neighbours import local_planes
 from lispac.geometry.quadrics import heights_above, local_quadrics
 from lispac.messages import Message, error, note
 

@@ -19,8 +19,8 @@ from numba import njit
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, NotComparable
-from lispac.geometry.knn import planes_of
-from lispac.geometry.neighbours import Cells, PointGrid, gather
+from lispac.geometry.nearest_neighbours import local_planes_kernel
+from lispac.geometry.radius_search import Cells, PointGrid, gather_within_radius
 from lispac.messages import error
 
 Array = NDArray[np.float64]
@@ -138,8 +138,10 @@ def distances_along_normal(
         for points in (compared, reference)
     ]
     cores_in_a_row = np.ascontiguousarray(cores, dtype=np.float64)
-    normals = _normals(cores_in_a_row, clouds[1], _sides(facing, len(cores)), scales / 2)
-    samples = _samples(
+    normals = _oriented_normals(
+        cores_in_a_row, clouds[1], _facing_per_core(facing, len(cores)), scales / 2
+    )
+    samples = _cylinder_statistics(
         cores_in_a_row, normals, clouds[0], clouds[1], diameters / 2, middles,
         np.column_stack([depths, own_depths]),
     )  # fmt: skip
@@ -148,14 +150,16 @@ def distances_along_normal(
         raise NotComparable(
             error("validation.cylinder_too_narrow", needed=FEWEST, diameter=float(diameters.max()))
         )
-    distance, half_width = _differences(samples[measured])
+    distance, half_width = _mean_differences(samples[measured])
     return NormalDistances(
         cores[measured], distance, half_width, int(np.count_nonzero(~measured)),
         normals[measured], np.flatnonzero(measured),
     )  # fmt: skip
 
 
-def normals_at(reference: Array, cores: Array, facing: Array, normal_scale: float | Array) -> Array:
+def reference_normals(
+    reference: Array, cores: Array, facing: Array, normal_scale: float | Array
+) -> Array:
     """Normals of the reference at core points, shape (k, 3), local frame; not a number for none.
 
     Parameters
@@ -166,24 +170,24 @@ def normals_at(reference: Array, cores: Array, facing: Array, normal_scale: floa
     scales = np.ascontiguousarray(np.broadcast_to(np.asarray(normal_scale, float), len(cores)))
     cells = PointGrid(reference, float(scales.max()) / 2).cells
     cores = np.ascontiguousarray(cores, dtype=np.float64)
-    return _normals(cores, cells, _sides(facing, len(cores)), scales / 2)
+    return _oriented_normals(cores, cells, _facing_per_core(facing, len(cores)), scales / 2)
 
 
-def _sides(facing: Array, count: int) -> Array:
+def _facing_per_core(facing: Array, count: int) -> Array:
     return np.ascontiguousarray(np.broadcast_to(np.asarray(facing, dtype=np.float64), (count, 3)))
 
 
 @njit(nogil=True, cache=True)
-def _normals(
+def _oriented_normals(
     cores: Array, reference: Cells, facing: Array, scales: Array
 ) -> Array:  # pragma: no cover - compiled
     """Normals (n, 3) of the reference on the side of ``facing``; not a number where none."""
     taken = np.full((len(cores), 3), np.nan)
     for k in range(len(cores)):
-        near = gather(reference, cores[k], scales[k])
+        near = gather_within_radius(reference, cores[k], scales[k])
         if near.size < FEWEST:
             continue
-        _, normals = planes_of(reference[0], near.reshape((1, -1)), np.array([near.size]))
+        _, normals = local_planes_kernel(reference[0], near.reshape((1, -1)), np.array([near.size]))
         side = 0.0
         for axis in range(3):
             side += normals[0, axis] * facing[k, axis]
@@ -193,7 +197,7 @@ def _normals(
 
 
 @njit(nogil=True, cache=True)
-def _samples(
+def _cylinder_statistics(
     cores: Array, normals: Array, compared: Cells, reference: Cells, radii: Array, middles: Array,
     depths: Array,
 ) -> Array:  # pragma: no cover - compiled  # fmt: skip
@@ -207,7 +211,9 @@ def _samples(
             cloud = compared if which == 0 else reference
             middle = middles[k] if which == 0 else 0.0
             depth = depths[k, which]
-            found = gather(cloud, core + middle * normal, np.sqrt(depth * depth + radius * radius))
+            found = gather_within_radius(
+                cloud, core + middle * normal, np.sqrt(depth * depth + radius * radius)
+            )
             count, mean, squares = 0, 0.0, 0.0
             for i in found:
                 along, beside = 0.0, 0.0
@@ -226,7 +232,7 @@ def _samples(
     return samples
 
 
-def _differences(samples: Array) -> tuple[Array, Array]:
+def _mean_differences(samples: Array) -> tuple[Array, Array]:
     """Differences of the means and half their 95 % intervals.
 
     Parameters

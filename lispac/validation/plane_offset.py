@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import NotComparable
-from lispac.geometry.planes import fit_plane_resisting, in_plane_axes
+from lispac.geometry.planes import fit_plane_robustly, plane_axes
 from lispac.messages import error
 
 Array = NDArray[np.float64]
@@ -82,10 +82,10 @@ def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffse
     centred = np.concatenate(
         [points - middle for points, middle in zip(both, middles, strict=True)]
     )
-    normal = fit_plane_resisting(centred, NEAREST).facing(facing).normal
-    frame = np.vstack((in_plane_axes(normal), normal))
+    normal = fit_plane_robustly(centred, NEAREST).facing(facing).normal
+    frame = np.vstack((plane_axes(normal), normal))
     middle = np.mean(middles, axis=0)
-    fits = [_fit((points - middle) @ frame.T) for points in both]
+    fits = [_fit_plane_robustly((points - middle) @ frame.T) for points in both]
     difference = fits[0].values - fits[1].values
     shares = np.array([fit.variances for fit in fits])
     total = shares.sum(axis=0)
@@ -106,14 +106,14 @@ def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffse
 
 
 @dataclass(frozen=True, eq=False)
-class _Fit:
+class _PlaneFit:
     values: Array
     variances: Array
     freedom: int
     strays: int
 
 
-def _fit(placed: Array) -> _Fit:
+def _fit_plane_robustly(placed: Array) -> _PlaneFit:
     """Least squares through points (n, 3): u, v, z; outliers excluded.
 
     Raises
@@ -140,4 +140,4 @@ def _fit(placed: Array) -> _Fit:
     freedom = len(used) - UNKNOWNS
     variance = float(((z[kept] - used @ values) ** 2).sum()) / freedom
     variances = variance * np.diag(np.linalg.inv(used.T @ used))
-    return _Fit(np.asarray(values, dtype=np.float64), variances, freedom, len(z) - len(used))
+    return _PlaneFit(np.asarray(values, dtype=np.float64), variances, freedom, len(z) - len(used))

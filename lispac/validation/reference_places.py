@@ -1,4 +1,4 @@
-"""A line against a reference, at the same places before and after the calibration.
+"""Distances of a line from a reference at the same places before and after.
 
 On a surface (a static scan, a surveyed plane) as between two lines: cylinders along the reference's
 own normal (M3C2: Lague et al. 2013), at the surface of the line that is nearest. At a surveyed
@@ -13,17 +13,22 @@ from numba import njit
 from numpy.typing import NDArray
 
 from lispac.errors import NotComparable
-from lispac.geometry.neighbours import Cells, PointGrid, gather
-from lispac.geometry.planes import in_plane_axes
+from lispac.geometry.planes import plane_axes
+from lispac.geometry.radius_search import Cells, PointGrid, gather_within_radius
 from lispac.messages import error
-from lispac.validation.layers import Layers, inside, nearest_layers, nearest_of
+from lispac.validation.cylinder_diameters import WIDEST, region_numbers
 from lispac.validation.normal_distance import (
     NMAD,
     NormalDistances,
     distances_along_normal,
-    normals_at,
+    reference_normals,
 )
-from lispac.validation.place_widths import WIDEST, regions
+from lispac.validation.surface_layers import (
+    NearestLayers,
+    find_nearest_layers,
+    is_in_any_cylinder,
+    nearest_layer_bounds,
+)
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -47,7 +52,7 @@ have a median each."""
 
 
 @dataclass(frozen=True, eq=False)
-class Measured:
+class MeasuredPlaces:
     """Distances of one line from the reference at the same places, both of the same order.
 
     They are positive where the line lies nearer to the vessel.
@@ -66,7 +71,7 @@ class Measured:
     beyond: Array
 
 
-def flat_places(reference: Array, cores: Array, diameters: Array, roughest: float) -> Bools:
+def is_reference_flat(reference: Array, cores: Array, diameters: Array, roughest: float) -> Bools:
     """At which cores the reference is flat within its diameter, shape (k,).
 
     At its edge it is none: beams that meet an edge by half give points that lie on nothing.
@@ -81,7 +86,9 @@ def flat_places(reference: Array, cores: Array, diameters: Array, roughest: floa
     """
     flat = np.zeros(len(cores), dtype=bool)
     cells = PointGrid(reference, float(np.median(diameters)) / 2).cells
-    counts, sums, products = _moments(np.ascontiguousarray(cores), cells, diameters / 2)
+    counts, sums, products = _neighbourhood_moments(
+        np.ascontiguousarray(cores), cells, diameters / 2
+    )
     some = np.flatnonzero(counts >= FEWEST_ON_PLANE)
     means = sums[some] / counts[some, None]
     scatter = products[some] / counts[some, None, None]
@@ -94,14 +101,14 @@ def flat_places(reference: Array, cores: Array, diameters: Array, roughest: floa
 
 
 @njit(nogil=True, cache=True)
-def _moments(
+def _neighbourhood_moments(
     cores: Array, reference: Cells, radii: Array
 ) -> tuple[NDArray[np.int64], Array, Array]:  # pragma: no cover - compiled
     """Number, sum (n, 3) and sum of products (n, 3, 3) of the points about each core, from it."""
     counts = np.zeros(len(cores), np.int64)
     sums, products = np.zeros((len(cores), 3)), np.zeros((len(cores), 3, 3))
     for k in range(len(cores)):
-        found = gather(reference, cores[k], radii[k])
+        found = gather_within_radius(reference, cores[k], radii[k])
         counts[k] = found.size
         for i in found:
             for a in range(3):
@@ -112,7 +119,7 @@ def _moments(
     return counts, sums, products
 
 
-def on_surface(
+def measure_to_surface(
     before: Array,
     after: Array,
     reference: Array,
@@ -122,7 +129,7 @@ def on_surface(
     diameters: Array,
     reach: float,
     roughest: float,
-) -> Measured:
+) -> MeasuredPlaces:
     """Distances of a line from a surface, in both states at the places that have one in both.
 
     Parameters
@@ -146,11 +153,11 @@ def on_surface(
     NotComparable
         No place has points of both.
     """
-    normals = normals_at(reference, cores, facing, SMOOTH * diameters)
+    normals = reference_normals(reference, cores, facing, SMOOTH * diameters)
     noise = np.maximum(FLAT * diameters, roughest)
 
-    def layers_of(points: Array) -> Layers:
-        return nearest_layers(points, cores, normals, diameters, reach, 2 * noise)
+    def layers_of(points: Array) -> NearestLayers:
+        return find_nearest_layers(points, cores, normals, diameters, reach, 2 * noise)
 
     def measured(points: Array, middle: Array, half: Array) -> NormalDistances:
         seen = np.flatnonzero(np.isfinite(middle))
@@ -164,17 +171,21 @@ def on_surface(
         return replace(found, at=seen[found.at])
 
     layers = layers_of(after)
-    middle, half = _windows(cores, layers, noise, reach)
+    middle, half = _search_windows(cores, layers, noise, reach)
     of_after = measured(after, middle, half)
     # With the prior boresight something else may be nearer to the reference than this surface; its
     # points are known by now.
     seen = np.isfinite(middle)
-    same = inside(after, cores[seen], normals[seen], diameters[seen], middle[seen], half[seen])
-    of_before = measured(before, *_windows(cores, layers_of(before[same]), noise, reach))
-    return _common(of_before, of_after, layers.beyond)
+    same = is_in_any_cylinder(
+        after, cores[seen], normals[seen], diameters[seen], middle[seen], half[seen]
+    )
+    of_before = measured(before, *_search_windows(cores, layers_of(before[same]), noise, reach))
+    return _restrict_to_common_places(of_before, of_after, layers.beyond)
 
 
-def _windows(cores: Array, layers: Layers, noise: Array, reach: float) -> tuple[Array, Array]:
+def _search_windows(
+    cores: Array, layers: NearestLayers, noise: Array, reach: float
+) -> tuple[Array, Array]:
     """Where the surface lies along the normal at each core, and half of what is looked through.
 
     As far as the line scatters there: what a wrong boresight moves by millimetres near by it moves
@@ -182,13 +193,13 @@ def _windows(cores: Array, layers: Layers, noise: Array, reach: float) -> tuple[
     line has nothing in all of the neighbourhood.
     """
     middle, half = np.full(len(cores), np.nan), np.full(len(cores), np.nan)
-    number, seen = regions(cores, ALIKE), np.isfinite(layers.middle)
+    number, seen = region_numbers(cores, ALIKE), np.isfinite(layers.middle)
     off: list[Array] = []
     thick: list[Array] = []
     for region in np.unique(number[seen]):
         own = number == region
         values = layers.middle[own & seen]
-        low, high = nearest_of(values, 2 * float(np.median(noise[own])))
+        low, high = nearest_layer_bounds(values, 2 * float(np.median(noise[own])))
         chosen = (values >= low) & (values <= high)
         middle[own] = np.median(values[chosen])
         off.append(np.abs(values[chosen] - np.median(values[chosen])))
@@ -200,7 +211,7 @@ def _windows(cores: Array, layers: Layers, noise: Array, reach: float) -> tuple[
     return middle, half
 
 
-def at_points(
+def measure_to_points(
     before: Array,
     after: Array,
     places: Array,
@@ -209,7 +220,7 @@ def at_points(
     diameters: Array,
     reach: float,
     roughest: float,
-) -> Measured:
+) -> MeasuredPlaces:
     """Distances of a line from surveyed points, in both states at those that have one in both.
 
     Parameters
@@ -233,13 +244,15 @@ def at_points(
         for place, side, diameter in zip(places, facing, diameters, strict=True):
             about = points[grid.within(place, reach + max(diameter, WIDEST))]
             found.append(
-                _plane_before(about, place, side, diameter=diameter, reach=reach, roughest=roughest)
+                _plane_distance_at_point(
+                    about, place, side, diameter=diameter, reach=reach, roughest=roughest
+                )
             )
-        states.append(_of_planes(places, found))
-    return _common(states[0], states[1])
+        states.append(_plane_distances(places, found))
+    return _restrict_to_common_places(states[0], states[1])
 
 
-def _plane_before(
+def _plane_distance_at_point(
     points: Array, place: Array, facing: Array, *, diameter: float, reach: float, roughest: float
 ) -> tuple[float, float, Array] | None:
     """Distance, half its 95 % interval (metres) and normal of the line's plane at a point.
@@ -255,14 +268,16 @@ def _plane_before(
         return None
     about = np.linalg.norm(points - points[nearest], axis=1)
     wide = diameter
-    while (found := _plane_of(points[about <= wide / 2], place, facing, wide, roughest)) is None:
+    while (
+        found := _fit_plane_near(points[about <= wide / 2], place, facing, wide, roughest)
+    ) is None:
         wide *= WIDER
         if wide > max(WIDEST, diameter):
             return None
     return found
 
 
-def _plane_of(
+def _fit_plane_near(
     near: Array, place: Array, facing: Array, diameter: float, roughest: float
 ) -> tuple[float, float, Array] | None:
     from scipy.special import stdtrit
@@ -275,7 +290,7 @@ def _plane_of(
     if spread[1] <= ROUND * spread[2] or rms > max(FLAT * diameter, roughest):
         return None
     normal = vectors[:, 0] * (1.0 if vectors[:, 0] @ facing >= 0.0 else -1.0)
-    axes = in_plane_axes(normal)
+    axes = plane_axes(normal)
     foot = axes @ (place - middle)
     if np.hypot(*foot) > diameter / 2:
         return None
@@ -289,7 +304,9 @@ def _plane_of(
     return float(normal @ (middle - place)), float(half), normal
 
 
-def _of_planes(places: Array, found: list[tuple[float, float, Array] | None]) -> NormalDistances:
+def _plane_distances(
+    places: Array, found: list[tuple[float, float, Array] | None]
+) -> NormalDistances:
     at = np.array([k for k, each in enumerate(found) if each is not None], dtype=np.intp)
     if not len(at):
         raise NotComparable(error("validation.no_flat_point"))
@@ -304,9 +321,9 @@ def _of_planes(places: Array, found: list[tuple[float, float, Array] | None]) ->
     )
 
 
-def _common(
+def _restrict_to_common_places(
     before: NormalDistances, after: NormalDistances, beyond: Array | None = None
-) -> Measured:
+) -> MeasuredPlaces:
     """Both at the places that both have.
 
     Raises
@@ -318,4 +335,4 @@ def _common(
     if not len(at):
         raise NotComparable(error("validation.no_place_in_both"))
     second = np.full(len(at), np.nan) if beyond is None else beyond[at]
-    return Measured(before.only(at), after.only(at), second)
+    return MeasuredPlaces(before.only(at), after.only(at), second)

@@ -1,4 +1,4 @@
-"""Whether calibrations of the same mounting agree (thesis section 4.5.5, table 4.5).
+"""Test whether calibrations of the same mounting agree (thesis section 4.5.5, table 4.5).
 
 Each calibration comes with its covariance; those of two surveys are taken as independent. What the
 two differ by is tested angle by angle and jointly, and told as what it does to a point: the angle
@@ -24,7 +24,7 @@ NORMAL_95 = 1.96
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
-    """A boresight with what is known of it.
+    """A boresight with its covariance.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Calibration:
 
 
 @dataclass(frozen=True, eq=False)
-class Difference:
+class CalibrationDifference:
     """A calibration against an earlier one.
 
     Attributes
@@ -94,12 +94,12 @@ class Difference:
         """Whether the two mountings differ with 95 % confidence, all angles together."""
         return self.probability < LEVEL
 
-    def displacement(self, distance: float) -> float:
+    def largest_displacement(self, distance: float) -> float:
         """How far apart, at most, the two put a point at a distance; both in metres."""
         return float(2.0 * np.sin(self.turn / 2.0) * distance)
 
 
-def difference(first: Calibration, second: Calibration) -> Difference:
+def compare_calibrations(first: Calibration, second: Calibration) -> CalibrationDifference:
     """Compare two calibrations of one mounting."""
     # The short way round: a yaw of 179 degrees and one of -179 differ by two.
     from scipy.special import chdtrc
@@ -111,7 +111,7 @@ def difference(first: Calibration, second: Calibration) -> Difference:
     skew = between - between.T
     sine = 0.5 * float(np.linalg.norm([skew[2, 1], skew[0, 2], skew[1, 0]]))
     turn = float(np.arctan2(sine, 0.5 * (np.trace(between) - 1.0)))
-    return Difference(
+    return CalibrationDifference(
         first.name,
         second.name,
         angles,
@@ -149,7 +149,7 @@ class RepeatedCalibrations:
         return self.probability < LEVEL
 
 
-def repeated(calibrations: Sequence[Calibration]) -> RepeatedCalibrations:
+def combine_calibrations(calibrations: Sequence[Calibration]) -> RepeatedCalibrations:
     """Put calibrations of one mounting together.
 
     Raises
@@ -161,7 +161,7 @@ def repeated(calibrations: Sequence[Calibration]) -> RepeatedCalibrations:
 
     if len(calibrations) < 2:
         raise InputError(error("validation.repeatability_few"))
-    together, angles = mean_of(calibrations), _near(calibrations)
+    together, angles = mean_calibration(calibrations), _unwrapped_angles(calibrations)
     off = angles - together.boresight
     weights = np.array([np.linalg.inv(each.covariance) for each in calibrations])
     statistic = float(np.einsum("ni,nij,nj->", off, weights, off))
@@ -174,20 +174,20 @@ def repeated(calibrations: Sequence[Calibration]) -> RepeatedCalibrations:
     )
 
 
-def alone(calibration: Calibration) -> RepeatedCalibrations:
-    """A single one, where all others rest on its lines."""
+def single_calibration(calibration: Calibration) -> RepeatedCalibrations:
+    """Result of a single calibration, where all others are based on its lines."""
     return RepeatedCalibrations(calibration.boresight, calibration.sigma, None, 0.0, 1.0)
 
 
-def mean_of(calibrations: Sequence[Calibration], name: str = "mean") -> Calibration:
+def mean_calibration(calibrations: Sequence[Calibration], name: str = "mean") -> Calibration:
     """The mean of one or more calibrations of one mounting, weighted by their covariances."""
     weights = np.array([np.linalg.inv(each.covariance) for each in calibrations])
     covariance = np.linalg.inv(weights.sum(axis=0))
-    mean = covariance @ np.einsum("nij,nj->i", weights, _near(calibrations))
+    mean = covariance @ np.einsum("nij,nj->i", weights, _unwrapped_angles(calibrations))
     return Calibration(name, mean, covariance)
 
 
-def _near(calibrations: Sequence[Calibration]) -> Array:
+def _unwrapped_angles(calibrations: Sequence[Calibration]) -> Array:
     """Their angles (n, 3), radians, each the short way round from the first."""
     start = calibrations[0].boresight
     return np.array([

@@ -11,21 +11,21 @@ from typing import Literal
 
 import numpy as np
 
+from lispac.adjustment.display_text import to_plain_text
 from lispac.adjustment.result import ANGLES
-from lispac.adjustment.shown import plain
 from lispac.errors import InputError, LispacError, NotComparable
-from lispac.foreign_values import as_cell
-from lispac.io.files import written_whole
+from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
 from lispac.message_texts import english_text, message_text
 from lispac.messages import error
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Triple
 from lispac.report.options import USUAL, ReportOptions
+from lispac.untrusted_values import as_csv_cell
 from lispac.workflow.calibration import estimate
-from lispac.workflow.export import content_of, write_report
-from lispac.workflow.history import projects_in
-from lispac.workflow.projects import open_project, project_to_change, save_project
+from lispac.workflow.export import report_content_of, write_report
+from lispac.workflow.history import find_projects
+from lispac.workflow.projects import locked_project, open_project, save_project
 from lispac.workflow.survey import load_survey
 from lispac.workflow.survey_dates import survey_dates
 from lispac.workflow.validation import validate
@@ -35,8 +35,8 @@ REPORTS = ("pdf", "html", "json", "zip")
 
 
 @dataclass(frozen=True)
-class Row:
-    """What came of one project.
+class BatchRow:
+    """Result of one project in the table.
 
     Attributes
     ----------
@@ -77,7 +77,7 @@ def batch(
     form: str = "pdf",
     options: ReportOptions = USUAL,
     progress: Progress = no_progress,
-) -> tuple[Row, ...]:
+) -> tuple[BatchRow, ...]:
     """Estimate and validate every project in these folders, targets as they are picked.
 
     A project that is refused is a row too, and the next one follows.
@@ -102,21 +102,21 @@ def batch(
         Where there is no such form of report.
     """
     return tuple(
-        each_row(
+        calibrate_each(
             *folders, save=save, reports=reports, form=form, options=options, progress=progress
         )
     )
 
 
-def each_row(
+def calibrate_each(
     *folders: str | Path,
     save: bool,
     reports: str | Path | None,
     form: str,
     options: ReportOptions,
     progress: Progress,
-) -> Iterator[Row]:
-    """The rows of `lispac.batch`, each when its project is done.
+) -> Iterator[BatchRow]:
+    """Calibrate the projects one after the other, and yield the row of each.
 
     Raises
     ------
@@ -125,10 +125,10 @@ def each_row(
     """
     if form not in REPORTS:
         raise InputError(error("report.format", formats=tuple(REPORTS), format=form))
-    found, unreadable = projects_in([Path(folder) for folder in folders])
-    files = [f"{name}.{form}" for name in _file_names(found)]
+    found, unreadable = find_projects([Path(folder) for folder in folders])
+    files = [f"{name}.{form}" for name in _report_names(found)]
     for k, (folder, file) in enumerate(zip(found, files, strict=True)):
-        step = part(progress, k / len(found), (k + 1) / len(found))
+        step = sub_progress(progress, k / len(found), (k + 1) / len(found))
         step(
             0.0,
             gettext_lazy(
@@ -139,24 +139,24 @@ def each_row(
             ),
         )
         report = None if reports is None else Path(reports) / file
-        yield _row(folder, save, report, options, step)
+        yield _calibrate_folder(folder, save, report, options, step)
     for message in unreadable:
         folder = Path(str(message.params["folder"]))
-        yield Row(folder, folder.name, "refused", (english_text(message),))
+        yield BatchRow(folder, folder.name, "refused", (english_text(message),))
     progress(1.0)
 
 
-def _row(
+def _calibrate_folder(
     folder: Path, save: bool, report: Path | None, options: ReportOptions, progress: Progress
-) -> Row:
-    known = Row(folder, folder.name, "refused", ())
+) -> BatchRow:
+    known = BatchRow(folder, folder.name, "refused", ())
     try:
-        with project_to_change(folder) if save else nullcontext(open_project(folder)) as project:
+        with locked_project(folder) if save else nullcontext(open_project(folder)) as project:
             known = replace(
                 known, vessel=project.identity.vessel,
                 dates=project.identity.dates or survey_dates(project),
             )  # fmt: skip
-            return _calibrated(known, project, save, report, options, progress)
+            return _calibrate_project(known, project, save, report, options, progress)
     except LispacError as error:
         return replace(known, remarks=(str(error),))
     except OSError as error:
@@ -165,27 +165,31 @@ def _row(
         return replace(known, remarks=("There is not enough memory; use shorter lines.",))
 
 
-def _calibrated(
-    known: Row,
+def _calibrate_project(
+    known: BatchRow,
     project: Project,
     save: bool,
     report: Path | None,
     options: ReportOptions,
     progress: Progress,
-) -> Row:
-    survey = load_survey(project, progress=part(progress, 0.0, 0.3))
-    project = estimate(project, survey, progress=part(progress, 0.3, 0.7))
+) -> BatchRow:
+    survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.3))
+    project = estimate(project, survey, progress=sub_progress(progress, 0.3, 0.7))
     said: tuple[str, ...] = ()
-    if any(plane.used for plane in project.of_role("validation")):
+    if any(plane.used for plane in project.targets_of_role("validation")):
         try:
-            project = validate(project, survey, progress=part(progress, 0.7, 0.9))
+            project = validate(project, survey, progress=sub_progress(progress, 0.7, 0.9))
         except NotComparable as error:
             said = (str(error),)
     if save:
         save_project(project)
     if report is not None:
-        write_report(project, survey, report, options=options, progress=part(progress, 0.9, 0.95))
-    cautions = content_of(project, survey, progress=part(progress, 0.95, 1.0)).cautions
+        write_report(
+            project, survey, report, options=options, progress=sub_progress(progress, 0.9, 0.95)
+        )
+    cautions = report_content_of(
+        project, survey, progress=sub_progress(progress, 0.95, 1.0)
+    ).cautions
     serious = any(message.is_serious for message in cautions)
     result = project.result
     assert result is not None
@@ -194,22 +198,24 @@ def _calibrated(
     return replace(
         known,
         verdict="doubtful" if serious else "remarks" if cautions or said else "good",
-        remarks=(*said, *(plain(message_text(message)) for message in cautions)),
+        remarks=(*said, *(to_plain_text(message_text(message)) for message in cautions)),
         boresight_deg=(roll, pitch, yaw),
         sigma_deg=(sigmas[0], sigmas[1], sigmas[2]),
         sigma_0=None if result.variance_factor is None else math.sqrt(result.variance_factor),
         test_passed=result.chi_square.passed,
-        rms_before=_rms([(plane.before.rms, plane.before.n) for plane in project.validation]),
-        rms_after=_rms([(plane.after.rms, plane.after.n) for plane in project.validation]),
+        rms_before=_pooled_rms(
+            [(plane.before.rms, plane.before.n) for plane in project.validation]
+        ),
+        rms_after=_pooled_rms([(plane.after.rms, plane.after.n) for plane in project.validation]),
     )
 
 
-def _rms(planes: Sequence[tuple[float, int]]) -> float | None:
+def _pooled_rms(planes: Sequence[tuple[float, int]]) -> float | None:
     count = sum(n for _, n in planes)
     return math.sqrt(sum(n * rms**2 for rms, n in planes) / count) if count else None
 
 
-def _file_names(folders: Sequence[Path]) -> Iterator[str]:
+def _report_names(folders: Sequence[Path]) -> Iterator[str]:
     """A name for each folder's report: its own, with a number where others have the same."""
     taken: set[str] = set()
     for folder in folders:
@@ -228,7 +234,7 @@ HEADS = (
 )  # fmt: skip
 
 
-def write_table(rows: Sequence[Row], path: Path) -> None:
+def write_table(rows: Sequence[BatchRow], path: Path) -> None:
     """Write the rows as CSV, numbers in full.
 
     Raises
@@ -247,6 +253,6 @@ def write_table(rows: Sequence[Row], path: Path) -> None:
             None if row.test_passed is None else "yes" if row.test_passed else "no",
             row.rms_before, row.rms_after, " | ".join(row.remarks),
         )  # fmt: skip
-        writer.writerow(map(as_cell, cells))
-    with written_whole(path) as temporary:
+        writer.writerow(map(as_csv_cell, cells))
+    with atomic_write(path) as temporary:
         temporary.write_text(stream.getvalue(), encoding="utf-8", errors="replace", newline="")

@@ -17,14 +17,14 @@ STATES = 1_000
 """Times of each line at which accuracies and rates are looked up."""
 
 
-def budget_of(
+def error_budget_of(
     project: Project,
     survey: Survey,
     distances: Sequence[float] = DISTANCES,
     *,
     lever_sigma: Sequence[float] | None = None,
 ) -> ErrorBudget:
-    """What every source of error does to a point of this system.
+    """Error budget of a point of this system by source of error.
 
     Parameters
     ----------

@@ -8,23 +8,23 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.averaging import averaged
-from lispac.adjustment.common_parts import common_parts
+from lispac.adjustment.common_target_parts import find_common_parts
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.result import AdjustmentResult, CommonPart
 from lispac.adjustment.solver import adjust
-from lispac.design.advice import advice
-from lispac.doubles import single_line_targets
+from lispac.design.further_line_advice import further_line_advice
+from lispac.duplicate_targets import single_line_notes
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
 from lispac.language import gettext_lazy
 from lispac.messages import Level, Message, error
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Settings
-from lispac.survey.georeferencing import Mounting, place
+from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses
-from lispac.targets.thinning import thin
-from lispac.workflow.reselection import reselect
+from lispac.targets.thinning import thin_points
+from lispac.workflow.reselection import reselect_targets
 from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
@@ -74,8 +74,8 @@ def observations_of(
     indices = []
     radii = {}
     _require_two_lines(project)
-    for target in project.of_role("target"):
-        if not target.is_compared:  # a warning says so: see `lispac.doubles`
+    for target in project.targets_of_role("target"):
+        if not target.is_compared:  # a warning says so: see `lispac.duplicate_targets`
             continue
         used = target.used_sightings
         if target.shape == "sphere":
@@ -83,11 +83,13 @@ def observations_of(
         for sighting in used:
             chosen = sighting.indices
             if not averages:
-                chosen = chosen[thin(survey.clouds[sighting.line][chosen], settings.subsample)]
+                chosen = chosen[
+                    thin_points(survey.clouds[sighting.line][chosen], settings.subsample)
+                ]
             indices.append(chosen)
             sightings.append(Sighting(target.name, sighting.line))
     if not sightings:
-        alone = [each.name for each in project.of_role("target") if each.used_sightings]
+        alone = [each.name for each in project.targets_of_role("target") if each.used_sightings]
         raise AdjustmentError(
             error("estimate.no_common_target", targets=alone)
             if alone
@@ -115,10 +117,12 @@ def observations_of(
     )
     if not averages:
         return observations
-    return thinned(observations, mounting or project.mounting("prior"), settings)
+    return thin_observations(observations, mounting or project.mounting("prior"), settings)
 
 
-def thinned(observations: Observations, mounting: Mounting, settings: Settings) -> Observations:
+def thin_observations(
+    observations: Observations, mounting: Mounting, settings: Settings
+) -> Observations:
     """Fewer observations: neighbours are averaged; in thesis mode one of them is kept.
 
     Parameters
@@ -129,7 +133,7 @@ def thinned(observations: Observations, mounting: Mounting, settings: Settings) 
         With the distance of neighbours and the model of the errors.
     """
     if settings.pos_errors == "correlated":
-        return averaged(
+        return average_points_in_cells(
             observations,
             mounting,
             settings.subsample,
@@ -137,18 +141,18 @@ def thinned(observations: Observations, mounting: Mounting, settings: Settings) 
             strays_apart=settings.stochastic_model.loss != "none",
         )
     poses = Poses(observations.position, observations.attitude)
-    points = place(observations.points_lidar, poses, mounting)
+    points = place_points(observations.points_lidar, poses, mounting)
     keep = np.zeros(len(observations), dtype=bool)
     for k in range(len(observations.sightings)):
         own = np.flatnonzero(observations.sighting == k)
-        keep[own[thin(points[own], settings.subsample)]] = True
+        keep[own[thin_points(points[own], settings.subsample)]] = True
     return observations.where(keep)
 
 
 def _require_two_lines(project: Project) -> None:
     lines = {
         sighting.line
-        for target in project.of_role("target")
+        for target in project.targets_of_role("target")
         if target.used
         for sighting in target.used_sightings
     }
@@ -206,9 +210,15 @@ def estimate(
         project = project.with_settings(settings)
     project = project.with_data_messages(survey.messages)
     started = perf_counter()
-    selected = select(project, survey, rounds=reselections, progress=part(progress, 0.0, 0.7))
-    solved = solve(
-        project, selected, survey, cross_check=cross_check, progress=part(progress, 0.7, 1.0)
+    selected = reselect_points(
+        project, survey, rounds=reselections, progress=sub_progress(progress, 0.0, 0.7)
+    )
+    solved = adjust_selected(
+        project,
+        selected,
+        survey,
+        cross_check=cross_check,
+        progress=sub_progress(progress, 0.7, 1.0),
     )
     assert solved.result is not None
     result = replace(solved.result, elapsed=perf_counter() - started)
@@ -216,7 +226,7 @@ def estimate(
 
 
 @contextmanager
-def _with_reasons(project: Project, survey: Survey) -> Iterator[None]:
+def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
     """Add possible causes to the reason of an adjustment without a solution.
 
     Raises
@@ -230,7 +240,7 @@ def _with_reasons(project: Project, survey: Survey) -> Iterator[None]:
         yield
     except (NotConverged, RankDeficient) as failure:
         warnings = [each for each in survey.messages if each.level is Level.WARNING]
-        alone = single_line_targets(project.targets)
+        alone = single_line_notes(project.targets)
         reason = failure.reason
         causes: list[Message | str] = [*alone, *warnings[:MOST_WARNINGS]]
         for cause in causes:
@@ -240,7 +250,7 @@ def _with_reasons(project: Project, survey: Survey) -> Iterator[None]:
         raise type(failure)(reason) from None
 
 
-def select(
+def reselect_points(
     project: Project,
     survey: Survey,
     *,
@@ -250,7 +260,7 @@ def select(
     """The project with its targets' points selected again, with a boresight found on the way.
 
     The picks were made with the prior boresight, which smears a surface that is seen from a moving
-    platform. The answer is for `solve`; the picks in the project stay as they were.
+    platform. The answer is for `adjust_selected`; the picks in the project stay as they were.
     """
     settings, selected = project.settings, replace(project, result=None)
     prior = project.mounting("prior")
@@ -264,7 +274,7 @@ def select(
     judged = replace(settings.stochastic_model, pos_errors="independent", loss="none")
     angles = prior.boresight
     for k in range(rounds):
-        step = part(progress, k / rounds, (k + 1) / rounds)
+        step = sub_progress(progress, k / rounds, (k + 1) / rounds)
         step(
             0.0,
             gettext_lazy(
@@ -275,7 +285,7 @@ def select(
         )
         # Points of another surface among the picks would be treated as POS errors by the correlated
         # model; this one leaves them to stand out.
-        with _with_reasons(project, survey):
+        with _add_failure_causes(project, survey):
             thinned = observations_of(selected, survey, settings=coarse)
             result = adjust(
                 thinned, prior, judged,
@@ -285,11 +295,11 @@ def select(
         if k > 0 and (moved < SETTLED * result.sigma).all():
             break
         angles = result.boresight
-        selected = reselect(selected.with_result(result), survey, progress=step)
+        selected = reselect_targets(selected.with_result(result), survey, progress=step)
     return selected
 
 
-def solve(
+def adjust_selected(
     project: Project,
     selected: Project,
     survey: Survey,
@@ -301,11 +311,11 @@ def solve(
     """Adjust the points of ``selected``, those of the sightings that ``project`` uses.
 
     Fast enough to follow a click: a target or line switched off needs no new selection. Without
-    ``advise`` no further line is recommended; `check` adds that, and the cross-checks.
+    ``advise`` no further line is recommended; `complete_result` adds that, and the cross-checks.
     """
     settings, prior = project.settings, project.mounting("prior")
-    with _with_reasons(project, survey):
-        observations, parts = _chosen(project, selected, survey)
+    with _add_failure_causes(project, survey):
+        observations, parts = _selected_observations(project, selected, survey)
         result = adjust(
             observations,
             prior,
@@ -313,15 +323,19 @@ def solve(
             parameters=settings.parameters,
             components=settings.variance_components,
             accept_one_facing=settings.accept_one_facing,
-            progress=part(progress, 0.0, 0.4 if cross_check else 1.0),
+            progress=sub_progress(progress, 0.0, 0.4 if cross_check else 1.0),
         )
     result = replace(result, common_parts=parts)
     observations = observations.without_targets(result.excluded_targets)
-    solved = project.with_result(_advised(result, observations) if advise else result)
-    return _checked(solved, observations, part(progress, 0.4, 1.0)) if cross_check else solved
+    solved = project.with_result(_with_advice(result, observations) if advise else result)
+    return (
+        _with_cross_checks(solved, observations, sub_progress(progress, 0.4, 1.0))
+        if cross_check
+        else solved
+    )
 
 
-def check(
+def complete_result(
     project: Project,
     selected: Project,
     survey: Survey,
@@ -335,24 +349,24 @@ def check(
     result is the same but for the remark on a further line.
     """
     assert project.result is not None
-    observations, _ = _chosen(project, selected, survey)
+    observations, _ = _selected_observations(project, selected, survey)
     observations = observations.without_targets(project.result.excluded_targets)
-    advised = replace(project, result=_advised(project.result, observations))
-    return _checked(advised, observations, progress) if cross_check else advised
+    advised = replace(project, result=_with_advice(project.result, observations))
+    return _with_cross_checks(advised, observations, progress) if cross_check else advised
 
 
-def _advised(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
+def _with_advice(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
     """The result with a remark on the further line that would help most."""
     # A further line is judged by the sigmas of the whole.
     judged = observations.with_sigmas(*result.sigma_factors)
     seen = result.observability
-    if seen is None or not (found := advice(judged, result)):
+    if seen is None or not (found := further_line_advice(judged, result)):
         return result
     remarks = (*seen.remarks, *found)
     return replace(result, observability=replace(seen, remarks=remarks))
 
 
-def _chosen(
+def _selected_observations(
     project: Project, selected: Project, survey: Survey
 ) -> tuple[Observations, tuple[CommonPart, ...]]:
     """The points of ``selected`` on the sightings that the project uses, and what was cut.
@@ -368,13 +382,13 @@ def _chosen(
     )
     if selected.result is None:  # the prior boresight displaces the lines
         return observations, ()
-    observations, parts = common_parts(observations, near)
+    observations, parts = find_common_parts(observations, near)
     if not len(observations):
         raise AdjustmentError(error("estimate.no_common_part", targets=[p.target for p in parts]))
     return observations, parts
 
 
-def _checked(project: Project, observations: Observations, progress: Progress) -> Project:
+def _with_cross_checks(project: Project, observations: Observations, progress: Progress) -> Project:
     assert project.result is not None
     # The parts are judged by the sigmas of the whole.
     observations = observations.with_sigmas(*project.result.sigma_factors)
@@ -383,6 +397,6 @@ def _checked(project: Project, observations: Observations, progress: Progress) -
     return project.with_cross_checks(checks)
 
 
-def count_of(project: Project, survey: Survey, settings: Settings) -> int:
+def count_points(project: Project, survey: Survey, settings: Settings) -> int:
     """Points that would take part with these settings."""
     return len(observations_of(project, survey, settings=settings))

@@ -18,11 +18,11 @@ from time import monotonic
 from typing import Any
 
 from lispac import __version__
-from lispac.design.search import Mapper
+from lispac.design.plan_search import Mapper
 from lispac.errors import LispacError
 from lispac.messages import error
-from lispac.workflow.campaign import chunk_of
 from lispac.workflow.cluster_access import ClusterAccess
+from lispac.workflow.parallel_map import chunk_size
 
 CONNECT = 4.0
 """Seconds that a scheduler has to answer."""
@@ -41,7 +41,7 @@ SENDINGS = 3
 
 
 @contextmanager
-def cluster_of(access: ClusterAccess | str) -> Iterator[Mapper]:
+def cluster_mapper(access: ClusterAccess | str) -> Iterator[Mapper]:
     """A mapper over the workers of a dask scheduler.
 
     What is not done when the context is left is cancelled.
@@ -64,8 +64,8 @@ def cluster_of(access: ClusterAccess | str) -> Iterator[Mapper]:
     except ImportError as failure:
         raise LispacError(error("cluster.not_installed")) from failure
     security = access.security()
-    with _silence():
-        _greet(address, security)
+    with _silenced_logs():
+        _require_scheduler(address, security)
         client = distributed.Client(
             address, timeout=CONNECT, set_as_default=False, security=security
         )
@@ -78,8 +78,8 @@ def cluster_of(access: ClusterAccess | str) -> Iterator[Mapper]:
 
 
 @contextmanager
-def _silence() -> Iterator[None]:
-    """Report errors as one message, not by the log of the client."""
+def _silenced_logs() -> Iterator[None]:
+    """Suppress the log of the client, since the program reports its errors itself."""
     logs = [logging.getLogger(name) for name in ("distributed", "distributed.client")]
     levels = [log.level for log in logs]
     for log in logs:
@@ -91,8 +91,8 @@ def _silence() -> Iterator[None]:
             log.setLevel(level)
 
 
-def _greet(address: str, security: Any) -> None:
-    """Refuse an address without a scheduler; a client would wait for ever.
+def _require_scheduler(address: str, security: Any) -> None:
+    """Refuse an address without a scheduler, for which the client would wait for ever.
 
     Raises
     ------
@@ -114,7 +114,7 @@ def _greet(address: str, security: Any) -> None:
 
 
 class _Cluster:
-    """The connection, and what was sent and has not come back."""
+    """Connection to the scheduler, with the chunks in progress."""
 
     def __init__(self, client: Any, address: str) -> None:
         self.client, self.address = client, address
@@ -132,7 +132,7 @@ class _Cluster:
         except TimeoutError:
             raise LispacError(error("cluster.no_workers", address=self.address)) from None
         try:  # it reads every chunk before it hands it on
-            found = self.client.run_on_scheduler(_version)
+            found = self.client.run_on_scheduler(_program_version)
         except Exception as failure:
             found = failure
         if isinstance(found, str):
@@ -144,7 +144,7 @@ class _Cluster:
                     expected=__version__,
                 )
             )  # fmt: skip
-        for worker, found in self.client.run(_version, on_error="return").items():
+        for worker, found in self.client.run(_program_version, on_error="return").items():
             if isinstance(found, str):
                 _require_version("cluster.worker_version", found, address=worker)
             else:
@@ -156,34 +156,34 @@ class _Cluster:
                 )  # fmt: skip
 
     def map(self, function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
-        """The answers in the order of the values, each as soon as those before it are there."""
+        """Results in the order of the values, each as soon as those before it are available."""
         values = list(values)
-        size = chunk_of(len(values), self._workers())
+        size = chunk_size(len(values), self._count_threads())
         chunks = [values[k : k + size] for k in range(0, len(values), size)]
-        task = partial(_answers, function, __version__)
+        task = partial(_map_on_worker, function, __version__)
         back: SimpleQueue[_ChunkInProgress] = SimpleQueue()
         for k, chunk in enumerate(chunks):
-            self._send(_ChunkInProgress(k, task, chunk, back))
+            self._send_chunk(_ChunkInProgress(k, task, chunk, back))
         answers: dict[int, list[Any]] = {}
         for k in range(len(chunks)):
             while k not in answers:
                 sent = self._next(back)
                 answer = self._answer(sent)
                 if answer is None:
-                    self._send(sent)
+                    self._send_chunk(sent)
                 else:
                     answers[sent.number] = answer
             yield from answers.pop(k)
 
-    def _send(self, sent: "_ChunkInProgress") -> None:
+    def _send_chunk(self, sent: "_ChunkInProgress") -> None:
         sent.times += 1
-        with self._talk():
+        with self._report_lost_connection():
             sent.future = self.client.submit(sent.task, sent.chunk, pure=False)
         self.under_way.add(sent)
-        sent.future.add_done_callback(sent.came)
+        sent.future.add_done_callback(sent.on_done)
 
     def _next(self, back: "SimpleQueue[_ChunkInProgress]") -> "_ChunkInProgress":
-        """What comes back next, as long as there is hope.
+        """Wait for the next completed chunk while the connection holds.
 
         Raises
         ------
@@ -196,15 +196,15 @@ class _Cluster:
                 return back.get(timeout=LOOK)
             except Empty:
                 pass
-            if self._workers():
+            if self._count_threads():
                 alone_since = None
             else:
                 alone_since = alone_since or monotonic()
                 if monotonic() - alone_since > PATIENCE:
-                    raise self._gone()
+                    raise self._connection_error()
 
     def _answer(self, sent: "_ChunkInProgress") -> list[Any] | None:
-        """Result of a task; None if the scheduler gave it up and it should be repeated.
+        """Results of a completed chunk; None if the scheduler gave it up and it may be repeated.
 
         Raises
         ------
@@ -214,7 +214,7 @@ class _Cluster:
         import distributed
 
         answer = None
-        with self._talk():
+        with self._report_lost_connection():
             lost = self._asked(sent.future.exception)
             if lost is None:
                 # Its worker may have been lost since: others do it again, or are lost by it, too
@@ -237,7 +237,7 @@ class _Cluster:
         return answer
 
     def _asked(self, ask: Callable[..., Any]) -> Any:
-        """Result of a completed future; repeated if its worker was lost.
+        """Value of a completed future; it is computed again if its worker was lost.
 
         Raises
         ------
@@ -248,20 +248,20 @@ class _Cluster:
             try:
                 return ask(timeout=PATIENCE)
             except TimeoutError:
-                if not self._workers():
-                    raise self._gone() from None
+                if not self._count_threads():
+                    raise self._connection_error() from None
 
-    def _gone(self) -> LispacError:
+    def _connection_error(self) -> LispacError:
         return LispacError(error("cluster.no_workers_left", address=self.address))
 
-    def _workers(self) -> int:
-        """Threads of all workers there are now."""
-        with self._talk():
+    def _count_threads(self) -> int:
+        """Number of threads of all workers."""
+        with self._report_lost_connection():
             return sum(self.client.nthreads().values())
 
     @contextmanager
-    def _talk(self) -> Iterator[None]:
-        """What breaks while one talks to the scheduler is its connection.
+    def _report_lost_connection(self) -> Iterator[None]:
+        """Convert errors of the communication with the scheduler into a lost connection.
 
         Raises
         ------
@@ -286,7 +286,7 @@ class _Cluster:
 
 
 class _ChunkInProgress:
-    """A chunk on its way."""
+    """A chunk that was sent and is not completed."""
 
     future: Any
 
@@ -300,8 +300,8 @@ class _ChunkInProgress:
         self.number, self.task, self.chunk, self.back = number, task, chunk, back
         self.times = 0
 
-    def came(self, future: Any) -> None:
-        """Called when it is done, in a thread of the client."""
+    def on_done(self, future: Any) -> None:
+        """Called in a thread of the client when the chunk is completed."""
         self.back.put(self)
 
 
@@ -309,7 +309,7 @@ _ONE_AT_A_TIME = threading.Lock()
 """A worker may have several threads; how many threads BLAS has is a setting of the process."""
 
 
-def _version() -> str:
+def _program_version() -> str:
     return __version__
 
 
@@ -325,8 +325,10 @@ def _require_version(code: str, found: str, wanted: str = "", *, address: str = 
         raise LispacError(error(code, version=found, expected=wanted, address=address))
 
 
-def _answers(function: Callable[[Any], Any], version: str, values: Sequence[Any]) -> list[Any]:
-    """On the worker: the answers to a chunk."""
+def _map_on_worker(
+    function: Callable[[Any], Any], version: str, values: Sequence[Any]
+) -> list[Any]:
+    """Compute the results of a chunk on the worker."""
     _require_version("cluster.late_worker_version", __version__, version)
     with _ONE_AT_A_TIME:
         return [function(value) for value in values]

@@ -1,4 +1,4 @@
-"""How a dask scheduler is reached: by TLS, or by TCP where the user accepts its risk.
+"""Connection to a dask scheduler: TLS, or TCP where the user accepts its risk.
 
 Source: dask, distributed, "TLS/SSL".
 """
@@ -11,7 +11,7 @@ from typing import Any
 
 from lispac.errors import LispacError
 from lispac.io.files import require_file
-from lispac.io.values import in_one_line
+from lispac.io.value_conversion import failure_summary
 from lispac.messages import error
 
 ADDRESS = re.compile(r"((?P<protocol>tcp|tls)://)?(?P<host>\[[0-9a-fA-F:]+\]|[^\s:/\[\]]+):\d{1,5}")
@@ -19,7 +19,7 @@ ADDRESS = re.compile(r"((?P<protocol>tcp|tls)://)?(?P<host>\[[0-9a-fA-F:]+\]|[^\
 
 @dataclass(frozen=True)
 class ClusterAccess:
-    """How a scheduler is reached.
+    """Address and encryption of the connection to a scheduler.
 
     dask unpickles what a scheduler sends, so that whoever answers at its address can run programs
     on this computer, and whoever reaches the scheduler can run programs on the workers. TLS with
@@ -62,7 +62,7 @@ class ClusterAccess:
 
     @property
     def is_open(self) -> bool:
-        """Whether others in the network could answer instead of the scheduler, or read along."""
+        """True if others in the network could read or answer the communication."""
         host = ADDRESS.fullmatch(self.url)
         assert host is not None
         return self.url.startswith("tcp://") and not is_this_computer(host["host"].strip("[]"))
@@ -96,14 +96,16 @@ class ClusterAccess:
         except (OSError, ValueError) as failure:  # ssl.SSLError is an OSError
             raise LispacError(
                 error(
-                    "cluster.unusable_certificates", address=self.url, reason=in_one_line(failure)
+                    "cluster.unusable_certificates",
+                    address=self.url,
+                    reason=failure_summary(failure),
                 )
             ) from failure
         return settings
 
 
 def is_this_computer(host: str) -> bool:
-    """Whether a host is the loopback of this computer; names are not looked up."""
+    """True if a host is the loopback of this computer; names are not looked up."""
     try:
         return ipaddress.ip_address(host).is_loopback
     except ValueError:

@@ -16,8 +16,8 @@ STATES = 5_000
 """Of the trajectory, that distances are measured to: of an hour about one a second."""
 
 
-def axes_of(system: CoordinateSystem | None) -> tuple[str, str, str]:
-    """What the three coordinates are called, in their order."""
+def axis_names(system: CoordinateSystem | None) -> tuple[str, str, str]:
+    """Names of the three coordinates, in their order."""
     if system is None:
         return "north", "west", "up"
     if system.is_geographic:
@@ -27,15 +27,15 @@ def axes_of(system: CoordinateSystem | None) -> tuple[str, str, str]:
     return "easting", "northing", "height"
 
 
-def local_places(
+def to_local_frame(
     points: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory
 ) -> Array:
-    """Places in the local frame.
+    """Places in the local frame, from coordinates in a system.
 
     Parameters
     ----------
     points : ndarray of shape (n, 3)
-        In the order of `axes_of`; metres in the local frame.
+        In the order of `axis_names`; metres in the local frame.
 
     Returns
     -------
@@ -47,8 +47,8 @@ def local_places(
     return system.to_local(points, trajectory.frame, strict=False)
 
 
-def away(places: Array, trajectory: LocalTrajectory) -> Array:
-    """How far places are from the trajectory, shape (n,), metres."""
+def distances_from_trajectory(places: Array, trajectory: LocalTrajectory) -> Array:
+    """Distances of places from the trajectory, shape (n,), metres."""
     from scipy.spatial import KDTree
 
     step = max(1, len(trajectory.position) // STATES)
@@ -59,24 +59,26 @@ def away(places: Array, trajectory: LocalTrajectory) -> Array:
     return distances
 
 
-def too_far(
+def too_far_message(
     point: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory, name: str | Message
 ) -> Message | None:
-    """What is wrong with coordinates that no target of the survey can have; None where nothing.
+    """Error that coordinates are too far from the survey for a target; None if they are not.
 
     Parameters
     ----------
     point : ndarray of shape (3,), local frame
-        As one of `local_places`.
+        As one of `to_local_frame`.
     name : str or Message
         Of the target, file or row that has the coordinates.
     """
-    distance = float(away(local_places(point, system, trajectory), trajectory)[0])
+    distance = float(
+        distances_from_trajectory(to_local_frame(point, system, trajectory), trajectory)[0]
+    )
     if distance <= FARTHEST:
         return None
     values = " ".join(f"{value:g}" if abs(value) < 1e6 else f"{value:.1f}" for value in point)
-    swapped = local_places(point[[1, 0, 2]], system, trajectory)
-    is_swapped = float(away(swapped, trajectory)[0]) <= FARTHEST
+    swapped = to_local_frame(point[[1, 0, 2]], system, trajectory)
+    is_swapped = float(distances_from_trajectory(swapped, trajectory)[0]) <= FARTHEST
     outside = not np.isfinite(distance)
     if system is None:
         if is_swapped:
@@ -85,7 +87,7 @@ def too_far(
             return error("coordinates.outside_local", name=name, values=values)
         return error("coordinates.too_far_local", name=name, values=values, distance=distance)
     if is_swapped:
-        return error(SWAPPED[axes_of(system)[0]], name=name, values=values, system=system.name)
+        return error(SWAPPED[axis_names(system)[0]], name=name, values=values, system=system.name)
     if outside:
         return error("coordinates.outside_system", name=name, values=values, system=system.name)
     return error(
@@ -98,13 +100,13 @@ SWAPPED = {
     "X": "coordinates.swapped_geocentric",
     "easting": "coordinates.swapped_projected",
 }
-"""Code of the message that the first two coordinates are exchanged, by the first of `axes_of`."""
+"""Code of the message on exchanged coordinates, by the first of `axis_names`."""
 
 
-def require_near(
+def require_near_trajectory(
     point: Array, system: CoordinateSystem | None, trajectory: LocalTrajectory, name: str | Message
 ) -> Array:
-    """The place of coordinates in the local frame, shape (3,), metres.
+    """Place of coordinates in the local frame, shape (3,), metres; refused if too far away.
 
     Parameters
     ----------
@@ -118,7 +120,7 @@ def require_near(
     InputError
         Where it is too far away.
     """
-    if refusal := too_far(point, system, trajectory, name):
+    if refusal := too_far_message(point, system, trajectory, name):
         raise InputError(refusal)
-    place: Array = local_places(point, system, trajectory)[0]
+    place: Array = to_local_frame(point, system, trajectory)[0]
     return place

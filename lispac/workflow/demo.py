@@ -5,18 +5,18 @@ from pathlib import Path
 import numpy as np
 
 from lispac.language import gettext_lazy
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Role, Settings, Triple
-from lispac.simulation.survey import POINTS_PER_SECOND, port_survey
+from lispac.simulation.simulated_survey import POINTS_PER_SECOND, port_survey
 from lispac.workflow.calibration import estimate
-from lispac.workflow.picking import pick
+from lispac.workflow.picking import pick_target
 from lispac.workflow.projects import save_project
 from lispac.workflow.simulate import (
     RAW,
-    project_of,
-    replacement,
+    as_triple,
+    create_simulated_project,
+    replaced_survey,
     require_replaceable,
-    triple,
     write_lines,
     write_trajectory,
 )
@@ -53,24 +53,28 @@ def make_demo(
     """
     folder = Path(folder).absolute()
     require_replaceable(folder, MARKER)
-    survey = port_survey(points_per_second=points_per_second, progress=part(progress, 0.0, 0.7))
-    with replacement(folder, MARKER, "Built-in survey; each run of the demo replaces it.\n") as new:
+    survey = port_survey(
+        points_per_second=points_per_second, progress=sub_progress(progress, 0.0, 0.7)
+    )
+    with replaced_survey(
+        folder, MARKER, "Built-in survey; each run of the demo replaces it.\n"
+    ) as new:
         write_trajectory(survey, new / RAW)
-        write_lines(survey, new / RAW, progress=part(progress, 0.7, 1.0))
+        write_lines(survey, new / RAW, progress=sub_progress(progress, 0.7, 1.0))
     latitude, longitude, height = survey.origin
     settings = Settings(
-        lever_arm=triple(survey.lever_arm),
+        lever_arm=as_triple(survey.lever_arm),
         origin_deg_m=(float(np.degrees(latitude)), float(np.degrees(longitude)), height),
         lidar_sigma=LIDAR_SIGMA,
         pos_errors="correlated",  # as the errors put in are
     )
     names = [line.name for line in survey.lines]
-    return project_of(folder, names, settings, np.degrees(survey.boresight))
+    return create_simulated_project(folder, names, settings, np.degrees(survey.boresight))
 
 
 def demo_seeds() -> dict[str, tuple[Role, Triple]]:
-    """Where a user would click on the built-in survey: role and local position by name."""
-    from lispac.simulation.port import TARGETS, VALIDATION, port_scene
+    """Seeds of the targets of the built-in survey: role and local position by name."""
+    from lispac.simulation.port_scene import TARGETS, VALIDATION, port_scene
     from lispac.simulation.scene import Rectangle
 
     scene = port_scene()
@@ -83,26 +87,28 @@ def demo_seeds() -> dict[str, tuple[Role, Triple]]:
         for name in names:
             surface = scene[name]
             if isinstance(surface, Rectangle):
-                seeds[name] = (role, triple(surface.centre))
+                seeds[name] = (role, as_triple(surface.centre))
     return seeds
 
 
 def run_demo(folder: Path, *, progress: Progress = no_progress) -> tuple[Project, Survey]:
-    """The whole way: simulate, load, pick, estimate, validate, save."""
-    project = make_demo(folder, progress=part(progress, 0.0, 0.4))
-    return calibrate_demo(project, progress=part(progress, 0.4, 1.0))
+    """Simulate, load, pick, estimate, validate and save the built-in survey."""
+    project = make_demo(folder, progress=sub_progress(progress, 0.0, 0.4))
+    return calibrate_demo(project, progress=sub_progress(progress, 0.4, 1.0))
 
 
 def calibrate_demo(project: Project, *, progress: Progress = no_progress) -> tuple[Project, Survey]:
-    """The built-in survey as it was made, from loading to saving."""
-    survey = load_survey(project, progress=part(progress, 0.0, 0.35))
+    """Calibrate the built-in survey, from loading to saving."""
+    survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.35))
     seeds = demo_seeds()
     for k, (name, (role, seed)) in enumerate(seeds.items()):
-        step = part(progress, 0.35 + 0.3 * k / len(seeds), 0.35 + 0.3 * (k + 1) / len(seeds))
+        step = sub_progress(
+            progress, 0.35 + 0.3 * k / len(seeds), 0.35 + 0.3 * (k + 1) / len(seeds)
+        )
         step(0.0, gettext_lazy("Searching for {target} in every line", target=name))
-        project = pick(project, survey, seed, name=name, role=role)
-    project = estimate(project, survey, progress=part(progress, 0.65, 0.75))
-    project = validate(project, survey, progress=part(progress, 0.75, 1.0))
+        project = pick_target(project, survey, seed, name=name, role=role)
+    project = estimate(project, survey, progress=sub_progress(progress, 0.65, 0.75))
+    project = validate(project, survey, progress=sub_progress(progress, 0.75, 1.0))
     project = save_project(project, expected=project.file_digest)
     progress(1.0)
     return project, survey

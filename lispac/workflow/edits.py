@@ -1,4 +1,4 @@
-"""Edits of a project's targets: each gives a new project."""
+"""Edits of a project's targets, each of which returns a new project."""
 
 from dataclasses import replace
 
@@ -8,13 +8,13 @@ from lispac.project import Project, Role
 
 
 def with_use_of_target(project: Project, name: str, used: bool) -> Project:
-    """Let a target take part, or not."""
+    """Include or exclude a target."""
     target = project.target(name)
     return project if target.used == used else project.with_target(replace(target, used=used))
 
 
 def with_use_of_sighting(project: Project, name: str, line: str, used: bool) -> Project:
-    """Let one sighting take part, or not."""
+    """Include or exclude one sighting."""
     target = project.target(name)
     sighting = target.sighting(line)
     if sighting is None or sighting.used == used:
@@ -25,14 +25,14 @@ def with_use_of_sighting(project: Project, name: str, line: str, used: bool) -> 
 
 
 def with_use_of_line(project: Project, line: str, used: bool) -> Project:
-    """Let every target's sighting on a line take part, or not."""
-    for target in project.of_role("target"):
+    """Include or exclude every target's sighting on a line."""
+    for target in project.targets_of_role("target"):
         project = with_use_of_sighting(project, target.name, line, used)
     return project
 
 
-def with_name(project: Project, old: str, new: str) -> Project:
-    """Rename a target; it keeps its place, and what was computed under its old name goes.
+def with_renamed_target(project: Project, old: str, new: str) -> Project:
+    """Rename a target in its place, and clear the results under its old name.
 
     Raises
     ------
@@ -52,8 +52,8 @@ def with_name(project: Project, old: str, new: str) -> Project:
     return replace(edited, targets=tuple(by_name[name] for name in order))
 
 
-def with_other_role(project: Project, name: str) -> Project:
-    """A target becomes a validation plane, a validation plane a target; it keeps its name.
+def with_switched_role(project: Project, name: str) -> Project:
+    """Change a target into a validation plane or back; it keeps its name.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The report, as it leaves the program."""
+"""Writing and previewing the report."""
 
 from collections.abc import Mapping
 from datetime import UTC, datetime
@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from lispac.errors import InputError
-from lispac.io.files import written_whole
+from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
 from lispac.messages import Level, Message, error
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
 from lispac.report.content import ReportContent, report_content
 from lispac.report.options import USUAL, ReportOptions
-from lispac.workflow.budget import budget_of
-from lispac.workflow.qualities import qualities
+from lispac.workflow.budget import error_budget_of
+from lispac.workflow.sighting_assessment import sighting_qualities
 from lispac.workflow.survey import Survey
 from lispac.workflow.trajectory_quality import trajectory_on_lines
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 REPORT_ENDINGS = (".pdf", ".html", ".json", ".zip")
 
 
-def content_of(
+def report_content_of(
     project: Project,
     survey: Survey,
     *,
@@ -49,9 +49,9 @@ def content_of(
         track_local=tracks,
         notes=(*survey.notes, *read),
         generated=generated or datetime.now(UTC),
-        qualities=qualities(project, survey, progress=progress),
+        qualities=sighting_qualities(project, survey, progress=progress),
         convention=convention,
-        budget=None if project.result is None else budget_of(project, survey),
+        budget=None if project.result is None else error_budget_of(project, survey),
         trajectory=trajectory_on_lines(survey),
         refused=refused,
     )
@@ -88,19 +88,19 @@ def write_report(
     if ending not in REPORT_ENDINGS:
         raise InputError(error("report.ending", file=str(path), formats=REPORT_ENDINGS))
     progress(0.0, gettext_lazy("Collecting the values of the report"))
-    content = content_of(
+    content = report_content_of(
         project, survey, generated=generated, convention=options.convention,
         refused=refused,
-        progress=part(progress, 0.0, 0.3),
+        progress=sub_progress(progress, 0.0, 0.3),
     )  # fmt: skip
     progress(0.3, gettext_lazy("Writing {file}", file=path.name))
-    with written_whole(path) as temporary:
+    with atomic_write(path) as temporary:
         if ending == ".json":
             from lispac.report.json_report import write_json
 
             write_json(content, temporary)
         elif ending == ".zip":
-            from lispac.report.tables import write_tables
+            from lispac.report.csv_tables import write_tables
 
             write_tables(content, temporary, options)
         elif ending == ".html":
@@ -141,9 +141,9 @@ def preview_report(
     from lispac.report.pdf import preview_of
 
     progress(0.0, gettext_lazy("Collecting the values of the report"))
-    content = content_of(
+    content = report_content_of(
         project, survey, convention=options.convention, refused=refused,
-        progress=part(progress, 0.0, 0.5),
+        progress=sub_progress(progress, 0.0, 0.5),
     )  # fmt: skip
     progress(0.5, gettext_lazy("Laying out the pages"))
     preview = preview_of(content, pictures or {}, options, ppi=ppi)
@@ -152,12 +152,12 @@ def preview_report(
 
 
 def save_preview(preview: "Preview", path: Path) -> None:
-    """Write the PDF of what was examined.
+    """Write the PDF of a preview.
 
     Raises
     ------
     InputError
         Where the file cannot be written.
     """
-    with written_whole(path) as temporary:
+    with atomic_write(path) as temporary:
         temporary.write_bytes(preview.pdf)

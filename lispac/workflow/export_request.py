@@ -1,4 +1,4 @@
-"""What leaves the program besides the report: one request, one way to fulfil it."""
+"""Export of data other than the report."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,17 +9,17 @@ from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.exported_files import (
+from lispac.workflow.data_export import (
     SBET_ZEROS,
     export_planes,
     export_targets,
     export_trajectory,
-    trajectory_datum,
+    trajectory_datum_note,
 )
 from lispac.workflow.georeferencing import Which, georeference_project
-from lispac.workflow.line_chunks import Chunks
+from lispac.workflow.line_chunks import LineChunks
+from lispac.workflow.output_crs import LOCAL, output_system
 from lispac.workflow.survey import Survey
-from lispac.workflow.target_systems import LOCAL, target_system
 
 What = Literal["lines", "targets", "planes", "trajectory"]
 ENDINGS: dict[What, tuple[str, ...]] = {
@@ -33,7 +33,7 @@ ENDINGS: dict[What, tuple[str, ...]] = {
 
 @dataclass(frozen=True)
 class ExportRequest:
-    """What to write, and where.
+    """Data, place and form of an export.
 
     Attributes
     ----------
@@ -58,19 +58,19 @@ class ExportRequest:
     epoch: float | None = None
 
 
-def system_of(
+def output_system_of(
     project: Project, trajectory: LocalTrajectory, system: str, height: str = "",
     trajectory_datum: str | None = None, epoch: float | None = None,
 ) -> CoordinateSystem | None:  # fmt: skip
-    """As `lispac.workflow.target_systems.target_system`, for all lines of a project."""
-    chosen = [] if system == LOCAL else [Chunks.of(line) for line in project.lines]
-    return target_system(chosen, trajectory, system, height, trajectory_datum, epoch)
+    """Coordinate system of an export for all lines of a project."""
+    chosen = [] if system == LOCAL else [LineChunks.of(line) for line in project.lines]
+    return output_system(chosen, trajectory, system, height, trajectory_datum, epoch)
 
 
 def export(
     project: Project, survey: Survey, request: ExportRequest, *, progress: Progress = no_progress
 ) -> tuple[list[Path], tuple[Message, ...]]:
-    """Write the selected data.
+    """Write the data of an export request.
 
     Returns
     -------
@@ -82,7 +82,7 @@ def export(
     ------
     InputError
     ProjectError
-        As the functions of `lispac.workflow.exported_files` and `lispac.workflow.georeferencing`.
+        As the functions of `lispac.workflow.data_export` and `lispac.workflow.georeferencing`.
     """
     form: Any = request.form
     if request.what == "lines":
@@ -94,7 +94,7 @@ def export(
         notes = [note for done in written for note in done.notes]
         return [done.path for done in written], tuple(dict.fromkeys(notes))
     if request.what == "targets":
-        system = system_of(
+        system = output_system_of(
             project, survey.trajectory, request.system, request.height,
             request.trajectory_datum, request.epoch,
         )  # fmt: skip
@@ -108,4 +108,4 @@ def export(
         return paths, ()
     path = export_trajectory(project, request.output, form)
     zeros = (SBET_ZEROS,) if form == "sbet" else ()
-    return [path], (trajectory_datum(project), *zeros)
+    return [path], (trajectory_datum_note(project), *zeros)

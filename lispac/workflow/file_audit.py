@@ -4,15 +4,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from lispac.errors import LispacError
-from lispac.io.points import FRAME, SCANNER
-from lispac.io.registry import Choice, Format
+from lispac.io.format_types import Choice, FileFormat
+from lispac.io.point_reading import FRAME, SCANNER
 from lispac.language import gettext_lazy
 from lispac.messages import Level, Message
 from lispac.progress import Progress, no_progress
 from lispac.survey.audit_messages import line_messages
 from lispac.survey.line_audit import LineAudit
-from lispac.survey.screening import PointScreen, PointSelection
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
+from lispac.survey.point_screening import PointScreen, PointSelection
 from lispac.workflow.line_points import read_chunks
 
 MOST_AUDITED = 20_000_000
@@ -21,7 +21,7 @@ MOST_AUDITED = 20_000_000
 
 @dataclass(frozen=True)
 class FileAudit:
-    """What was found in the points of a file.
+    """Result of the audit of the points of a file.
 
     Attributes
     ----------
@@ -37,9 +37,9 @@ class FileAudit:
     messages: tuple[Message, ...]
 
 
-def file_audit(
+def audit_file(
     path: Path,
-    format: Format,
+    format: FileFormat,
     options: Choice,
     *,
     most: int = MOST_AUDITED,
@@ -49,7 +49,7 @@ def file_audit(
 
     Parameters
     ----------
-    format : Format
+    format : FileFormat
         Of points.
     options : mapping
         Of the format.
@@ -85,11 +85,11 @@ def file_audit(
     return FileAudit(audit, frozenset(attributes), messages)
 
 
-def audit_messages_of(
-    path: Path, format: Format, options: Choice, *, progress: Progress = no_progress
+def audit_messages(
+    path: Path, format: FileFormat, options: Choice, *, progress: Progress = no_progress
 ) -> tuple[Message, ...]:
     """Messages about the points of a file; none where they cannot be read, which others state."""
     try:
-        return file_audit(path, format, options, progress=progress).messages
+        return audit_file(path, format, options, progress=progress).messages
     except LispacError:
         return ()

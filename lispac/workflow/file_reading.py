@@ -8,16 +8,22 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
-from lispac.io.files import message_about, require_file
-from lispac.io.formats import format_of, is_las, recognised
+from lispac.io.files import message_with_file_name, require_file
+from lispac.io.format_types import LIKELY, Choice, FileFormat, FilePreview, Kind
+from lispac.io.formats import format_of, is_las, recognise_formats
 from lispac.io.las import ASSUMPTIONS as LAS_ASSUMPTIONS
-from lispac.io.points import CHOOSE_FRAME, NO_SYSTEM, SCANNER, require_filled, system_of
-from lispac.io.registry import LIKELY, Choice, Finding, Format, Kind
+from lispac.io.point_reading import (
+    CHOOSE_FRAME,
+    NO_SYSTEM,
+    SCANNER,
+    crs_of_options,
+    require_not_empty,
+)
 from lispac.io.sbet import read_sbet, read_smrmsg
-from lispac.io.static_scan import without_time
+from lispac.io.static_scan import has_no_time
 from lispac.messages import Message, error, note, warning
 from lispac.project import LineSource, Project, Reading
-from lispac.survey.source import printable
+from lispac.survey.line_source import printable
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
 
 FARTHEST_ORIGIN = 100_000.0
@@ -39,53 +45,55 @@ _UNKNOWN_OF_KIND: Mapping[Kind, str] = {
 
 @dataclass(frozen=True)
 class FileCheck:
-    """What a file seems to be.
+    """Preview of a file in one format that it may have.
 
     Attributes
     ----------
-    format : Format
+    format : FileFormat
     sureness : float, 0 to 1
-    finding : Finding or None
+    finding : FilePreview or None
     error : Message or None
         Why it cannot be read, where there is no finding.
     """
 
-    format: Format
+    format: FileFormat
     sureness: float
-    finding: Finding | None
+    finding: FilePreview | None
     error: Message | None = None
 
 
-def looks(
+def check_file(
     path: Path, kinds: tuple[Kind, ...] = ("trajectory", "accuracy", "points")
 ) -> list[FileCheck]:
-    """Examine a file as each possible format, the most likely first.
+    """Check a file in each format that it may have, the most likely first.
 
     Raises
     ------
     InputError
         Where the file is missing or empty, no format knows it, or it is a cloud without time.
     """
-    path = require_filled(Path(path), "survey")
-    found = [(format, sure) for kind in kinds for format, sure in recognised(path, kind)]
-    if without_time(path, or_text=not found):
+    path = require_not_empty(Path(path), "survey")
+    found = [(format, sure) for kind in kinds for format, sure in recognise_formats(path, kind)]
+    if has_no_time(path, or_text=not found):
         raise InputError(error("import.points_without_time", file=str(path)))
     if not found:
         raise InputError(error("import.unknown_format", file=str(path)))
     found.sort(key=lambda pair: -pair[1])
     surest = found[0][1]
-    return [_look(path, format, sure) for format, sure in found if sure >= min(surest, LIKELY)]
+    return [
+        _check_format(path, format, sure) for format, sure in found if sure >= min(surest, LIKELY)
+    ]
 
 
-def _look(path: Path, format: Format, sure: float) -> FileCheck:
+def _check_format(path: Path, format: FileFormat, sure: float) -> FileCheck:
     try:
         return FileCheck(format, sure, format.look(path, {}))
     except InputError as refused:
-        return FileCheck(format, sure, None, message_about(refused, path))
+        return FileCheck(format, sure, None, message_with_file_name(refused, path))
 
 
-def looked_at(path: Path, format: Format, stated: Choice) -> Finding:
-    """Examine a file with the options that the user gives.
+def preview_with_options(path: Path, format: FileFormat, stated: Choice) -> FilePreview:
+    """Preview of a file with the options that the user gives.
 
     There is no warning about a missing coordinate system where one is given, and a warning where
     the one given is not used.
@@ -108,8 +116,8 @@ def looked_at(path: Path, format: Format, stated: Choice) -> Finding:
     return replace(finding, doubts=(*finding.doubts, unused))
 
 
-def settled(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[Message, ...]]:
-    """Determine the reading options of a file: given ones, and others detected in it.
+def detect_reading(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[Message, ...]]:
+    """Complete how a file is read: the given options, and the detected ones for the rest.
 
     Returns
     -------
@@ -128,12 +136,12 @@ def settled(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[Mess
         if format.kind != kind:
             raise InputError(error(_NOT_OF_KIND[kind], file=str(path), format=format.name))
     else:
-        found = recognised(path, kind)
+        found = recognise_formats(path, kind)
         if not found:
             raise InputError(error(_UNKNOWN_OF_KIND[kind], file=str(path)))
         format = found[0][0]
     stated = dict(given.options)
-    finding = looked_at(path, format, stated)
+    finding = preview_with_options(path, format, stated)
     choice = format.settled({**finding.choice, **stated})
     messages = list(finding.doubts)
     detected = [f"{name}={value}" for name, value in choice.items() if value and name not in stated]
@@ -148,10 +156,10 @@ READ_AS = "import.read_as"
 """Code of the note on the options that were detected."""
 
 
-def usual_or_settled(
+def usual_or_detected_reading(
     path: Path, kind: Kind, given: Reading, *, columns: bool = False
 ) -> tuple[Reading, tuple[Message, ...]]:
-    """As `settled`, but the default options if the file agrees with them.
+    """Complete how a file is read, or keep the defaults if the file agrees with them.
 
     Parameters
     ----------
@@ -163,15 +171,15 @@ def usual_or_settled(
     InputError
     """
     if columns and not given.format and not given.options:
-        found = recognised(path, kind)
+        found = recognise_formats(path, kind)
         if not found or found[0][0].key == "text":
             return given, ()
-    if not given.format and not given.options and not recognised(path, kind):
+    if not given.format and not given.options and not recognise_formats(path, kind):
         return given, ()  # the usual reader gives the best message for a damaged file
-    reading, messages = settled(path, kind, given)
+    reading, messages = detect_reading(path, kind, given)
     usual = USUAL[kind]
     own = reading.format == usual and not given.format and not given.options
-    if own and _agrees(reading, usual):
+    if own and _agrees_with_usual(reading, usual):
         kept = tuple(each for each in messages if each.code != READ_AS)
         return replace(reading, format="", options=()), kept
     return reading, messages
@@ -185,7 +193,7 @@ BESIDE = ("axes", "time", "time_base", "crs", "height_unit")
 from time bases is a shift of the line's times (`stated_times`)."""
 
 
-def _agrees(reading: Reading, key: str) -> bool:
+def _agrees_with_usual(reading: Reading, key: str) -> bool:
     usual = {name: value for name, value in format_of(key).settled({}).items() if value != ""}
     found = dict(reading.options)
     return {k: v for k, v in found.items() if k not in BESIDE} == {
@@ -194,7 +202,7 @@ def _agrees(reading: Reading, key: str) -> bool:
 
 
 def read_trajectory(path: Path, reading: Reading) -> Trajectory:
-    """Read a trajectory; SBET in the Applanix convention by default.
+    """Read a trajectory, by default as SBET in Applanix's convention.
 
     Raises
     ------
@@ -228,7 +236,7 @@ def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[Message, 
 
 
 def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:
-    """Read a trajectory's accuracies; smrmsg by default.
+    """Read a trajectory's accuracies, by default as smrmsg.
 
     Raises
     ------
@@ -241,15 +249,15 @@ def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:
     return found
 
 
-def format_of_line(line: LineSource) -> tuple[Format, Choice, tuple[Message, ...]]:
-    """How a line is read in chunks, with what options, and what that takes for granted."""
+def format_of_line(line: LineSource) -> tuple[FileFormat, Choice, tuple[Message, ...]]:
+    """Format of a line, its options, and the assumptions of its reader."""
     if line.reading.format:
         format = format_of(line.reading.format)
         choice: Choice = format.settled(dict(line.reading.options))
         assumed: tuple[Message, ...] = (
             note("assumed.format", file=printable(line.path.name), format=format.name),
         )
-        if system_of(choice, line.path) is None:
+        if crs_of_options(choice, line.path) is None:
             assumed += (note("assumed.scanner_frame"),)
         return format, choice, assumed
     if is_las(line.path):

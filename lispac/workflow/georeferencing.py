@@ -9,25 +9,25 @@ from typing import Literal
 import numpy as np
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.files import require_file, written_whole
-from lispac.io.las_export import Pattern, pattern_of_las
-from lispac.io.points import CHUNK
-from lispac.io.registry import PointChunk
+from lispac.io.files import atomic_write, require_file
+from lispac.io.format_types import PointChunk
+from lispac.io.las_export import RecordLayout, layout_of_las
+from lispac.io.point_reading import CHUNK
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.crs import CoordinateSystem
-from lispac.survey.mapping import PointMapper
-from lispac.survey.recovery import Recovery
-from lispac.survey.source import USUAL
-from lispac.survey.store.reading import StoredLine
-from lispac.workflow.clouds import WrittenLine, write_cloud
+from lispac.survey.line_source import USUAL
+from lispac.survey.point_mapping import PointMapper
+from lispac.survey.scanner_frame_recovery import RecoverySetup
+from lispac.survey.store.stored_line import StoredLine
+from lispac.workflow.cloud_export import WrittenLine, write_cloud
 from lispac.workflow.file_reading import local_trajectory
-from lispac.workflow.importing import kept_header, line_folder, stored_line
-from lispac.workflow.line_chunks import Chunks
+from lispac.workflow.line_chunks import LineChunks
+from lispac.workflow.line_import import line_folder, open_stored_line, stored_header
 from lispac.workflow.line_points import mounting_of_cloud
-from lispac.workflow.target_systems import target_system
+from lispac.workflow.output_crs import output_system
 
 Which = Literal["prior", "estimated"]
 Ending = Literal["laz", "las"]
@@ -76,39 +76,39 @@ def georeference_project(
         Where there is no such line, or nothing has been estimated.
     """
     mounting = project.mounting(which)
-    chosen = [Chunks.of(line) for line in _lines(project, lines)]
+    chosen = [LineChunks.of(line) for line in _chosen_lines(project, lines)]
     trajectory, _ = local_trajectory(project)
-    target = target_system(chosen, trajectory, system, height, trajectory_datum, epoch)
+    target = output_system(chosen, trajectory, system, height, trajectory_datum, epoch)
     paths = [output / f"{chunks.line.name}_{which}.{ending}" for chunks in chosen]
-    require_other_files(project, paths)
+    require_no_overwrite(project, paths)
     way = PointMapper(target, trajectory, mounting)
     stores = {} if sources is None else dict(sources)
-    gone: dict[str, Pattern | None] = {}
+    gone: dict[str, RecordLayout | None] = {}
     for chunks in chosen:
         if not chunks.line.path.exists() and chunks.line.name not in stores:
-            stored = stored_line(project, chunks.line, trajectory)
+            stored = open_stored_line(project, chunks.line, trajectory)
             stores[chunks.line.name] = stored_chunks(stored, chunks.line.reading)
-            gone[chunks.line.name] = _kept_pattern(stored, chunks.line.path)
+            gone[chunks.line.name] = _stored_layout(stored, chunks.line.path)
     sizes = [c.line.path.stat().st_size + 1 if c.line.path.exists() else 1 for c in chosen]
     written: list[WrittenLine] = []
-    made = _missing_folders(output)
+    made = _folders_to_create(output)
     try:
         with ExitStack() as stack:
             for k, (chunks, path) in enumerate(zip(chosen, paths, strict=True)):
                 start, stop = sum(sizes[:k]) / sum(sizes), sum(sizes[: k + 1]) / sum(sizes)
-                step = part(progress, start, stop)
+                step = sub_progress(progress, start, stop)
                 step(0.0, gettext_lazy("Writing {file}", file=path.name))
                 own = stores.get(chunks.line.name)
                 recovery = None
                 if chunks.system is not None and own is None:
                     made_with, _ = mounting_of_cloud(chunks.line, project.mounting("prior"))
-                    recovery = Recovery(chunks.system, trajectory, made_with, chunks.line.path)
+                    recovery = RecoverySetup(chunks.system, trajectory, made_with, chunks.line.path)
                 done = write_cloud(
                     chunks if own is None else own,
-                    stack.enter_context(written_whole(path)),
+                    stack.enter_context(atomic_write(path)),
                     path,
                     way,
-                    _pattern_of(chunks, gone.get(chunks.line.name)),
+                    _layout_function(chunks, gone.get(chunks.line.name)),
                     reading=chunks.line.reading,
                     recovery=recovery,
                     compressed=ending == "laz",
@@ -129,20 +129,22 @@ def georeference_project(
     return written
 
 
-def _kept_pattern(stored: StoredLine, path: Path) -> Pattern | None:
-    """What the records of the line's file looked like, where that was kept at the import."""
-    header = kept_header(stored)
+def _stored_layout(stored: StoredLine, path: Path) -> RecordLayout | None:
+    """Record layout of the line's file, if it was stored at the import."""
+    header = stored_header(stored)
     try:
-        return None if header is None else pattern_of_las(header, path)
+        return None if header is None else layout_of_las(header, path)
     except InputError:
         return None  # damaged: the points are all there, and what is missing is said
 
 
-def _pattern_of(chunks: Chunks, kept: Pattern | None) -> Callable[[PointChunk], Pattern]:
+def _layout_function(
+    chunks: LineChunks, kept: RecordLayout | None
+) -> Callable[[PointChunk], RecordLayout]:
     return chunks.pattern if kept is None else lambda first: kept
 
 
-def _lines(project: Project, names: Sequence[str]) -> list[LineSource]:
+def _chosen_lines(project: Project, names: Sequence[str]) -> list[LineSource]:
     known = {line.name: line for line in project.lines}
     for name in names:
         if name not in known:
@@ -169,7 +171,7 @@ def stored_chunks(stored: StoredLine, reading: Reading = USUAL) -> Iterator[Poin
         rows = slice(start, start + CHUNK)
         yield PointChunk(
             np.asarray(stored.points_lidar[rows], dtype=np.float64),
-            reading.moved_back(np.array(stored.time[rows])),
+            reading.to_file_time(np.array(stored.time[rows])),
             {name: np.asarray(values[rows]) for name, values in stored.extra.items()},
             len(stored),
         )
@@ -179,8 +181,8 @@ def _assumptions(target: CoordinateSystem | None) -> tuple[Message, ...]:
     return (note("assumed.local_frame"),) if target is None else target.assumptions
 
 
-def require_other_files(project: Project, paths: Sequence[Path]) -> None:
-    """Refuse to write over what the project is made from.
+def require_no_overwrite(project: Project, paths: Sequence[Path]) -> None:
+    """Refuse to overwrite the files of the project.
 
     Raises
     ------
@@ -194,7 +196,7 @@ def require_other_files(project: Project, paths: Sequence[Path]) -> None:
             raise InputError(error("export.own_file", file=str(path)))
 
 
-def _missing_folders(folder: Path) -> list[Path]:
+def _folders_to_create(folder: Path) -> list[Path]:
     """The folders that will be made, the innermost first."""
     folder = Path(folder)
     return [place for place in (folder, *folder.parents) if not place.exists()]

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from lispac.adjustment.message_parts import quantity
+from lispac.adjustment.message_parts import mounting_value_name
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError, ProjectError
 from lispac.io.project_file import FILE_NAME
@@ -20,8 +20,8 @@ from lispac.project import Project
 from lispac.validation.control_chart import ChartedCalibration, control_chart
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.projects import open_project
-from lispac.workflow.repeated_surveys import names_of, remarks_on
-from lispac.workflow.same_lines import same_lines
+from lispac.workflow.repeated_surveys import comparability_remarks, distinct_names
+from lispac.workflow.shared_lines import has_same_lines
 from lispac.workflow.survey_dates import survey_dates
 
 _DAY = re.compile(r"(\d{4})-(\d{2})-(\d{2})")
@@ -30,7 +30,7 @@ SYSTEM = ("vessel", "scanner", "scanner_serial", "pos", "pos_serial")
 
 
 @dataclass(frozen=True)
-class System:
+class CalibratedSystem:
     """A scanner and an INS/GNSS on a vessel, as the projects name them; blank where they do not."""
 
     vessel: str = ""
@@ -40,8 +40,8 @@ class System:
     pos_serial: str = ""
 
     @classmethod
-    def of(cls, project: Project) -> "System":
-        """That of a project."""
+    def of(cls, project: Project) -> "CalibratedSystem":
+        """System of a project."""
         return cls(*(getattr(project.identity, name) for name in SYSTEM))
 
     @property
@@ -55,15 +55,15 @@ class System:
         said = ", ".join(part.strip() for part in parts if part.strip())
         return said or gettext("unnamed system")
 
-    def same(self, other: "System") -> bool:
-        """Whether the two have the same names, whatever capitals and blanks they are written in."""
-        return [_key(getattr(self, name)) for name in SYSTEM] == [
-            _key(getattr(other, name)) for name in SYSTEM
+    def is_same_system(self, other: "CalibratedSystem") -> bool:
+        """True if both systems have the same names, regardless of capitals and blanks."""
+        return [_normalised_name(getattr(self, name)) for name in SYSTEM] == [
+            _normalised_name(getattr(other, name)) for name in SYSTEM
         ]
 
 
 @dataclass(frozen=True, eq=False)
-class Entry:
+class HistoryEntry:
     """One calibration of the history."""
 
     project: Project
@@ -73,14 +73,14 @@ class Entry:
 
 @dataclass(frozen=True, eq=False)
 class History:
-    """The calibrations of one system, the earliest first, with remarks."""
+    """Calibrations of one system, the earliest first, with remarks."""
 
-    system: System
-    entries: tuple[Entry, ...]
+    system: CalibratedSystem
+    entries: tuple[HistoryEntry, ...]
     remarks: tuple[Message, ...] = ()
 
 
-def projects_in(folders: Sequence[Path]) -> tuple[list[Path], list[Message]]:
+def find_projects(folders: Sequence[Path]) -> tuple[list[Path], list[Message]]:
     """Folders of all projects in these folders, at any depth.
 
     Returns
@@ -114,7 +114,7 @@ def projects_in(folders: Sequence[Path]) -> tuple[list[Path], list[Message]]:
     return list(found), unreadable
 
 
-def histories(
+def read_histories(
     folders: Sequence[Path],
     *,
     vessel: str | None = None,
@@ -140,7 +140,7 @@ def histories(
         No project in the folders, or none with an answer and a date.
     """
     open_ones = {project.folder.resolve(): project for project in also}
-    inside, unreadable = projects_in(folders)
+    inside, unreadable = find_projects(folders)
     paths = [path for path in inside if path.resolve() not in open_ones]
     known: list[tuple[date, Project]] = []
     excluded: list[Message | str] = [*unreadable]
@@ -152,8 +152,10 @@ def histories(
         except LispacError as failure:
             excluded.append(failure.reason)
     for project in projects:
-        day = _day_of(project)
-        if vessel is not None and _key(project.identity.vessel) != _key(vessel):
+        day = _survey_date(project)
+        if vessel is not None and _normalised_name(project.identity.vessel) != _normalised_name(
+            vessel
+        ):
             continue
         if project.result is None:
             excluded.append(note("history.no_result", project=project.name))
@@ -167,7 +169,7 @@ def histories(
         else:
             known.append((day, project))
     if not known:
-        raise ProjectError(_nothing(vessel, excluded))
+        raise ProjectError(_no_calibration_message(vessel, excluded))
     # Of two on the same lines the one that is open counts.
     known.sort(
         key=lambda each: (
@@ -176,19 +178,23 @@ def histories(
     )  # fmt: skip
     groups: list[list[tuple[date, Project]]] = []
     for each in known:
-        system = System.of(each[1])
-        group = next((g for g in groups if System.of(g[0][1]).same(system)), None)
+        system = CalibratedSystem.of(each[1])
+        group = next(
+            (g for g in groups if CalibratedSystem.of(g[0][1]).is_same_system(system)), None
+        )
         if group is None:
             groups.append(group := [])
         group.append(each)
-    found = sorted((_history(group) for group in groups), key=lambda each: -len(each.entries))
+    found = sorted(
+        (_system_history(group) for group in groups), key=lambda each: -len(each.entries)
+    )
     progress(1.0)
     remarks = tuple(note("history.excluded", reason=each) for each in excluded)
     return tuple(found), remarks
 
 
-def verdict(entry: Entry) -> Message:
-    """A calibration compared with the earlier ones."""
+def change_message(entry: HistoryEntry) -> Message:
+    """Message that compares a calibration with the earlier ones."""
     charted = entry.charted
     name, change = charted.calibration.name, charted.change
     if change is None:
@@ -196,7 +202,7 @@ def verdict(entry: Entry) -> Message:
     largest = int(np.argmax(np.abs(change.significance)))
     difference = note(
         "item.angle_changed",
-        angle=quantity(ANGLES[largest]), change=float(change.angles[largest]),
+        angle=mounting_value_name(ANGLES[largest]), change=float(change.angles[largest]),
         ratio=float(abs(change.significance[largest])),
     )  # fmt: skip
     if charted.moved:
@@ -204,34 +210,35 @@ def verdict(entry: Entry) -> Message:
     return note("history.within_limits", name=name, difference=difference)
 
 
-def _history(group: Sequence[tuple[date, Project]]) -> History:
-    group, remarks = _once(group)
+def _system_history(group: Sequence[tuple[date, Project]]) -> History:
+    group, remarks = _without_repeated_surveys(group)
     projects = [project for _, project in group]
-    names = names_of(projects)
+    names = distinct_names(projects)
     chart = control_chart([
         Calibration(name, project.result.boresight, project.result.covariance)
         for name, project in zip(names, projects, strict=True)
         if project.result is not None
     ])  # fmt: skip
     for k in range(1, len(projects)):
-        remarks += remarks_on(names[k - 1 : k + 1], projects[k - 1 : k + 1])
-    system = System.of(projects[0])
+        remarks += comparability_remarks(names[k - 1 : k + 1], projects[k - 1 : k + 1])
+    system = CalibratedSystem.of(projects[0])
     if not any(getattr(system, name) for name in SYSTEM):
         remarks.append(note("history.unnamed_system"))
     entries = [
-        Entry(project, day, charted) for (day, project), charted in zip(group, chart, strict=True)
+        HistoryEntry(project, day, charted)
+        for (day, project), charted in zip(group, chart, strict=True)
     ]
     return History(system, tuple(entries), tuple(remarks))
 
 
-def _once(
+def _without_repeated_surveys(
     group: Sequence[tuple[date, Project]],
 ) -> tuple[list[tuple[date, Project]], list[Message]]:
-    """Each survey once: a second project on the same lines adds no information."""
+    """Projects without those on the lines of an earlier one, and notes on these."""
     kept: list[tuple[date, Project]] = []
     remarks = []
     for day, project in group:
-        same = [known for _, known in kept if same_lines(known, project)]
+        same = [known for _, known in kept if has_same_lines(known, project)]
         if same:
             remarks.append(
                 note("history.same_lines", folder=str(project.folder), other=str(same[0].folder))
@@ -241,7 +248,7 @@ def _once(
     return kept, remarks
 
 
-def day_in(text: str) -> date | None:
+def first_date_in(text: str) -> date | None:
     """The first day in a text, like 2026-03-04."""
     for found in _DAY.finditer(text):
         try:
@@ -251,13 +258,13 @@ def day_in(text: str) -> date | None:
     return None
 
 
-def _day_of(project: Project) -> date | None:
-    """First day of the survey: as given, or else from the times of the lines."""
-    return day_in(project.identity.dates or survey_dates(project))
+def _survey_date(project: Project) -> date | None:
+    """First day of the survey: as given, or by the times of the lines."""
+    return first_date_in(project.identity.dates or survey_dates(project))
 
 
-def _nothing(vessel: str | None, excluded: Sequence[Message | str]) -> Message:
-    """That no calibration was found, and why projects are not used."""
+def _no_calibration_message(vessel: str | None, excluded: Sequence[Message | str]) -> Message:
+    """Error that no calibration was found, with the reasons for excluded projects."""
     found = error("history.none") if vessel is None else error(
         "history.none_of_vessel", vessel=vessel
     )  # fmt: skip
@@ -266,5 +273,5 @@ def _nothing(vessel: str | None, excluded: Sequence[Message | str]) -> Message:
     return found
 
 
-def _key(text: str) -> str:
+def _normalised_name(text: str) -> str:
     return " ".join(text.casefold().split())

@@ -1,25 +1,25 @@
-"""A line chunk by chunk from its file, with how it is read."""
+"""Chunks of a line from its file, with its format and options."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from lispac.io.format_types import Choice, FileFormat, PointChunk
 from lispac.io.formats import format_of, is_las
-from lispac.io.las_export import Pattern, pattern_of_columns, pattern_of_las
-from lispac.io.points import system_of
-from lispac.io.registry import Choice, Format, PointChunk
+from lispac.io.las_export import RecordLayout, layout_of_columns, layout_of_las
+from lispac.io.point_reading import crs_of_options
 from lispac.project import LineSource
 from lispac.survey.crs import CoordinateSystem
-from lispac.workflow.line_points import read_chunks, screened
+from lispac.workflow.line_points import read_chunks, screen_chunks
 
 
 @dataclass(frozen=True, eq=False)
-class Chunks:
-    """A line as it comes in, chunk by chunk, from its file.
+class LineChunks:
+    """A line read chunk by chunk from its file.
 
     Attributes
     ----------
     line : LineSource
-    format : Format
+    format : FileFormat
     choice : mapping
         Complete reading options of the file.
     system : CoordinateSystem or None
@@ -27,13 +27,13 @@ class Chunks:
     """
 
     line: LineSource
-    format: Format
+    format: FileFormat
     choice: Choice
     system: CoordinateSystem | None
 
     @classmethod
-    def of(cls, line: LineSource) -> "Chunks":
-        """How a line of a project is read."""
+    def of(cls, line: LineSource) -> "LineChunks":
+        """Chunks of a line of a project, with the options that it is read with."""
         given = dict(line.reading.options)
         if line.reading.format:
             format = format_of(line.reading.format)
@@ -43,14 +43,14 @@ class Chunks:
             format = format_of("text")
             given = {"columns": " ".join(name.strip().lower() for name in line.columns)}
         choice = format.settled(given)
-        return cls(line, format, choice, system_of(choice, line.path))
+        return cls(line, format, choice, crs_of_options(choice, line.path))
 
     def __iter__(self) -> Iterator[PointChunk]:
         chunks = read_chunks(self.format.read(self.line.path, self.choice))
-        yield from screened(chunks, self.choice, self.line.path)
+        yield from screen_chunks(chunks, self.choice, self.line.path)
 
-    def pattern(self, first: PointChunk) -> Pattern:
-        """Layout of the records of its cloud."""
+    def pattern(self, first: PointChunk) -> RecordLayout:
+        """Layout of the records of the line's cloud."""
         if self.format.key == "las" and self.line.path.exists():
-            return pattern_of_las(self.line.path)
-        return pattern_of_columns(first, standard_time=self.choice["time_base"] == "gps-adjusted")
+            return layout_of_las(self.line.path)
+        return layout_of_columns(first, standard_time=self.choice["time_base"] == "gps-adjusted")

@@ -12,26 +12,26 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.causes import Cause
 from lispac.errors import InputError
-from lispac.io.cloud_record import CloudRecord
-from lispac.io.points import require_times, system_of
-from lispac.io.registry import Choice, PointChunk
+from lispac.io.format_types import Choice, PointChunk
+from lispac.io.mounting_record import MountingRecord
+from lispac.io.point_reading import crs_of_options, require_distinct_times
 from lispac.messages import Level, Message, error
 from lispac.project import LineSource
 from lispac.survey.audit_messages import has_several_scanners
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.line_audit import LineAudit
-from lispac.survey.recovery import Recovery, require_scanner_frame
-from lispac.survey.recovery_check import Sample, recovery_messages, ring_of
+from lispac.survey.line_source import printable
+from lispac.survey.point_screening import PointScreen, PointSelection
 from lispac.survey.scan import Scan
-from lispac.survey.screening import PointScreen, PointSelection
-from lispac.survey.source import printable
-from lispac.survey.store.pieces import Piece
-from lispac.survey.time_quality import Coverage, coverage, exclusion_notes, joined
+from lispac.survey.scanner_frame_recovery import RecoverySetup, require_scanner_frame
+from lispac.survey.scanner_frame_recovery_check import LineSample, recovery_messages, ring_numbers
+from lispac.survey.store.point_blocks import PointPiece
+from lispac.survey.time_quality import Coverage, assess_coverage, exclusion_notes, join_coverages
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.warning_causes import Cause
 from lispac.workflow.file_reading import format_of_line
-from lispac.workflow.offers import gain_note, outside
+from lispac.workflow.time_shift_advice import outside_trajectory_message, shift_gain_note
 
 Array = NDArray[np.float64]
 
@@ -45,7 +45,7 @@ FEW_COPIES = 0.01
 
 @dataclass(frozen=True)
 class LineFindings:
-    """What was found in the points of a line.
+    """Findings in the points of a line.
 
     Attributes
     ----------
@@ -58,8 +58,8 @@ class LineFindings:
     recovery: tuple[Message, ...] = ()
 
 
-class FarCopies(Exception):
-    """The line holds copies of points that lie far before them in the file."""
+class DistantDuplicates(Exception):
+    """Error that the line contains copies of points far apart in the file."""
 
 
 OTHER_LEVER_ARM = 0.001
@@ -76,7 +76,7 @@ def mounting_of_cloud(line: LineSource, prior: Mounting) -> tuple[Mounting, tupl
     prior : Mounting
         Of the project.
     """
-    record = CloudRecord.read(line.path)
+    record = MountingRecord.read(line.path)
     if record is None:
         return prior, ()
     made, subject = record.mounting, Cause.of_line(line.name)
@@ -136,29 +136,29 @@ class LinePoints:
         self._format, self._choice, assumptions = format_of_line(line)
         settled = self._format.settled(self._choice)
         self._selection = PointSelection.of(settled)
-        system = system_of(settled, line.path)
-        self.recovery: Recovery | None = None
+        system = crs_of_options(settled, line.path)
+        self.recovery: RecoverySetup | None = None
         self._recorded: tuple[Message, ...] = ()
         if system is not None:
             made, self._recorded = mounting_of_cloud(line, mounting)
-            self.recovery = Recovery(system, trajectory, made, line.path)
+            self.recovery = RecoverySetup(system, trajectory, made, line.path)
             self._latency = made.latency
             assumptions += self.recovery.assumptions
         self._assumptions = assumptions
         self._screen = self._new_screen()
         self._covered: list[Coverage] = []
         self._times: list[Array] = []
-        self._samples: list[Sample] = []
+        self._samples: list[LineSample] = []
         self._without_pose = 0
 
-    def pieces(self) -> Iterator[Piece]:
+    def pieces(self) -> Iterator[PointPiece]:
         """The points, in the order of the file; ``index`` is the place of each point in the file.
 
         Raises
         ------
         InputError
             Where the file is missing or damaged, or none of its points can be used.
-        FarCopies
+        DistantDuplicates
             At the end, where copies far apart were found and are not excluded.
         """
         self._screen = self._new_screen()
@@ -167,15 +167,17 @@ class LinePoints:
         for chunk in read_chunks(self._format.read(self.line.path, self._choice)):
             index = np.arange(read, read + len(chunk.time))
             read += len(chunk.time)
-            piece = self._piece(chunk, index, read)
+            piece = self._usable_piece(chunk, index, read)
             used += len(piece)
             yield piece
         if not used:
-            raise InputError(self._why_empty(read))
+            raise InputError(self._no_points_message(read))
         times = np.concatenate(self._times)
-        require_times(float(np.nanmin(times)), float(np.nanmax(times)), read, self.line.path)
+        require_distinct_times(
+            float(np.nanmin(times)), float(np.nanmax(times)), read, self.line.path
+        )
         if not self._far_copies and self._screen.result().repeated > FEW_COPIES:
-            raise FarCopies
+            raise DistantDuplicates
 
     @property
     def audit(self) -> LineAudit:
@@ -184,7 +186,7 @@ class LinePoints:
 
     @property
     def found(self) -> "LineFindings":
-        """What was found in the points, once they are read."""
+        """Findings in the points, after they are read."""
         return LineFindings(self.audit, self.recovery_messages)
 
     @property
@@ -194,19 +196,19 @@ class LinePoints:
             return ()
         if has_several_scanners(self.audit):
             return self._recorded  # one mounting does not fit them; the audit reports this
-        whole = Sample.joined(self._samples)
+        whole = LineSample.joined(self._samples)
         return (*self._recorded, *recovery_messages(self.line.name, whole, self.recovery))
 
     @property
     def assumptions(self) -> tuple[Message, ...]:
-        """What the reader takes for granted, and which points have no pose."""
+        """Assumptions of the reader, and a note on points without a pose."""
         if not self._without_pose:
             return self._assumptions
         excluded = exclusion_notes(
-            joined(self._covered), self._without_pose, printable(self.line.path.name)
+            join_coverages(self._covered), self._without_pose, printable(self.line.path.name)
         )
         times = np.concatenate(self._times) if self._times else np.zeros(0)
-        more = gain_note(self.line, times[np.isfinite(times)], self.trajectory.time)
+        more = shift_gain_note(self.line, times[np.isfinite(times)], self.trajectory.time)
         return (*self._assumptions, *excluded, *(() if more is None else (more,)))
 
     # -- parts -------------------------------------------------------------------------------
@@ -216,12 +218,12 @@ class LinePoints:
             self._selection, ranged=self.recovery is None, far_copies=self._far_copies
         )
 
-    def _piece(self, chunk: PointChunk, index: NDArray[np.int64], read: int) -> Piece:
-        """What is usable of a chunk, in the LiDAR frame and the trajectory's time base."""
+    def _usable_piece(self, chunk: PointChunk, index: NDArray[np.int64], read: int) -> PointPiece:
+        """Usable points of a chunk, in the LiDAR frame and the trajectory's time base."""
         if self.recovery is None:
             require_scanner_frame(chunk.xyz, self.line.path)
         time = self.line.reading.moved(chunk.time)
-        used = self._screen(chunk.time, chunk.xyz, chunk.extra) & self._with_pose(time)
+        used = self._screen(chunk.time, chunk.xyz, chunk.extra) & self._pose_mask(time)
         points = chunk.xyz if used.all() else chunk.xyz[used]
         if self.recovery is not None:
             self._keep_sample(points, time[used], used, chunk.extra)
@@ -235,7 +237,7 @@ class LinePoints:
         if not used.all():
             extra = {name: values[used] for name, values in extra.items()}
             time, index = time[used], index[used]
-        return Piece(points, time, index, extra, read, chunk.total)
+        return PointPiece(points, time, index, extra, read, chunk.total)
 
     def _keep_sample(
         self, points_map: Array, time: Array, used: NDArray[np.bool_],
@@ -245,13 +247,13 @@ class LinePoints:
         if len(self._samples) >= MOST_SAMPLES:
             return
         step = slice(None, None, 1 + len(time) // SAMPLE_OF_CHUNK)
-        ring = ring_of(attributes)
+        ring = ring_numbers(attributes)
         if ring is not None:
             ring = ring[used][step].copy()
-        self._samples.append(Sample(points_map[step].copy(), time[step].copy(), ring))
+        self._samples.append(LineSample(points_map[step].copy(), time[step].copy(), ring))
 
-    def _with_pose(self, time: Array) -> NDArray[np.bool_]:
-        """Which times (n,), in the trajectory's time base, have a pose; the others are counted."""
+    def _pose_mask(self, time: Array) -> NDArray[np.bool_]:
+        """Mask of the times (n,), in the trajectory's time base, with a pose; counts the others."""
         finite = time[np.isfinite(time)]
         # Copied: a view would keep the whole chunk.
         self._times.append(time[:: max(1, len(time) // TIMES_KEPT)].copy())
@@ -259,11 +261,13 @@ class LinePoints:
         posed = self.trajectory.covers(time)
         if self._latency:
             posed &= self.trajectory.covers(time + self._latency)
-        self._covered.append(coverage(finite, self.trajectory.time, self.trajectory.longest_gap))
+        self._covered.append(
+            assess_coverage(finite, self.trajectory.time, self.trajectory.longest_gap)
+        )
         self._without_pose += int(np.count_nonzero(~posed)) - (len(time) - len(finite))
         return posed
 
-    def _why_empty(self, read: int) -> Message:
+    def _no_points_message(self, read: int) -> Message:
         """Why no point can be used."""
         path = self.line.path
         if not read:
@@ -272,7 +276,7 @@ class LinePoints:
         times = np.concatenate(self._times)
         times = times[np.isfinite(times)]
         if self._without_pose and len(times):
-            return outside(self.line.reading, times, self.trajectory.time, path)
+            return outside_trajectory_message(self.line.reading, times, self.trajectory.time, path)
         return error(
             "import.no_usable_point", file=str(path), count=read, not_finite=audit.not_finite,
             no_range=audit.no_range, too_far=audit.too_far, withheld=audit.withheld,
@@ -307,7 +311,7 @@ def read_line(
         )
         try:
             pieces = list(points.pieces())
-        except FarCopies:
+        except DistantDuplicates:
             continue
         break
     intensity = None
@@ -322,25 +326,25 @@ def read_line(
     return scan, points.found
 
 
-def screened(chunks: Iterator[PointChunk], choice: Choice, path: Path) -> Iterator[PointChunk]:
-    """Chunks of a file with the points that are used, as the file has them.
+def screen_chunks(chunks: Iterator[PointChunk], choice: Choice, path: Path) -> Iterator[PointChunk]:
+    """Chunks of a file with the selected points only, as the file has them.
 
     Raises
     ------
     InputError
         Where an option of the selection cannot be read.
     """
-    ranged = system_of(choice, path) is None
+    ranged = crs_of_options(choice, path) is None
     screen = PointScreen(PointSelection.of(choice), ranged=ranged)
 
     for chunk in chunks:
         if ranged:
             require_scanner_frame(chunk.xyz, path)
-        yield rows_of(chunk, screen(chunk.time, chunk.xyz, chunk.extra))
+        yield select_points(chunk, screen(chunk.time, chunk.xyz, chunk.extra))
 
 
-def rows_of(chunk: PointChunk, chosen: NDArray[np.bool_]) -> PointChunk:
-    """Some points of a chunk; attributes that are packed in a record stay packed.
+def select_points(chunk: PointChunk, chosen: NDArray[np.bool_]) -> PointChunk:
+    """Selected points of a chunk; attributes packed in a record remain packed.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""How well the lines of a survey fit each other, as they are placed now."""
+"""Agreement of the lines of a survey with each other, as they are placed now."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -17,7 +17,7 @@ from lispac.validation.line_differences import (
     FACINGS,
     Facing,
     LineDifference,
-    line_difference,
+    compare_lines,
 )
 from lispac.validation.normal_distance import NMAD
 from lispac.workflow.georeferencing import Which
@@ -33,8 +33,8 @@ FEWEST = 10
 
 
 @dataclass(frozen=True)
-class Figures:
-    """Statistics of some places.
+class DifferenceStatistics:
+    """Statistics of the differences at some places.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class Figures:
     significant: float
 
     @classmethod
-    def of(cls, distance: Array, half_width: Array) -> "Figures":
+    def of(cls, distance: Array, half_width: Array) -> "DifferenceStatistics":
         """Summarise the differences at some places.
 
         Parameters
@@ -96,21 +96,21 @@ class LineQuality:
     pairs: tuple[LineDifference, ...]
     not_compared: tuple[Message, ...]
 
-    def figures(self, pair: LineDifference, facing: Facing = "all") -> Figures | None:
-        """Of a pair; None where too few places face that way."""
+    def figures(self, pair: LineDifference, facing: Facing = "all") -> DifferenceStatistics | None:
+        """Statistics of a pair; None if too few places face that way."""
         own = pair.facing(facing)
-        return _figures([own])
+        return _difference_statistics([own])
 
-    def together(self, facing: Facing = "all") -> Figures | None:
-        """Of all pairs, each place alike."""
-        figures = _figures([pair.facing(facing) for pair in self.pairs])
+    def together(self, facing: Facing = "all") -> DifferenceStatistics | None:
+        """Statistics of all pairs, with equal weight for each place."""
+        figures = _difference_statistics([pair.facing(facing) for pair in self.pairs])
         return figures and replace(figures, median=None, robust_sigma=None)
 
-    def rows(self) -> list[tuple[str, str, Facing, Figures]]:
-        """All figures there are: of each pair, then of all together."""
-        found: list[tuple[str, str, Facing, Figures]] = []
+    def rows(self) -> list[tuple[str, str, Facing, DifferenceStatistics]]:
+        """All statistics: of each pair, then of all pairs together."""
+        found: list[tuple[str, str, Facing, DifferenceStatistics]] = []
 
-        def add(one: str, other: str, of: Callable[[Facing], Figures | None]) -> None:
+        def add(one: str, other: str, of: Callable[[Facing], DifferenceStatistics | None]) -> None:
             for facing in FACINGS:
                 figures = of(facing)
                 if figures is not None:
@@ -123,11 +123,11 @@ class LineQuality:
         return found
 
 
-def _figures(parts: list[LineDifference]) -> Figures | None:
+def _difference_statistics(parts: list[LineDifference]) -> DifferenceStatistics | None:
     distance = np.concatenate([each.distance for each in parts])
     if len(distance) < FEWEST:
         return None
-    return Figures.of(distance, np.concatenate([each.half_width for each in parts]))
+    return DifferenceStatistics.of(distance, np.concatenate([each.half_width for each in parts]))
 
 
 def line_quality(
@@ -138,7 +138,7 @@ def line_quality(
     reach: float = REACH,
     progress: Progress = no_progress,
 ) -> LineQuality:
-    """Compare every two lines of a survey on what is flat; nothing need be calibrated.
+    """Compare every two lines of a survey on flat places, calibrated or not.
 
     Parameters
     ----------
@@ -158,15 +158,15 @@ def line_quality(
     if not 0.0 < reach <= 10.0:
         raise InputError(error("check.search_distance", distance=reach))
     clouds = survey.placed(project, which)
-    points = {name: _finite(cloud) for name, cloud in clouds.items()}
+    points = {name: _finite_sample(cloud) for name, cloud in clouds.items()}
     pairs = list(combinations(points, 2))
     found, missed = [], []
     for k, (one, other) in enumerate(pairs):
         progress(k / len(pairs), gettext_lazy("Comparing {one} and {other}", one=one, other=other))
-        vessel = _between(survey, one, other)
+        vessel = _mean_vessel_position(survey, one, other)
         try:
             found.append(
-                line_difference(
+                compare_lines(
                     (one, points[one]), (other, points[other]), vessel,
                     noise=project.settings.lidar_sigma, reach=reach,
                 )
@@ -179,13 +179,13 @@ def line_quality(
     return LineQuality(which, tuple(found), tuple(missed))
 
 
-def _finite(cloud: Cloud) -> Array:
+def _finite_sample(cloud: Cloud) -> Array:
     sample = cloud.sample
     return np.ascontiguousarray(sample[np.isfinite(sample).all(axis=1)])
 
 
-def _between(survey: Survey, *lines: str) -> Array:
-    """Where the vessel was, on the whole, while it scanned some lines, shape (3,), metres."""
+def _mean_vessel_position(survey: Survey, *lines: str) -> Array:
+    """Mean position of the vessel while it scanned some lines, shape (3,), metres."""
     times = np.concatenate(
         [np.linspace(survey.scans[n].first_time, survey.scans[n].last_time, 21) for n in lines]
     )

@@ -7,8 +7,8 @@ from lispac.errors import InputError
 from lispac.messages import error
 from lispac.project import LineSource
 from lispac.survey.line_audit import LineAudit
-from lispac.survey.screening import Condition
-from lispac.workflow.file_audit import file_audit
+from lispac.survey.point_screening import AttributeCondition
+from lispac.workflow.file_audit import audit_file
 from lispac.workflow.file_reading import format_of_line
 
 GAP = "gap"
@@ -35,7 +35,7 @@ def split_line(line: LineSource, by: str) -> tuple[LineSource, ...]:
         Where the file cannot be read, or its points have no such attribute.
     """
     format, choice, _ = format_of_line(line)
-    found = file_audit(line.path, format, choice, most=sys.maxsize)
+    found = audit_file(line.path, format, choice, most=sys.maxsize)
     if by != GAP and by not in found.attributes:
         raise InputError(
             error(
@@ -61,21 +61,23 @@ def parts_of_line(line: LineSource, audit: LineAudit, by: str, key: str) -> tupl
         Of the format of the file.
     """
     if by == GAP:
-        conditions = [Condition("time", start, end) for start, end in audit.spans]
+        conditions = [AttributeCondition("time", start, end) for start, end in audit.spans]
         names = [f"{line.name}_{k}" for k in range(1, len(conditions) + 1)]
     else:
         values = [float(value) for value in audit.groups.get(by, ())]
-        conditions = [Condition(by, value, value) for value in values]
+        conditions = [AttributeCondition(by, value, value) for value in values]
         names = [f"{line.name}_{value:g}" for value in values]
     if len(conditions) < 2:
         return (line,)
     return tuple(
-        _selected(line, name, condition, key)
+        _line_with_condition(line, name, condition, key)
         for name, condition in zip(names, conditions, strict=True)
     )
 
 
-def _selected(line: LineSource, name: str, condition: Condition, key: str) -> LineSource:
+def _line_with_condition(
+    line: LineSource, name: str, condition: AttributeCondition, key: str
+) -> LineSource:
     """The line with the points that meet a condition, under another name."""
     options = dict(line.reading.options)
     before = options.get("only", "")

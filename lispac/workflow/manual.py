@@ -14,9 +14,9 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
-from lispac.caches import MANUAL, MANUAL_MARK, cache_place
+from lispac.caches import MANUAL, MANUAL_MARK, usable_cache_folder
 from lispac.errors import InputError, system_reason
-from lispac.installed import resource
+from lispac.installation_paths import resource_path
 from lispac.language import LANGUAGES, gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
@@ -53,18 +53,18 @@ def manual_page(
         Where the manual is not built and cannot be.
     Cancelled
     """
-    sources = sources or resource("manual")
+    sources = sources or resource_path("manual")
     built = sources / SHIPPED
     if not built.is_dir():
-        place = place or cache_place() / MANUAL
-        built = place / _digest(sources)
+        place = place or usable_cache_folder() / MANUAL
+        built = place / _sources_digest(sources)
         if not built.is_dir():
-            _make(sources, place, built, progress)
+            _build_atomically(sources, place, built, progress)
     file = built / language / f"{page}.html"
     return file if file.is_file() else built / "en" / f"{page}.html"
 
 
-def build(
+def build_manual(
     sources: Path, output: Path, *, strict: bool = False, progress: Progress = no_progress
 ) -> None:
     """Build the pages of all languages into folders ``en`` and ``fr`` of a folder.
@@ -93,10 +93,10 @@ def build(
             command = [sys.executable, "-m", "sphinx", "-q", "-b", "html", "-c", str(sources)]
             command += ["-D", f"language={language}", "-d", scratch]
             command += ["-W", "--keep-going"] if strict else []
-            _run([*command, str(sources / language), str(output / language)], progress)
+            _run_command([*command, str(sources / language), str(output / language)], progress)
 
 
-def _run(command: list[str], progress: Progress) -> None:
+def _run_command(command: list[str], progress: Progress) -> None:
     variables = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
     with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as said:
         # One after the other: what it says can be read when it has ended
@@ -115,8 +115,8 @@ def _run(command: list[str], progress: Progress) -> None:
             raise InputError(error("manual.not_built", reason=said.read().strip()))
 
 
-def _make(sources: Path, place: Path, built: Path, progress: Progress) -> None:
-    """Build beside the place and rename, so that there is all of it or nothing.
+def _build_atomically(sources: Path, place: Path, built: Path, progress: Progress) -> None:
+    """Build beside the place and rename, so that the result is complete or absent.
 
     Raises
     ------
@@ -128,7 +128,7 @@ def _make(sources: Path, place: Path, built: Path, progress: Progress) -> None:
         (place / MANUAL_MARK).touch()
         draft = Path(tempfile.mkdtemp(prefix=".draft-", dir=place))
         try:
-            build(sources, draft, progress=progress)
+            build_manual(sources, draft, progress=progress)
             with suppress(FileExistsError):
                 draft.rename(built)
         finally:
@@ -142,8 +142,8 @@ def _make(sources: Path, place: Path, built: Path, progress: Progress) -> None:
             shutil.rmtree(former, ignore_errors=True)
 
 
-def _digest(sources: Path) -> str:
-    """Of everything that the pages are made from."""
+def _sources_digest(sources: Path) -> str:
+    """Digest of all sources of the pages."""
     total = hashlib.sha256()
     for path in sorted(sources.rglob("*")):
         if path.is_file() and "__pycache__" not in path.parts:

@@ -1,8 +1,8 @@
-"""Whether the targets that were picked face more than one way, before anything is estimated."""
+"""Check that the picked targets do not all face one way, before the estimation."""
 
 import numpy as np
 
-from lispac.adjustment.observability import one_facing
+from lispac.adjustment.observability import have_one_orientation
 from lispac.errors import PlaneNotFound
 from lispac.geometry.planes import fit_plane
 from lispac.project import Project
@@ -13,13 +13,17 @@ LOOKED_AT = 500
 """Points of a target used for its orientation."""
 
 
-def face_one_way(project: Project, survey: Survey) -> bool:
-    """Whether the targets in use are several planes that all face one way, and nobody accepts that.
+def do_targets_face_one_way(project: Project, survey: Survey) -> bool:
+    """True if several planes are in use that all face one way, and the user has not accepted it.
 
     Told from the sighting with most points of each, as the lines lie before the calibration; the
     estimate judges by the adjusted planes.
     """
-    used = [target for target in project.of_role("target") if target.used and target.used_sightings]
+    used = [
+        target
+        for target in project.targets_of_role("target")
+        if target.used and target.used_sightings
+    ]
     if len(used) < 2 or project.settings.accept_one_facing:
         return False
     if any(target.shape == "sphere" for target in used):
@@ -35,4 +39,4 @@ def face_one_way(project: Project, survey: Survey) -> bool:
             normals.append(fit_plane(cloud[few]).normal)
         except PlaneNotFound:
             return False  # its quality shows this
-    return one_facing(np.array(normals), np.zeros(len(normals), dtype=bool))
+    return have_one_orientation(np.array(normals), np.zeros(len(normals), dtype=bool))

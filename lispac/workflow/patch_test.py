@@ -1,4 +1,4 @@
-"""The LiDAR patch test of a project: objects and pairs proposed, angles turned, the answer judged.
+"""LiDAR patch test of a project: proposed objects and pairs, angles, assessment.
 
 It is an alternative to the adjustment of targets: other objects, another measure, the same
 georeferencing and the same POS errors. The project's targets take no part.
@@ -13,17 +13,21 @@ from numpy.typing import NDArray
 from lispac.errors import AdjustmentError
 from lispac.language import gettext_lazy
 from lispac.messages import error
-from lispac.patchtest.answer import PatchTest
-from lispac.patchtest.boxes import PatchObject
-from lispac.patchtest.mismatch import Block, Mismatch, blocks_of
-from lispac.patchtest.objects import COUNT, proposed
-from lispac.patchtest.optimise import Minimum, minimise, one_after_another
-from lispac.patchtest.pairs import Kind, LinePair, pairs_of
-from lispac.patchtest.sample import MARGIN, Sample
-from lispac.patchtest.sigmas import known
-from lispac.progress import Progress, no_progress, part
+from lispac.patchtest.line_mismatch import Mismatch, PairBlock, pair_blocks
+from lispac.patchtest.line_pairs import Kind, LinePair, pairs_of_lines
+from lispac.patchtest.minimum_precision import minimum_precision
+from lispac.patchtest.mismatch_minimisation import (
+    MismatchMinimum,
+    minimise_angle_by_angle,
+    minimise_mismatch,
+)
+from lispac.patchtest.object_boxes import PatchObject
+from lispac.patchtest.object_proposal import COUNT, find_objects
+from lispac.patchtest.object_sample import MARGIN, ObjectSample
+from lispac.patchtest.patch_test_result import PatchTestResult
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
-from lispac.survey.cloud import Cloud, placed_with
+from lispac.survey.cloud import Cloud, place_clouds
 from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
@@ -35,19 +39,19 @@ when they were taken, and boxes did not hold the same of each."""
 
 @dataclass(frozen=True, eq=False)
 class PlacedObjects:
-    """Objects laid out in a survey, and the points that lines have there.
+    """Objects of a survey, with the points of each line in their boxes.
 
     Attributes
     ----------
     objects : tuple of PatchObject
     placings : tuple of ndarray of shape (3,), radians
         Of each object, the boresight with which the lines were placed when its points were taken.
-    sample : Sample
+    sample : ObjectSample
     """
 
     objects: tuple[PatchObject, ...]
     placings: tuple[Array, ...]
-    sample: Sample = field(repr=False)
+    sample: ObjectSample = field(repr=False)
 
     @property
     def boresight(self) -> Array:
@@ -56,9 +60,9 @@ class PlacedObjects:
         same = all(np.array_equal(first, each) for each in others)
         return first if same else np.full(3, np.nan)
 
-    def blocks(self, objects: Collection[str], pairs: Sequence[LinePair]) -> list[Block]:
-        """What some objects and pairs of lines compare."""
-        return [b for b in blocks_of(self.sample, pairs) if b.first.object.name in objects]
+    def blocks(self, objects: Collection[str], pairs: Sequence[LinePair]) -> list[PairBlock]:
+        """Blocks of points that some objects and pairs of lines compare."""
+        return [b for b in pair_blocks(self.sample, pairs) if b.first.object.name in objects]
 
     def only(self, names: Collection[str]) -> "PlacedObjects":
         """Some of the objects."""
@@ -78,7 +82,7 @@ class PlacedObjects:
         )
 
     def moved(self, boresight: Array) -> tuple[PatchObject, ...]:
-        """The objects with boxes that go along as lines are placed anew.
+        """Objects with their boxes moved along with the lines at another boresight.
 
         A box that was laid about what one line saw goes with the line that has most points in it.
 
@@ -105,15 +109,15 @@ class PlacedObjects:
 
 def line_pairs(survey: Survey, kinds: Collection[Kind] = ()) -> tuple[LinePair, ...]:
     """All pairs of lines, reciprocal ones first; those of some kinds where kinds are given."""
-    return tuple(p for p in pairs_of(survey.heading) if not kinds or p.kind in kinds)
+    return tuple(p for p in pairs_of_lines(survey.heading) if not kinds or p.kind in kinds)
 
 
-def placed(project: Project, survey: Survey, boresight: Array) -> dict[str, Cloud]:
-    """All lines with a boresight, shape (3,), radians."""
-    return placed_with(survey.clouds, project.mounting("prior").with_boresight(boresight))
+def place_lines(project: Project, survey: Survey, boresight: Array) -> dict[str, Cloud]:
+    """Lines placed with a boresight, shape (3,), radians."""
+    return place_clouds(survey.clouds, project.mounting("prior").with_boresight(boresight))
 
 
-def propose(
+def propose_objects(
     project: Project, survey: Survey, *, count: int = COUNT, progress: Progress = no_progress
 ) -> PlacedObjects:
     """Find objects that lines share, wherever the prior boresight is.
@@ -126,19 +130,21 @@ def propose(
     if len(survey.clouds) < 2:
         raise AdjustmentError(error("patch_test.single_line", project=project.name))
     progress(0.0, gettext_lazy("Aligning the lines"))
-    boresight = survey.aligned.mounting.boresight
-    clouds = placed(project, survey, boresight)
+    boresight = survey.alignment.mounting.boresight
+    clouds = place_lines(project, survey, boresight)
     progress(0.4, gettext_lazy("Detecting objects"))
-    objects = proposed(
+    objects = find_objects(
         clouds, survey.accuracy, project.settings.lidar_sigma, count=count,
-        progress=part(progress, 0.4, 0.6),
+        progress=sub_progress(progress, 0.4, 0.6),
     )  # fmt: skip
     if not objects:
         raise AdjustmentError(error("patch_test.nothing_shared", project=project.name))
-    return lay(project, survey, objects, boresight, progress=part(progress, 0.6, 1.0))
+    return place_objects(
+        project, survey, objects, boresight, progress=sub_progress(progress, 0.6, 1.0)
+    )
 
 
-def lay(
+def place_objects(
     project: Project,
     survey: Survey,
     objects: Sequence[PatchObject],
@@ -155,13 +161,13 @@ def lay(
         With which the lines are placed; the boxes are to hold what is meant then.
     """
     progress(0.0, gettext_lazy("Selecting the points around the objects"))
-    clouds = placed(project, survey, boresight)
-    sample = Sample.of(objects, clouds, survey.scans, margin=margin, progress=progress)
+    clouds = place_lines(project, survey, boresight)
+    sample = ObjectSample.of(objects, clouds, survey.scans, margin=margin, progress=progress)
     at = np.array(boresight, dtype=float)
     return PlacedObjects(tuple(objects), (at,) * len(objects), sample)
 
 
-def find(
+def find_boresight(
     project: Project,
     survey: Survey,
     laid: PlacedObjects,
@@ -169,8 +175,8 @@ def find(
     pairs: Sequence[LinePair] | None = None,
     start: Array | None = None,
     progress: Progress = no_progress,
-) -> PatchTest:
-    """Turn all three angles until the mismatch is smallest, and judge the answer.
+) -> PatchTestResult:
+    """Find the three angles with the smallest mismatch, and assess the result.
 
     Parameters
     ----------
@@ -188,31 +194,33 @@ def find(
     chosen = line_pairs(survey) if pairs is None else tuple(pairs)
     names = {each.name for each in laid.objects}
     at = np.asarray(laid.boresight if start is None else start, dtype=float)
-    together = minimise(
-        laid.sample, laid.blocks(names, chosen), at, progress=part(progress, 0.0, 0.4)
+    together = minimise_mismatch(
+        laid.sample, laid.blocks(names, chosen), at, progress=sub_progress(progress, 0.0, 0.4)
     )
     if not np.abs(together.boresight - laid.boresight).max() <= MOVED:
-        laid = lay(
+        laid = place_objects(
             project,
             survey,
             laid.moved(together.boresight),
             together.boresight,
-            progress=part(progress, 0.4, 0.5),
+            progress=sub_progress(progress, 0.4, 0.5),
         )
-        step = part(progress, 0.5, 0.7)
-        together = minimise(
+        step = sub_progress(progress, 0.5, 0.7)
+        together = minimise_mismatch(
             laid.sample, laid.blocks(names, chosen), together.boresight, progress=step
         )
     blocks = laid.blocks(names, chosen)
-    turned = one_after_another(laid.sample, blocks, at, progress=part(progress, 0.7, 1.0))
-    return _judged(project, survey, laid, blocks, together, turned)
+    turned = minimise_angle_by_angle(
+        laid.sample, blocks, at, progress=sub_progress(progress, 0.7, 1.0)
+    )
+    return _assess_patch_test(project, survey, laid, blocks, together, turned)
 
 
 def find_angle(
-    laid: PlacedObjects, blocks: Sequence[Block], start: Array, angle: int,
+    laid: PlacedObjects, blocks: Sequence[PairBlock], start: Array, angle: int,
     *, progress: Progress = no_progress,
-) -> Minimum:  # fmt: skip
-    """Turn one angle alone.
+) -> MismatchMinimum:  # fmt: skip
+    """Find one angle with the smallest mismatch, the others fixed.
 
     Parameters
     ----------
@@ -225,20 +233,20 @@ def find_angle(
     AdjustmentError
         Where lines do not meet at the objects, or leave the angle open.
     """
-    return minimise(laid.sample, blocks, start, (angle,), progress=progress)
+    return minimise_mismatch(laid.sample, blocks, start, (angle,), progress=progress)
 
 
-def _judged(
-    project: Project, survey: Survey, laid: PlacedObjects, blocks: Sequence[Block],
-    together: Minimum, turned: Minimum,
-) -> PatchTest:  # fmt: skip
+def _assess_patch_test(
+    project: Project, survey: Survey, laid: PlacedObjects, blocks: Sequence[PairBlock],
+    together: MismatchMinimum, turned: MismatchMinimum,
+) -> PatchTestResult:  # fmt: skip
     model, mismatch = project.settings.stochastic_model, Mismatch(laid.sample, blocks)
-    judged = known(
+    judged = minimum_precision(
         mismatch, together.boresight, survey.accuracy, model.position_time, model.attitude_time
     )
     met = {each.name for each in judged.objects}
     used = [b for b in blocks if b.first.object.name in met]
-    return PatchTest(
+    return PatchTestResult(
         boresight=together.boresight,
         one_by_one=turned.boresight,
         covariance=judged.covariance,

@@ -10,18 +10,26 @@ from numpy.typing import NDArray
 from lispac.errors import ProjectError, TargetNotFound
 from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
-from lispac.project import PickedSighting, Project, Role, Shape, Target, Triple, require_target
-from lispac.targets.agreement import agreeing
-from lispac.targets.expected import ExpectedTarget
-from lispac.targets.finder import FinderSettings
-from lispac.targets.settings import USUAL, FinderChoices
+from lispac.project import (
+    PickedSighting,
+    Project,
+    Role,
+    Shape,
+    Target,
+    Triple,
+    require_valid_target,
+)
+from lispac.targets.expected_target import ExpectedTarget
+from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.targets.plane_finder import FinderSettings
+from lispac.targets.sighting_agreement import split_by_agreement
 from lispac.targets.sphere_finder import SpherePatch
 from lispac.workflow.survey import Survey
 from lispac.workflow.target_search import DEFAULT_RADII as DEFAULT_RADII
-from lispac.workflow.target_search import Patch, Place, TargetSearch
+from lispac.workflow.target_search import Patch, SearchPlace, TargetSearch
 
 
-def find(
+def find_target(
     project: Project,
     survey: Survey,
     seed: Triple | NDArray[np.float64],
@@ -38,7 +46,7 @@ def find(
     choices: FinderChoices = USUAL,
     progress: Progress = no_progress,
 ) -> Target:
-    """Find the target at a seed: what `pick` would add.
+    """Find the target at a seed, without adding it to the project.
 
     Parameters
     ----------
@@ -76,7 +84,7 @@ def find(
         name, role, at, threshold, radii[0], (), shape=shape, sphere_radius=sphere_radius,
         expected=expected if shape == "plane" else None, choices=choices,
     )  # fmt: skip
-    require_target(target)
+    require_valid_target(target)
     if line is not None:
         if line not in survey.clouds:
             raise ProjectError(
@@ -84,22 +92,22 @@ def find(
             )
         known = next((target for target in project.targets if target.name == name), None)
         if known is not None:
-            _require_same(project, known, target)
-        place = Place.of(survey.aligned, centre, line, settings.radius)
+            _require_same_kind(project, known, target)
+        place = SearchPlace.of(survey.alignment, centre, line, settings.radius)
         patch = sought.at(place.clouds[line], place.seed, settings)
         if known is not None:
             _require_same_surface(known, sought, place, line, patch)
         if known is not None and expected is not None:
             known = replace(known, expected=target.expected)
-        return _with_sighting(project, known or target, _sighting(survey, line, patch))
-    found, missing, radius = _in_lines(
+        return _with_sighting(project, known or target, _picked_sighting(survey, line, patch))
+    found, missing, radius = _find_in_lines(
         survey, sought, centre, settings, radii, first_line, progress
     )
-    sightings = tuple(_sighting(survey, n, found[n]) for n in survey.lines if n in found)
+    sightings = tuple(_picked_sighting(survey, n, found[n]) for n in survey.lines if n in found)
     return replace(target, radius=radius, sightings=sightings, missing=missing)
 
 
-def pick(
+def pick_target(
     project: Project,
     survey: Survey,
     seed: Triple | NDArray[np.float64],
@@ -115,15 +123,15 @@ def pick(
     choices: FinderChoices = USUAL,
     progress: Progress = no_progress,
 ) -> Project:
-    """Find the target at a seed in every line (or one) and add it; parameters as of `find`.
+    """Find the target at a seed in every line (or one) and add it; parameters as of `find_target`.
 
     Raises
     ------
     TargetNotFound
     ProjectError
-        As `find`.
+        As `find_target`.
     """
-    target = find(
+    target = find_target(
         project, survey, seed, name=name, role=role, shape=shape,
         sphere_radius=sphere_radius, line=line, threshold=threshold, radius=radius,
         expected=expected, choices=choices, progress=progress,
@@ -141,14 +149,14 @@ def spheres_of(target: Target, survey: Survey) -> dict[str, SpherePatch]:
     """
     sought = TargetSearch.of(target)
     found = {
-        sighting.line: sought.patch_of(survey.clouds[sighting.line], sighting.indices)
+        sighting.line: sought.patch_of_points(survey.clouds[sighting.line], sighting.indices)
         for sighting in target.sightings
     }
     return {line: patch for line, patch in found.items() if isinstance(patch, SpherePatch)}
 
 
 def _require_same_surface(
-    known: Target, sought: TargetSearch, place: Place, line: str, patch: Patch
+    known: Target, sought: TargetSearch, place: SearchPlace, line: str, patch: Patch
 ) -> None:
     """Refuse to add a sighting of another surface to a target.
 
@@ -160,17 +168,17 @@ def _require_same_surface(
     for sighting in known.used_sightings:
         if sighting.line != line:
             cloud = place.clouds[sighting.line]
-            found[sighting.line] = sought.patch_of(cloud, sighting.indices)
+            found[sighting.line] = sought.patch_of_points(cloud, sighting.indices)
     found[line] = patch  # the last one: where two disagree, it is the one that is rejected
-    _, rejected = agreeing(found, place.clouds, place.accuracy, known.radius, None)
+    _, rejected = split_by_agreement(found, place.clouds, place.accuracy, known.radius, None)
     if line in rejected:
         raise TargetNotFound(
             error("project.not_found_on_line", target=known.name, line=line, reason=rejected[line])
         )
 
 
-def point_of(project: Project, survey: Survey, line: str, number: int) -> NDArray[np.float64]:
-    """Where a point of a line is, placed with the prior boresight.
+def point_position(project: Project, survey: Survey, line: str, number: int) -> NDArray[np.float64]:
+    """Position of a point of a line, placed with the prior boresight.
 
     Returns
     -------
@@ -180,25 +188,27 @@ def point_of(project: Project, survey: Survey, line: str, number: int) -> NDArra
     ------
     ProjectError
     """
-    _require_numbers(project.name, survey, line, np.array([number]))
+    _require_point_numbers(project.name, survey, line, np.array([number]))
     return survey.clouds[line][np.array([number])][0]
 
 
-def require_points(survey: Survey, target: Target) -> None:
+def require_survey_points(survey: Survey, target: Target) -> None:
     """Refuse a target whose points are not those of the survey's lines.
 
     Raises
     ------
     ProjectError
     """
-    require_target(target)
+    require_valid_target(target)
     for sighting in target.sightings:
-        _require_numbers(target.name, survey, sighting.line, sighting.indices)
+        _require_point_numbers(target.name, survey, sighting.line, sighting.indices)
         if sighting.fingerprint not in ("", survey.scans[sighting.line].fingerprint):
             raise ProjectError(error("pick.points_changed", target=target.name, line=sighting.line))
 
 
-def _require_numbers(what: str, survey: Survey, line: str, numbers: NDArray[np.int64]) -> None:
+def _require_point_numbers(
+    what: str, survey: Survey, line: str, numbers: NDArray[np.int64]
+) -> None:
     if line not in survey.scans:
         raise ProjectError(
             error("project_line.not_found", project=what, line=line, lines=survey.lines)
@@ -223,14 +233,14 @@ def next_name(project: Project, role: Role) -> str:
     return next(f"{letter}{k}" for k in itertools.count(1) if f"{letter}{k}" not in taken)
 
 
-def _sighting(survey: Survey, line: str, patch: Patch) -> PickedSighting:
+def _picked_sighting(survey: Survey, line: str, patch: Patch) -> PickedSighting:
     fingerprint = survey.scans[line].fingerprint
     return PickedSighting(
         line, patch.indices, patch.rms, fingerprint=fingerprint, one_in=patch.one_in
     )
 
 
-def _in_lines(
+def _find_in_lines(
     survey: Survey,
     sought: TargetSearch,
     seed: NDArray[np.float64],
@@ -239,17 +249,17 @@ def _in_lines(
     first_line: str | None,
     progress: Progress,
 ) -> tuple[Mapping[str, Patch], dict[str, Message], float]:
-    """Patches, reasons and radius of the first radius that two lines answer to.
+    """Patches, reasons and radius of the first radius with a target on two lines.
 
     Where none does, those of the radius that most lines answer to, the smallest of these.
     """
     best: tuple[Mapping[str, Patch], dict[str, Message], float] | None = None
     refusal: TargetNotFound | None = None
     for radius in radii:
-        place = Place.of(survey.aligned, seed, first_line, radius)
+        place = SearchPlace.of(survey.alignment, seed, first_line, radius)
         tried = replace(settings, radius=radius, max_shift=place.max_shift)
         try:
-            found, missing = sought.in_lines(
+            found, missing = sought.find_in_lines(
                 place.clouds, place.seed, tried,
                 first_line=place.line, accuracy=place.accuracy, progress=progress,
             )  # fmt: skip
@@ -267,7 +277,7 @@ def _in_lines(
     return best
 
 
-def _require_same(project: Project, known: Target, again: Target) -> None:
+def _require_same_kind(project: Project, known: Target, again: Target) -> None:
     if known.role != again.role:
         raise ProjectError(
             error(

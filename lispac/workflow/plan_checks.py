@@ -6,24 +6,24 @@ from pathlib import Path
 
 import numpy as np
 
-from lispac.adjustment.blas import one_thread
-from lispac.adjustment.observability import observability
-from lispac.design.choices import faces_one_way
-from lispac.design.monte_carlo import Scatter, surveyed
-from lispac.design.objective import CRITERIA, Objective
+from lispac.adjustment.blas_threads import single_blas_thread
+from lispac.adjustment.observability import assess_observability
+from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
+from lispac.design.objective import CRITERIA, PlanObjective
 from lispac.design.plan import Plan
-from lispac.design.prediction import UNDETERMINED, foretold, predict
-from lispac.design.scenarios import Outcome
-from lispac.design.search import Design, Mapper
-from lispac.design.site import Site, least_off, overlapping
+from lispac.design.plan_choices import have_targets_one_orientation
+from lispac.design.plan_search import DesignResult, Mapper
+from lispac.design.prediction import UNDETERMINED, predict, predicted_equations
+from lispac.design.scenarios import ScenarioOutcome
+from lispac.design.site import Site, clearance_from_wall, overlapping_targets
 from lispac.errors import LispacError, RankDeficient, system_reason
-from lispac.foreign_values import as_cell
-from lispac.io.files import bad_name, written_whole
+from lispac.io.files import atomic_write, bad_name_error
 from lispac.io.plan_file import TitledPlan, write_plan
 from lispac.language import LazyText, gettext_lazy
 from lispac.message_texts import message_text
 from lispac.messages import Message, as_message, error, warning
 from lispac.progress import Progress, no_progress
+from lispac.untrusted_values import as_csv_cell
 
 ONE_WAY = error("plan_survey.one_orientation")
 
@@ -31,21 +31,21 @@ NEAR_WALL = 3.0
 """Metres: smallest distance at which a vessel can pass a wall safely."""
 
 
-def remarks_on(plan: Plan, *, progress: Progress = no_progress) -> tuple[Message, ...]:
-    """Observability of the angles of a plan, as after an adjustment."""
+def observability_remarks(plan: Plan, *, progress: Progress = no_progress) -> tuple[Message, ...]:
+    """Remarks on the observability of the angles of a plan, as after an adjustment."""
     try:
-        if faces_one_way(plan):
+        if have_targets_one_orientation(plan):
             return (ONE_WAY,)
         if not predict(plan).determined:
             return (UNDETERMINED,)
-        with one_thread():
-            found = observability(foretold(plan), progress=progress)
+        with single_blas_thread():
+            found = assess_observability(predicted_equations(plan), progress=progress)
             return found.remarks
     except RankDeficient as failure:
         return (as_message(failure.reason),)
 
 
-def many_surveys(
+def simulate_surveys(
     plan: Plan,
     surveys: int,
     *,
@@ -54,23 +54,23 @@ def many_surveys(
     enough: int | None = None,
     mapper: Mapper = map,
     progress: Progress = no_progress,
-) -> Scatter:
-    """Simulate and adjust many surveys of a plan that can be adjusted; as `surveyed`.
+) -> MonteCarloResult:
+    """Simulate and adjust many surveys of a plan that can be adjusted; as `run_monte_carlo`.
 
     Raises
     ------
     RankDeficient
         Targets that all face one way, too.
     """
-    if faces_one_way(plan):
+    if have_targets_one_orientation(plan):
         raise RankDeficient(ONE_WAY)
-    return surveyed(
+    return run_monte_carlo(
         plan, surveys, seed=seed, flatness_known=flatness_known, enough=enough, mapper=mapper,
         progress=progress,
     )  # fmt: skip
 
 
-def headline(title: str, found: Scatter, count: int) -> LazyText:
+def result_heading(title: str, found: MonteCarloResult, count: int) -> LazyText:
     """Heading of the result of ``count`` simulated surveys."""
     done = len(found.errors) + found.failed
     if done < count:
@@ -81,31 +81,31 @@ def headline(title: str, found: Scatter, count: int) -> LazyText:
     return gettext_lazy("{title}: {done:n} surveys simulated and adjusted", title=title, done=done)
 
 
-def cautions(titled: TitledPlan) -> tuple[Message, ...]:
+def plan_warnings(titled: TitledPlan) -> tuple[Message, ...]:
     """Warnings about lines and targets of a plan that cannot be realised."""
     plan, found = titled.plan, []
-    for k, off in enumerate(least_off(plan, titled.wall), start=1):
+    for k, off in enumerate(clearance_from_wall(plan, titled.wall), start=1):
         if off < 0:
             found.append(warning("plan.line_through_wall", line=k, distance=float(-off)))
         elif off < NEAR_WALL:
             found.append(warning("plan.line_near_wall", line=k, distance=float(off)))
-    for one, other in overlapping(plan.targets):
+    for one, other in overlapping_targets(plan.targets):
         found.append(warning("plan.targets_overlap", first=one, second=other))
     return tuple(found)
 
 
 def write_field_plan(path: Path, titled: TitledPlan) -> None:
     """Write the page for the field as PDF."""
-    from lispac.report.field_plan import field_plan
+    from lispac.report.field_plan import field_plan_figure
 
-    texts = tuple(map(message_text, cautions(titled)))
-    page = field_plan(titled.plan, titled.wall, titled.title, cautions=texts)
-    with written_whole(Path(path)) as temporary:
+    texts = tuple(map(message_text, plan_warnings(titled)))
+    page = field_plan_figure(titled.plan, titled.wall, titled.title, cautions=texts)
+    with atomic_write(Path(path)) as temporary:
         page.savefig(temporary, format="pdf", metadata={"CreationDate": None})
 
 
 def write_design(
-    folder: Path, title: str, site: Site, design: Design, objective: Objective
+    folder: Path, title: str, site: Site, design: DesignResult, objective: PlanObjective
 ) -> None:
     """Write the plan, its field plan and the front into a folder.
 
@@ -114,29 +114,29 @@ def write_design(
     LispacError
         The folder cannot be made.
     """
-    from lispac.report.design_figures import front_figure
+    from lispac.report.design_figures import pareto_front_figure
 
-    folder = _made(folder)
+    folder = _create_folder(folder)
     titled = TitledPlan(title, design.plan, site.wall)
     write_plan(folder / "plan.toml", titled)
     write_field_plan(folder / "field-plan.pdf", titled)
-    figure = front_figure(design.front, CRITERIA[objective.criterion])
-    with written_whole(folder / "front.svg") as temporary:
+    figure = pareto_front_figure(design.front, CRITERIA[objective.criterion])
+    with atomic_write(folder / "front.svg") as temporary:
         figure.savefig(temporary, format="svg", metadata={"Date": None})
     rows = [["minutes", "value_deg", "roll_deg", "pitch_deg", "yaw_deg", "targets", "lines"]]
     for step in design.front:
         sigma = np.degrees(predict(step.plan).sigma)
         names = " ".join(target.name for target in step.plan.targets)
         numbers = (f"{step.minutes:.1f}", *(f"{v:.6f}" for v in (np.degrees(step.value), *sigma)))
-        rows.append([*numbers, as_cell(names), str(len(step.plan.lines))])
+        rows.append([*numbers, as_csv_cell(names), str(len(step.plan.lines))])
     with (
-        written_whole(folder / "front.csv") as temporary,
+        atomic_write(folder / "front.csv") as temporary,
         temporary.open("w", encoding="utf-8", newline="") as file,
     ):
         csv.writer(file, lineterminator="\n").writerows(rows)
 
 
-def write_scenarios(folder: Path, found: Sequence[Outcome]) -> None:
+def write_scenarios(folder: Path, found: Sequence[ScenarioOutcome]) -> None:
     """Write the table of all outcomes and a plot of each scenario into a folder.
 
     Raises
@@ -146,26 +146,26 @@ def write_scenarios(folder: Path, found: Sequence[Outcome]) -> None:
     """
     from lispac.report.design_figures import scenario_figure
 
-    folder = _made(folder)
+    folder = _create_folder(folder)
     rows = ["scenario,case,pos_errors,roll_deg,pitch_deg,yaw_deg,points"]
     for each in found:
         sigma = (f"{v:.6f}" if np.isfinite(v) else "" for v in np.degrees(each.sigma))
         case = f'"{each.case}"' if "," in each.case else each.case
         rows.append(f"{each.scenario},{case},{each.pos_errors},{','.join(sigma)},{each.points:.0f}")
-    with written_whole(folder / "scenarios.csv") as temporary:
+    with atomic_write(folder / "scenarios.csv") as temporary:
         temporary.write_text("\n".join([*rows, ""]), encoding="utf-8")
     for scenario in dict.fromkeys(each.scenario for each in found):
         figure = scenario_figure([each for each in found if each.scenario == scenario])
-        with written_whole(folder / f"{scenario}.svg") as temporary:
+        with atomic_write(folder / f"{scenario}.svg") as temporary:
             figure.savefig(temporary, format="svg", metadata={"Date": None})
 
 
-def _made(folder: Path) -> Path:
+def _create_folder(folder: Path) -> Path:
     folder = Path(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except ValueError as failure:
-        raise bad_name(folder) from failure
+        raise bad_name_error(folder) from failure
     except OSError as failure:
         raise LispacError(
             error(

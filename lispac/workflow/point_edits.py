@@ -1,4 +1,4 @@
-"""Points of a target's sightings added or taken away by hand."""
+"""Adding and removing points of a target's sightings by hand."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -52,7 +52,7 @@ def without_points(
             )
         return kept
 
-    return _edited(target, clouds, edited, line)
+    return _edit_sightings(target, clouds, edited, line)
 
 
 def with_points(
@@ -73,14 +73,14 @@ def with_points(
         centre = own.mean(axis=0)
         radius = float(np.linalg.norm(own - centre, axis=1).max()) + BESIDE
         around = cloud.within(centre, radius)
-        near = np.abs(_distances(target, own, around.points)) <= target.threshold
+        near = np.abs(_surface_distances(target, own, around.points)) <= target.threshold
         added = around.numbers[near][chosen(around.points[near])]
         return np.union1d(sighting.indices, added)
 
-    return _edited(target, clouds, edited, line)
+    return _edit_sightings(target, clouds, edited, line)
 
 
-def _edited(
+def _edit_sightings(
     target: Target,
     clouds: Mapping[str, Cloud],
     edited: Callable[[PickedSighting, Cloud], NDArray[np.int64]],
@@ -93,19 +93,19 @@ def _edited(
             indices = edited(sighting, cloud)
             if len(indices) != len(sighting.indices):
                 changed += abs(len(indices) - len(sighting.indices))
-                rms = _rms(target, cloud[indices])
+                rms = _surface_rms(target, cloud[indices])
                 sighting = replace(sighting, indices=indices, rms=rms, by_hand=True)
         sightings.append(sighting)
     return (replace(target, sightings=tuple(sightings)), changed) if changed else (target, 0)
 
 
-def _distances(target: Target, own: Array, points: Array) -> Array:
+def _surface_distances(target: Target, own: Array, points: Array) -> Array:
     if target.shape == "sphere":
         return fit_sphere(own, target.sphere_radius).distances(points)
     return fit_plane(own).distances(points)
 
 
-def _rms(target: Target, points: Array) -> float:
+def _surface_rms(target: Target, points: Array) -> float:
     if target.shape == "sphere":
         return rms_from_sphere(fit_sphere(points, target.sphere_radius), points)
     try:

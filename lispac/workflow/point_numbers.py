@@ -42,14 +42,14 @@ def point_numbers(text: str) -> NDArray[np.int64]:
     ------
     InputError
     """
-    runs = list(_runs(text))
+    runs = list(_parse_runs(text))
     if sum(count for _, count in runs) > MOST:
         raise InputError(error("pick.too_many_numbers", limit=MOST))
     ranges = [np.arange(first, first + count, dtype=np.int64) for first, count in runs]
     return np.concatenate([np.zeros(0, np.int64), *ranges])
 
 
-def _runs(text: str) -> Iterator[tuple[int, int]]:
+def _parse_runs(text: str) -> Iterator[tuple[int, int]]:
     for word in text.split():
         found = _RUN.fullmatch(word)
         if found is None:

@@ -21,14 +21,14 @@ from lispac.io.project_lock import FOREVER, project_lock
 from lispac.messages import Message, error
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Project, Reading, Settings, Triple
-from lispac.survey.source import USUAL
-from lispac.workflow.file_reading import usual_or_settled
-from lispac.workflow.importing import LINES, line_folder
+from lispac.survey.line_source import USUAL
+from lispac.workflow.file_reading import usual_or_detected_reading
+from lispac.workflow.given_time_bases import has_given_time_base, shift_lines_to_trajectory
+from lispac.workflow.line_import import LINES, line_folder
 from lispac.workflow.line_split import split_line
-from lispac.workflow.moved import with_files_beside
-from lispac.workflow.restarts import lines_counted_on
-from lispac.workflow.stated_times import lines_in_trajectory_time, states_time
+from lispac.workflow.moved_files import with_files_beside
 from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.time_rollovers import resolve_time_rollovers
 
 
 def create_project(
@@ -72,20 +72,20 @@ def create_project(
         identity=identity,
         data_messages=messages,
     )
-    _require_new(project)
+    _require_new_folder(project)
     digest = write_project(project, expected="")
     return replace(project, file_digest=digest)
 
 
-def _require_new(project: Project) -> None:
+def _require_new_folder(project: Project) -> None:
     if (project.folder / FILE_NAME).exists():
         raise ProjectError(error("project_folder.exists", folder=str(project.folder)))
     if not project.lines:
         raise InputError(error("project_line.none"))
-    _require_names(project)
+    _require_line_names(project)
 
 
-def _require_names(project: Project) -> None:
+def _require_line_names(project: Project) -> None:
     names = [line.name for line in project.lines]
     for name in names:
         if names.count(name) > 1:
@@ -107,7 +107,7 @@ def new_project(
     split_by: str = "",
     progress: Progress = no_progress,
 ) -> tuple[Project, Survey]:
-    """Read the survey first, so that unusable files are reported, then create its project.
+    """Read the survey to check its files, then create its project.
 
     The reading options are completed here, from given and detected values;
     the survey's notes list what was detected.
@@ -129,11 +129,11 @@ def new_project(
     """
     settings.require_sound()
     draft = Project(Path(folder).absolute(), trajectory, tuple(lines), settings, accuracy)
-    _require_new(draft)
+    _require_new_folder(draft)
     notes: tuple[Message, ...] = ()
     known = tuple(lines)
     if not settled:
-        known, trajectory_reading, accuracy_reading, notes = settled_readings(
+        known, trajectory_reading, accuracy_reading, notes = complete_readings(
             known, trajectory, trajectory_reading, accuracy, accuracy_reading
         )
     if split_by:
@@ -142,8 +142,8 @@ def new_project(
         draft, lines=known, trajectory_reading=trajectory_reading,
         accuracy_reading=accuracy_reading,
     )  # fmt: skip
-    _require_names(draft)
-    with taken_back(draft):
+    _require_line_names(draft)
+    with removed_on_failure(draft):
         survey = load_survey(draft, progress=progress)
         project = create_project(
             folder, trajectory=trajectory, lines=known, settings=settings, accuracy=accuracy,
@@ -153,14 +153,14 @@ def new_project(
     return project, replace(survey, notes=(*notes, *survey.notes))
 
 
-def settled_readings(
+def complete_readings(
     lines: Sequence[LineSource],
     trajectory: Path,
     trajectory_reading: Reading,
     accuracy: Path | None,
     accuracy_reading: Reading,
 ) -> tuple[tuple[LineSource, ...], Reading, Reading, tuple[Message, ...]]:
-    """How all files of a new project are read, from what is given and what is found in them.
+    """Complete the options of all files of a new project by detected ones.
 
     Returns
     -------
@@ -173,13 +173,15 @@ def settled_readings(
         Where a file cannot be read, or is not what is given.
     """
     track_stated = bool(dict(trajectory_reading.options).get("time"))
-    trajectory_reading, notes = usual_or_settled(trajectory, "trajectory", trajectory_reading)
+    trajectory_reading, notes = usual_or_detected_reading(
+        trajectory, "trajectory", trajectory_reading
+    )
     if accuracy is not None:
-        accuracy_reading, more = usual_or_settled(accuracy, "accuracy", accuracy_reading)
+        accuracy_reading, more = usual_or_detected_reading(accuracy, "accuracy", accuracy_reading)
         notes += more
-    known, more = _settled_lines(lines)
+    known, more = _lines_with_readings(lines)
     notes += more
-    known, more = lines_in_trajectory_time(
+    known, more = shift_lines_to_trajectory(
         known, [line.reading for line in lines], trajectory, trajectory_reading,
         trajectory_stated=track_stated,
     )  # fmt: skip
@@ -189,7 +191,7 @@ def settled_readings(
 def with_lines_added(
     project: Project, lines: Sequence[LineSource], *, progress: Progress = no_progress
 ) -> tuple[Project, Survey]:
-    """Add lines to a project and read its survey with them; what is picked and computed stays.
+    """Add lines to a project and read its survey; targets and results are kept.
 
     The reading options are completed as in `new_project`. The project on disk is not changed.
 
@@ -206,10 +208,10 @@ def with_lines_added(
                 raise ProjectError(
                     error("project_line.known", file=str(line.path), line=known.name)
                 )
-    added, notes = _settled_lines(lines)
-    added, more = lines_in_trajectory_time(
+    added, notes = _lines_with_readings(lines)
+    added, more = shift_lines_to_trajectory(
         added, [line.reading for line in lines], project.trajectory, project.trajectory_reading,
-        trajectory_stated=states_time(project.trajectory, project.trajectory_reading),
+        trajectory_stated=has_given_time_base(project.trajectory, project.trajectory_reading),
     )  # fmt: skip
     notes += more
     edited = replace(
@@ -217,14 +219,14 @@ def with_lines_added(
         lines=(*project.lines, *(replace(n, path=Path(n.path).absolute()) for n in added)),
         opinions=(),
     )
-    _require_names(edited)
-    with taken_back(edited):
+    _require_line_names(edited)
+    with removed_on_failure(edited):
         survey = load_survey(edited, progress=progress)
     edited = edited.with_data_messages(survey.messages)
     return edited, replace(survey, notes=(*notes, *survey.notes))
 
 
-def _settled_lines(
+def _lines_with_readings(
     lines: Sequence[LineSource],
 ) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
     """Lines with how each is read, and messages about their files."""
@@ -232,16 +234,16 @@ def _settled_lines(
     notes: tuple[Message, ...] = ()
     for line in lines:
         named = bool(line.columns)
-        reading, more = usual_or_settled(line.path, "points", line.reading, columns=named)
+        reading, more = usual_or_detected_reading(line.path, "points", line.reading, columns=named)
         known.append(replace(line, reading=reading))
         notes += more
-    counted, more = lines_counted_on(known)
+    counted, more = resolve_time_rollovers(known)
     return counted, notes + more
 
 
 @contextmanager
-def taken_back(project: Project) -> Iterator[None]:
-    """Remove what was imported for a project that comes to nothing, and no more than that.
+def removed_on_failure(project: Project) -> Iterator[None]:
+    """Remove the imported lines of a new project if its creation fails.
 
     What was there before, whatever it is and whoever put it there, stays.
     """
@@ -268,14 +270,14 @@ def open_project(folder: Path) -> Project:
     ------
     ProjectError
     """
-    return opened_with_notes(folder)[0]
+    return open_project_with_notes(folder)[0]
 
 
 @contextmanager
-def project_to_change(
+def locked_project(
     folder: Path, *, waiting: Callable[[], None] = lambda: None
 ) -> Iterator[Project]:
-    """Open a project, and let no other program change it until the block ends.
+    """Open a project, locked against changes by other programs until the block ends.
 
     Another program that is changing it is waited for.
 
@@ -295,8 +297,8 @@ def project_to_change(
         yield open_project(place)
 
 
-def opened_with_notes(folder: Path) -> tuple[Project, tuple[Message, ...]]:
-    """Open a project as `open_project` does, and return the files found elsewhere.
+def open_project_with_notes(folder: Path) -> tuple[Project, tuple[Message, ...]]:
+    """Open a project, with notes on files that were found elsewhere.
 
     Raises
     ------
@@ -306,8 +308,8 @@ def opened_with_notes(folder: Path) -> tuple[Project, tuple[Message, ...]]:
 
 
 @dataclass(frozen=True, eq=False)
-class Unsaved:
-    """What a project was when the program last wrote it down, and had no time to save it.
+class UnsavedProject:
+    """Unsaved state of a project, recovered after a crash.
 
     Attributes
     ----------
@@ -319,8 +321,8 @@ class Unsaved:
     saved: float
 
 
-def unsaved_work(folder: Path) -> Unsaved | None:
-    """What was not saved before a crash; None where there is nothing.
+def read_unsaved_project(folder: Path) -> UnsavedProject | None:
+    """Read the unsaved project after a crash; None if there is none.
 
     Raises
     ------
@@ -332,11 +334,11 @@ def unsaved_work(folder: Path) -> Unsaved | None:
         return None
     project, _ = with_files_beside(project)
     kept, saved = (folder / name for name in (UNSAVED_NAME, FILE_NAME))
-    return Unsaved(project, kept.stat().st_mtime, saved.stat().st_mtime)
+    return UnsavedProject(project, kept.stat().st_mtime, saved.stat().st_mtime)
 
 
 def require_folder(project: Project) -> None:
-    """See that the folder of an open project is still where it was opened.
+    """Refuse if the folder of an open project is no longer at its place.
 
     Saving would make it anew at the old place, without the lines and the trajectory.
 

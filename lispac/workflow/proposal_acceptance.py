@@ -1,23 +1,23 @@
-"""What of a proposal goes into a project."""
+"""Acceptance of proposed targets into a project."""
 
 from collections.abc import Collection
 from dataclasses import replace
 
-from lispac.doubles import overlap_with
+from lispac.duplicate_targets import find_overlap
 from lispac.messages import Message
 from lispac.project import Project, Target
 from lispac.workflow.picking import next_name
 from lispac.workflow.proposals import Proposal
 
 
-def not_picked(project: Project, proposal: Proposal) -> Proposal:
+def without_picked(project: Project, proposal: Proposal) -> Proposal:
     """The proposal without the surfaces that the project has already, under free names."""
     targets: list[Target] = []
     reasons: dict[str, Message] = {}
     picked: list[str] = []
     numbered = project
     for target in proposal.targets:
-        own = _picked_as(target, project)
+        own = _same_picked_target(target, project)
         if own is not None:
             picked += [own] if target.role == "target" else []
             continue
@@ -46,8 +46,8 @@ def with_accepted(
     return project, tuple(given)
 
 
-def _picked_as(target: Target, project: Project) -> str | None:
-    """The target of the project that is the same surface, if there is one."""
+def _same_picked_target(target: Target, project: Project) -> str | None:
+    """Name of the project's target on the same surface; None if there is none."""
     # What is proposed may have the name of another one that was picked.
-    found = overlap_with(replace(target, name=""), project.targets)
-    return found.other if found is not None and found.is_same else None
+    found = find_overlap(replace(target, name=""), project.targets)
+    return found.other if found is not None and found.is_same_surface else None

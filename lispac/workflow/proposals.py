@@ -8,37 +8,37 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.blas import one_thread
-from lispac.adjustment.message_parts import quantity
-from lispac.adjustment.observability import one_facing
-from lispac.adjustment.problem import Linearised, Problem
+from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.blas_threads import single_blas_thread
+from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.observability import have_one_orientation
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.warnings import doubts
-from lispac.causes import RESULT
+from lispac.adjustment.warnings import result_warnings
 from lispac.errors import TargetNotFound
 from lispac.geometry.planes import fit_plane
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note, warning
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Role, Target, Triple
-from lispac.survey.cloud import Cloud, placed_with
-from lispac.targets.detection import DetectedPlane, Found, detect_planes
-from lispac.targets.finder import FinderSettings
-from lispac.targets.hidden import ends_within
-from lispac.targets.quality import SightingQuality
-from lispac.targets.smear import ROUGHLY_OFF
-from lispac.validation.comparison import reciprocal
+from lispac.survey.cloud import Cloud, place_clouds
+from lispac.targets.boresight_smear import ROUGHLY_OFF
+from lispac.targets.occlusion import does_plane_end_within
+from lispac.targets.plane_detection import DetectedPlane, Found, detect_planes
+from lispac.targets.plane_finder import FinderSettings
+from lispac.targets.sighting_quality import SightingQuality
+from lispac.validation.plane_comparison import reciprocal
+from lispac.warning_causes import RESULT
 from lispac.workflow.calibration import estimate, observations_of
-from lispac.workflow.qualities import qualities
+from lispac.workflow.sighting_assessment import sighting_qualities
 from lispac.workflow.survey import Survey
 from lispac.workflow.target_choice import (
     LEAST_TARGETS,
     LEAST_VALIDATION,
-    Planes,
-    chosen_targets,
+    CandidatePlanes,
+    choose_targets,
 )
-from lispac.workflow.target_search import MET_SHIFT, planes_in_lines
+from lispac.workflow.target_search import MET_SHIFT, find_planes_in_lines
 
 Array = NDArray[np.float64]
 
@@ -59,7 +59,7 @@ UNCHECKED = {
 
 @dataclass(frozen=True, eq=False)
 class Proposal:
-    """What could be used, and why.
+    """Proposed targets and validation planes, with reasons.
 
     Attributes
     ----------
@@ -81,8 +81,10 @@ class Proposal:
     warnings: tuple[Message, ...] = ()
 
 
-def propose(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Proposal:
-    """Propose targets and validation planes; the project stays as it is.
+def propose_targets(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> Proposal:
+    """Propose targets and validation planes, without changing the project.
 
     Of the flat planes those are targets that determine the angles best and check each other (see
     `lispac.workflow.target_choice`). They are adjusted; planes that are not flat with the estimated
@@ -98,13 +100,13 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
     """
     threshold = project.settings.threshold
     progress(0.0, gettext_lazy("Aligning the lines"))
-    aligned = survey.aligned
+    aligned = survey.alignment
     settings = FinderSettings(threshold=threshold)
     if aligned.nearly_meets:
         settings = replace(settings, max_shift=MET_SHIFT)
 
     def find(seed: Array, line: str, step: Progress) -> Found:
-        return planes_in_lines(
+        return find_planes_in_lines(
             aligned.clouds, seed, settings,
             first_line=line, accuracy=aligned.accuracy, progress=step,
         )  # fmt: skip
@@ -114,46 +116,48 @@ def propose(project: Project, survey: Survey, *, progress: Progress = no_progres
         settings,
         lines=aligned.clouds,
         find=find,
-        progress=part(progress, 0.1, 0.85),
+        progress=sub_progress(progress, 0.1, 0.85),
     )
     progress(0.85, gettext_lazy("Fitting the planes"))
     named = {f"P{k + 1}": plane for k, plane in enumerate(detected)}
     targets = tuple(
-        _target(survey, plane, name, "target", threshold) for name, plane in named.items()
+        _proposed_target(survey, plane, name, "target", threshold) for name, plane in named.items()
     )
-    judged = _judged(replace(project, targets=targets, result=None), survey)
+    judged = _assess_planes(replace(project, targets=targets, result=None), survey)
     flat = [target for target in targets if judged[target.name].use == "any"]
     if len(flat) < 2:
-        raise TargetNotFound(_too_few(project, len(flat), list(judged.values())))
+        raise TargetNotFound(_too_few_planes_message(project, len(flat), list(judged.values())))
     progress(0.9, gettext_lazy("Selecting the targets"))
-    chosen, result, planes = _chosen(project, survey, flat, named, judged)
+    chosen, result, planes = _choose_targets(project, survey, flat, named, judged)
     left = [name for name in named if judged[name].use == "any" and name not in chosen]
     spare = [name for name in named if judged[name].use == "at need"]
     apart = [
         name
         for name in [*left, *spare[: max(LEAST_VALIDATION - len(left), 0)]]
-        if not any(_overlap(named[name], named[other]) for other in chosen)
+        if not any(_do_planes_overlap(named[name], named[other]) for other in chosen)
     ]
     proposed: list[Target] = []
     reasons: dict[str, Message] = {}
     for number, name in enumerate(chosen, start=1):
-        proposed.append(_target(survey, named[name], f"T{number}", "target", threshold))
-        reasons[f"T{number}"] = _reason(planes, chosen, name, len(named[name].found), result)
-    for number, plane in enumerate(_validation([named[name] for name in apart], survey), start=1):
+        proposed.append(_proposed_target(survey, named[name], f"T{number}", "target", threshold))
+        reasons[f"T{number}"] = _target_reason(planes, chosen, name, len(named[name].found), result)
+    for number, plane in enumerate(
+        _order_validation_planes([named[name] for name in apart], survey), start=1
+    ):
         name = next(name for name in apart if named[name] is plane)
-        proposed.append(_target(survey, plane, f"V{number}", "validation", threshold))
-        reasons[f"V{number}"] = _reason_of_plane(plane, survey, judged[name])
+        proposed.append(_proposed_target(survey, plane, f"V{number}", "validation", threshold))
+        reasons[f"V{number}"] = _validation_plane_reason(plane, survey, judged[name])
     progress(1.0)
-    return Proposal(tuple(proposed), reasons, result.sigma, (), _warnings(result))
+    return Proposal(tuple(proposed), reasons, result.sigma, (), _adjustment_warnings(result))
 
 
-def _chosen(
+def _choose_targets(
     project: Project,
     survey: Survey,
     flat: Sequence[Target],
     named: Mapping[str, DetectedPlane],
     judged: dict[str, "_PlaneAssessment"],
-) -> tuple[list[str], AdjustmentResult, Planes]:
+) -> tuple[list[str], AdjustmentResult, CandidatePlanes]:
     """Names of the targets to propose, their adjustment, and the planes they were chosen from.
 
     Planes that turn out not to be flat are marked so in ``judged``.
@@ -166,8 +170,10 @@ def _chosen(
     candidates = list(flat)
     while True:
         everything = replace(project, targets=tuple(candidates), result=None)
-        planes = _planes(everything, survey, {each.name: named[each.name] for each in candidates})
-        chosen = chosen_targets(planes)
+        planes = _candidate_planes(
+            everything, survey, {each.name: named[each.name] for each in candidates}
+        )
+        chosen = choose_targets(planes)
         targets = tuple(
             replace(each, name=f"T{number}")
             for number, name in enumerate(chosen, start=1)
@@ -180,7 +186,7 @@ def _chosen(
         suspects = {sighting.target for sighting in result.suspects} | set(result.excluded_targets)
         # A wrong boresight bends planes; with one that is known well a bend is that of the surface.
         known = float(result.sigma.max()) <= ROUGHLY_OFF
-        now = _judged(solved, survey) if known else {}
+        now = _assess_planes(solved, survey) if known else {}
         rejected = {
             name
             for name, target in zip(chosen, targets, strict=True)
@@ -191,24 +197,28 @@ def _chosen(
         judged |= {name: replace(judged[name], use="not flat", flat=False) for name in rejected}
         candidates = [each for each in candidates if each.name not in rejected]
         if len(candidates) < 2:
-            raise TargetNotFound(_too_few(project, len(candidates), list(judged.values())))
+            raise TargetNotFound(
+                _too_few_planes_message(project, len(candidates), list(judged.values()))
+            )
 
 
-def _planes(project: Project, survey: Survey, named: Mapping[str, DetectedPlane]) -> Planes:
-    """The project's targets as planes to choose from."""
-    linearised = _linearised(project, survey)
-    uneven = _unevenness(project, placed_with(survey.clouds, linearised.state.mounting))
+def _candidate_planes(
+    project: Project, survey: Survey, named: Mapping[str, DetectedPlane]
+) -> CandidatePlanes:
+    """Candidate planes for the choice, from the project's targets."""
+    linearised = _linearise_planes(project, survey)
+    uneven = _unevenness(project, place_clouds(survey.clouds, linearised.state.mounting))
     named = {name: named[name] for name in linearised.problem.observations.targets}
-    return Planes(
+    return CandidatePlanes(
         _with_unevenness(linearised, uneven),
         {name: plane.centre for name, plane in named.items()},
-        _whole(named),
-        _facing_one_way(project, named),
+        _complete_planes(named),
+        _parallel_pairs(project, named),
     )
 
 
-def _reason(
-    planes: Planes, chosen: Sequence[str], name: str, lines: int, result: AdjustmentResult
+def _target_reason(
+    planes: CandidatePlanes, chosen: Sequence[str], name: str, lines: int, result: AdjustmentResult
 ) -> Message:
     """Why a target is proposed: the angle whose sigma would grow most without it."""
     without = planes.sigma(set(chosen) - {name})
@@ -219,15 +229,17 @@ def _reason(
     now = float(result.sigma[k])
     return note(
         "propose.target",
-        lines=lines, angle=quantity(ANGLES[k]), without=float(grown[k]) * now, sigma=now,
+        lines=lines, angle=mounting_value_name(ANGLES[k]), without=float(grown[k]) * now, sigma=now,
     )  # fmt: skip
 
 
-def _reason_of_plane(plane: DetectedPlane, survey: Survey, judged: "_PlaneAssessment") -> Message:
-    """What a validation plane shows, and where it is seen poorly."""
+def _validation_plane_reason(
+    plane: DetectedPlane, survey: Survey, judged: "_PlaneAssessment"
+) -> Message:
+    """Reason for a validation plane, with the lines that observe it poorly."""
     found = note(
         "propose.validation_plane_reciprocal"
-        if _opposite(plane, survey)
+        if _has_reciprocal_lines(plane, survey)
         else "propose.validation_plane",
         area=plane.area, lines=len(plane.found), height=float(plane.centre[2]),
     )  # fmt: skip
@@ -237,16 +249,16 @@ def _reason_of_plane(plane: DetectedPlane, survey: Survey, judged: "_PlaneAssess
     return note("propose.validation_plane_poor", plane=found, lines=judged.poor, reason=reason)
 
 
-def _warnings(result: AdjustmentResult) -> tuple[Message, ...]:
+def _adjustment_warnings(result: AdjustmentResult) -> tuple[Message, ...]:
     """Warnings of the adjustment of the chosen targets."""
-    found = [message for message in doubts(result, None) if message.is_serious]
+    found = [message for message in result_warnings(result, None) if message.is_serious]
     if any(message.code in UNCHECKED for message in found):
         found.append(warning("targets.proposal_unchecked", subject=RESULT))
     return tuple(found)
 
 
-def _overlap(plane: DetectedPlane, other: DetectedPlane) -> bool:
-    """Whether two planes have points in common."""
+def _do_planes_overlap(plane: DetectedPlane, other: DetectedPlane) -> bool:
+    """True if two planes have points in common."""
     return any(
         np.isin(plane.found[line].indices, other.found[line].indices).mean() > SHARED
         for line in plane.found
@@ -254,12 +266,12 @@ def _overlap(plane: DetectedPlane, other: DetectedPlane) -> bool:
     )
 
 
-def _target(
+def _proposed_target(
     survey: Survey, plane: DetectedPlane, name: str, role: Role, threshold: float
 ) -> Target:
     # Where the prior boresight puts it, as if it had been clicked.
     line = plane.line if plane.line in plane.found else next(iter(plane.found))
-    indices, aligned = plane.found[line].indices, survey.aligned
+    indices, aligned = plane.found[line].indices, survey.alignment
     apart = np.linalg.norm(aligned.clouds[line][indices] - plane.seed, axis=1)
     clicked = survey.clouds[line][indices[np.argmin(apart)][None]][0]
     seed: Triple = (float(clicked[0]), float(clicked[1]), float(clicked[2]))
@@ -293,15 +305,15 @@ class _PlaneAssessment:
     flat: bool = True
 
 
-def _judged(project: Project, survey: Survey) -> dict[str, _PlaneAssessment]:
-    """How good the lines show each target, by the judgement that its table shows."""
+def _assess_planes(project: Project, survey: Survey) -> dict[str, _PlaneAssessment]:
+    """Assessment of each target by the quality of its sightings."""
     found: dict[str, dict[str, SightingQuality]] = {target.name: {} for target in project.targets}
-    for (name, line), quality in qualities(project, survey).items():
+    for (name, line), quality in sighting_qualities(project, survey).items():
         found[name][line] = quality
-    return {name: _judged_by(lines) for name, lines in found.items()}
+    return {name: _assess_plane(lines) for name, lines in found.items()}
 
 
-def _judged_by(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
+def _assess_plane(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
     poor = tuple(line for line, quality in lines.items() if quality.light == "poor")
     rough = [line for line, quality in lines.items() if quality.flatness == "poor"]
     doubtful = [line for line, quality in lines.items() if quality.flatness != "good"]
@@ -314,8 +326,10 @@ def _judged_by(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
     return _PlaneAssessment("at need" if len(poor) == MOSTLY * len(lines) else "poor", poor, reason)
 
 
-def _too_few(project: Project, few: int, judged: Sequence[_PlaneAssessment]) -> Message:
-    """That there are too few planes, and why others do not count."""
+def _too_few_planes_message(
+    project: Project, few: int, judged: Sequence[_PlaneAssessment]
+) -> Message:
+    """Warning that there are too few planes, with the reasons why others do not count."""
     uneven = sum(not each.flat for each in judged)
     poor = len(judged) - few - uneven
     return error(
@@ -323,7 +337,7 @@ def _too_few(project: Project, few: int, judged: Sequence[_PlaneAssessment]) -> 
     )
 
 
-def _linearised(project: Project, survey: Survey) -> Linearised:
+def _linearise_planes(project: Project, survey: Survey) -> LinearisedProblem:
     """All planes together, linearised where the adjustment ends up with them."""
     observations = observations_of(project, survey)
     model = project.settings.stochastic_model
@@ -332,16 +346,16 @@ def _linearised(project: Project, survey: Survey) -> Linearised:
     result = adjust(observations, prior, model, accept_one_facing=True, diagnostics=False)
     observations = observations.without_targets(result.excluded_targets)
     shapes = np.stack([target.plane for target in result.targets])
-    with one_thread():
-        problem = Problem.of(observations, result.mounting, model)
+    with single_blas_thread():
+        problem = AdjustmentProblem.of(observations, result.mounting, model)
         problem = replace(problem, noise=np.array([target.noise for target in result.targets]))
         if model.correlated:
-            problem = problem.with_surface(np.maximum(result.surfaces, 1e-5))
+            problem = problem.with_surface_sigma(np.maximum(result.surfaces, 1e-5))
         return problem.linearised(problem.start(result.mounting, shapes))
 
 
 def _unevenness(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, float]:
-    """By how much the planes that lines show of one surface differ within it, metres, rms.
+    """RMS difference of the planes of different lines on each surface, metres.
 
     A board is the same from everywhere. A tarpaulin or a bonnet shows each line another part of
     itself, or is no plane at all, which limits its information for the adjustment.
@@ -358,18 +372,18 @@ def _unevenness(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, floa
     return uneven
 
 
-def _with_unevenness(linearised: Linearised, uneven: dict[str, float]) -> Linearised:
-    """The same with realistic form errors of all surfaces."""
+def _with_unevenness(linearised: LinearisedProblem, uneven: dict[str, float]) -> LinearisedProblem:
+    """Linearised problem whose surface sigmas are at least the observed unevenness."""
     problem = linearised.problem
     if not problem.model.correlated:
         return linearised
     for k, sighting in enumerate(problem.observations.sightings):
         sigma = np.maximum(problem.surface_sigma[k], uneven[sighting.target])
-        problem = problem.with_surface_of([k], slice(0, 3), sigma)
+        problem = problem.with_sighting_surface_sigma([k], slice(0, 3), sigma)
     return problem.linearised(linearised.state)
 
 
-def _facing_one_way(project: Project, planes: Mapping[str, DetectedPlane]) -> set[tuple[str, str]]:
+def _parallel_pairs(project: Project, planes: Mapping[str, DetectedPlane]) -> set[tuple[str, str]]:
     """Pairs of planes that face one way, which the adjustment would refuse."""
     if project.settings.accept_one_facing:
         return set()
@@ -380,35 +394,35 @@ def _facing_one_way(project: Project, planes: Mapping[str, DetectedPlane]) -> se
     return {
         (a, b)
         for a, b in combinations(planes, 2)
-        if one_facing(np.stack([normals[a], normals[b]]), free)
+        if have_one_orientation(np.stack([normals[a], normals[b]]), free)
     }
 
 
-def _whole(planes: Mapping[str, DetectedPlane]) -> set[str]:
+def _complete_planes(planes: Mapping[str, DetectedPlane]) -> set[str]:
     """Names of the planes that end within the search radius: the same outline on every line."""
     radius = FinderSettings().radius
     return {
         name
         for name, plane in planes.items()
-        if ends_within(radius, [patch.extent for patch in plane.found.values()])
+        if does_plane_end_within(radius, [patch.extent for patch in plane.found.values()])
     }
 
 
-def _opposite(plane: DetectedPlane, survey: Survey) -> bool:
+def _has_reciprocal_lines(plane: DetectedPlane, survey: Survey) -> bool:
     return any(
         reciprocal(survey.heading[a], survey.heading[b]) for a, b in combinations(plane.found, 2)
     )
 
 
-def _validation(planes: list[DetectedPlane], survey: Survey) -> list[DetectedPlane]:
-    """The planes on opposite lines first, each next one the farthest from those before."""
+def _order_validation_planes(planes: list[DetectedPlane], survey: Survey) -> list[DetectedPlane]:
+    """Validation planes in order: reciprocal lines first, then by distance from the others."""
     large = [plane for plane in planes if plane.area >= LARGE]
     planes = large if len(large) >= LEAST_VALIDATION else planes
-    left = sorted(planes, key=lambda plane: (not _opposite(plane, survey), -plane.area))
+    left = sorted(planes, key=lambda plane: (not _has_reciprocal_lines(plane, survey), -plane.area))
     kept = left[:1]
     while len(left) > len(kept) and len(kept) < LEAST_VALIDATION + 1:
         rest = [plane for plane in left if plane not in kept]
-        opposite = [plane for plane in rest if _opposite(plane, survey)] or rest
+        opposite = [plane for plane in rest if _has_reciprocal_lines(plane, survey)] or rest
         kept.append(
             max(
                 opposite,

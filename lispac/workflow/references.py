@@ -1,4 +1,4 @@
-"""What the lines are checked against: a static scan, or surveyed points and their planes."""
+"""References for the check of the lines: a static scan, or surveyed points and planes."""
 
 import hashlib
 from collections.abc import Sequence
@@ -9,22 +9,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError, PlaneNotFound
-from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, in_plane_axes
+from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, plane_axes
 from lispac.io.seed_file import MOST, ListedPoint, read_point_list
-from lispac.io.static_scan import StaticScan, few_rows, static_scan
+from lispac.io.static_scan import StaticScan, has_few_rows, open_static_scan
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem, coordinate_system
-from lispac.survey.store.cells import MOST_HALVINGS, in_sample
+from lispac.survey.store.spatial_cells import MOST_HALVINGS, is_number_in_sample
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.validation.absolute import Kind
-from lispac.workflow.coordinates import away, local_places, require_near
-from lispac.workflow.export_request import system_of
+from lispac.validation.absolute_check import Kind
+from lispac.workflow.coordinates import (
+    distances_from_trajectory,
+    require_near_trajectory,
+    to_local_frame,
+)
+from lispac.workflow.export_request import output_system_of
+from lispac.workflow.output_crs import LOCAL, trajectory_datum_of
 from lispac.workflow.seed_lists import columns_note
 from lispac.workflow.survey import Survey
-from lispac.workflow.target_systems import LOCAL, own_datum
 
 Array = NDArray[np.float64]
 
@@ -69,7 +73,7 @@ class PlaneReference:
         """
         from scipy.spatial import Delaunay
 
-        axes, middle = in_plane_axes(self.plane.normal), self.points.mean(axis=0)
+        axes, middle = plane_axes(self.plane.normal), self.points.mean(axis=0)
         middle = middle - self.plane.distances(middle) * self.plane.normal
         flat = (self.points - middle) @ axes.T
         low, high = flat.min(axis=0), flat.max(axis=0)
@@ -146,17 +150,19 @@ def read_reference(
         Where the file or its coordinates cannot be used.
     """
     path = Path(path)
-    found = static_scan(path)
-    listed = not found.system and _is_list(path, found)
+    found = open_static_scan(path)
+    listed = not found.system and _is_list_of_points(path, found)
     if not crs and found.system and not height and trajectory_datum is None:
-        datum, year = own_datum(project.lines)
+        datum, year = trajectory_datum_of(project.lines)
         system: CoordinateSystem | None = coordinate_system(
             found.system, height_unit=found.height_unit, trajectory_datum=datum,
             epoch=year if epoch is None else epoch,
         )  # fmt: skip
     else:
         chosen = crs or found.system or LOCAL
-        system = system_of(project, survey.trajectory, chosen, height, trajectory_datum, epoch)
+        system = output_system_of(
+            project, survey.trajectory, chosen, height, trajectory_datum, epoch
+        )
     words = "the local frame" if system is None else system.name
     notes: tuple[Message, ...] = (
         note("assumed.local_frame")
@@ -170,8 +176,8 @@ def read_reference(
     file_facts = (path, path.stat().st_size, digest)
     if listed:
         points, columns = _read_points(path, system, survey.trajectory)
-        names, places, sigmas, planes, said = _sorted_out(points, sigma, path)
-        said += _doubtful_sigmas([point for point, _ in points])
+        names, places, sigmas, planes, said = _group_points(points, sigma, path)
+        said += _sigma_warnings([point for point, _ in points])
         usual = float(np.median([*sigmas, *(p.sigma for p in planes)]))
         return Reference(
             *file_facts, "points", words, usual, (*notes, columns, *said), np.zeros((0, 3)), names,
@@ -184,8 +190,8 @@ def read_reference(
     )
 
 
-def _is_list(path: Path, found: StaticScan) -> bool:
-    return not found.is_cloud and few_rows(path, MOST)
+def _is_list_of_points(path: Path, found: StaticScan) -> bool:
+    return not found.is_cloud and has_few_rows(path, MOST)
 
 
 def _read_points(
@@ -200,15 +206,15 @@ def _read_points(
     for number, point in enumerate(found.points, start=1):
         name = point.name or f"P{number}"
         where = f"{path}, row {point.row}: {name}"
-        place = require_near(np.array(point.coordinates), system, trajectory, where)
+        place = require_near_trajectory(np.array(point.coordinates), system, trajectory, where)
         placed.append((point, place))
     return placed, columns_note(found, system)
 
 
-def _sorted_out(
+def _group_points(
     points: Sequence[tuple[ListedPoint, Array]], sigma: float, path: Path
 ) -> tuple[tuple[str, ...], Array, Array, tuple[PlaneReference, ...], list[Message]]:
-    """Points that stand alone, and the planes that others span."""
+    """Group surveyed points into single points and planes."""
     alone = [(p.name or f"P{k}", x, sigma if p.sigma is None else p.sigma)
              for k, (p, x) in enumerate(points, start=1) if not p.plane]  # fmt: skip
     together: dict[str, list[tuple[Array, float]]] = {}
@@ -218,7 +224,9 @@ def _sorted_out(
             together.setdefault(point.plane, []).append((place, own))
     planes, said = [], []
     for name, some in together.items():
-        plane, off = _plane(name, np.array([x for x, _ in some]), [s for _, s in some], path)
+        plane, off = _plane_reference(
+            name, np.array([x for x, _ in some]), [s for _, s in some], path
+        )
         planes.append(plane)
         if off is not None:
             said.append(off)
@@ -231,7 +239,7 @@ def _sorted_out(
     )
 
 
-def _doubtful_sigmas(points: Sequence[ListedPoint]) -> list[Message]:
+def _sigma_warnings(points: Sequence[ListedPoint]) -> list[Message]:
     """The warning about standard deviations that are probably not in metres; or none."""
     large = [
         (point.name or f"P{k}", point.sigma)
@@ -245,7 +253,7 @@ def _doubtful_sigmas(points: Sequence[ListedPoint]) -> list[Message]:
     return [warning("reference.large_sigma", count=len(large), name=name, sigma=sigma, limit=limit)]
 
 
-def _plane(
+def _plane_reference(
     name: str, points: Array, sigmas: Sequence[float], path: Path
 ) -> tuple[PlaneReference, Message | None]:
     """A plane, and the warning about a point that does not lie on it.
@@ -264,10 +272,10 @@ def _plane(
     own = np.maximum(np.array(sigmas), 1e-6)
     try:
         plane = fit_plane(points, 1 / own**2)
-        Delaunay((points - points.mean(axis=0)) @ in_plane_axes(plane.normal).T)
+        Delaunay((points - points.mean(axis=0)) @ plane_axes(plane.normal).T)
     except (PlaneNotFound, QhullError) as failure:
         raise InputError(error("check.points_in_one_row", file=str(path), plane=name)) from failure
-    flat = (points - points.mean(axis=0)) @ in_plane_axes(plane.normal).T
+    flat = (points - points.mean(axis=0)) @ plane_axes(plane.normal).T
     design = np.column_stack([np.ones(len(points)), flat])
     covariance = np.linalg.inv(design.T @ (design / own[:, None] ** 2))
     off = plane.distances(points)
@@ -294,20 +302,20 @@ def _read_surface(
     parts: list[Array] = []
     numbers: list[NDArray[np.int64]] = []
     done = kept = halvings = 0
-    for chunk in found.chunks(local=system is None):
-        placed = local_places(chunk, system, survey.trajectory)
+    for chunk in found.coordinate_chunks(local=system is None):
+        placed = to_local_frame(chunk, system, survey.trajectory)
         if not done:
-            _require_site(found.path, chunk, placed, system, survey.trajectory)
+            _require_same_site(found.path, chunk, placed, system, survey.trajectory)
         own = np.arange(done, done + len(chunk))
         good = seen.contains(placed)
         if halvings:
-            good &= in_sample(own, halvings)
+            good &= is_number_in_sample(own, halvings)
         parts.append(placed[good])
         numbers.append(own[good])
         done, kept = done + len(chunk), kept + int(good.sum())
         while kept > MOST_POINTS and halvings < MOST_HALVINGS:
             halvings += 1
-            chosen = [in_sample(some, halvings) for some in numbers]
+            chosen = [is_number_in_sample(some, halvings) for some in numbers]
             parts = [part[which] for part, which in zip(parts, chosen, strict=True)]
             numbers = [some[which] for some, which in zip(numbers, chosen, strict=True)]
             kept = sum(map(len, parts))
@@ -323,19 +331,19 @@ def _read_surface(
     return np.concatenate(parts), used
 
 
-def _require_site(
+def _require_same_site(
     path: Path, chunk: Array, placed: Array, system: CoordinateSystem | None,
     trajectory: LocalTrajectory,
 ) -> None:  # fmt: skip
     """Refuse a scan of another place, by the point of its first chunk that is nearest."""
     step = max(1, len(placed) // 1000)
-    nearest = int(np.argmin(away(placed[::step], trajectory)))
-    require_near(chunk[::step][nearest], system, trajectory, f"{path}")
+    nearest = int(np.argmin(distances_from_trajectory(placed[::step], trajectory)))
+    require_near_trajectory(chunk[::step][nearest], system, trajectory, f"{path}")
 
 
 @dataclass(frozen=True, eq=False)
 class _VisibleCells:
-    """Cells of the local frame that lines have points in, or beside."""
+    """Cells of the local frame that contain points of the lines, and their neighbours."""
 
     side: float
     low: Array

@@ -9,7 +9,7 @@ from lispac.messages import Message, error, note
 from lispac.project import Project
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.projects import open_project
-from lispac.workflow.same_lines import same_lines, shared_lines
+from lispac.workflow.shared_lines import has_same_lines, shared_lines
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,7 +29,7 @@ class ComparedProjects:
 
 
 def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
-    """The calibration of each project, with remarks on the comparison.
+    """Calibration of each project, with remarks on their comparison.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
         seen.add(where)
         if project.result is None:
             raise ProjectError(error("estimate.needed", project=project.name))
-    names = names_of(projects)
+    names = distinct_names(projects)
     found = [
         Calibration(name, project.result.boresight, project.result.covariance)
         for name, project in zip(names, projects, strict=True)
@@ -58,17 +58,17 @@ def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
     counted: list[int] = []
     remarks: list[Message] = []
     for k, project in enumerate(projects):
-        first = next((j for j in counted if same_lines(projects[j], project)), None)
+        first = next((j for j in counted if has_same_lines(projects[j], project)), None)
         if first is None:
             counted.append(k)
         else:
             remarks.append(note("repeat.same_lines", name=names[k], other=names[first]))
-    remarks += remarks_on(names, projects)
+    remarks += comparability_remarks(names, projects)
     return ComparedProjects(tuple(found), tuple(found[k] for k in counted), tuple(remarks))
 
 
-def names_of(projects: Sequence[Project]) -> list[str]:
-    """Their own names; with the folder above them, or all of it, where two have the same."""
+def distinct_names(projects: Sequence[Project]) -> list[str]:
+    """Distinct names of projects: their own, or with the folders above them."""
     paths = [project.folder.resolve() for project in projects]
     kinds = [
         [project.name for project in projects],
@@ -84,13 +84,13 @@ def names_of(projects: Sequence[Project]) -> list[str]:
     ]
 
 
-def remarks_on(names: Sequence[str], projects: Sequence[Project]) -> list[Message]:
-    """What makes the later ones hard to compare with the first."""
+def comparability_remarks(names: Sequence[str], projects: Sequence[Project]) -> list[Message]:
+    """Notes on differences that limit the comparison with the first project."""
     said = []
     first = projects[0]
     for name, project in zip(names[1:], projects[1:], strict=True):
         shared = shared_lines(first, project)
-        if shared and not same_lines(first, project):
+        if shared and not has_same_lines(first, project):
             said.append(note("repeat.shared_lines", name=name, other=names[0], count=len(shared)))
         if project.settings.lever_arm != first.settings.lever_arm:
             said.append(note("repeat.lever_arm", name=name, other=names[0]))

@@ -5,12 +5,12 @@ from pathlib import Path
 from typing import Any
 
 from lispac.errors import InputError
-from lispac.foreign_values import InvalidContentError, toml_values
 from lispac.io.files import require_file
 from lispac.language import LANGUAGES
 from lispac.messages import error
 from lispac.report.options import PAGES, USUAL, Page, ReportOptions
-from lispac.survey.conventions.systems import system
+from lispac.survey.conventions.systems import convention_of_key
+from lispac.untrusted_values import InvalidContentError, toml_values
 
 KEYS = ("logo", "company", "heading", "closing", "page", "convention", "language")
 LONGEST = 2000
@@ -20,24 +20,24 @@ LONGEST = 2000
 def report_options(
     template: Path | None = None, page: str = "", convention: str = "", language: str = ""
 ) -> ReportOptions:
-    """Options from a template, if there is one, and what is chosen besides, which goes before it.
+    """Options from a template, if there is one, overridden by the chosen ones.
 
     Raises
     ------
     InputError
         With what is wrong in the template or of the choice.
     """
-    options = USUAL if template is None else _of_template(Path(template))
+    options = USUAL if template is None else _read_template(Path(template))
     if page:
-        options = replace(options, page=_page(page))
+        options = replace(options, page=_parse_page(page))
     if convention:
-        options = replace(options, convention=system(convention).key)
+        options = replace(options, convention=convention_of_key(convention).key)
     if language:
-        options = replace(options, language=_language(language))
+        options = replace(options, language=_parse_language(language))
     return options
 
 
-def _of_template(path: Path) -> ReportOptions:
+def _read_template(path: Path) -> ReportOptions:
     require_file(path, "report template")
     try:
         content = toml_values(path.read_bytes())
@@ -55,11 +55,16 @@ def _of_template(path: Path) -> ReportOptions:
             raise InputError(error("report_template.not_text", file=str(path), key=key))
     try:
         return ReportOptions(
-            page=_page(content.get("page", USUAL.page)),
-            convention=system(content["convention"]).key if content.get("convention") else "",
-            language=_language(content.get("language", USUAL.language)),
-            logo=_logo(path.parent, content["logo"]) if content.get("logo") else None,
-            **{key: _text(key, content.get(key, "")) for key in ("company", "heading", "closing")},
+            page=_parse_page(content.get("page", USUAL.page)),
+            convention=convention_of_key(content["convention"]).key
+            if content.get("convention")
+            else "",
+            language=_parse_language(content.get("language", USUAL.language)),
+            logo=_find_logo(path.parent, content["logo"]) if content.get("logo") else None,
+            **{
+                key: _clean_text(key, content.get(key, ""))
+                for key in ("company", "heading", "closing")
+            },
         )
     except InputError as failure:
         raise InputError(
@@ -67,14 +72,14 @@ def _of_template(path: Path) -> ReportOptions:
         ) from failure
 
 
-def _page(text: Any) -> Page:
+def _parse_page(text: Any) -> Page:
     for page in PAGES:
         if text.strip().lower() == page:
             return page
     raise InputError(error("report_template.no_page", page=str(text), pages=tuple(PAGES)))
 
 
-def _language(text: str) -> str:
+def _parse_language(text: str) -> str:
     code = text.strip().lower()
     if code not in LANGUAGES:
         raise InputError(
@@ -83,7 +88,7 @@ def _language(text: str) -> str:
     return code
 
 
-def _logo(folder: Path, name: str) -> Path:
+def _find_logo(folder: Path, name: str) -> Path:
     """The logo of a template, in its folder: a template of others could name any file.
 
     Raises
@@ -104,7 +109,7 @@ def _logo(folder: Path, name: str) -> Path:
     raise InputError(error("report_template.logo_format", logo=str(path)))
 
 
-def _text(key: str, text: str) -> str:
+def _clean_text(key: str, text: str) -> str:
     tidy = "\n".join(line.strip() for line in text.strip().splitlines())
     if len(tidy) > LONGEST or any(not (c.isprintable() or c == "\n") for c in tidy):
         raise InputError(error("report_template.long_text", key=key, limit=LONGEST))

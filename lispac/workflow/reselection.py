@@ -1,4 +1,4 @@
-"""The points of every target selected again with the boresight found so far."""
+"""Repeated selection of the points of every target, with the estimated boresight."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -11,8 +11,8 @@ from lispac.language import gettext_lazy
 from lispac.progress import Progress, no_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud
-from lispac.targets.agreement import PlacementAccuracy
-from lispac.targets.smear import ROUGHLY_OFF
+from lispac.targets.boresight_smear import ROUGHLY_OFF
+from lispac.targets.sighting_agreement import PlacementAccuracy
 from lispac.workflow.survey import Survey
 from lispac.workflow.target_search import MET_SHIFT, TargetSearch
 
@@ -27,21 +27,23 @@ LiDAR sigma where the pick took three. For planes alone: what displaces the prof
 the motion of the vessel, and that stays."""
 
 
-def reselect(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Project:
-    """Search again for every used target, in lines placed with the estimated boresight.
+def reselect_targets(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> Project:
+    """Search every used target again, in lines placed with the estimated boresight.
 
     A sighting that is not found again keeps its points, and so does one that was edited by hand. No
     sighting is added: which lines a
     target is used in is the user's choice.
     """
     clouds = survey.placed(project, "estimated")
-    used = [target for target in project.of_role("target") if target.used_sightings]
+    used = [target for target in project.targets_of_role("target") if target.used_sightings]
     for k, target in enumerate(used):
         progress(
             k / len(used),
             gettext_lazy("Reselecting the points of {target}", target=target.name),
         )
-        again = selected_again(target, survey.clouds, clouds)
+        again = reselect_target(target, survey.clouds, clouds)
         project = replace(
             project,
             targets=tuple(again if other is target else other for other in project.targets),
@@ -49,14 +51,14 @@ def reselect(project: Project, survey: Survey, *, progress: Progress = no_progre
     return project
 
 
-def selected_again(
+def reselect_target(
     target: Target,
     before: Mapping[str, Cloud],
     after: Mapping[str, Cloud],
     *,
     narrowed: float = NARROWED,
 ) -> Target:
-    """The used sightings of a target, searched for in lines with another boresight.
+    """Search the used sightings of a target again, in lines placed differently.
 
     Parameters
     ----------
@@ -71,7 +73,7 @@ def selected_again(
     )
     lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}
     try:
-        found, _ = TargetSearch.of(target).in_lines(
+        found, _ = TargetSearch.of(target).find_in_lines(
             lines, seed, settings, first_line=line, accuracy=ESTIMATED
         )
     except TargetNotFound:
@@ -96,7 +98,7 @@ def selected_again(
 def _moved_seed(
     target: Target, before: Mapping[str, Cloud], after: Mapping[str, Cloud]
 ) -> tuple[str, Array]:
-    """The seed moves as the sighting's point nearest to it does; that point's line and the seed."""
+    """Line of the nearest sighting point to the seed, and the seed moved along with it."""
     seed = np.array(target.seed)
     nearest: list[tuple[float, str, int]] = []
     for sighting in target.used_sightings:

@@ -8,11 +8,11 @@ import numpy as np
 from lispac.errors import LispacError
 from lispac.progress import Progress
 from lispac.project import PickedSighting, Project, Target
-from lispac.targets.lines import CLICK
-from lispac.targets.settings import USUAL
-from lispac.workflow.picking import find
+from lispac.targets.finder_settings import USUAL
+from lispac.targets.line_search import CLICK
+from lispac.workflow.picking import find_target
 from lispac.workflow.point_numbers import numbers_text
-from lispac.workflow.script_text import Code, call, in_pieces, rows
+from lispac.workflow.script_text import PythonCode, call_text, rows, split_text_code
 from lispac.workflow.survey import Survey
 from lispac.workflow.target_search import TargetSearch
 
@@ -23,23 +23,25 @@ OTHERWISE = (
 )
 
 
-def steps_to(project: Project, survey: Survey, target: Target, progress: Progress) -> Iterator[str]:
-    """The steps that give a project this target, one after the other."""
+def target_steps(
+    project: Project, survey: Survey, target: Target, progress: Progress
+) -> Iterator[str]:
+    """Steps of a script that give a project this target."""
     by_hand = any(sighting.by_hand for sighting in target.sightings)
-    seeded = None if by_hand else _seeded(project, survey, target, progress)
+    seeded = None if by_hand else _seed_arguments(project, survey, target, progress)
     if seeded is not None:
-        yield call("project.seed", target.name, target.seed, **seeded)
+        yield call_text("project.seed", target.name, target.seed, **seeded)
     else:
         yield f"# {target.name}: {BY_HAND if by_hand else OTHERWISE}."
-        yield call("project.put", _whole(target))
+        yield call_text("project.put", _target_code(target))
     for sighting in target.sightings:
         if not sighting.used:
-            yield call("project.reject", target.name, sighting.line)
+            yield call_text("project.reject", target.name, sighting.line)
     if not target.used:
-        yield call("project.reject", target.name)
+        yield call_text("project.reject", target.name)
 
 
-def _seeded(
+def _seed_arguments(
     project: Project, survey: Survey, target: Target, progress: Progress
 ) -> dict[str, Any] | None:
     """Arguments with which the seed leads to the target; None where there are none."""
@@ -61,18 +63,18 @@ def _seeded(
     ]
     for line in (None, *(clicked or [sighting.line for sighting in target.sightings])):
         try:
-            found = find(
+            found = find_target(
                 project, survey, target.seed, name=target.name, first_line=line,
                 progress=progress, **given,
             )  # fmt: skip
         except LispacError:
             continue
-        if _same(found, target):
+        if _is_same_target(found, target):
             return given if line is None else {**given, "clicked_on": line}
     return None
 
 
-def _same(found: Target, target: Target) -> bool:
+def _is_same_target(found: Target, target: Target) -> bool:
     def stated(each: Target) -> tuple[object, ...]:
         return each.threshold, each.radius, dict(each.missing), len(each.sightings)
 
@@ -83,12 +85,12 @@ def _same(found: Target, target: Target) -> bool:
     )
 
 
-def _whole(target: Target) -> Code:
+def _target_code(target: Target) -> PythonCode:
     """A target with all its points, all of which take part."""
     named: dict[str, Any] = {
         "name": target.name, "role": target.role, "seed": target.seed,
         "threshold": target.threshold, "radius": target.radius,
-        "sightings": rows([_sighting(sighting) for sighting in target.sightings]),
+        "sightings": rows([_sighting_code(sighting) for sighting in target.sightings]),
     }  # fmt: skip
     if target.missing:
         named["missing"] = dict(target.missing)
@@ -98,14 +100,16 @@ def _whole(target: Target) -> Code:
         named["expected"] = target.expected
     if target.choices != USUAL:
         named["choices"] = target.choices
-    return Code(call("lispac.Target", **named))
+    return PythonCode(call_text("lispac.Target", **named))
 
 
-def _sighting(sighting: PickedSighting) -> Code:
-    points = Code(call("lispac.point_numbers", in_pieces(numbers_text(sighting.indices))))
+def _sighting_code(sighting: PickedSighting) -> PythonCode:
+    points = PythonCode(
+        call_text("lispac.point_numbers", split_text_code(numbers_text(sighting.indices)))
+    )
     named: dict[str, Any] = {"rms": sighting.rms, "fingerprint": sighting.fingerprint}
     if sighting.one_in != 1:
         named["one_in"] = sighting.one_in
     if sighting.by_hand:
         named["by_hand"] = True
-    return Code(call("lispac.PickedSighting", sighting.line, points, **named))
+    return PythonCode(call_text("lispac.PickedSighting", sighting.line, points, **named))

@@ -11,13 +11,13 @@ SHORT = 72
 """Letters of a piece of a long text."""
 
 
-class Code(str):
-    """Goes into a script as it is."""
+class PythonCode(str):
+    """Text that is inserted into a script without quotes."""
 
 
-def written(value: object) -> str:
+def python_literal(value: object) -> str:
     """A value as Python writes it; a value of the program by what differs from the usual."""
-    if isinstance(value, Code):
+    if isinstance(value, PythonCode):
         return str(value)
     if isinstance(value, Path):
         return f"Path({str(value)!r})"
@@ -28,18 +28,22 @@ def written(value: object) -> str:
     if isinstance(value, float):
         return repr(float(value))  # NumPy's own say what they are besides
     if isinstance(value, (list, tuple)):
-        inside = ", ".join(map(written, value))
+        inside = ", ".join(map(python_literal, value))
         if isinstance(value, list):
             return f"[{inside}]"
         return f"({inside},)" if len(value) == 1 else f"({inside})"
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{written(k)}: {written(v)}" for k, v in value.items()) + "}"
+        return (
+            "{"
+            + ", ".join(f"{python_literal(k)}: {python_literal(v)}" for k, v in value.items())
+            + "}"
+        )
     if is_dataclass(value) and not isinstance(value, type):
-        return call(f"lispac.{type(value).__name__}", **differing(value))
+        return call_text(f"lispac.{type(value).__name__}", **non_default_fields(value))
     return repr(value)
 
 
-def differing(value: Any, *, but: Sequence[str] = ()) -> dict[str, object]:
+def non_default_fields(value: Any, *, but: Sequence[str] = ()) -> dict[str, object]:
     """Fields of a dataclass whose values are not the usual ones, without those named ``but``."""
     return {
         field.name: found
@@ -48,11 +52,12 @@ def differing(value: Any, *, but: Sequence[str] = ()) -> dict[str, object]:
     }
 
 
-def call(function: str, *arguments: object, **named: object) -> str:
+def call_text(function: str, *arguments: object, **named: object) -> str:
     """A call in one line, or in a line for each argument where it would be too long."""
     parts = [
-        *map(written, arguments), *(f"{name}={written(value)}" for name, value in named.items())
-    ]  # fmt: skip
+        *map(python_literal, arguments),
+        *(f"{name}={python_literal(value)}" for name, value in named.items()),
+    ]
     short = f"{function}({', '.join(parts)})"
     if len(short) <= WIDTH - 8 and "\n" not in short:
         return short
@@ -60,13 +65,15 @@ def call(function: str, *arguments: object, **named: object) -> str:
     return f"{function}(\n{rows})"
 
 
-def rows(values: Sequence[object]) -> Code:
+def rows(values: Sequence[object]) -> PythonCode:
     """A list with a row for each value."""
-    inside = "".join(f"    {written(v).replace(chr(10), chr(10) + '    ')},\n" for v in values)
-    return Code(f"[\n{inside}]")
+    inside = "".join(
+        f"    {python_literal(v).replace(chr(10), chr(10) + '    ')},\n" for v in values
+    )
+    return PythonCode(f"[\n{inside}]")
 
 
-def in_pieces(text: str) -> Code:
+def split_text_code(text: str) -> PythonCode:
     """A long text without line breaks, in pieces of whole words."""
     pieces = [""]
     for word in text.split(" "):
@@ -75,19 +82,19 @@ def in_pieces(text: str) -> Code:
         pieces[-1] += word + " "
     pieces[-1] = pieces[-1][:-1]
     if len(pieces) == 1:
-        return Code(repr(text))
-    return Code("\n".join(map(repr, pieces)))
+        return PythonCode(repr(text))
+    return PythonCode("\n".join(map(repr, pieces)))
 
 
-class Files:
-    """Where the files of a project are: named by the folder most of them share."""
+class FilePaths:
+    """Names of the files of a project, relative to the folder most of them share."""
 
     def __init__(self, paths: Sequence[Path]) -> None:
         parents = [path.parent for path in paths]
         self.folder = max(dict.fromkeys(parents), key=parents.count)
 
-    def __call__(self, path: Path) -> Code:
-        """The path as the script names it."""
+    def __call__(self, path: Path) -> PythonCode:
+        """Expression of a path in the script."""
         if path.parent == self.folder:
-            return Code(f"data / {path.name!r}")
-        return Code(written(path))
+            return PythonCode(f"data / {path.name!r}")
+        return PythonCode(python_literal(path))

@@ -7,17 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from lispac.doubles import overlap_warning
+from lispac.duplicate_targets import overlap_warning
 from lispac.errors import ProjectError, TargetNotFound
 from lispac.io.seed_file import PointList, read_point_list
 from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, error, note
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Role, Target, Triple
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.coordinates import axes_of, require_near
-from lispac.workflow.picking import find, next_name
+from lispac.workflow.coordinates import axis_names, require_near_trajectory
+from lispac.workflow.picking import find_target, next_name
 from lispac.workflow.survey import Survey
 
 PLANE = {"shape": "plane", "sphere_radius": None, "expected": None}
@@ -25,7 +25,7 @@ PLANE = {"shape": "plane", "sphere_radius": None, "expected": None}
 
 @dataclass(frozen=True)
 class ListedSeed:
-    """A target to search for.
+    """Seed of a target from a list.
 
     Attributes
     ----------
@@ -44,8 +44,8 @@ class ListedSeed:
 
 
 @dataclass(frozen=True)
-class Outcome:
-    """What came of a seed: the target with a warning, or the reason why there is none."""
+class SeedOutcome:
+    """Result of a seed: the target with a warning, or the reason why there is none."""
 
     seed: ListedSeed
     target: Target | None
@@ -54,7 +54,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class SeedList:
-    """Seeds as they were read.
+    """Seeds read from a list, with notes.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ def read_seeds(
     columns: Sequence[str] = (),
     role: Role | None = None,
 ) -> SeedList:
-    """Read a list of target coordinates and return the targets to search for.
+    """Read the seeds of targets from a list of coordinates.
 
     Parameters
     ----------
@@ -107,20 +107,24 @@ def read_seeds(
         name = point.name
         if not name:
             name = next_name(numbered, own)
-            numbered = replace(numbered, targets=(*numbered.targets, _holder(name, own)))
+            numbered = replace(
+                numbered, targets=(*numbered.targets, _placeholder_target(name, own))
+            )
         where = note("item.list_row", file=str(points.path), row=point.row, name=name)
-        north, west, up = require_near(np.array(point.coordinates), system, trajectory, where)
+        north, west, up = require_near_trajectory(
+            np.array(point.coordinates), system, trajectory, where
+        )
         place = (float(north), float(west), float(up))
         seeds.append(ListedSeed(point.row, name, own, place, name in taken))
-    return SeedList(points, tuple(seeds), _notes(points, system))
+    return SeedList(points, tuple(seeds), _list_notes(points, system))
 
 
 def role_by_name(name: str) -> Role:
-    """What begins with V is a validation plane."""
+    """Role by the name: a name that begins with V is a validation plane."""
     return "validation" if name[:1] in ("V", "v") else "target"
 
 
-def require_free(seeds: SeedList) -> None:
+def require_free_names(seeds: SeedList) -> None:
     """Refuse names that targets of the project have.
 
     Raises
@@ -143,13 +147,13 @@ def pick_seeds(
     how: Mapping[str, Any],
     *,
     progress: Progress = no_progress,
-) -> tuple[Project, tuple[Outcome, ...]]:
+) -> tuple[Project, tuple[SeedOutcome, ...]]:
     """Find the target at every seed, and add those found to the project.
 
     Parameters
     ----------
     how : mapping
-        Further arguments of `lispac.workflow.picking.find`: threshold, radius, shape and the like.
+        Further arguments of `lispac.workflow.picking.find_target`: threshold, radius, shape.
         Shape and what is expected are for targets; a validation plane is a plane of any size.
 
     Raises
@@ -160,7 +164,7 @@ def pick_seeds(
     """
     outcomes = []
     for k, seed in enumerate(seeds):
-        step = part(progress, k / len(seeds), (k + 1) / len(seeds))
+        step = sub_progress(progress, k / len(seeds), (k + 1) / len(seeds))
         step(
             0.0,
             gettext_lazy(
@@ -172,18 +176,18 @@ def pick_seeds(
         )
         asked = dict(how) if seed.role == "target" else {**how, **PLANE}
         try:
-            target = find(
+            target = find_target(
                 project, survey, seed.place, name=seed.name, role=seed.role, progress=step, **asked
             )
         except TargetNotFound as failure:
-            outcomes.append(Outcome(seed, None, as_message(failure.reason)))
+            outcomes.append(SeedOutcome(seed, None, as_message(failure.reason)))
             continue
-        outcomes.append(Outcome(seed, target, overlap_warning(target, project.targets)))
+        outcomes.append(SeedOutcome(seed, target, overlap_warning(target, project.targets)))
         project = project.with_target(target)
     return project, tuple(outcomes)
 
 
-def require_found(seeds: SeedList, outcomes: Sequence[Outcome]) -> None:
+def require_any_found(seeds: SeedList, outcomes: Sequence[SeedOutcome]) -> None:
     """Refuse a list none of whose seeds led to a target.
 
     Raises
@@ -204,8 +208,8 @@ def require_found(seeds: SeedList, outcomes: Sequence[Outcome]) -> None:
         )
 
 
-def require_all_found(seeds: SeedList, outcomes: Sequence[Outcome]) -> None:
-    """Refuse to pass over seeds that led to no target.
+def require_all_found(seeds: SeedList, outcomes: Sequence[SeedOutcome]) -> None:
+    """Refuse a list with seeds that led to no target.
 
     Raises
     ------
@@ -226,19 +230,19 @@ def require_all_found(seeds: SeedList, outcomes: Sequence[Outcome]) -> None:
         )
 
 
-def _holder(name: str, role: Role) -> Target:
+def _placeholder_target(name: str, role: Role) -> Target:
     return Target(name, role, (0.0, 0.0, 0.0), 1.0, 1.0, ())
 
 
 def columns_note(points: PointList, system: CoordinateSystem | None) -> Message:
-    """How the columns of a list of points are read."""
-    axes = dict(zip("xyz", axes_of(system), strict=True))
+    """Note on the order of the columns of a list of points."""
+    axes = dict(zip("xyz", axis_names(system), strict=True))
     columns = tuple(note(_COLUMNS[axes.get(name, name)]) for name in points.columns)
     code = "assumed.columns_as_named" if points.stated else "assumed.columns_by_order"
     return note(code, columns=columns)
 
 
-def _notes(points: PointList, system: CoordinateSystem | None) -> tuple[Message, ...]:
+def _list_notes(points: PointList, system: CoordinateSystem | None) -> tuple[Message, ...]:
     order = columns_note(points, system)
     if system is None:
         return order, note("assumed.local_frame")

@@ -10,15 +10,15 @@ from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from lispac.errors import InputError, system_reason
-from lispac.installed import resource, user_folder
+from lispac.installation_paths import resource_path, user_folder
 from lispac.io.sensor_file import (
     Figures,
-    PosFigures,
-    PosState,
-    ScannerFigures,
-    read_pos_figures,
-    read_scanner_figures,
-    write_figures,
+    PosAccuracy,
+    PosSpecification,
+    ScannerSpecification,
+    read_pos_specification,
+    read_scanner_specification,
+    write_specification,
 )
 from lispac.language import N_, gettext
 from lispac.messages import Message, as_message, error
@@ -68,7 +68,7 @@ INVENTED = ("profiler",)
 LEAST_NOISE = 0.001
 """Metres: the LiDAR noise on each axis, from which search distances follow, is no smaller."""
 
-F = TypeVar("F", ScannerFigures, PosFigures)
+F = TypeVar("F", ScannerSpecification, PosSpecification)
 
 
 @dataclass(frozen=True)
@@ -87,14 +87,14 @@ class Sensor(Generic[F]):
 
 
 @dataclass(frozen=True)
-class Library:
+class SensorLibrary:
     """All sensors by their titles, and what is wrong with files of the user's."""
 
-    scanners: tuple[Sensor[ScannerFigures], ...]
-    pos: tuple[Sensor[PosFigures], ...]
+    scanners: tuple[Sensor[ScannerSpecification], ...]
+    pos: tuple[Sensor[PosSpecification], ...]
     remarks: tuple[Message, ...] = ()
 
-    def scanner(self, name: str) -> ScannerFigures:
+    def scanner(self, name: str) -> ScannerSpecification:
         """The scanner of a name.
 
         Raises
@@ -102,9 +102,9 @@ class Library:
         InputError
             Where there is none.
         """
-        return _named("sensor.no_scanner", self.scanners, name).figures
+        return _find_sensor("sensor.no_scanner", self.scanners, name).figures
 
-    def pos_state(self, word: str) -> tuple[PosFigures, PosState]:
+    def find_pos(self, word: str) -> tuple[PosSpecification, PosAccuracy]:
         """The POS of a name, and its sigmas with a GNSS solution: ``apogee:ppk``.
 
         Raises
@@ -113,7 +113,7 @@ class Library:
             Where there is none, or the solution is not given and there are several.
         """
         name, _, solution = word.partition(":")
-        figures = _named("sensor.no_pos", self.pos, name).figures
+        figures = _find_sensor("sensor.no_pos", self.pos, name).figures
         states = {state.name: state for state in figures.states}
         if not solution and len(states) == 1:
             return figures, figures.states[0]
@@ -129,7 +129,7 @@ def own_sensors() -> Path:
     return user_folder() / "sensors"
 
 
-def library(folder: Path) -> Library:
+def read_library(folder: Path) -> SensorLibrary:
     """Read the sensors that come with the program and those in a folder of the user's.
 
     Parameters
@@ -138,23 +138,23 @@ def library(folder: Path) -> Library:
         Holds ``scanners`` and ``pos``; it need not exist.
     """
     remarks: list[Message] = []
-    return Library(
-        _read(
-            "scanners", folder, lambda path: read_scanner_figures(path, whole=False),
-            read_scanner_figures, remarks,
+    return SensorLibrary(
+        _read_sensors(
+            "scanners", folder, lambda path: read_scanner_specification(path, whole=False),
+            read_scanner_specification, remarks,
         ),
-        _read("pos", folder, read_pos_figures, read_pos_figures, remarks),
+        _read_sensors("pos", folder, read_pos_specification, read_pos_specification, remarks),
         tuple(remarks),
     )  # fmt: skip
 
 
-def _read(
+def _read_sensors(
     kind: str, folder: Path, supplied: Callable[[Path], F], own: Callable[[Path], F],
     remarks: list[Message],
 ) -> tuple[Sensor[F], ...]:  # fmt: skip
     found = {
         path.stem: Sensor(path.stem, supplied(path), own=False)
-        for path in resource(kind).glob("*.toml")
+        for path in resource_path(kind).glob("*.toml")
         if path.stem not in INVENTED
     }
     for path in sorted((folder / kind).glob("*.toml")):
@@ -165,7 +165,7 @@ def _read(
     return tuple(sorted(found.values(), key=lambda each: each.figures.title.casefold()))
 
 
-def _named(refusal: str, sensors: Iterable[Sensor[F]], name: str) -> Sensor[F]:
+def _find_sensor(refusal: str, sensors: Iterable[Sensor[F]], name: str) -> Sensor[F]:
     known = {sensor.name: sensor for sensor in sensors}
     if name not in known:
         raise InputError(error(refusal, name=name, known=tuple(known)))
@@ -175,8 +175,8 @@ def _named(refusal: str, sensors: Iterable[Sensor[F]], name: str) -> Sensor[F]:
 # -- the user's own ----------------------------------------------------------------------------
 
 
-def keep(folder: Path, figures: Figures, name: str = "") -> str:
-    """Write a user-defined sensor into the library, and return its name.
+def store_sensor(folder: Path, figures: Figures, name: str = "") -> str:
+    """Write a sensor of the user into the library, and return its name.
 
     Parameters
     ----------
@@ -188,36 +188,38 @@ def keep(folder: Path, figures: Figures, name: str = "") -> str:
     InputError
         Where the figures cannot be used, another is called so, or nothing can be written.
     """
-    require_sound(folder, figures, name)
-    word = name or _word(figures.title)
-    write_figures(_file(folder, figures, word), figures)
+    require_storable(folder, figures, name)
+    word = name or _file_stem(figures.title)
+    write_specification(_sensor_path(folder, figures, word), figures)
     return word
 
 
-def require_sound(folder: Path, figures: Figures, name: str = "") -> None:
-    """Refuse what `keep` would refuse.
+def require_storable(folder: Path, figures: Figures, name: str = "") -> None:
+    """Refuse a specification that cannot be stored in the library.
 
     Raises
     ------
     InputError
     """
-    sources = [figures] if isinstance(figures, ScannerFigures) else figures.states
+    sources = [figures] if isinstance(figures, ScannerSpecification) else figures.states
     if not sources:
         raise InputError(error("sensor.no_sigmas"))
-    if not _word(figures.title):
+    if not _file_stem(figures.title):
         raise InputError(error("sensor.no_title"))
     if not all(each.source.strip() for each in sources):
         raise InputError(error("sensor.no_source"))
     for text in (figures.title, *(each.source for each in sources)):
         if len(text) > LONGEST or not text.isprintable():
             raise InputError(error("sensor.long_text", limit=LONGEST))
-    known = library(folder)
-    same = known.scanners if isinstance(figures, ScannerFigures) else known.pos
-    if not name and _word(figures.title) in {sensor.name for sensor in same}:
+    known = read_library(folder)
+    same = known.scanners if isinstance(figures, ScannerSpecification) else known.pos
+    if not name and _file_stem(figures.title) in {sensor.name for sensor in same}:
         raise InputError(error("sensor.title_taken", title=figures.title))
 
 
-def remove(folder: Path, sensor: Sensor[ScannerFigures] | Sensor[PosFigures]) -> None:
+def remove_sensor(
+    folder: Path, sensor: Sensor[ScannerSpecification] | Sensor[PosSpecification]
+) -> None:
     """Take a sensor of the user's out of the library.
 
     Raises
@@ -227,7 +229,7 @@ def remove(folder: Path, sensor: Sensor[ScannerFigures] | Sensor[PosFigures]) ->
     """
     if not sensor.own:
         raise InputError(error("sensor.supplied", title=sensor.figures.title))
-    path = _file(folder, sensor.figures, sensor.name)
+    path = _sensor_path(folder, sensor.figures, sensor.name)
     try:
         path.unlink()
     except OSError as failure:
@@ -236,19 +238,19 @@ def remove(folder: Path, sensor: Sensor[ScannerFigures] | Sensor[PosFigures]) ->
         ) from failure
 
 
-def _file(folder: Path, figures: Figures, name: str) -> Path:
-    kind = "scanners" if isinstance(figures, ScannerFigures) else "pos"
+def _sensor_path(folder: Path, figures: Figures, name: str) -> Path:
+    kind = "scanners" if isinstance(figures, ScannerSpecification) else "pos"
     return folder / kind / f"{name}.toml"
 
 
-def _word(title: str) -> str:
+def _file_stem(title: str) -> str:
     return re.sub(r"[\W_]+", "-", title.casefold()).strip("-")
 
 
 # -- what they are used for --------------------------------------------------------------------
 
 
-def noise_of(scanner: ScannerFigures) -> dict[str, Any]:
+def noise_settings(scanner: ScannerSpecification) -> dict[str, Any]:
     """LiDAR noise, by the names of `Settings`: along the beam and in its direction."""
     return {
         "lidar_sigma": max(scanner.range_sigma, LEAST_NOISE),
@@ -257,7 +259,7 @@ def noise_of(scanner: ScannerFigures) -> dict[str, Any]:
     }
 
 
-def sigmas_of(state: PosState) -> dict[str, Any]:
+def sigma_settings(state: PosAccuracy) -> dict[str, Any]:
     """Sigmas of the POS where there is no accuracy file, by the names of `Settings`."""
     return {
         "position_sigma": state.position_sigma,
@@ -265,7 +267,7 @@ def sigmas_of(state: PosState) -> dict[str, Any]:
     }
 
 
-def origin_of(figures: ScannerFigures | PosState) -> str:
-    """Where the figures come from, and whether they are not verified."""
+def source_text(figures: ScannerSpecification | PosAccuracy) -> str:
+    """Source of a specification, and whether it is verified."""
     source = gettext(figures.source)
     return gettext(FROM_MEMORY, source=source) if figures.from_memory else source

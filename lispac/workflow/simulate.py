@@ -12,23 +12,23 @@ from tempfile import mkdtemp
 import numpy as np
 
 from lispac.errors import InputError, ProjectError
-from lispac.foreign_values import json_values
-from lispac.io.files import bad_name, not_written, remove_empty, written_whole
+from lispac.io.files import atomic_write, bad_name_error, remove_empty_folders, write_error
 from lispac.io.las import write_points
-from lispac.io.project_file import FILE_NAME, SIGHTINGS, remove_points
+from lispac.io.project_file import FILE_NAME, SIGHTINGS, remove_point_files
 from lispac.io.sbet import write_sbet, write_smrmsg
 from lispac.io.text_export import write_table
 from lispac.language import gettext_lazy
 from lispac.messages import error
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, Project, Settings, Triple
 from lispac.simulation.pos_error_models import CombinedModel
 from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.scene import Sphere
-from lispac.simulation.survey import SimulatedSurvey, simulated
+from lispac.simulation.simulated_survey import SimulatedSurvey, simulate_survey
 from lispac.survey.georeferencing import CALIBRATION
 from lispac.survey.store.layout import require_no_link
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+from lispac.untrusted_values import json_values
 from lispac.workflow.projects import create_project
 from lispac.workflow.simulated_setup import Simulation
 
@@ -70,28 +70,28 @@ def simulate(
     """
     folder = Path(folder).absolute()
     require_replaceable(folder, MARKER)
-    settings = _settings(simulation)
+    settings = _surveyor_settings(simulation)
     settings.require_sound()
-    survey = simulated(
+    survey = simulate_survey(
         simulation.setup, seed=seed, noise=noise, pos_errors=pos_errors,
-        progress=part(progress, 0.0, 0.6),
+        progress=sub_progress(progress, 0.0, 0.6),
     )  # fmt: skip
     for line in survey.lines:
         if not len(line.time):
             raise InputError(error("simulate.line_without_points", line=line.name))
     mark = "Simulated survey; each simulation replaces it.\n"
-    with replacement(folder, MARKER, mark, (*TRUTHS, TARGETS, BALLS)) as new:
-        write_lines(survey, new / RAW, progress=part(progress, 0.6, 0.95))
+    with replaced_survey(folder, MARKER, mark, (*TRUTHS, TARGETS, BALLS)) as new:
+        write_lines(survey, new / RAW, progress=sub_progress(progress, 0.6, 0.95))
         write_trajectory(survey, new / RAW)
         _write_truth(survey, simulation, new, seed)
-    project = project_of(
+    project = create_simulated_project(
         folder, [line.name for line in survey.lines], settings, np.degrees(survey.boresight)
     )
     progress(1.0)
     return project, {line.name: len(line.time) for line in survey.lines}
 
 
-def project_of(
+def create_simulated_project(
     folder: Path, lines: Sequence[str], settings: Settings, truth_deg: np.ndarray
 ) -> Project:
     """Create the project of a simulated survey in ``folder``.
@@ -110,7 +110,7 @@ def project_of(
         lines=[LineSource(name, raw / f"{name}.laz") for name in lines],
         accuracy=raw / ACCURACY,
         settings=settings,
-        truth_deg=triple(truth_deg),
+        truth_deg=as_triple(truth_deg),
     )
 
 
@@ -131,7 +131,9 @@ def require_replaceable(folder: Path, marker: str) -> None:
 
 
 @contextmanager
-def replacement(folder: Path, marker: str, text: str, parts: Sequence[str] = ()) -> Iterator[Path]:
+def replaced_survey(
+    folder: Path, marker: str, text: str, parts: Sequence[str] = ()
+) -> Iterator[Path]:
     """Yield an empty folder for the files of a new survey, which replace those of the earlier one.
 
     The files are moved into ``folder`` when all are written. Where that fails, what was there
@@ -161,12 +163,12 @@ def replacement(folder: Path, marker: str, text: str, parts: Sequence[str] = ())
                 shutil.rmtree(path, ignore_errors=True)  # of a run that was killed
         new = Path(mkdtemp(prefix=".survey-", suffix=".part", dir=folder))
     except ValueError as failure:
-        raise bad_name(folder) from failure
+        raise bad_name_error(folder) from failure
     except OSError as failure:
-        remove_empty(made)
-        raise not_written(folder, failure) from failure
+        remove_empty_folders(made)
+        raise write_error(folder, failure) from failure
     try:
-        with written_whole(new / RAW / marker) as path:
+        with atomic_write(new / RAW / marker) as path:
             path.write_text(text, encoding="utf-8")
         yield new
         _remove_earlier(folder, parts)
@@ -175,23 +177,23 @@ def replacement(folder: Path, marker: str, text: str, parts: Sequence[str] = ())
             place.parent.mkdir(exist_ok=True)
             path.replace(place)
     except OSError as failure:
-        raise not_written(folder, failure) from failure
+        raise write_error(folder, failure) from failure
     finally:
         shutil.rmtree(new, ignore_errors=True)
-        remove_empty(made)
+        remove_empty_folders(made)
 
 
 def _remove_earlier(folder: Path, parts: Sequence[str]) -> None:
-    """Remove the files of an earlier simulation; those that it did not write stay."""
+    """Remove the files that an earlier simulation wrote."""
     raw = [f"{RAW}/{name}" for name in (TRAJECTORY, ACCURACY)]
-    for path in (*_lines_of(folder), *(folder / name for name in (*raw, *parts))):
+    for path in (*_earlier_line_files(folder), *(folder / name for name in (*raw, *parts))):
         if path.is_file() or path.is_symlink():
             path.unlink()
     (folder / FILE_NAME).unlink(missing_ok=True)
-    remove_points(folder)
+    remove_point_files(folder)
 
 
-def _lines_of(folder: Path) -> list[Path]:
+def _earlier_line_files(folder: Path) -> list[Path]:
     """Files in the folder ``raw`` that the project of an earlier simulation has as its lines."""
     try:
         lines = json_values((folder / FILE_NAME).read_bytes())["lines"]
@@ -235,14 +237,14 @@ def write_trajectory(survey: SimulatedSurvey, raw: Path) -> tuple[Path, Path]:
     return sbet, smrmsg
 
 
-def triple(values: np.ndarray) -> Triple:
+def as_triple(values: np.ndarray) -> Triple:
     """Three plain numbers, of an array of values of shape (3,)."""
     first, second, third = (float(value) for value in values)
     return first, second, third
 
 
-def _settings(simulation: Simulation) -> Settings:
-    """Values given by the surveyor: nominal lever arm, no boresight, data sheets."""
+def _surveyor_settings(simulation: Simulation) -> Settings:
+    """Settings of the surveyor: stated lever arm, no boresight, sigmas of the data sheets."""
     latitude, longitude, height = simulation.setup.origin
     scanner = simulation.setup.scanner
     beam = (scanner.range_sigma, float(np.degrees(scanner.angle_sigma)))
@@ -261,7 +263,7 @@ def _settings(simulation: Simulation) -> Settings:
 
 
 def _write_truth(survey: SimulatedSurvey, simulation: Simulation, folder: Path, seed: int) -> None:
-    """True mounting, label of every point, and where a user would click."""
+    """Write the true mounting, the label of every point, and the seeds."""
     latitude, longitude, height = survey.origin
     values = dict(zip(CALIBRATION, survey.mounting.values, strict=True))
     truth = {
@@ -279,9 +281,9 @@ def _write_truth(survey: SimulatedSurvey, simulation: Simulation, folder: Path, 
         },
         "lever_arm_written_down_m": simulation.lever_arm,
     }  # fmt: skip
-    with written_whole(folder / TRUTHS[0]) as path:
+    with atomic_write(folder / TRUTHS[0]) as path:
         path.write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8")
-    with written_whole(folder / TRUTHS[1]) as path:
+    with atomic_write(folder / TRUTHS[1]) as path:
         labels = {line.name: line.label for line in survey.lines}
         np.savez_compressed(path, surfaces=np.array(survey.surface_names), **labels)  # type: ignore[arg-type]
     for file, spheres in ((TARGETS, False), (BALLS, True)):
@@ -293,6 +295,6 @@ def _write_truth(survey: SimulatedSurvey, simulation: Simulation, folder: Path, 
         ]
         if rows:
             columns = [np.array(column) for column in zip(*rows, strict=True)]
-            with written_whole(folder / file) as path:
+            with atomic_write(folder / file) as path:
                 names, formats = ("name", "x", "y", "z", "role"), ("s", ".4f", ".4f", ".4f", "s")
                 write_table(path, names, columns, formats)

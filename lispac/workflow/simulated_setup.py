@@ -1,4 +1,4 @@
-"""From the names of a scene, a vessel and a scanner to all that a simulation needs."""
+"""Setup of a simulation from the names of a scene, a vessel and a scanner."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -8,15 +8,15 @@ from typing import Any
 import numpy as np
 
 from lispac.errors import InputError
-from lispac.installed import resource
+from lispac.installation_paths import resource_path
 from lispac.io.sbet import read_sbet
 from lispac.io.scanner_file import read_scanner
 from lispac.io.scene_file import SceneFile, read_scene
-from lispac.io.toml_table import Table
+from lispac.io.toml_table import TomlTable
 from lispac.io.vessel_file import Vessel, read_vessel
 from lispac.messages import error
 from lispac.project import Triple
-from lispac.simulation.survey import Setup
+from lispac.simulation.simulated_survey import SurveySetup
 from lispac.simulation.voyage import RecordedTrajectory, SailedTrajectory, Voyage
 from lispac.survey.trajectory import LocalTrajectory
 
@@ -29,11 +29,11 @@ LONGEST = 12 * 3600.0
 
 @dataclass(frozen=True, eq=False)
 class Simulation:
-    """A survey to be simulated, and what the surveyor would know of it.
+    """Setup of a simulated survey, with the values that the surveyor would know.
 
     Attributes
     ----------
-    setup : Setup
+    setup : SurveySetup
     lever_arm : three of float, metres, body
         As the surveyor has it; the true one is in the setup.
     titles : dict of str to str
@@ -42,23 +42,23 @@ class Simulation:
         Where they are written down.
     """
 
-    setup: Setup
+    setup: SurveySetup
     lever_arm: Triple
     titles: Mapping[str, str]
     files: Mapping[str, Path]
 
 
-def supplied(kind: str) -> dict[str, str]:
+def supplied_titles(kind: str) -> dict[str, str]:
     """Names and titles of the scenes, vessels, scanners or sites that come with the program."""
     found = {}
-    for path in sorted(resource(f"{kind}s").glob("*.toml")):
-        with Table.read(path, kind) as table:
+    for path in sorted(resource_path(f"{kind}s").glob("*.toml")):
+        with TomlTable.read(path, kind) as table:
             found[path.stem] = table.text("title")
-            table.leave_rest()
+            table.ignore_rest()
     return found
 
 
-def simulation(
+def read_simulation(
     scene: str,
     *,
     vessel: str | None = None,
@@ -85,18 +85,20 @@ def simulation(
     ------
     InputError
     """
-    files = {"scene": file_of("scene", scene, None)}
+    files = {"scene": setup_file("scene", scene, None)}
     described = read_scene(files["scene"])
     beside = files["scene"].parent
-    files["vessel"] = file_of("vessel", vessel or described.vessel, None if vessel else beside)
-    files["scanner"] = file_of("scanner", scanner or described.scanner, None if scanner else beside)
+    files["vessel"] = setup_file("vessel", vessel or described.vessel, None if vessel else beside)
+    files["scanner"] = setup_file(
+        "scanner", scanner or described.scanner, None if scanner else beside
+    )
     carried = read_vessel(files["vessel"])
     scanner_title, instrument = read_scanner(files["scanner"])
     rate = points_per_second or described.pulses_per_second
     if rate is not None:
         instrument = replace(instrument, pulses_per_second=rate)
-    origin, voyage = _voyage(described, carried, trajectory, files["scene"])
-    setup = Setup(
+    origin, voyage = _origin_and_voyage(described, carried, trajectory, files["scene"])
+    setup = SurveySetup(
         origin, described.scene, described.targets, described.validation, voyage, carried.pos,
         instrument, replace(carried.errors, **(errors or {})).mounting(carried.lever_arm),
     )  # fmt: skip
@@ -112,7 +114,7 @@ _UNKNOWN = {
 """Code of the message that there is no file of a kind with a name."""
 
 
-def file_of(kind: str, word: str, beside: Path | None) -> Path:
+def setup_file(kind: str, word: str, beside: Path | None) -> Path:
     """The file of a name or path; paths in a scene count from where it lies.
 
     Raises
@@ -122,14 +124,14 @@ def file_of(kind: str, word: str, beside: Path | None) -> Path:
     """
     path = Path(word)
     if path.suffix.lower() != ".toml":
-        known = supplied(kind)
+        known = supplied_titles(kind)
         if word in known:
-            return resource(f"{kind}s") / f"{word}.toml"
+            return resource_path(f"{kind}s") / f"{word}.toml"
         raise InputError(error(_UNKNOWN[kind], name=word, known=tuple(known)))
     return path if beside is None else beside / path
 
 
-def _voyage(
+def _origin_and_voyage(
     described: SceneFile, carried: Vessel, trajectory: Path | None, file: Path
 ) -> tuple[tuple[float, float, float], Voyage]:
     recorded = trajectory or described.trajectory

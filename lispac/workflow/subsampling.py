@@ -1,4 +1,4 @@
-"""How the answer depends on how far apart the points are that take part (thesis table 4.3).
+"""Dependence of the result on the subsampling distance (thesis table 4.3).
 
 With errors that a sighting's points have in common, more points of the same sightings soon tell
 nothing new, and only take time.
@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from lispac.errors import InputError, ProjectError
 from lispac.language import gettext_lazy
 from lispac.messages import error
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
-from lispac.workflow.calibration import select, solve
+from lispac.workflow.calibration import adjust_selected, reselect_points
 from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
@@ -26,8 +26,8 @@ USUAL = (0.0, 0.05, 0.10, 0.15, 0.20)
 
 
 @dataclass(frozen=True, eq=False)
-class Subsampled:
-    """The answer with one subsampling distance.
+class SubsamplingResult:
+    """Result with one subsampling distance.
 
     Attributes
     ----------
@@ -52,8 +52,8 @@ def subsampling_study(
     distances: Sequence[float] = USUAL,
     *,
     progress: Progress = no_progress,
-) -> tuple[Subsampled, ...]:
-    """Adjust the project's targets once for each distance; the project stays as it is.
+) -> tuple[SubsamplingResult, ...]:
+    """Adjust the project's targets for each distance, without changing the project.
 
     Parameters
     ----------
@@ -70,25 +70,29 @@ def subsampling_study(
     """
     if not distances or not all(0.0 <= distance < np.inf for distance in distances):
         raise InputError(error("estimate.point_spacing"))
-    if not project.of_role("target"):
+    if not project.targets_of_role("target"):
         raise ProjectError(error("estimate.no_target", project=project.name))
     chosen = sorted(set(distances))
-    selected = select(project, survey, progress=part(progress, 0.0, 0.4))
+    selected = reselect_points(project, survey, progress=sub_progress(progress, 0.0, 0.4))
     found = []
     for k, distance in enumerate(chosen):
-        step = part(progress, 0.4 + 0.6 * k / len(chosen), 0.4 + 0.6 * (k + 1) / len(chosen))
+        step = sub_progress(
+            progress, 0.4 + 0.6 * k / len(chosen), 0.4 + 0.6 * (k + 1) / len(chosen)
+        )
         step(
             0.0, gettext_lazy("Adjusting with a point spacing of {distance:m} m", distance=distance)
         )
         settings = replace(project.settings, subsample=distance)
         started = perf_counter()
-        solved = solve(
+        solved = adjust_selected(
             project.with_settings(settings), selected, survey,
             cross_check=False, advise=False, progress=step,
         )  # fmt: skip
         seconds = perf_counter() - started
         result = solved.result
         assert result is not None
-        found.append(Subsampled(distance, result.points, result.boresight, result.sigma, seconds))
+        found.append(
+            SubsamplingResult(distance, result.points, result.boresight, result.sigma, seconds)
+        )
     progress(1.0)
     return tuple(found)

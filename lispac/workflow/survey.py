@@ -9,37 +9,37 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.causes import Cause
 from lispac.errors import InputError, ProjectError
-from lispac.foreign_values import InvalidContentError
+from lispac.io.format_types import SAME_TIME_BASE, Kind
 from lispac.io.formats import format_of, is_las
 from lispac.io.las_chunks import point_count
-from lispac.io.registry import SAME_TIME_BASE, Kind
-from lispac.io.values import decoded
+from lispac.io.value_conversion import decode_value
 from lispac.language import gettext_lazy
 from lispac.messages import Level, Message, Value, error, note
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.audit_messages import line_messages, shared_messages, simultaneous_messages
-from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, placed_with
+from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, place_clouds
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.line_audit import LineAudit
-from lispac.survey.screening import most_range
-from lispac.survey.source import printable
-from lispac.survey.store.layout import is_import
-from lispac.survey.store.reading import ROUNDING, StoredLine
-from lispac.survey.time_quality import short_of_trajectory
+from lispac.survey.line_source import printable
+from lispac.survey.point_screening import parse_largest_range
+from lispac.survey.store.layout import has_import
+from lispac.survey.store.stored_line import ROUNDING, StoredLine
+from lispac.survey.time_quality import accuracy_coverage_warning
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
-from lispac.survey.trajectory_rate import interpolation_messages
-from lispac.targets.alignment import Alignment, align
+from lispac.survey.trajectory_sampling import interpolation_messages
+from lispac.targets.rough_alignment import Alignment, align_lines
+from lispac.untrusted_values import InvalidContentError
+from lispac.warning_causes import Cause
 from lispac.workflow.file_reading import (
     USUAL,
     local_trajectory,
     read_accuracy,
 )
-from lispac.workflow.importing import assumptions_of, import_line, line_folder
+from lispac.workflow.line_import import assumptions_of, import_line, line_folder
 from lispac.workflow.line_points import LineFindings, read_line
-from lispac.workflow.moved import require_files
+from lispac.workflow.moved_files import require_files
 
 LARGEST_SIGMA_M, LARGEST_SIGMA_RAD = 1e4, np.pi
 """Standard deviations that no POS has; exporters write such values where they have no solution."""
@@ -87,7 +87,7 @@ class Survey:
         """The lines with the prior or the estimated mounting."""
         if which == "prior":
             return self.clouds
-        return placed_with(self.clouds, project.mounting(which))
+        return place_clouds(self.clouds, project.mounting(which))
 
     def shown(
         self,
@@ -96,7 +96,7 @@ class Survey:
         *,
         progress: Progress = no_progress,
     ) -> Mapping[str, Cloud]:
-        """As `placed`, with what stands for them in a picture at hand."""
+        """Lines as in `placed`, with samples for the display prepared."""
         clouds = self.placed(project, which)
         for k, (name, cloud) in enumerate(clouds.items()):
             progress(
@@ -106,17 +106,17 @@ class Survey:
         return clouds
 
     @cached_property
-    def aligned(self) -> Alignment:
-        """The lines where targets are searched for; worked out on first use, in some seconds."""
-        return align(self.clouds)
+    def alignment(self) -> Alignment:
+        """Lines aligned for the search of targets; computed on first access, in some seconds."""
+        return align_lines(self.clouds)
 
     def with_prior(self, mounting: Mounting) -> "Survey":
-        """The same readings placed with another prior mounting."""
-        return replace(self, clouds=placed_with(self.clouds, mounting))
+        """Survey with the same data placed with another prior mounting."""
+        return replace(self, clouds=place_clouds(self.clouds, mounting))
 
 
 def data_key(project: Project) -> tuple[object, ...]:
-    """Everything the loaded data depend on: when it changes they are read again."""
+    """Key of all values that the loaded data depend on."""
     settings = project.settings
     return (
         project.trajectory,
@@ -151,8 +151,8 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     require_files(project)
     progress(0.0, gettext_lazy("Reading {file}", file=project.trajectory.name))
     trajectory, assumed = local_trajectory(project)
-    accuracy, of_accuracy = _accuracy(project, trajectory)
-    notes = (*_with_shifts(project, assumed), *of_accuracy)
+    accuracy, of_accuracy = _trajectory_accuracy(project, trajectory)
+    notes = (*_with_shift_notes(project, assumed), *of_accuracy)
     messages = (*_file_messages(project), *trajectory.messages)
     messages += _accuracy_messages(project, accuracy)
     audits: dict[str, LineAudit] = {}
@@ -160,13 +160,13 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
     clouds: dict[str, Cloud] = {}
     heading: dict[str, float] = {}
     for k, line in enumerate(project.lines):
-        step = part(
+        step = sub_progress(
             progress, 0.1 + 0.9 * k / len(project.lines), 0.1 + 0.9 * (k + 1) / len(project.lines)
         )
-        scan, cloud, of_line, found = _opened(project, line, trajectory, step)
+        scan, cloud, of_line, found = _open_line(project, line, trajectory, step)
         notes += of_line
         if found is None:
-            messages += (_not_checked(line.name),)
+            messages += (_not_checked_note(line.name),)
         else:
             audits[line.name] = found.audit
             times = np.linspace(scan.first_time, scan.last_time, AUDIT_TIMES)
@@ -176,11 +176,11 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
         messages += _range_messages(line, scan)
         scans[line.name], clouds[line.name] = scan, cloud
         heading[line.name] = _median_heading(trajectory, scan)
-        _require_picked_on(project, line, scan)
+        _require_picked_points(project, line, scan)
     messages += shared_messages(audits)
     first_times = {name: scan.first_time for name, scan in scans.items()}
     messages += simultaneous_messages(audits, first_times)
-    sampled = {name: _some_times(scan) for name, scan in scans.items()}
+    sampled = {name: _sample_times(scan) for name, scan in scans.items()}
     messages += interpolation_messages(trajectory, accuracy, sampled)
     progress(1.0)
     return Survey(
@@ -189,17 +189,17 @@ def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey
 
 
 def _range_messages(line: LineSource, scan: Line) -> tuple[Message, ...]:
-    """Whether a stored line has points that its import would have excluded."""
+    """Warning about points of a stored line that the present range limit excludes."""
     if not isinstance(scan, StoredLine):
         return ()
-    limit = most_range(dict(line.reading.options).get("max_range", ""))
+    limit = parse_largest_range(dict(line.reading.options).get("max_range", ""))
     if scan.reach <= limit * (1.0 + ROUNDING):
         return ()
     params: dict[str, Value] = {"line": line.name, "distance": scan.reach, "limit": limit}
     return (Message("audit.beyond_range", Level.WARNING, params, Cause.of_line(line.name)),)
 
 
-def _not_checked(name: str) -> Message:
+def _not_checked_note(name: str) -> Message:
     return Message("audit.not_checked", Level.NOTE, {"line": name}, Cause.of_line(name))
 
 
@@ -224,7 +224,7 @@ def _file_messages(project: Project) -> tuple[Message, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def _with_shifts(project: Project, assumed: tuple[Message, ...]) -> tuple[Message, ...]:
+def _with_shift_notes(project: Project, assumed: tuple[Message, ...]) -> tuple[Message, ...]:
     """The assumptions, and the time shifts of lines, where there are any."""
     shifted = [line for line in project.lines if line.reading.time_shift]
     if not shifted:
@@ -240,14 +240,14 @@ def _with_shifts(project: Project, assumed: tuple[Message, ...]) -> tuple[Messag
     return (*kept, *shifts)
 
 
-def _accuracy(
+def _trajectory_accuracy(
     project: Project, trajectory: LocalTrajectory
 ) -> tuple[TrajectoryAccuracy, tuple[Message, ...]]:
     if project.accuracy is not None:
         accuracy = read_accuracy(project.accuracy, project.accuracy_reading)
         _require_overlap(accuracy, trajectory, project.accuracy)
         file = printable(project.accuracy.name)
-        too_short = short_of_trajectory(accuracy.time, trajectory.time, file)
+        too_short = accuracy_coverage_warning(accuracy.time, trajectory.time, file)
         return accuracy, () if too_short is None else (too_short,)
     typed = TrajectoryAccuracy.constant(
         np.array(project.settings.position_sigma),
@@ -257,7 +257,7 @@ def _accuracy(
 
 
 def _accuracy_messages(project: Project, accuracy: TrajectoryAccuracy) -> tuple[Message, ...]:
-    """Whether a file of standard deviations has some that no POS has."""
+    """Warnings about standard deviations that no POS has."""
     if project.accuracy is None:
         return ()
     far = (accuracy.position > LARGEST_SIGMA_M).any(axis=1)
@@ -271,7 +271,7 @@ def _accuracy_messages(project: Project, accuracy: TrajectoryAccuracy) -> tuple[
     return (Message("accuracy.too_large", Level.WARNING, params, DATA),)
 
 
-def _opened(
+def _open_line(
     project: Project, line: LineSource, trajectory: LocalTrajectory, progress: Progress
 ) -> tuple[Line, Cloud, tuple[Message, ...], LineFindings | None]:
     """A line from its store or its file, placed, notes on its reading, and its audit.
@@ -292,7 +292,9 @@ def _opened(
         if not line.path.exists():
             notes += (note("import.file_gone", file=str(line.path), line=line.name),)
         try:
-            found = decoded(stored.manifest.audit, LineFindings) if stored.manifest.audit else None
+            found = (
+                decode_value(stored.manifest.audit, LineFindings) if stored.manifest.audit else None
+            )
         except InvalidContentError as failure:
             raise ProjectError(error("store.audit_damaged", line=line.name)) from failure
         return stored, cloud, notes, found
@@ -304,13 +306,13 @@ def _opened(
 
 
 def _belongs_on_disk(project: Project, line: LineSource) -> bool:
-    if is_import(line_folder(project, line)):
+    if has_import(line_folder(project, line)):
         return True
-    return line.path.is_file() and _points_of(line.path) > LARGE
+    return line.path.is_file() and _estimate_point_count(line.path) > LARGE
 
 
-def _points_of(path: Path) -> int:
-    """Approximate number of points of a line; its reader reports errors."""
+def _estimate_point_count(path: Path) -> int:
+    """Approximate number of points of a line."""
     if is_las(path):
         try:
             return point_count(path)
@@ -319,7 +321,7 @@ def _points_of(path: Path) -> int:
     return path.stat().st_size // TEXT_POINT
 
 
-def _require_picked_on(project: Project, line: LineSource, scan: Line) -> None:
+def _require_picked_points(project: Project, line: LineSource, scan: Line) -> None:
     for target in project.targets:
         sighting = target.sighting(line.name)
         if sighting is not None and sighting.fingerprint not in ("", scan.fingerprint):
@@ -349,7 +351,7 @@ def _require_overlap(accuracy: TrajectoryAccuracy, trajectory: LocalTrajectory, 
         )
 
 
-def _some_times(scan: Line) -> NDArray[np.float64]:
+def _sample_times(scan: Line) -> NDArray[np.float64]:
     """Times of some points all over a line, shape (n,), seconds; neighbours are read at once."""
     starts = np.linspace(0, max(0, len(scan) - RUN), RUNS).astype(np.int64)
     numbers = np.unique(starts[:, None] + np.arange(min(RUN, len(scan))))

@@ -12,9 +12,9 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.blas import one_thread
+from lispac.adjustment.adjustment_problem import LinearisedProblem
+from lispac.adjustment.blas_threads import single_blas_thread
 from lispac.adjustment.observability import CARRIED, CLUSTERED
-from lispac.adjustment.problem import Linearised
 from lispac.errors import AdjustmentError
 from lispac.messages import error
 
@@ -29,12 +29,12 @@ FAR_WORSE = 2.0
 
 
 @dataclass(frozen=True, eq=False)
-class Planes:
-    """Planes that targets are chosen from.
+class CandidatePlanes:
+    """Candidate planes for targets, with their contribution to the precision.
 
     Attributes
     ----------
-    linearised : Linearised
+    linearised : LinearisedProblem
         Equations of all planes together.
     centres : mapping of name to ndarray of shape (3,), metres, local frame
     whole : collection of str
@@ -43,7 +43,7 @@ class Planes:
         Pairs that face one way, which the adjustment would refuse.
     """
 
-    linearised: Linearised
+    linearised: LinearisedProblem
     centres: dict[str, Array]
     whole: Collection[str]
     one_way: Collection[tuple[str, str]]
@@ -69,8 +69,8 @@ class Planes:
         """Largest sigmas of roll, pitch, yaw without one of the planes, shape (3,), radians."""
         return np.max([self.sigma(set(names) - {name}) for name in names], axis=0)
 
-    def are_checked(self, names: Sequence[str]) -> bool:
-        """Whether the others show an error of any one of the planes."""
+    def are_mutually_checked(self, names: Sequence[str]) -> bool:
+        """True if the other planes reveal an error of any one of the planes."""
         return (
             len(names) >= LEAST_TARGETS
             and bool((self.sigma_without_one(names) <= CARRIED * self.sigma(names)).all())
@@ -78,14 +78,14 @@ class Planes:
         )
 
     def are_spread(self, names: Sequence[str]) -> bool:
-        """Whether the planes are far enough apart not to act as one."""
+        """True if the planes are far enough apart not to act as one."""
         centres = np.array([self.centres[name] for name in names])
         apart = np.linalg.norm(centres[:, None] - centres[None], axis=-1).max()
         points = self.linearised.problem.observations.points_lidar
         return bool(apart >= CLUSTERED * np.linalg.norm(points, axis=1).mean())
 
 
-def chosen_targets(planes: Planes) -> list[str]:
+def choose_targets(planes: CandidatePlanes) -> list[str]:
     """Names of the planes to adjust with, the best first.
 
     The first two leave the least worst angle. Further ones are added until each angle is checked,
@@ -97,13 +97,13 @@ def chosen_targets(planes: Planes) -> list[str]:
         Where no two planes determine the boresight.
     """
     names = list(planes.centres)
-    with one_thread():
-        chosen = _first_two(planes, names)
+    with single_blas_thread():
+        chosen = _best_pair(planes, names)
         boards = [name for name in names if name in planes.whole]
         # Boards rather than walls, where they determine enough: walls are wanted for validation.
         pool = boards if set(chosen) <= set(boards) else names
         while len(chosen) < min(MOST_TARGETS, len(names)):
-            checked = planes.are_checked(chosen)
+            checked = planes.are_mutually_checked(chosen)
             spare = len(names) - LEAST_VALIDATION
             if checked and len(chosen) >= spare:
                 break
@@ -117,7 +117,7 @@ def chosen_targets(planes: Planes) -> list[str]:
     return chosen
 
 
-def _first_two(planes: Planes, names: Sequence[str]) -> list[str]:
+def _best_pair(planes: CandidatePlanes, names: Sequence[str]) -> list[str]:
     """The two planes that leave the least worst angle, boards if these do nearly as well.
 
     Raises
@@ -141,7 +141,7 @@ def _first_two(planes: Planes, names: Sequence[str]) -> list[str]:
 
 
 def _best_addition(
-    planes: Planes, chosen: Sequence[str], pool: Sequence[str], checked: bool
+    planes: CandidatePlanes, chosen: Sequence[str], pool: Sequence[str], checked: bool
 ) -> str | None:
     """The plane that serves most beside the chosen ones; None where none serves."""
     others = [name for name in pool if name not in chosen]

@@ -1,4 +1,4 @@
-"""Search for a target of either shape, in one line or in all."""
+"""Search for a target, plane or sphere, in one line or in all."""
 
 import os
 from collections.abc import Iterable, Mapping
@@ -13,20 +13,20 @@ from lispac.errors import ProjectError
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
-from lispac.survey.cloud import MOST, Cloud, Region
-from lispac.targets.across_lines import find_in_lines
-from lispac.targets.agreement import PRIOR_ACCURACY, PlacementAccuracy, agreeing
-from lispac.targets.alignment import Alignment
-from lispac.targets.finder import (
+from lispac.survey.cloud import MOST, Cloud, SphereRegion
+from lispac.targets.line_search import CLICK
+from lispac.targets.plane_finder import (
     FinderSettings,
     PlanePatch,
-    checked_seed,
+    extend_sample_patch,
     find_plane,
-    patch_among,
     patch_of,
+    require_seed,
 )
-from lispac.targets.lines import CLICK
-from lispac.targets.sphere_finder import RadiusSought, SpherePatch, find_sphere, patch_on_sphere
+from lispac.targets.planes_across_lines import find_in_lines
+from lispac.targets.rough_alignment import Alignment
+from lispac.targets.sighting_agreement import PRIOR_ACCURACY, PlacementAccuracy, split_by_agreement
+from lispac.targets.sphere_finder import RadiusRange, SpherePatch, find_sphere, patch_on_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
 
 Array = NDArray[np.float64]
@@ -69,7 +69,7 @@ the error of the POS, and what the rough boresight is off by."""
 
 @dataclass(frozen=True)
 class TargetSearch:
-    """What is searched for.
+    """Shape and size of the target to search for.
 
     Attributes
     ----------
@@ -87,11 +87,11 @@ class TargetSearch:
         return cls(target.shape, target.sphere_radius)
 
     @property
-    def radii(self) -> RadiusSought:
+    def radii(self) -> RadiusRange:
         """Radii a sphere may have."""
         if self.sphere_radius is None:
-            return RadiusSought()
-        return RadiusSought.exactly(self.sphere_radius)
+            return RadiusRange()
+        return RadiusRange.of_known_radius(self.sphere_radius)
 
     def search_radii(self, role: Role) -> tuple[float, ...]:
         """Default search radii about the seed, metres, tried in turn."""
@@ -128,7 +128,7 @@ class TargetSearch:
             )
 
     def at(self, cloud: Cloud, seed: Array, settings: FinderSettings) -> Patch:
-        """The target at the seed in one line.
+        """Find the target at the seed in one line.
 
         Parameters
         ----------
@@ -139,13 +139,17 @@ class TargetSearch:
         TargetNotFound
         """
         if self.shape == "sphere":
-            region = cloud.within(checked_seed(seed), settings.radius)
-            return _numbered(find_sphere(region.points, seed, self.radii, settings), region)
-        region = cloud.within(checked_seed(seed), settings.radius, most=SOUGHT)
-        beside = _beside(region, cloud, checked_seed(seed))
-        return _whole(find_plane(region.points, seed, settings, beside=beside), region, cloud)
+            region = cloud.within(require_seed(seed), settings.radius)
+            return _with_point_numbers(
+                find_sphere(region.points, seed, self.radii, settings), region
+            )
+        region = cloud.within(require_seed(seed), settings.radius, most=SOUGHT)
+        beside = _points_near_click(region, cloud, require_seed(seed))
+        return _complete_plane(
+            find_plane(region.points, seed, settings, beside=beside), region, cloud
+        )
 
-    def patch_of(self, cloud: Cloud, indices: NDArray[np.int64]) -> Patch:
+    def patch_of_points(self, cloud: Cloud, indices: NDArray[np.int64]) -> Patch:
         """The target that chosen points of a line form.
 
         Parameters
@@ -164,7 +168,7 @@ class TargetSearch:
         patch = patch_on_sphere(points, every, self.radii)
         return replace(patch, indices=indices[patch.indices])
 
-    def in_lines(
+    def find_in_lines(
         self,
         clouds: Mapping[str, Cloud],
         seed: Array,
@@ -190,25 +194,27 @@ class TargetSearch:
         TargetNotFound
         """
         if self.shape == "plane":
-            return planes_in_lines(
+            return find_planes_in_lines(
                 clouds, seed, settings, first_line=first_line, accuracy=accuracy, progress=progress
             )
-        regions, points = _regions(clouds, seed, settings)
+        regions, points = _search_regions(clouds, seed, settings)
         found, missing = find_spheres_in_lines(
             points, seed, self.radii, settings, first_line=first_line, progress=progress
         )
-        numbered = {name: _numbered(patch, regions[name]) for name, patch in found.items()}
-        kept, rejected = agreeing(
+        numbered = {
+            name: _with_point_numbers(patch, regions[name]) for name, patch in found.items()
+        }
+        kept, rejected = split_by_agreement(
             numbered,
             clouds,
             accuracy,
             settings.radius,
-            _clicked(first_line, numbered, seed, clouds),
+            _clicked_line(first_line, numbered, seed, clouds),
         )
         return kept, missing | rejected
 
 
-def planes_in_lines(
+def find_planes_in_lines(
     clouds: Mapping[str, Cloud],
     seed: Array,
     settings: FinderSettings,
@@ -217,34 +223,38 @@ def planes_in_lines(
     accuracy: PlacementAccuracy = PRIOR_ACCURACY,
     progress: Progress = no_progress,
 ) -> tuple[dict[str, PlanePatch], dict[str, Message]]:
-    """As `TargetSearch.in_lines`, for a plane."""
-    regions, points = _regions(clouds, seed, settings, most=SOUGHT)
-    beside = {name: _beside(regions[name], cloud, seed) for name, cloud in clouds.items()}
+    """Find the plane at the seed in every line, and the reasons where it is missing."""
+    regions, points = _search_regions(clouds, seed, settings, most=SOUGHT)
+    beside = {
+        name: _points_near_click(regions[name], cloud, seed) for name, cloud in clouds.items()
+    }
     found, missing = find_in_lines(
         points, seed, settings, first_line=first_line, progress=progress,
         beside={name: close for name, close in beside.items() if close is not None},
     )  # fmt: skip
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        every = pool.map(lambda name: _whole(found[name], regions[name], clouds[name]), found)
+        every = pool.map(
+            lambda name: _complete_plane(found[name], regions[name], clouds[name]), found
+        )
         whole = dict(zip(found, every, strict=True))
-    kept, rejected = agreeing(
-        whole, clouds, accuracy, settings.radius, _clicked(first_line, whole, seed, clouds)
+    kept, rejected = split_by_agreement(
+        whole, clouds, accuracy, settings.radius, _clicked_line(first_line, whole, seed, clouds)
     )
     return kept, missing | rejected
 
 
-def _clicked(
+def _clicked_line(
     first_line: str | None, found: Iterable[str], seed: Array, clouds: Mapping[str, Cloud]
 ) -> str | None:
-    """The line that was clicked, if it is known."""
+    """Name of the clicked line; None if it is not known."""
     if first_line is not None:
         return first_line
     return next((name for name in found if len(clouds[name].within(seed, CLICK).numbers)), None)
 
 
 @dataclass(frozen=True, eq=False)
-class Place:
-    """Where a target is searched for: in lines that nearly meet.
+class SearchPlace:
+    """Seed in the aligned lines, where a target is searched for.
 
     Attributes
     ----------
@@ -266,7 +276,7 @@ class Place:
     accuracy: PlacementAccuracy
 
     @classmethod
-    def of(cls, aligned: Alignment, seed: Array, line: str | None, radius: float) -> "Place":
+    def of(cls, aligned: Alignment, seed: Array, line: str | None, radius: float) -> "SearchPlace":
         """A seed as it was clicked or typed, with the lines as the prior boresight places them.
 
         Parameters
@@ -278,19 +288,19 @@ class Place:
         radius : float, metres
             Search radius about the seed.
         """
-        seed = checked_seed(seed)
+        seed = require_seed(seed)
         reach = MET_SHIFT if aligned.nearly_meets else FinderSettings().max_shift
         reaches = (CLICK,) if line is None else (CLICK, 0.1, radius)
         nearest: list[tuple[float, str, Array]] = []
         for name in aligned.before if line is None else (line,):
-            nearest += _nearest(aligned, name, seed, reaches)
+            nearest += _nearest_point(aligned, name, seed, reaches)
         if not nearest:
             return cls(aligned.clouds, seed, line, reach, aligned.accuracy)
         _, line, move = min(nearest, key=lambda found: found[:2])
         return cls(aligned.clouds, seed + move, line, reach, aligned.accuracy)
 
 
-def _nearest(
+def _nearest_point(
     aligned: Alignment, line: str, seed: Array, reaches: tuple[float, ...]
 ) -> list[tuple[float, str, Array]]:
     """The line's point nearest to the seed: how far off, the line, how the point was moved."""
@@ -318,11 +328,11 @@ def thinned_notes(target: Target) -> tuple[Message, ...]:
     )  # fmt: skip
 
 
-def _regions(
+def _search_regions(
     clouds: Mapping[str, Cloud], seed: Array, settings: FinderSettings, *, most: int | None = None
-) -> tuple[dict[str, Region], dict[str, Array]]:
-    """Of each line what the target may be in, and its points."""
-    seed, reach = checked_seed(seed), settings.radius + settings.max_shift
+) -> tuple[dict[str, SphereRegion], dict[str, Array]]:
+    """Search region of each line around the seed, and its points."""
+    seed, reach = require_seed(seed), settings.radius + settings.max_shift
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         read = pool.map(lambda cloud: cloud.within(seed, reach, most=most), clouds.values())
@@ -330,7 +340,7 @@ def _regions(
     return regions, {name: region.points for name, region in regions.items()}
 
 
-def _beside(region: Region, cloud: Cloud, seed: Array) -> Array | None:
+def _points_near_click(region: SphereRegion, cloud: Cloud, seed: Array) -> Array | None:
     """A sampled line's points close to a click in it, the nearest first.
 
     The sample may lack all of them, and a click on the edge of a board would then seem to float
@@ -342,17 +352,17 @@ def _beside(region: Region, cloud: Cloud, seed: Array) -> Array | None:
     return points[np.argsort(np.linalg.norm(points - seed, axis=1), kind="stable")]
 
 
-def _numbered(patch: OnePatch, region: Region) -> OnePatch:
+def _with_point_numbers(patch: OnePatch, region: SphereRegion) -> OnePatch:
     """The patch with the numbers of its points in the line, not in the region it was found in."""
     return replace(patch, indices=region.numbers[patch.indices], one_in=region.one_in)
 
 
-def _whole(patch: PlanePatch, region: Region, cloud: Cloud) -> PlanePatch:
+def _complete_plane(patch: PlanePatch, region: SphereRegion, cloud: Cloud) -> PlanePatch:
     """All of the line's points on a plane that was found among some of them."""
     if region.one_in == 1:
-        return _numbered(patch, region)
+        return _with_point_numbers(patch, region)
     some = region.points[patch.indices]
     reach = float(np.linalg.norm(some - patch.centre, axis=1).max())
     there = cloud.within(patch.centre, reach)
-    complete = patch_among(there.points, some, patch.plane)
+    complete = extend_sample_patch(there.points, some, patch.plane)
     return replace(complete, indices=there.numbers[complete.indices], one_in=there.one_in)

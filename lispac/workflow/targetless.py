@@ -13,21 +13,21 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.line_shifts import Scores
-from lispac.adjustment.observability import observability
+from lispac.adjustment.excess_scatter import raise_sigmas_by_scatter
+from lispac.adjustment.line_shifts import LineShiftScores
+from lispac.adjustment.observability import assess_observability
 from lispac.adjustment.result import AdjustmentResult
-from lispac.adjustment.scatter import with_scatter
-from lispac.adjustment.solved import Solved
+from lispac.adjustment.solved_equations import SolvedEquations
 from lispac.adjustment.solver import adjust
 from lispac.errors import AdjustmentError
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
-from lispac.natural.choice import COUNT, Choice, chosen
-from lispac.natural.patches import Patches, patches_of
-from lispac.progress import Progress, no_progress, part
+from lispac.natural.patch_choice import COUNT, PatchChoice, choose_patches
+from lispac.natural.patches import Patches, find_patches
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Target
-from lispac.survey.cloud import Cloud, placed_with
-from lispac.workflow.calibration import observations_of, select
+from lispac.survey.cloud import Cloud, place_clouds
+from lispac.workflow.calibration import observations_of, reselect_points
 from lispac.workflow.survey import Survey
 
 Indices = NDArray[np.int64]
@@ -46,8 +46,8 @@ DISAGREES = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class Targetless:
-    """The answer of the scene.
+class TargetlessResult:
+    """Result of the targetless method.
 
     Attributes
     ----------
@@ -76,13 +76,13 @@ class Targetless:
 
     @property
     def result(self) -> AdjustmentResult:
-        """Of the adjustment."""
+        """Result of the adjustment."""
         assert self.project.result is not None
         return self.project.result
 
     @property
     def remarks(self) -> tuple[Message, ...]:
-        """What the result is based on, and what limits it."""
+        """Remarks on the basis and the limits of the result."""
         used = len(self.project.targets) - self.targets
         found = [note("targetless.basis", used=used, total=self.candidates, rounds=self.rounds)]
         if self.targets:
@@ -101,8 +101,8 @@ def targetless(
     count: int = COUNT,
     with_targets: bool = False,
     progress: Progress = no_progress,
-) -> Targetless:
-    """Find the boresight from what all lines see of the scene.
+) -> TargetlessResult:
+    """Find the boresight from surfaces of the scene that the lines share.
 
     Parameters
     ----------
@@ -121,23 +121,23 @@ def targetless(
     settings.require_sound()
     if len(survey.clouds) < 2:
         raise AdjustmentError(error("targetless.single_line", project=project.name))
-    own = _targets_alone(project) if with_targets else None
+    own = _targets_only(project) if with_targets else None
     started = perf_counter()
     progress(0.0, gettext_lazy("Aligning the lines"))
     # Wherever the prior is, near or far, the start is the same.
-    mounting = survey.aligned.mounting
+    mounting = survey.alignment.mounting
     quick = replace(settings, subsample=max(settings.subsample, QUICK), parameters=())
     judged = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
     picked, found, rounds, settled, mixed = project, 0, 0, False, 0
     for rounds, threshold in enumerate(THRESHOLDS, 1):
-        step = part(progress, 0.1 * rounds, 0.1 * rounds + 0.1)
+        step = sub_progress(progress, 0.1 * rounds, 0.1 * rounds + 0.1)
         step(0.0, gettext_lazy("Matching the lines: iteration {number:n}", number=rounds))
-        clouds = placed_with(survey.clouds, mounting)
-        patches = patches_of(
+        clouds = place_clouds(survey.clouds, mounting)
+        patches = find_patches(
             clouds, settings.lidar_sigma, max(threshold, settings.threshold),
-            progress=part(step, 0.0, 0.6),
+            progress=sub_progress(step, 0.0, 0.6),
         )  # fmt: skip
-        choice = chosen(patches, clouds, survey.accuracy, count)
+        choice = choose_patches(patches, clouds, survey.accuracy, count)
         found = len(patches)
         if len(choice.rows) < FEWEST:
             raise AdjustmentError(
@@ -148,12 +148,14 @@ def targetless(
                     least=FEWEST,
                 )
             )
-        picked = replace(project, targets=_targets(patches, choice, clouds, survey), result=None)
+        picked = replace(
+            project, targets=_targets_of_patches(patches, choice, clouds, survey), result=None
+        )
         observations = observations_of(picked, survey, settings=quick, mounting=mounting)
         result = adjust(
             observations, mounting, judged,
             accept_one_facing=settings.accept_one_facing, diagnostics=False,
-            progress=part(step, 0.7, 1.0),
+            progress=sub_progress(step, 0.7, 1.0),
         )  # fmt: skip
         moved = np.abs(result.boresight - mounting.boresight)
         mounting = mounting.with_boresight(result.boresight)
@@ -162,8 +164,8 @@ def targetless(
         if settled:
             break
     if own is not None:
-        mine = select(own, survey, progress=part(progress, 0.4, 0.5)).targets
-        picked = replace(picked, targets=(*mine, *_apart(picked.targets, mine)))
+        mine = reselect_points(own, survey, progress=sub_progress(progress, 0.4, 0.5)).targets
+        picked = replace(picked, targets=(*mine, *_surfaces_off_targets(picked.targets, mine)))
         mixed = len(mine)
     observations = observations_of(picked, survey, mounting=mounting)
     result = adjust(
@@ -174,36 +176,40 @@ def targetless(
         components=settings.variance_components,
         accept_one_facing=settings.accept_one_facing,
         test_model=False,  # places of the scene and stretches of lines tell it better
-        progress=part(progress, 0.5, 0.9),
+        progress=sub_progress(progress, 0.5, 0.9),
     )
-    solved = Solved.of(
+    solved = SolvedEquations.of(
         result,
         observations.with_sigmas(*result.sigma_factors),
         project.mounting("prior"),
         settings.parameters,
-        progress=part(progress, 0.9, 0.95),
+        progress=sub_progress(progress, 0.9, 0.95),
     )
     told, shifted = result, tuple[str, ...]()
     if solved is not None:
-        told = with_scatter(result, solved.here, solved.origins, progress=part(progress, 0.95, 1.0))
+        told = raise_sigmas_by_scatter(
+            result, solved.here, solved.origins, progress=sub_progress(progress, 0.95, 1.0)
+        )
         if told.observability is not None and told.raised is not None:
-            seen = observability(solved.here, raised=told.raised, origins=solved.origins)
+            seen = assess_observability(solved.here, raised=told.raised, origins=solved.origins)
             told = replace(told, observability=seen)
-        shifted = Scores.of(solved.here).shifted()
+        shifted = LineShiftScores.of(solved.here).shifted_lines()
     raised = float((told.sigma / result.sigma).max())
     answer = replace(picked, result=replace(told, elapsed=perf_counter() - started))
-    named = disagreeing(result, survey.clouds, shifted)
-    return Targetless(answer, rounds, settled, found, named, mixed, raised)
+    named = disagreeing_lines(result, survey.clouds, shifted)
+    return TargetlessResult(answer, rounds, settled, found, named, mixed, raised)
 
 
-def _targets_alone(project: Project) -> Project:
-    targets = tuple(target for target in project.of_role("target") if target.used)
+def _targets_only(project: Project) -> Project:
+    targets = tuple(target for target in project.targets_of_role("target") if target.used)
     if not targets:
         raise AdjustmentError(error("targetless.no_target", project=project.name))
     return replace(project, targets=targets, result=None)
 
 
-def _apart(surfaces: tuple[Target, ...], targets: tuple[Target, ...]) -> tuple[Target, ...]:
+def _surfaces_off_targets(
+    surfaces: tuple[Target, ...], targets: tuple[Target, ...]
+) -> tuple[Target, ...]:
     """Surfaces of the scene that no target lies on, none with the name of a target.
 
     What is seen of a board would count twice else.
@@ -229,8 +235,8 @@ def _apart(surfaces: tuple[Target, ...], targets: tuple[Target, ...]) -> tuple[T
     )
 
 
-def _targets(
-    patches: Patches, choice: Choice, clouds: Mapping[str, Cloud], survey: Survey
+def _targets_of_patches(
+    patches: Patches, choice: PatchChoice, clouds: Mapping[str, Cloud], survey: Survey
 ) -> tuple[Target, ...]:
     """The patches chosen, with all points that lie on each line's own plane in the region."""
     planes, names = patches.planes, list(clouds)
@@ -263,7 +269,7 @@ def _targets(
     return tuple(found)
 
 
-def disagreeing(
+def disagreeing_lines(
     result: AdjustmentResult, lines: Iterable[str], shifted: Collection[str]
 ) -> tuple[str, ...]:
     """Lines that are shifted, share no surface, or have many rejected sightings.

@@ -1,4 +1,4 @@
-"""How good the trajectory was while each line was run."""
+"""Quality of the trajectory on each line."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from lispac.workflow.survey import Survey
 
 
 def trajectory_on_lines(survey: Survey) -> tuple[TrajectoryOnLine, ...]:
-    """Trajectory quality and accuracies of each line covered by at least two states."""
+    """Motion and accuracy of the trajectory on each line that it covers for two states."""
     found = []
     for name, scan in survey.scans.items():
         times = survey.trajectory.time

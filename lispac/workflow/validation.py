@@ -1,4 +1,4 @@
-"""How far apart the lines are on planes not used in the adjustment, before and after."""
+"""Distances of the lines on planes not used in the adjustment, before and after."""
 
 from dataclasses import replace
 
@@ -7,10 +7,10 @@ import numpy as np
 from lispac.errors import NotComparable, ProjectError
 from lispac.language import gettext_lazy
 from lispac.messages import Message, as_message, error
-from lispac.progress import Progress, no_progress, part
+from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project
-from lispac.validation.comparison import PlaneComparison, compare_plane
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+from lispac.validation.plane_comparison import PlaneComparison, compare_plane
 from lispac.workflow.survey import Survey
 
 
@@ -37,14 +37,14 @@ def validate(
         ``not_compared`` instead.
     """
     placed = survey.placed(project, "estimated")
-    planes = [plane for plane in project.of_role("validation") if plane.used]
+    planes = [plane for plane in project.targets_of_role("validation") if plane.used]
     if not planes:
         raise ProjectError(error("validate.no_planes", project=project.name))
     comparisons: list[PlaneComparison] = []
     not_compared: dict[str, Message] = {}
     reasons: list[Message | str] = []
     for k, plane in enumerate(planes):
-        step = part(progress, k / len(planes), (k + 1) / len(planes))
+        step = sub_progress(progress, k / len(planes), (k + 1) / len(planes))
         step(0.0, gettext_lazy("Comparing the lines on {target}", target=plane.name))
         before, after, ranges = {}, {}, {}
         for sighting in plane.used_sightings:
@@ -74,7 +74,7 @@ def validate(
 def validate_with_truth(
     project: Project, survey: Survey, *, progress: Progress = no_progress
 ) -> tuple[PlaneComparison, ...]:
-    """The same planes with the boresight a simulated survey was made with, for "after".
+    """Compare the lines on the validation planes with the simulated true boresight as "after".
 
     What is left between the lines then is the POS error of each of them, which no boresight
     removes: an answer is as good as it can be where it leaves no more.

@@ -1,22 +1,22 @@
-"""What errors do to boards, as files: all values, the best configurations, and figures."""
+"""Files on the visibility of errors on boards: values, best configurations, figures."""
 
 from collections.abc import Sequence
 from pathlib import Path
 
-from lispac.io.files import written_whole
+from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
 from lispac.progress import Progress, no_progress
-from lispac.report.tables import csv_text
+from lispac.report.csv_tables import csv_text
 from lispac.report.visibility_figures import CRITERIA, visibility_figure
 from lispac.report.visibility_tables import comparison_table, values_table
-from lispac.simulation.visibility_study import Visibility
+from lispac.simulation.visibility_study import VisibilityStudy
 
 RESOLUTION = 200
 """Of a PNG, dots per inch."""
 
 
 def write_visibility(
-    found: Visibility,
+    found: VisibilityStudy,
     folder: Path,
     errors: Sequence[str],
     formats: Sequence[str],
@@ -46,7 +46,7 @@ def write_visibility(
     written = []
     for name, table in tables:
         path = folder / f"{found.site.name}-{name}.csv"
-        with written_whole(path) as part:
+        with atomic_write(path) as part:
             # A spreadsheet's line ends are those the writer put there.
             part.write_text(csv_text(table), encoding="utf-8", newline="")
         written.append(path)
@@ -55,7 +55,7 @@ def write_visibility(
     for k, (error, criterion, form) in enumerate(drawn):
         progress(k / len(drawn), gettext_lazy("Drawing the figures"))
         name = f"{found.site.name}-{error.replace('_', '-')}-{criterion}.{form}"
-        with written_whole(folder / name) as part:
+        with atomic_write(folder / name) as part:
             visibility_figure(found, error, criterion).savefig(part, format=form, dpi=RESOLUTION)
         written.append(folder / name)
     return written

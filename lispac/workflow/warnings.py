@@ -1,4 +1,4 @@
-"""All warnings about an open project in one list, each with where its cause lies.
+"""All warnings about an open project in one list, each with its cause.
 
 No rules are applied here: the list contains the messages about the files, the
 sightings, the adjustment, the validation and the checks.
@@ -9,17 +9,17 @@ from datetime import UTC, datetime
 
 import numpy as np
 
-from lispac.adjustment import outdated
-from lispac.causes import Cause
-from lispac.doubles import doubts_of
-from lispac.messages import Level, Message, by_level, note, warning
+from lispac.adjustment import outdated_result
+from lispac.duplicate_targets import all_warnings
+from lispac.messages import Level, Message, note, sort_by_level, warning
 from lispac.project import Project
 from lispac.report.content import report_content
-from lispac.report.report_warnings import cautions_of
-from lispac.survey.lever_arm import lever_arm_doubts
-from lispac.survey.source import printable
-from lispac.targets.quality import SightingQuality
-from lispac.workflow.orientation_check import face_one_way
+from lispac.report.report_warnings import report_warnings
+from lispac.survey.lever_arm_warnings import lever_arm_warnings
+from lispac.survey.line_source import printable
+from lispac.targets.sighting_quality import SightingQuality
+from lispac.warning_causes import Cause
+from lispac.workflow.orientation_check import do_targets_face_one_way
 from lispac.workflow.survey import Survey
 
 DATA, ADJUST = Cause.of_step("Data"), Cause.of_step("Adjust")
@@ -57,26 +57,29 @@ def warnings_of(
     if survey is not None:
         project = project.with_data_messages(survey.messages)
     found = [
-        *_storage(storage),
-        *lever_arm_doubts(project.settings.lever_arm),
-        *_gaps(project, survey),
-        *_sightings(project, qualities or {}),
-        *_targets(project, survey),
-        *_refusal(refusal, stale and project.result is None),
-        *_answer(project, (outdated.refused_since(refused_since),) if refused_since else ()),
-        *_not_compared(project),
-        *_data(project, survey),
-        *_not_found(project),
+        *_storage_warning(storage),
+        *lever_arm_warnings(project.settings.lever_arm),
+        *_trajectory_gaps(project, survey),
+        *_poor_sightings(project, qualities or {}),
+        *_target_notes(project, survey),
+        *_refusal_warning(refusal, stale and project.result is None),
+        *_result_warnings(
+            project,
+            (outdated_result.outdated_result_warning(refused_since),) if refused_since else (),
+        ),
+        *_planes_not_compared(project),
+        *_reading_notes(project, survey),
+        *_targets_not_found(project),
     ]
-    return by_level(found)
+    return sort_by_level(found)
 
 
-def _storage(storage: Message | None) -> Iterator[Message]:
+def _storage_warning(storage: Message | None) -> Iterator[Message]:
     if storage is not None:
         yield warning("project.storage", reason=storage, subject=DATA)
 
 
-def _gaps(project: Project, survey: Survey | None) -> Iterator[Message]:
+def _trajectory_gaps(project: Project, survey: Survey | None) -> Iterator[Message]:
     """Gaps of the trajectory that are not interpolated."""
     if survey is None:
         return
@@ -88,19 +91,19 @@ def _gaps(project: Project, survey: Survey | None) -> Iterator[Message]:
         )
 
 
-def _data(project: Project, survey: Survey | None) -> Iterator[Message]:
-    """What was assumed or excluded while the files were read."""
+def _reading_notes(project: Project, survey: Survey | None) -> Iterator[Message]:
+    """Notes on assumptions and exclusions while the files were read."""
     if survey is None:
         return
     for each in survey.notes:
-        yield note("project.import_note", reason=each, subject=_file(project, each))
+        yield note("project.import_note", reason=each, subject=_file_cause(project, each))
     for message in survey.messages:  # warnings come with those about the result
         if message.level is Level.NOTE:
             yield message
 
 
-def _file(project: Project, about: Message) -> Cause:
-    """The line whose file a note is about, where it is one."""
+def _file_cause(project: Project, about: Message) -> Cause:
+    """Cause of a note about a file: its line, else the data."""
     lines = [
         line for line in project.lines
         if about.params.get("file") in (printable(line.path.name), str(line.path))
@@ -108,7 +111,7 @@ def _file(project: Project, about: Message) -> Cause:
     return Cause.of_line(lines[0].name) if len(lines) == 1 else DATA
 
 
-def _sightings(
+def _poor_sightings(
     project: Project, qualities: Mapping[tuple[str, str], SightingQuality]
 ) -> Iterator[Message]:
     for target in project.targets:
@@ -123,7 +126,7 @@ def _sightings(
                 )  # fmt: skip
 
 
-def _not_found(project: Project) -> Iterator[Message]:
+def _targets_not_found(project: Project) -> Iterator[Message]:
     for target in project.targets:
         for line, reason in target.missing.items() if target.used else ():
             yield note(
@@ -133,36 +136,36 @@ def _not_found(project: Project) -> Iterator[Message]:
             )  # fmt: skip
 
 
-def _targets(project: Project, survey: Survey | None) -> Iterator[Message]:
-    """Reasons why an estimate would be refused; after it, its own warnings apply."""
+def _target_notes(project: Project, survey: Survey | None) -> Iterator[Message]:
+    """Notes on targets that an estimation would refuse, before there is a result."""
     if project.result is not None:
         return
-    used = [target for target in project.of_role("target") if target.used]
+    used = [target for target in project.targets_of_role("target") if target.used]
     if len(used) == 1:
         yield note("project.single_target", subject=Cause.of_target(used[0].name))
-    if survey is not None and face_one_way(project, survey):
+    if survey is not None and do_targets_face_one_way(project, survey):
         yield note("project.one_facing", subject=Cause.of_target(used[-1].name))
 
 
-def _refusal(refusal: Message | str, stale: bool) -> Iterator[Message]:
+def _refusal_warning(refusal: Message | str, stale: bool) -> Iterator[Message]:
     if refusal:
         yield warning("project.refused", reason=refusal, subject=ADJUST)
     elif stale:
         yield note("project.out_of_date", subject=ADJUST)
 
 
-def _answer(project: Project, also: tuple[Message, ...]) -> Iterator[Message]:
-    """The messages of the first page of the report, but for what only a report needs."""
+def _result_warnings(project: Project, also: tuple[Message, ...]) -> Iterator[Message]:
+    """Warnings about the result, without those that only a report needs."""
     content = report_content(
         project, headings_deg={}, counts={}, track_local={}, notes=(),
         generated=datetime.now(UTC), digests=False,
     )  # fmt: skip
-    yield from doubts_of(project, also)
-    for message in cautions_of(content, ()):
+    yield from all_warnings(project, also)
+    for message in report_warnings(content, ()):
         if message.code not in LISTED_SINGLY | OF_A_REPORT:
             yield message
 
 
-def _not_compared(project: Project) -> Iterator[Message]:
+def _planes_not_compared(project: Project) -> Iterator[Message]:
     for name, reason in project.not_compared.items():
         yield note("report.not_compared", reason=reason, subject=Cause.of_target(name))

@@ -8,9 +8,13 @@ import numpy as np
 import pytest
 import scipy.linalg
 
-from lispac.adjustment.banded import backward, factor_of, forward
+from lispac.adjustment.banded_cholesky import (
+    back_substitution,
+    cholesky_factor,
+    forward_substitution,
+)
 from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic import StochasticModel
+from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.survey.georeferencing import Mounting
 from tests.surveys import disturbed, planar_survey
 
@@ -58,7 +62,7 @@ def test_banded(knots, unknowns):
     band = random.normal(size=(12, 6 * knots))
     band[0] = 30.0
     right = random.normal(size=(unknowns, 6 * knots))
-    factor = factor_of(band)
+    factor = cholesky_factor(band)
 
     def seconds(solve):
         taken = []
@@ -70,8 +74,8 @@ def test_banded(knots, unknowns):
 
     solve = scipy.linalg.cho_solve_banded
     theirs, expected = seconds(lambda: solve((factor, True), right.T))
-    half, halved = seconds(lambda: forward(factor, right.T))
-    whole, found = seconds(lambda: backward(factor, halved))
+    half, halved = seconds(lambda: forward_substitution(factor, right.T))
+    whole, found = seconds(lambda: back_substitution(factor, halved))
     assert found == pytest.approx(expected)
     print(
         f"\n{knots:4d} knots, {unknowns:3d} unknowns: LAPACK {theirs * 1e3:6.2f} ms, forward "

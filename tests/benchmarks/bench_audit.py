@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 from lispac.project import LineSource, Settings
-from lispac.survey.screening import PointScreen, PointSelection
-from lispac.workflow.importing import import_lines
+from lispac.survey.point_screening import PointScreen, PointSelection
+from lispac.workflow.line_import import import_lines
 from lispac.workflow.projects import create_project
 from tests.intake_files import LEVER, START, write_survey
 

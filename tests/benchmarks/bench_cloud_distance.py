@@ -19,7 +19,7 @@ import pytest
 from numpy.typing import NDArray
 
 from lispac.validation.cloud_distance import cloud_to_cloud
-from lispac.validation.comparison import compare_plane
+from lispac.validation.plane_comparison import compare_plane
 
 Array = NDArray[np.float64]
 AIM_SECONDS = 2.5

@@ -8,13 +8,13 @@ from time import perf_counter
 
 import numpy as np
 
-from lispac.design.choices import DesignSpace, thesis_plan
-from lispac.design.monte_carlo import surveyed
-from lispac.design.objective import Objective
+from lispac.design.monte_carlo import run_monte_carlo
+from lispac.design.objective import PlanObjective
+from lispac.design.plan_choices import DesignSpace, thesis_plan
+from lispac.design.plan_search import search
 from lispac.design.prediction import predict
-from lispac.design.search import search
 from lispac.io.plan_file import read_site
-from lispac.workflow.campaign import pool_of
+from lispac.workflow.parallel_map import process_pool_mapper
 
 QUAY = Path(__file__).parents[2] / "resources" / "sites" / "quay.toml"
 DESIGNS = 10_000
@@ -22,9 +22,9 @@ DESIGNS = 10_000
 
 def test_one_design():
     _, site = read_site(QUAY)
-    space = DesignSpace(site, Objective())
+    space = DesignSpace(site, PlanObjective())
     generator = np.random.default_rng(1)
-    widths = np.array(space.widths)
+    widths = np.array(space.gene_sizes)
     choices = [space.choice(generator.integers(widths)) for _ in range(300)]
     predict(thesis_plan(site))  # compile
     times = []
@@ -40,7 +40,7 @@ def test_ten_thousand_designs():
     found = {}
     for workers in (1, 2):
         start = perf_counter()
-        with pool_of(workers) as mapper:
+        with process_pool_mapper(workers) as mapper:
             design = search(site, plans=DESIGNS, mapper=mapper)
         found[workers] = perf_counter() - start
         print(
@@ -53,12 +53,12 @@ def test_ten_thousand_designs():
 def test_monte_carlo():
     _, site = read_site(QUAY)
     plan = thesis_plan(site)
-    surveyed(plan, 2)  # compile
+    run_monte_carlo(plan, 2)  # compile
     found = {}
     for workers in (1, 2):
         start = perf_counter()
-        with pool_of(workers) as mapper:
-            surveyed(plan, 100, mapper=mapper)
+        with process_pool_mapper(workers) as mapper:
+            run_monte_carlo(plan, 100, mapper=mapper)
         found[workers] = perf_counter() - start
         print(f"\n100 surveys, {workers} processes: {found[workers]:.1f} s")
     print(f"speed-up with two: {found[1] / found[2]:.2f}")

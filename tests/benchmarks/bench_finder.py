@@ -10,9 +10,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.geometry.neighbours import PointGrid, points_within
-from lispac.targets.across_lines import find_in_lines
-from lispac.targets.finder import FinderSettings, find_plane
+from lispac.geometry.radius_search import PointGrid, points_within
+from lispac.targets.plane_finder import FinderSettings, find_plane
+from lispac.targets.planes_across_lines import find_in_lines
 
 Array = NDArray[np.float64]
 CENTRE = np.array([0.0, 20.0, 4.0])

@@ -10,11 +10,11 @@ import numpy as np
 import open3d
 import pytest
 
-from lispac.geometry.neighbours import points_within
-from lispac.simulation.survey import SimulatedSurvey, port_survey
-from lispac.targets.detection import VOXEL, detect_planes
-from lispac.targets.finder import FinderSettings, find_plane
-from lispac.targets.patches import flat_patches
+from lispac.geometry.radius_search import points_within
+from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
+from lispac.targets.flat_patches import find_flat_patches
+from lispac.targets.plane_detection import VOXEL, detect_planes
+from lispac.targets.plane_finder import FinderSettings, find_plane
 from tests.finder_scenes import precision_and_recall
 from tests.test_finder_sites import scenery
 from tests.test_simulation import placed
@@ -68,9 +68,9 @@ def port() -> SimulatedSurvey:
 
 def test_all_planes_of_a_line(port: SimulatedSurvey) -> None:
     cloud = placed(port, port.lines[0])
-    flat_patches(cloud[::50], 0.01, voxel=VOXEL)
+    find_flat_patches(cloud[::50], 0.01, voxel=VOXEL)
     start = time.perf_counter()
-    flat = flat_patches(cloud, 0.01, voxel=VOXEL)
+    flat = find_flat_patches(cloud, 0.01, voxel=VOXEL)
     ours = time.perf_counter() - start
     start = time.perf_counter()
     theirs = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(flat.thinned))

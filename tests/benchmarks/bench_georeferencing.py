@@ -16,19 +16,19 @@ import laspy
 import numpy as np
 import pytest
 
+from lispac.io.format_types import PointChunk
 from lispac.io.las_chunks import LAS
-from lispac.io.las_export import pattern_of_columns, pattern_of_las, steps
-from lispac.io.registry import PointChunk
+from lispac.io.las_export import coordinate_resolution, layout_of_columns, layout_of_las
 from lispac.io.sbet import write_sbet
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.crs import coordinate_system
-from lispac.survey.georeferencing import Mounting, georeference, place, to_lidar
-from lispac.survey.mapping import PointMapper
+from lispac.survey.georeferencing import Mounting, georeference, place_points, to_lidar
+from lispac.survey.point_mapping import PointMapper
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow.clouds import write_cloud
+from lispac.workflow.cloud_export import write_cloud
 from lispac.workflow.file_reading import local_trajectory
 from lispac.workflow.georeferencing import stored_chunks
-from lispac.workflow.importing import import_lines, stored_line
+from lispac.workflow.line_import import import_lines, open_stored_line
 from tests.cloud_files import sweep, track
 from tests.test_georeferencing import survey
 
@@ -64,7 +64,7 @@ def test_kernel_beside_numpy():
     kernel, numpy = [], []
     for _ in range(rounds):
         kernel.append(timed(lambda: found.update(k=georeference(points, time, path, mounting))))
-        numpy.append(timed(lambda: found.update(n=place(points, path.at(time), mounting))))
+        numpy.append(timed(lambda: found.update(n=place_points(points, path.at(time), mounting))))
     assert np.abs(found["k"] - found["n"]).max() < 1e-9
     print(
         f"\ngeoreferencing: kernel {rate(count, kernel)}, NumPy {rate(count, numpy)}, "
@@ -101,7 +101,7 @@ def test_to_the_map_and_back_beside_proj(code):
 
 def by_proj(system, trajectory, points, time, mounting):
     """Point by point, vectorised."""
-    return system.from_local(place(points, trajectory.at(time), mounting), trajectory.frame)
+    return system.from_local(place_points(points, trajectory.at(time), mounting), trajectory.frame)
 
 
 def back_by_proj(system, trajectory, points, time, mounting):
@@ -149,7 +149,10 @@ class Alone:
 
     def __init__(self, path: Path, mapper: PointMapper) -> None:
         self.header = laspy.LasHeader(point_format=6, version="1.4")
-        self.header.scales, self.header.offsets = steps(UTM), np.round(mapper.centre)
+        self.header.scales, self.header.offsets = (
+            coordinate_resolution(UTM),
+            np.round(mapper.centre),
+        )
         self._writer = laspy.open(path, "w", header=self.header)
         self._mapper = mapper
 
@@ -179,7 +182,7 @@ def test_to_laz_beside_laspy_alone(tmp_path, count):
     rounds = 1 if count > 20_000_000 else 3
     ours, alone, making = tmp_path / "ours.laz", tmp_path / "alone.laz", []
     warm = list(profiler(1000))
-    write_cloud(warm, ours, ours, mapper, pattern_of_columns)
+    write_cloud(warm, ours, ours, mapper, layout_of_columns)
     made, laspys = [], []
     for _ in range(rounds):
         held = list(profiler(count)) if count <= 20_000_000 else None
@@ -188,7 +191,7 @@ def test_to_laz_beside_laspy_alone(tmp_path, count):
             making.append(timed(lambda: [None for _ in profiler(count)])[0])
         source = held if held is not None else profiler(count)
         made.append(timed(lambda source=source: write_cloud(
-            source, ours, ours, mapper, pattern_of_columns)))  # fmt: skip
+            source, ours, ours, mapper, layout_of_columns)))  # fmt: skip
     size = ours.stat().st_size / alone.stat().st_size
     note = f", of which making the points alone takes {making[0]:.0f} s" if making else ""
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
@@ -217,7 +220,7 @@ def test_file_to_laz_beside_laspy_reading_and_writing(tmp_path, count, ending):
         copied.append(timed(through))
         made.append(timed(lambda: write_cloud(
             LAS.read(source, LAS.settled({})), ours, ours, mapper,
-            lambda _: pattern_of_las(source))))  # fmt: skip
+            lambda _: layout_of_las(source))))  # fmt: skip
     print(
         f"\n{count:,} points from {ending} to UTM LAZ: {rate(count, made)}, laspy reading and "
         f"writing the same {rate(count, copied)}, ratio {ratio(made, copied):.2f} "
@@ -244,13 +247,13 @@ def test_store_to_laz_beside_laspy_alone(tmp_path, count):
     import_lines(project)
     trajectory = local_trajectory(project)[0]
     mapper = PointMapper(UTM, trajectory, project.mounting("prior"))
-    stored = stored_line(project, project.lines[0], trajectory)
+    stored = open_stored_line(project, project.lines[0], trajectory)
     ours, alone = tmp_path / "ours.laz", tmp_path / "alone.laz"
     made, laspys = [], []
     for _ in range(1 if count > 20_000_000 else 3):
         laspys.append(Alone(alone, mapper).run(stored_chunks(stored)))
         made.append(timed(lambda: write_cloud(
-            stored_chunks(stored), ours, ours, mapper, pattern_of_columns)))  # fmt: skip
+            stored_chunks(stored), ours, ours, mapper, layout_of_columns)))  # fmt: skip
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6
     print(
         f"\n{count:,} points from the store to UTM LAZ: {rate(count, made)}, laspy alone "

@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 
 from lispac.io.project_file import FILE_NAME
-from lispac.simulation.survey import SimulatedLine, port_survey
+from lispac.simulation.simulated_survey import SimulatedLine, port_survey
 from lispac.workflow.demo import make_demo
-from lispac.workflow.picking import find
+from lispac.workflow.picking import find_target
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import load_survey
 from tests.benchmarks.bench_store import least, now, since
@@ -82,7 +82,7 @@ def report(folder: Path) -> None:
     opened = since(start)
     total = sum(len(scan) for scan in survey.scans.values())
     start = now()
-    met = survey.aligned.met
+    met = survey.alignment.met
     aligned = since(start)
     print(
         f"six lines, {total:,} points, opened (or imported) {least([opened])}; "
@@ -99,11 +99,11 @@ def report(folder: Path) -> None:
         on = np.flatnonzero(labels[line] == number)
         clicked = survey.clouds[line][on[len(on) // 2][None]][0]
         for word, seed, first in (("clicked", clicked, line), ("typed", centre, None)):
-            find(project, survey, seed, name=name, first_line=first)
+            find_target(project, survey, seed, name=name, first_line=first)
             rounds = []
             for _ in range(ROUNDS):
                 start = now()
-                target = find(project, survey, seed, name=name, first_line=first)
+                target = find_target(project, survey, seed, name=name, first_line=first)
                 rounds.append(since(start))
             print(
                 f"{name} {word}: {len(target.sightings)} sightings, "

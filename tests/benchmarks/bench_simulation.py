@@ -2,7 +2,7 @@
 
 from time import perf_counter
 
-from lispac.simulation.survey import port_survey
+from lispac.simulation.simulated_survey import port_survey
 
 
 def test_port_survey():

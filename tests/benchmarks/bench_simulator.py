@@ -9,18 +9,18 @@ from time import perf_counter
 
 import numpy as np
 
-from lispac.simulation.port import port_scene
-from lispac.simulation.ranges import range_to_plane, rays
-from lispac.simulation.scanner import scan
-from lispac.simulation.scene import Rectangle, Scene, tilted
+from lispac.simulation.closed_form_ranges import beam_rays, range_to_plane
+from lispac.simulation.port_scene import port_scene
+from lispac.simulation.scanner import scan_scene
+from lispac.simulation.scene import Rectangle, Scene, tilted_rectangle
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import Poses
-from lispac.workflow.simulated_setup import simulation
+from lispac.workflow.simulated_setup import read_simulation
 from tests.test_meshes import as_mesh
 
 COUNT = 1_000_000
 MOUNTING = Mounting(np.array([-0.24, 0.06, 2.17]), np.radians([0.3, -1.1, 0.4]), 0.01, 0.002)
-BOARD = tilted("board", (0.0, -15.0, 6.0), 400.0, 400.0, 270, 20)
+BOARD = tilted_rectangle("board", (0.0, -15.0, 6.0), 400.0, 400.0, 270, 20)
 
 
 def median_time(work: Callable[[], object], times: int = 5) -> float:
@@ -45,7 +45,7 @@ def beams() -> tuple[np.ndarray, Poses]:
 def test_ranges_in_closed_form_and_cast() -> None:
     directions, poses = beams()
     plane = np.array([*BOARD.normal, -BOARD.normal @ BOARD.centre])
-    origins, cast = rays(directions, poses, MOUNTING)
+    origins, cast = beam_rays(directions, poses, MOUNTING)
     scenes = {
         "cast, one board": Scene.of([BOARD]),
         "cast, one board of 72 triangles": Scene.of([as_mesh(BOARD)]),
@@ -59,7 +59,7 @@ def test_ranges_in_closed_form_and_cast() -> None:
     }  # fmt: skip
     formula = median_time(lambda: range_to_plane(plane, directions, poses, MOUNTING))
     print(f"\n{'closed form, with its beams':34s} {COUNT / formula / 1e6:7.2f} M/s")
-    turned = median_time(lambda: rays(directions, poses, MOUNTING))
+    turned = median_time(lambda: beam_rays(directions, poses, MOUNTING))
     print(f"{'  of this, beams':34s} {COUNT / turned / 1e6:7.2f} M/s")
     for name, scene in scenes.items():
         taken = median_time(lambda scene=scene: scene.intersect(origins, cast, 90.0))
@@ -69,7 +69,7 @@ def test_ranges_in_closed_form_and_cast() -> None:
 def test_lines() -> None:
     """Whole lines in one thread: pulses sent, points read, with noise."""
     for name in ("port", "marine", "terrestrial"):
-        setup = simulation(name).setup
+        setup = read_simulation(name).setup
         motion = setup.voyage.motion(np.random.default_rng(1))
         states = (motion.time, motion.position, motion.attitude)
         recorded, side = motion.recorded[0], setup.voyage.legs[0].starboard
@@ -77,7 +77,7 @@ def test_lines() -> None:
 
         def line(setup=setup, states=states, recorded=recorded, side=side) -> int:
             generator = np.random.default_rng(2)
-            echoes = scan(
+            echoes = scan_scene(
                 setup.scanner, setup.scene, states, recorded, side, setup.mounting, generator
             )
             return len(echoes.time)

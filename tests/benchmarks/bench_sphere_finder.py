@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import SphereNotFound
-from lispac.geometry.neighbours import PointGrid
-from lispac.targets.finder import FinderSettings
-from lispac.targets.sphere_finder import RadiusSought, find_sphere
+from lispac.geometry.radius_search import PointGrid
+from lispac.targets.plane_finder import FinderSettings
+from lispac.targets.sphere_finder import RadiusRange, find_sphere
 from lispac.targets.spheres_across_lines import find_spheres_in_lines
 
 Array = NDArray[np.float64]
@@ -54,14 +54,14 @@ def test_seed_to_sphere_in_a_million_points() -> None:
     on_wall = centre + [5.0, 0.6, 0.0]
     settings = FinderSettings()
 
-    def refused(sought: RadiusSought) -> None:
+    def refused(sought: RadiusRange) -> None:
         try:
             find_sphere(cloud, on_wall, sought, settings)
         except SphereNotFound:
             return
         raise AssertionError("a ball was found on the bare wall")
 
-    for words, sought in (("known", RadiusSought.exactly(RADIUS)), ("free", RadiusSought())):
+    for words, sought in (("known", RadiusRange.of_known_radius(RADIUS)), ("free", RadiusRange())):
         read = median_time(lambda s=sought: find_sphere(cloud, seed, s, settings))
         cells = median_time(
             lambda s=sought: find_sphere(cloud, seed, s, settings, index=grids["L1"])

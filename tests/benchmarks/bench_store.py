@@ -24,7 +24,7 @@ from lispac.project import LineSource, Project, Settings
 from lispac.survey.georeferencing import Georeferencer
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.file_reading import local_trajectory
-from lispac.workflow.importing import import_line, stored_line
+from lispac.workflow.line_import import import_line, open_stored_line
 
 RATE, SPEED, WALL, DECK = 500_000, 1.5, 15.0, -4.0
 """Points a second, metres a second, metres to the wall on the left, metres down to the quay."""
@@ -135,7 +135,7 @@ def report(folder: str) -> None:
         opening, regions = [], []
         for _ in range(rounds):
             start = now()
-            found = stored_line(project, project.lines[0], trajectory)
+            found = open_stored_line(project, project.lines[0], trajectory)
             coarse = np.array(found.coarse.points_local)
             opening.append(since(start))
             start = now()

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from lispac.io.project_file import FILE_NAME
-from lispac.simulation.survey import port_survey
+from lispac.simulation.simulated_survey import port_survey
 from lispac.workflow.demo import make_demo
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import load_survey

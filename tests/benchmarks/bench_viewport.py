@@ -7,8 +7,8 @@ import pytest
 from PySide6.QtGui import QGuiApplication
 
 from lispac.gui.viewport.camera import Camera, Size
-from lispac.gui.viewport.decimation import in_view
-from lispac.gui.viewport.point_picker import pick
+from lispac.gui.viewport.decimation import points_in_view
+from lispac.gui.viewport.point_picker import pick_point
 
 LINES = 6
 POINTS = 1_000_000
@@ -47,8 +47,8 @@ def test_pick_among_six_million():
     clouds = harbour()
     size = Size(1200, 800)
     camera = Camera(np.array([0.0, 25.0, 10.0]), -1.2, 0.4, 90.0)
-    took = median_ms(lambda: pick(clouds, camera, 600.0, 420.0, size))
-    seen = median_ms(lambda: [in_view(points, camera, size) for points in clouds.values()])
+    took = median_ms(lambda: pick_point(clouds, camera, 600.0, 420.0, size))
+    seen = median_ms(lambda: [points_in_view(points, camera, size) for points in clouds.values()])
     print(
         f"\npick among {LINES * POINTS:,} points: {took:.0f} ms; which are in view: {seen:.0f} ms"
     )
@@ -57,7 +57,7 @@ def test_pick_among_six_million():
 def test_frames(qtbot):
     if QGuiApplication.platformName() in ("offscreen", "minimal"):
         pytest.skip("OpenGL needs a screen, a virtual one will do")
-    from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     clouds = harbour()
     view = VtkViewport()
@@ -74,7 +74,7 @@ def test_frames(qtbot):
 
     def rested():
         mouse.rotated.emit(3.0, 0.0)
-        view._view_detail.now(view._refining(view._pace.resting))
+        view._view_detail.now(view._refinement_steps(view._pace.resting))
         view.canvas.grabFramebuffer()
 
     moved()

@@ -17,7 +17,7 @@ import pytest
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QGuiApplication
 
-from lispac.workflow.importing import import_lines
+from lispac.workflow.line_import import import_lines
 from lispac.workflow.projects import create_project, open_project
 from tests.benchmarks.bench_store import make_project
 
@@ -56,7 +56,7 @@ def report(folder: Path) -> None:
     from lispac.gui.seed_options import SeedOptions
     from lispac.gui.settings import AppSettings
     from lispac.gui.viewport.base import PickedPoint
-    from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     viewport = VtkViewport()
     settings = AppSettings(Path(tempfile.mkdtemp()) / "settings.ini")
@@ -123,7 +123,7 @@ def report(folder: Path) -> None:
 
     def rested() -> None:
         viewport._navigator.mouse.rotated.emit(3.0, 0.0)
-        viewport._view_detail.now(viewport._refining(viewport._pace.resting))
+        viewport._view_detail.now(viewport._refinement_steps(viewport._pace.resting))
         viewport.canvas.grabFramebuffer()
 
     viewport.fit()

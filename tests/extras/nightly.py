@@ -55,7 +55,7 @@ ROOMS = {
     ),
 }  # fmt: skip
 """Rooms whose code is changed to see which test notices, and the tests that are quick enough."""
-COMPILED = ("lispac/geometry/knn.py", "lispac/survey/kernels.py")
+COMPILED = ("lispac/geometry/nearest_neighbours.py", "lispac/survey/kernels.py")
 """Modules of machine code: a change would be compiled anew in every run."""
 LEFT_ALONE = (r"^\s*raise ", r"dtype=")
 """Statements that are not changed: sentences for users, and types of what has them already."""

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.dialogs.dialog_service import Dialogs
 from lispac.gui.language import set_language
 from lispac.gui.main_window import MainWindow
 from lispac.gui.session import Session

@@ -17,12 +17,12 @@ from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.recovery_copies import LOCK_NAME
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
-from lispac.gui.viewport.recording import RecordingViewport
+from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.project_file import UNSAVED_NAME
 from lispac.project import Project
 from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds
-from lispac.workflow.picking import pick
+from lispac.workflow.picking import pick_target
 from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
 from lispac.workflow.validation import validate
@@ -46,7 +46,7 @@ def demo(demo_project: Project, tmp_path_factory: pytest.TempPathFactory) -> Dem
         picked = demo_project
         for name in PICKED:
             role, seed = demo_seeds()[name]
-            picked = pick(picked, survey, seed, name=name, role=role)
+            picked = pick_target(picked, survey, seed, name=name, role=role)
         return picked
 
     return Demo(demo_project, once(tmp_path_factory, "picked", pick_some), survey)
@@ -91,7 +91,7 @@ def real(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Driver]:
     """An empty window that draws."""
     if qapp.platformName() == "offscreen":
         pytest.skip("OpenGL needs a screen, if only a virtual one")
-    from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     theme.apply_theme(qapp)
     made = Driver(qtbot, VtkViewport(), tmp_path)
@@ -105,7 +105,7 @@ def hands(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Hands]:
     if qapp.platformName() == "offscreen":
         pytest.skip("OpenGL needs a screen, if only a virtual one")
     from lispac.gui.viewport.lazy_viewport import LazyViewport
-    from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     made = Hands(qtbot, lambda: LazyViewport(VtkViewport), tmp_path)
     yield made
@@ -175,7 +175,7 @@ def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Sessio
     made = Session(qapp, RecordingViewport, settings, ScriptedDialogs())
     qtbot.waitUntil(made.window.isActiveWindow, timeout=WAIT_MS)
     yield made
-    made.window.retire()
+    made.window.stop_and_hide()
     made.window.deleteLater()
     made.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

@@ -317,7 +317,7 @@ def main() -> int:
         QDesktopServices.setUrlHandler(scheme, links, "follow")
     from lispac.gui import controller
     from lispac.gui.garbage_collection import GarbageCollection
-    from lispac.gui.logbook import LOG, Logbook
+    from lispac.gui.log_file import LOG, LogFile
     from lispac.gui.session import Session
     from lispac.gui.settings import AppSettings
 
@@ -327,7 +327,7 @@ def main() -> int:
     settings = AppSettings(home / "window.ini")
     tidying = GarbageCollection(application)
     session = Session(application, viewport, settings)
-    logbook = Logbook(session.log_folder, session.tell_unforeseen)
+    logbook = LogFile(session.log_folder, session.report_uncaught)
     logbook.begin()
     monkey = Monkey(session, folder, wanted.seed, draws)
     # The first report takes a quarter of a gigabyte for good, fonts and what typst keeps, the next

@@ -145,15 +145,15 @@ class Draws:
 
 def timed_viewport(draws: Draws) -> type:
     """A viewport whose drawing is counted."""
-    from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     class Timed(VtkViewport):
-        def _on_frame(self, *_: object) -> None:
-            super()._on_frame()
+        def _on_frame_start(self, *_: object) -> None:
+            super()._on_frame_start()
             draws.begin()
 
-        def _on_framed(self, *_: object) -> None:
-            super()._on_framed()
+        def _on_frame_end(self, *_: object) -> None:
+            super()._on_frame_end()
             draws.end()
 
     return Timed

@@ -9,8 +9,8 @@ from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QFormLayout, QLabel, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
+from lispac.gui.dialogs.dialog_service import Dialogs
 from lispac.gui.dialogs.questions import Answer, CandidateAnswer, DropAnswer
-from lispac.gui.dialogs.service import Dialogs
 from lispac.gui.idle_tasks import IdleTask
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
@@ -20,7 +20,7 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.export_request import ExportRequest, What
 from lispac.workflow.georeferencing import Which
-from lispac.workflow.intake import ImportRequest
+from lispac.workflow.input_files import ImportRequest
 from lispac.workflow.survey import Survey
 
 WAIT_MS = 120_000
@@ -106,27 +106,27 @@ class ScriptedDialogs(Dialogs):
         self.asked.append(what)
         return self.export_request
 
-    def save_changes(self, name: str) -> Answer:
+    def ask_to_save_changes(self, name: str) -> Answer:
         self.asked.append(name)
         return self.answer
 
-    def recover(self, name: str, when: str) -> bool:
+    def ask_to_recover(self, name: str, when: str) -> bool:
         self.safety.append(f"recover {name}")
         return self.recovers
 
-    def files_now(self, name: str, missing: Sequence[Path], start: Path) -> Path | None:
+    def ask_files_folder(self, name: str, missing: Sequence[Path], start: Path) -> Path | None:
         self.asked.append(f"{name}: {len(missing)}")
         return self.folders.pop(0) if self.folders else None
 
-    def open_elsewhere(self, name: str, where: str) -> bool:
+    def ask_to_open_locked(self, name: str, where: str) -> bool:
         self.safety.append(f"{name} is open in {where}")
         return self.opens_twice
 
-    def overwrite(self, name: str) -> bool:
+    def ask_to_overwrite(self, name: str) -> bool:
         self.safety.append(f"overwrite {name}")
         return self.overwrites
 
-    def candidate_waits(self, name: str) -> CandidateAnswer:
+    def ask_about_candidate(self, name: str) -> CandidateAnswer:
         self.asked.append(name)
         return self.about_candidate
 

@@ -10,9 +10,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox, QPushButton
 
 from lispac.errors import InputError, ProjectError
+from lispac.gui.dialogs.dialog_service import Dialogs
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.file_table import FORMAT, ROLE
-from lispac.gui.dialogs.service import Dialogs
 from lispac.project import LineSource, Project
 from lispac.workflow.projects import open_project, save_project, with_lines_added
 from tests.gui.import_support import drop, shifted
@@ -86,7 +86,7 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
             dialog.windowTitle(), dialog.ok.text(), dialog.place.isVisible(),
             [table.item(row, 0).text() for row in range(table.rowCount())],
             [table.cellWidget(0, column) for column in (ROLE, FORMAT)],
-            dialog.intake.files_problem(), dialog.remove.isEnabled(),
+            dialog.intake.files_problem_text(), dialog.remove.isEnabled(),
         ]  # fmt: skip
         QTest.mouseClick(dialog.ok, Left)
 

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.adjustment.parameters import Parameter
 from lispac.errors import InputError
-from lispac.gui.panels.fields import Fold
+from lispac.gui.panels.fields import FoldableGroup
 from lispac.gui.panels.results import EMPTY
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
@@ -36,7 +36,7 @@ def estimated(estimated: Project) -> Project:
     return replace(estimated, cross_checks=None)
 
 
-def unfold(driver: Driver, fold: Fold) -> None:
+def unfold(driver: Driver, fold: FoldableGroup) -> None:
     """Open a group, in a panel whose rows are scrolled to where they are needed."""
     open_step(driver, 2)
     click(driver, fold.head)
@@ -364,7 +364,7 @@ def test_an_unforeseen_failure_is_told_once(
     def fails(*_arguments, **_named):
         raise ZeroDivisionError
 
-    monkeypatch.setattr("lispac.workflow.calibration.select", fails)
+    monkeypatch.setattr("lispac.workflow.calibration.reselect_points", fails)
     driver.window.document.open(estimated, demo.survey)
     driver.rest()
     tick(driver, 0, 2)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from lispac.gui.dialogs.import_files.dialog import survey_files
+from lispac.gui.dialogs.import_files.dialog import survey_file_filters
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 
 ASKED = """
@@ -39,7 +39,7 @@ def test_a_document_that_the_system_asks_for_is_told(tmp_path: Path) -> None:
 
 
 def test_the_dialogue_shows_the_files_of_every_format() -> None:
-    shown, everything = survey_files().split(";;")
+    shown, everything = survey_file_filters().split(";;")
     patterns = shown[shown.index("(") + 1 : -1].split(" ")
     assert len(patterns) == len(set(patterns))
     for each in (*POINTS, *TRAJECTORIES, *ACCURACIES):

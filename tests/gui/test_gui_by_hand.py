@@ -178,7 +178,7 @@ def test_after_a_crash_the_work_is_offered(
     assert names(picked_folder) == before
     # What the program looks at when the same user starts it again
     hands.settings.left_open = AppSettings(picked_folder.parent / "killed" / SETTINGS).left_open
-    assert hands.session.left_by_a_crash() == picked_folder
+    assert hands.session.crashed_project() == picked_folder
     open_by_keys(hands, picked_folder, then=button)
     back = button == "Restore"
     after = ["North wall", "South wall", *before[2:]] if back else before
@@ -192,4 +192,4 @@ def test_after_a_crash_the_work_is_offered(
     assert names(picked_folder) == after
     assert not hands.window.isWindowModified()
     hands.until(lambda: not (picked_folder / UNSAVED_NAME).exists())
-    assert hands.session.left_by_a_crash() is None
+    assert hands.session.crashed_project() is None

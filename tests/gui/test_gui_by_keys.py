@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QDialog, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.seed_at import SeedDialog
-from lispac.gui.viewport.recording import RecordingViewport
+from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.workflow.demo import demo_seeds
 from lispac.workflow.projects import open_project
 from tests.gui.by_hand import Hands, name_project

@@ -6,22 +6,22 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QColor
 
-from lispac.gui.point_colours import COLOURINGS, SCALES, Scale, shading, use_scale
-from lispac.gui.schemes import DARK, LIGHT
-from lispac.gui.viewing_actions import COLOURED
+from lispac.gui.colour_schemes import DARK, LIGHT
+from lispac.gui.point_colours import COLOURINGS, SCALES, Scale, point_shading, set_colour_scale
+from lispac.gui.view_actions import COLOURED
 from tests.gui.support import Demo, Driver, Key, press
 
 
 def test_colours_follow_the_values(demo: Demo) -> None:
     clouds = demo.survey.clouds
-    assert shading("line", clouds) is None
+    assert point_shading("line", clouds) is None
     for colouring in COLOURINGS[1:-1]:
-        shaded = shading(colouring, clouds)
+        shaded = point_shading(colouring, clouds)
         assert shaded is not None
         for name, cloud in clouds.items():
             assert shaded.colours[name].shape == (len(cloud.sample), 3)
             assert shaded.colours[name].dtype == np.uint8
-    height = shading("height", clouds)
+    height = point_shading("height", clouds)
     places = {tuple(colour): k for k, colour in enumerate(height.scale.tolist())}
     name = demo.survey.lines[0]
     up = clouds[name].sample[:, 2]
@@ -31,18 +31,18 @@ def test_colours_follow_the_values(demo: Demo) -> None:
     everything = np.concatenate([cloud.sample[:, 2] for cloud in clouds.values()])
     assert everything.min() <= low + 0.5
     assert low < high <= everything.max() + 0.5
-    time = shading("time", clouds)
+    time = point_shading("time", clouds)
     assert float(time.low) == 0
 
 
 @pytest.mark.parametrize("scale", SCALES)
 def test_a_scale_is_seen_on_either_ground(demo: Demo, scale: Scale) -> None:
     """No colour of it comes near to that of the view, bright or dark."""
-    use_scale(scale)
+    set_colour_scale(scale)
     try:
-        shaded = shading("height", demo.survey.clouds)
+        shaded = point_shading("height", demo.survey.clouds)
     finally:
-        use_scale("viridis")
+        set_colour_scale("viridis")
     assert shaded is not None
     colours = shaded.scale.astype(float)
     assert len(np.unique(shaded.scale, axis=0)) > 100  # greys have no more between the ends
@@ -74,7 +74,7 @@ def test_lines_without_intensities_are_told_of_and_passed_over(
         sample_intensity=None,
     )  # fmt: skip
     with pytest.raises(ValueError, match="no intensities"):
-        shading("intensity", {name: bare})
+        point_shading("intensity", {name: bare})
     monkeypatch.setattr(type(opened.window.scene), "clouds", {name: bare})
     opened.window.actions_["colour_intensity"].trigger()
     assert opened.window.scene.colouring == "line"

@@ -9,10 +9,10 @@ from scipy.spatial.transform import Rotation
 
 from lispac.gui import theme
 from lispac.gui.panels.convention import TITLE, ConventionPanel
-from lispac.gui.panels.gizmo import Gizmo, exaggeration
+from lispac.gui.panels.scanner_axes_view import ScannerAxesView, exaggeration_factor
 from lispac.project import Project
-from lispac.survey.conventions.conversion import Setup, state
-from lispac.survey.conventions.systems import SYSTEMS, system
+from lispac.survey.conventions.conversion import ConventionSetup, convert_to_system
+from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
 from lispac.workflow.survey import Survey
 from tests.gui.support import Driver, Key, Left, click
 
@@ -108,7 +108,7 @@ def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) ->
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS])
 def test_every_system_shows_its_status_and_its_assumption(qtbot, panel, key: str) -> None:
-    convention = system(key)
+    convention = convention_of_key(key)
     type_boresight(qtbot, panel, "0.4", "-1.9", "0.4")
     choose(qtbot, panel, key)
     word = {
@@ -121,7 +121,7 @@ def test_every_system_shows_its_status_and_its_assumption(qtbot, panel, key: str
     assert convention.assumption in panel.assumption.text()
     assert panel.table.isVisible() == convention.has_angles
     if convention.has_angles:
-        stated = state(panel.given.mounting, Setup(convention))
+        stated = convert_to_system(panel.given.mounting, ConventionSetup(convention))
         (label, shown), *_ = rows(panel).items()
         assert label == ("New angles" if convention.status == "verified" else "Assumed angles")
         np.testing.assert_allclose(shown, np.degrees(stated.angles), atol=5.1e-5)
@@ -201,7 +201,7 @@ def test_the_matrix_is_copied_with_all_digits(qtbot: QtBot, panel: ConventionPan
     choose(qtbot, panel, "pdal")
     qtbot.mouseClick(panel.copy, Left)
     copied = np.array(QApplication.clipboard().text().split(), dtype=float).reshape(4, 4)
-    stated = state(panel.given.mounting, Setup(system("pdal")))
+    stated = convert_to_system(panel.given.mounting, ConventionSetup(convention_of_key("pdal")))
     np.testing.assert_allclose(copied, stated.transform, atol=1e-12)
 
 
@@ -235,10 +235,10 @@ def test_scanner_axes_that_cannot_be_kept_are_refused_in_words(qtbot, panel) -> 
 
 
 def test_the_gizmo_exaggerates_small_turns_and_says_by_how_much(qtbot, panel) -> None:
-    assert exaggeration(np.zeros(3)) == 1
-    assert exaggeration(np.radians([0.0, 0.12, 0.0])) == 200
-    assert exaggeration(np.radians([0.0, -1.2, 0.0])) == 20
-    assert exaggeration(np.radians([90.0, 0.0, 0.0])) == 1
+    assert exaggeration_factor(np.zeros(3)) == 1
+    assert exaggeration_factor(np.radians([0.0, 0.12, 0.0])) == 200
+    assert exaggeration_factor(np.radians([0.0, -1.2, 0.0])) == 20
+    assert exaggeration_factor(np.radians([90.0, 0.0, 0.0])) == 1
     type_boresight(qtbot, panel, "0", "-1.2", "0")
     gizmo = panel.gizmo
     assert gizmo.factor == 20
@@ -247,7 +247,7 @@ def test_the_gizmo_exaggerates_small_turns_and_says_by_how_much(qtbot, panel) ->
 
 
 def test_the_gizmo_turns_with_mouse_and_keys(qtbot: QtBot, qapp: QApplication) -> None:
-    gizmo = Gizmo()
+    gizmo = ScannerAxesView()
     qtbot.addWidget(gizmo)
     gizmo.resize(340, 210)
     gizmo.show_boresight(np.radians([0.5, -1.0, 0.3]))
@@ -289,7 +289,7 @@ def test_the_window_feeds_the_panel(driver: Driver, calibrated: Calibrated) -> N
     type_in(driver.bot, panel.given.boresight.fields[0], "5")
     assert "± 1 σ" not in rows(panel), "nobody knows the sigma of a typed angle"
     # An edit that leaves the boresight alone leaves what was typed alone.
-    validation = project.of_role("validation")[0]
+    validation = project.targets_of_role("validation")[0]
     window.controller.use_target(validation.name, False)
     driver.rest()
     assert panel.given.source.text() == "User-defined values."

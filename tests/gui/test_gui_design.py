@@ -84,7 +84,7 @@ def test_the_arrow_of_a_line_turns_it(
 def test_escape_gives_a_drag_up(driver: Driver, design: DesignWindow) -> None:
     view = design.wall_view
     before = design.workspace.titled
-    spot = view._box(edits.hung(before)[0]).center()
+    spot = view._box(edits.placed_targets(before)[0]).center()
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(40, -60), NoModifier))
     assert design.workspace.titled is not before
@@ -96,7 +96,7 @@ def test_escape_gives_a_drag_up(driver: Driver, design: DesignWindow) -> None:
 
 def test_a_board_is_dragged_up_the_wall(driver: Driver, design: DesignWindow) -> None:
     view, before = design.wall_view, shown(design)
-    spot = view._box(edits.hung(design.workspace.titled)[0]).center()
+    spot = view._box(edits.placed_targets(design.workspace.titled)[0]).center()
     to = view.pixel(view.place(spot) + np.array([-1.0, 1.5]))
     drag(driver, view, spot, to)
     along, off, up = design.workspace.titled.wall.seen(plan(design).targets[0].centre)
@@ -290,12 +290,12 @@ def test_every_field_says_what_it_is(driver: Driver, design: DesignWindow) -> No
 
 def test_the_wall_turns_with_all_that_hangs_on_it() -> None:
     """Sigmas do not depend on where north is, but for the POS errors, which are alike there."""
-    titled = edits.usual()
-    turned = edits.wall_faces(titled, 30.0)
+    titled = edits.default_plan()
+    turned = edits.with_wall_facing(titled, 30.0)
     assert turned.wall.facing_deg == 30.0
     before, after = (predict(each.plan).sigma for each in (titled, turned))
     assert after == pytest.approx(before, rel=1e-6)
-    for one, other in zip(edits.hung(titled), edits.hung(turned), strict=True):
+    for one, other in zip(edits.placed_targets(titled), edits.placed_targets(turned), strict=True):
         assert (one.along, one.off, one.up, one.lean) == pytest.approx(
             (other.along, other.off, other.up, other.lean), abs=1e-9
         )

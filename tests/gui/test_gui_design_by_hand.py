@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from lispac.design.objective import Objective
+from lispac.design.objective import PlanObjective
 from lispac.gui.design.search import SearchResult
 from lispac.gui.design.window import DesignWindow
 from lispac.language import gettext, gettext_lazy
@@ -92,7 +92,7 @@ def test_answers_about_a_plan_stay(hands: Hands) -> None:
     head = gettext_lazy("Simulate surveys")
     design.surveys.answer.show_result(head, found, plan(design))
     design.pictures.show_errors(found)
-    design.search.show_found(SearchResult(0.0363, Objective(), 250, all_evaluated=True))
+    design.search.show_found(SearchResult(0.0363, PlanObjective(), 250, all_evaluated=True))
     hands.bot.keyClick(design, Key.Key_L, Control)
 
     dark = by_menu(hands, "View", "heme", "Dark")

@@ -39,12 +39,12 @@ def test_a_search_that_ends_during_a_drag_ends_the_drag(
     if which == "plan_view":
         spot = middle_of(view, 5)
     else:
-        spot = view._box(edits.hung(design.workspace.titled)[1]).center()
+        spot = view._box(edits.placed_targets(design.workspace.titled)[1]).center()
     before = design.workspace.titled
     searching(driver, design, tmp_path)
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(20, -30), NoModifier))
-    assert design.workspace.dragging
+    assert design.workspace.is_dragging
     settled(driver)
     found = design.workspace.titled
     assert len(plan(design).lines) == 3
@@ -60,14 +60,14 @@ def test_a_search_that_ends_during_a_drag_ends_the_drag(
 
 def test_a_view_that_is_hidden_during_a_drag_lets_go(driver: Driver, design: DesignWindow) -> None:
     view, before = design.wall_view, design.workspace.titled
-    spot = view._box(edits.hung(before)[0]).center()
+    spot = view._box(edits.placed_targets(before)[0]).center()
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(30, -40), NoModifier))
-    assert design.workspace.dragging
-    design.show_pictures()
+    assert design.workspace.is_dragging
+    design.show_figures()
     assert design.views.currentWidget() is view, "figures do not take the view away"
     design.views.setCurrentWidget(design.pictures)
-    assert not design.workspace.dragging
+    assert not design.workspace.is_dragging
     assert design.workspace.titled is before
 
 
@@ -75,7 +75,7 @@ def test_what_is_saved_during_a_drag_is_the_plan_before_it(
     driver: Driver, design: DesignWindow, tmp_path: Path
 ) -> None:
     view, before = design.wall_view, design.workspace.titled
-    spot = view._box(edits.hung(before)[0]).center()
+    spot = view._box(edits.placed_targets(before)[0]).center()
     driver.dialogs.path = tmp_path / "quay.toml"
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(30, -40), NoModifier))
@@ -124,7 +124,7 @@ def test_a_handle_is_dragged_with_the_mouse_until_the_plan_is_another(
 ) -> None:
     design = in_3d(real)
     work, viewport = design.workspace, design.view3d.viewport
-    before = edits.hung(work.titled)[0]
+    before = edits.placed_targets(work.titled)[0]
     start = pixel(design, viewport._sketch_layer._sketches["target 0"].handles[1].position)
     aim = np.array(plan(design).targets[0].centre) + [0.0, 0.0, 2.0]
     by = pixel(design, aim) - pixel(design, plan(design).targets[0].centre)
@@ -137,7 +137,7 @@ def test_a_handle_is_dragged_with_the_mouse_until_the_plan_is_another(
     move(0.5)
     move(1.0)
     real.bot.mouseRelease(viewport.canvas, Left, pos=start + by)
-    now = edits.hung(work.titled)[0]
+    now = edits.placed_targets(work.titled)[0]
     assert (now.along, now.off) == (before.along, before.off)
     assert now.up == pytest.approx(before.up + 2.0, abs=0.2)
     assert str(work.history.to_undo) == "Move T1"
@@ -146,7 +146,7 @@ def test_a_handle_is_dragged_with_the_mouse_until_the_plan_is_another(
     searching(real, design, tmp_path)
     real.bot.mousePress(viewport.canvas, Left, pos=start)
     move(0.5)
-    assert work.dragging
+    assert work.is_dragging
     settled(real)
     found = work.titled
     assert len(plan(design).lines) == 3

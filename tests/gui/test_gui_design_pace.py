@@ -5,12 +5,12 @@ import time
 from PySide6.QtCore import QPointF, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
-from lispac.design.objective import Objective
-from lispac.design.search import worth
+from lispac.design.objective import PlanObjective
+from lispac.design.plan_search import information_gains
 from lispac.gui.design import edits
 from lispac.gui.design.window import DesignWindow
 from lispac.message_texts import message_text
-from lispac.workflow.plan_checks import cautions
+from lispac.workflow.plan_checks import plan_warnings
 from tests.gui.design_support import NoModifier, followed, foretold, mouse_move, plan, shown
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left
 
@@ -48,7 +48,7 @@ def test_a_large_plan_is_weighed_beside_the_window(driver: Driver, design: Desig
     assert heart.longest < WAITS_MS
     assert shown(design) == foretold(design)
     rows = design.results.worth
-    best = worth(plan(design), Objective())[0]
+    best = information_gains(plan(design), PlanObjective())[0]
     assert (rows.rowCount(), rows.item(0, 0).text()) == (16, best.name)
 
 
@@ -70,12 +70,12 @@ def test_an_edit_stops_what_was_being_weighed(driver: Driver, design: DesignWind
 
 def test_sigmas_follow_a_drag_before_it_ends(driver: Driver, design: DesignWindow) -> None:
     view = design.wall_view
-    spot = view._box(edits.hung(design.workspace.titled)[0]).center()
+    spot = view._box(edits.placed_targets(design.workspace.titled)[0]).center()
     before = shown(design)
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -80), NoModifier))
     followed(design)
-    assert design.workspace.dragging
+    assert design.workspace.is_dragging
     assert shown(design) == foretold(design) != before
     driver.bot.mouseRelease(view, Left, pos=spot.toPoint())
 
@@ -92,7 +92,7 @@ def test_what_cannot_be_sailed_or_hung_is_said(driver: Driver, design: DesignWin
     assert plan(design).lines[3].distance == 5.0
     # Abeam of the middle the line is 5 cos 45 = 3.54 m off the wall; it is straight up to 5 m
     # beyond its last target, 0.8 cos 45 m farther on: 5.57 cos 45 = 3.94 m nearer.
-    (found,) = cautions(design.workspace.titled)
+    (found,) = plan_warnings(design.workspace.titled)
     assert (found.code, found.params["line"]) == ("plan.line_through_wall", 4)
     assert said.text() == message_text(found)
     assert "0.4 m" in said.text()
@@ -102,6 +102,6 @@ def test_what_cannot_be_sailed_or_hung_is_said(driver: Driver, design: DesignWin
     wall.setFocus()
     for _ in range(10):
         driver.bot.keyClick(wall, Key.Key_Right)
-    (found,) = cautions(design.workspace.titled)
+    (found,) = plan_warnings(design.workspace.titled)
     assert found.code == "plan.targets_overlap"
     assert said.text() == message_text(found)

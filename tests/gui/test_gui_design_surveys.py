@@ -8,13 +8,13 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF
 from PySide6.QtWidgets import QApplication
 
-from lispac.cli.campaign import table
-from lispac.design.monte_carlo import Scatter, surveyed
+from lispac.cli.campaign import scatter_table
+from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
 from lispac.gui.design import edits
 from lispac.gui.design.window import DesignWindow
 from lispac.io.plan_file import read_plan
 from lispac.language import gettext_lazy
-from lispac.workflow.replay import replay
+from lispac.workflow.plan_comparison import compare_with_plan
 from tests.gui.design_support import NoModifier, mouse_move, opened_by_keys, plan, settled
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click
 from tests.test_campaign import PORT
@@ -36,10 +36,10 @@ def coarse(driver: Driver, design: DesignWindow) -> DesignWindow:
     return design
 
 
-def surveyed_once() -> Scatter:
+def surveyed_once() -> MonteCarloResult:
     """Answers that scatter as foretold."""
     errors = np.random.default_rng(4).normal(0.0, 1e-4, (40, 3))
-    return Scatter(errors, np.full((40, 3), 1e-4), np.full(3, 1e-4), np.eye(3), 0)
+    return MonteCarloResult(errors, np.full((40, 3), 1e-4), np.full(3, 1e-4), np.eye(3), 0)
 
 
 def typed(driver: Driver, field, text: str) -> None:
@@ -63,11 +63,11 @@ def test_simulated_surveys_say_what_the_command_line_says(
     assert not surveys.start.isEnabled()
     settled(driver)
     assert driver.dialogs.errors == []
-    found = surveyed(before.plan, 32, seed=7, flatness_known=True)
+    found = run_monte_carlo(before.plan, 32, seed=7, flatness_known=True)
     shown = surveys.answer
     assert shown.head.text() == "Site: 32 surveys simulated and adjusted"
     rows = [[cell.replace("−", "-") for cell in row] for row in shown.cells]
-    said = [line.replace(" %", "%").split()[-3:] for line in table(found).splitlines()]
+    said = [line.replace(" %", "%").split()[-3:] for line in scatter_table(found).splitlines()]
     assert said == [[cell.replace(" %", "%") for cell in row[-3:]] for row in rows]
     assert tuple(shown.words.text().split("\n")) == found.words
     assert not shown.stale.isVisible()
@@ -124,7 +124,7 @@ def test_a_campaign_that_ends_during_a_drag_lets_it_go_on(
     driver: Driver, coarse: DesignWindow
 ) -> None:
     view, surveys = coarse.wall_view, coarse.surveys
-    spot = view._box(edits.hung(coarse.workspace.titled)[0]).center()
+    spot = view._box(edits.placed_targets(coarse.workspace.titled)[0]).center()
     driver.bot.keyClicks(surveys.surveys, "20")
     driver.bot.keyClick(surveys.start, Key.Key_Space)
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
@@ -184,7 +184,7 @@ def test_the_open_project_is_compared_with_the_plan(adjusted: Driver) -> None:
     adjusted.bot.keyClick(design, Key.Key_F11)
     settled(adjusted)
     assert adjusted.dialogs.errors == []
-    found = replay(document.project, document.survey, design.workspace.titled)
+    found = compare_with_plan(document.project, document.survey, design.workspace.titled)
     shown = design.compared
     assert [row for row in shown.cells if row[0]] == [list(row) for row in found.rows]
     assert shown.words.text().split("\n") == list(found.words)

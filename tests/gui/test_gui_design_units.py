@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QApplication
 from lispac.errors import InputError
 from lispac.gui import units
 from lispac.gui.design import edits
-from lispac.gui.design.limits import LimitsForm, numbers_of
-from lispac.gui.design.lists import LINE_FIELDS, TARGET_FIELDS, LinesList
+from lispac.gui.design.limits_form import LimitsForm, parse_numbers
+from lispac.gui.design.plan_tables import LINE_FIELDS, TARGET_FIELDS, LinesList
 from lispac.gui.design.system import SystemPanel
 from lispac.gui.design.workspace import Workspace
 
@@ -21,9 +21,9 @@ TARGET = {field.name: field for field in TARGET_FIELDS}
 
 @pytest.fixture(autouse=True)
 def imperial() -> Iterator[None]:
-    units.show_in("milliradians", "feet")
+    units.set_units("milliradians", "feet")
     yield
-    units.show_in("degrees", "metres")
+    units.set_units("degrees", "metres")
 
 
 def test_a_table_takes_feet_and_keeps_headings_in_degrees(qapp: QApplication) -> None:
@@ -49,9 +49,9 @@ def test_an_end_of_a_range_may_be_typed_as_it_is_said(qapp: QApplication) -> Non
 
 
 def test_limits_that_are_not_typed_over_stay_to_the_last_digit(qapp: QApplication) -> None:
-    form, titled = LimitsForm(), edits.usual()
+    form, titled = LimitsForm(), edits.default_plan()
     _, site = form.site(titled)
-    with units.standard():
+    with units.standard_units():
         metric = LimitsForm().site(titled)[1]
     assert vars(site) == vars(metric)
     form.lists["heights"].setText("10, 20")
@@ -61,7 +61,7 @@ def test_limits_that_are_not_typed_over_stay_to_the_last_digit(qapp: QApplicatio
 
 def refusal(text: str) -> str:
     with pytest.raises(InputError) as caught:
-        numbers_of(text, "Boards up", "m", -50.0, 200.0)
+        parse_numbers(text, "Boards up", "m", -50.0, 200.0)
     return str(caught.value)
 
 
@@ -80,9 +80,9 @@ def test_a_field_of_the_system_is_in_feet_and_edits_only_itself(qapp: QApplicati
 
 @pytest.mark.parametrize(("length", "shown"), [(0.1, 0.2), (0.01, 0.02), (0.5, 2.0), (1.0, 2.0)])
 def test_what_is_dragged_goes_in_steps_that_are_round(length: float, shown: float) -> None:
-    steps = edits.stepped(12.3456, length) / FOOT / shown
+    steps = edits.round_to_step(12.3456, length) / FOOT / shown
     assert steps == pytest.approx(round(steps), abs=1e-6)
-    with units.standard():
-        assert edits.stepped(12.3456, length) == pytest.approx(
+    with units.standard_units():
+        assert edits.round_to_step(12.3456, length) == pytest.approx(
             round(12.3456 / length) * length, abs=1e-12
         )

@@ -5,10 +5,10 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog
 
-from lispac.gui.design import campaigns
+from lispac.gui.design import plan_computations
 from lispac.gui.design.window import DesignWindow
-from lispac.gui.dialogs.sensors_of_plan import SensorsDialog
-from lispac.workflow.sensors import library
+from lispac.gui.dialogs.sensors_of_plan import PlanSensorsDialog
+from lispac.workflow.sensors import read_library
 from tests.gui.design_support import plan, settled
 from tests.gui.support import WAIT_MS, Control, Driver, Key, click
 
@@ -82,7 +82,7 @@ def test_a_search_can_be_cancelled_and_changes_nothing(
 
 
 def test_scenarios_in_figures(driver: Driver, design: DesignWindow, monkeypatch) -> None:
-    monkeypatch.setattr(campaigns, "SCENARIOS", ("size", "POS"))
+    monkeypatch.setattr(plan_computations, "SCENARIOS", ("size", "POS"))
     driver.bot.keyClick(design, Key.Key_F9)
     settled(driver)
     pictures = design.pictures
@@ -99,18 +99,18 @@ def test_scenarios_in_figures(driver: Driver, design: DesignWindow, monkeypatch)
 def test_sigmas_come_from_the_sensor_library(
     driver: Driver, design: DesignWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    asked: list[SensorsDialog] = []
+    asked: list[PlanSensorsDialog] = []
 
-    def choose(dialog: SensorsDialog) -> int:
+    def choose(dialog: PlanSensorsDialog) -> int:
         asked.append(dialog)
         dialog.choice.choose("zf-9012", "apogee:ppk")
         return QDialog.DialogCode.Accepted
 
-    monkeypatch.setattr(SensorsDialog, "exec", choose)
+    monkeypatch.setattr(PlanSensorsDialog, "exec", choose)
     before = design.workspace.titled.plan.system
     design.tabs.setCurrentWidget(design.system)
     driver.bot.mouseClick(design.system.library, Qt.MouseButton.LeftButton)
-    known = library(driver.window.settings.sensors)
+    known = read_library(driver.window.settings.sensors)
     figures, now = known.scanner("zf-9012"), design.workspace.titled.plan.system
     assert now.scanner.range_sigma == figures.range_sigma
     assert np.degrees(now.scanner.angle_sigma) == pytest.approx(figures.angle_sigma_deg)
@@ -123,7 +123,7 @@ def test_sigmas_come_from_the_sensor_library(
     design.workspace.undo()
     assert design.workspace.titled.plan.system == before
 
-    monkeypatch.setattr(SensorsDialog, "exec", lambda _dialog: QDialog.DialogCode.Accepted)
+    monkeypatch.setattr(PlanSensorsDialog, "exec", lambda _dialog: QDialog.DialogCode.Accepted)
     driver.bot.mouseClick(design.system.library, Qt.MouseButton.LeftButton)
     assert design.workspace.titled.plan.system == before
     assert len(asked) == 1

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QTableWidget
 
 from lispac.adjustment.result import CrossCheck
-from lispac.design.advice import advice
+from lispac.design.further_line_advice import further_line_advice
 from lispac.gui import theme
 from lispac.gui.panels.diagnostics_pages import PAGES
 from lispac.gui.viewport.base import BESIDE_COLOUR, CHOSEN_COLOUR
@@ -151,7 +151,7 @@ def test_a_row_leads_to_its_points_by_mouse_and_by_key(shown: Driver, estimated:
     double_click(shown, table, 2)
     sighting = estimated.result.sightings[2].sighting
     assert shown.viewport.selected == (sighting.target, sighting.line)
-    drawn = shown.viewport.emphasised
+    drawn = shown.viewport.highlight_styles
     beside = [drawn[key].colour for key in drawn if key[0] == sighting.target]
     assert drawn[sighting.target, sighting.line].colour == CHOSEN_COLOUR
     assert sorted(beside) == sorted([CHOSEN_COLOUR] + [BESIDE_COLOUR] * (len(beside) - 1))
@@ -223,7 +223,7 @@ def test_a_further_line_is_sought_after_what_follows_from_a_tick(
 
     def advised(observations, result):
         sought.append(shown.project.result is not None)
-        return advice(observations, result)
+        return further_line_advice(observations, result)
 
     def said():
         result = shown.project.result

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from lispac.gui.residuals import GREY, apart, residuals
+from lispac.gui.residuals import GREY, residuals, validation_distances
 from tests.gui.support import Control, Driver, Key, press, seed, settle
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -197,8 +197,8 @@ def test_a_validation_plane_is_a_map_of_what_its_lines_are_apart(adjusted: Drive
     keys = {("V1", sighting.line) for sighting in project.target("V1").used_sightings}
     shown = {each.key: each.shades for each in adjusted.viewport.highlights}
     assert all(shown[key] is not None for key in keys)
-    before = apart(project, survey.clouds)
-    after = apart(project, survey.placed(project, "estimated"))
+    before = validation_distances(project, survey.clouds)
+    after = validation_distances(project, survey.placed(project, "estimated"))
     assert set(before) == set(after) == keys
     spread = [np.sqrt(np.mean(np.concatenate(list(d.values())) ** 2)) for d in (before, after)]
     assert spread[1] < 0.5 * spread[0]

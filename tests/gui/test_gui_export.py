@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 from lispac.gui.dialogs.export import CONTENTS, REST_MS, ExportDialog
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.export_request import ENDINGS, ExportRequest
-from lispac.workflow.target_systems import utm_zone
+from lispac.workflow.output_crs import utm_zone
 from tests.cloud_files import track
 from tests.gui.support import Control, Demo, Driver, Key, Left, press
 from tests.test_target_systems import ITRF, NAD83, on_map

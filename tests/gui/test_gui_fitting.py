@@ -31,12 +31,12 @@ from lispac.gui.panels.clipping import ClippingPanel
 from lispac.gui.panels.mounting_sketch import MountingSketch
 from lispac.gui.panels.patch_test import PatchTestPanel
 from lispac.gui.viewport.clipping import Box
-from lispac.gui.viewport.overlay import free_place, right_neighbour
+from lispac.gui.viewport.overlay import free_label_place, has_right_neighbour
 from lispac.identity import Identity
 from lispac.language import LANGUAGES
 from lispac.project import Project
 from lispac.simulation.thesis_site import SITES
-from lispac.simulation.visibility_study import Visibility, visibility
+from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
 from tests.gui.support import WAIT_MS, Demo, Driver
 
 SMALL = (1366, 740)
@@ -62,9 +62,9 @@ def dark(qapp: QApplication) -> Iterator[None]:
 
 
 @pytest.fixture(scope="module")
-def errors() -> list[Visibility]:
+def errors() -> list[VisibilityStudy]:
     """Which error is seen where."""
-    return [visibility(site) for site in SITES.values()]
+    return [study_visibility(site) for site in SITES.values()]
 
 
 def test_the_title_of_a_panel_is_seen_whole(driver: Driver, qapp: QApplication) -> None:
@@ -113,7 +113,9 @@ class _Low(VisibilityDialog):
         return LOW
 
 
-def test_a_study_fits_a_low_screen(qtbot: QtBot, spoken: str, errors: list[Visibility]) -> None:
+def test_a_study_fits_a_low_screen(
+    qtbot: QtBot, spoken: str, errors: list[VisibilityStudy]
+) -> None:
     """Its buttons lay below the edge, and the last heading ended in the middle of a word."""
     dialog = _Low(errors)
     qtbot.addWidget(dialog)
@@ -191,7 +193,7 @@ def test_no_line_goes_through_the_letters_of_the_sketch(qtbot: QtBot, qapp: QApp
     sketch.resize(sketch.sizeHint())
     sketch.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
     picture = sketch.grab().toImage()
-    _, tip = sketch.axis_at("above", 0)  # forward: up the picture, inside the hull
+    _, tip = sketch.axis_ends("above", 0)  # forward: up the picture, inside the hull
     hull = QColor(theme.HULL)
     grey = [
         (x, y)
@@ -206,8 +208,8 @@ def test_no_line_goes_through_the_letters_of_the_sketch(qtbot: QtBot, qapp: QApp
 def test_words_at_the_sides_of_the_sketch_stand_beside_the_hull(spoken: str) -> None:
     sketch = MountingSketch()
     sketch.resize(sketch.minimumSizeHint())
-    for place, words in sketch.words_beside("above").items():
-        for other, others in sketch.words_beside("above").items():
+    for place, words in sketch.side_labels("above").items():
+        for other, others in sketch.side_labels("above").items():
             assert place == other or not words.intersects(others), (place, other)
         assert not sketch.hull("above").intersects(QPolygonF(words)), place
 
@@ -226,9 +228,9 @@ def test_lines_to_the_labels_of_two_targets_do_not_cross(qapp: QApplication) -> 
     metrics, taken, boxes = QFontMetricsF(qapp.font()), [], []
     spots = np.array([[300.0, 200.0], [318.0, 202.0], [600.0, 200.0]])
     for k, spot in enumerate(spots):
-        leftwards = right_neighbour(spots, k)
+        leftwards = has_right_neighbour(spots, k)
         place = QPoint(round(spot[0]), round(spot[1])).toPointF()
-        boxes.append(free_place(place, metrics, f"T{k}", taken, leftwards=leftwards))
+        boxes.append(free_label_place(place, metrics, f"T{k}", taken, leftwards=leftwards))
         taken.append(boxes[-1])
     assert boxes[0].right() < spots[0, 0]
     assert boxes[1].left() > spots[1, 0]

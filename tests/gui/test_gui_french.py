@@ -20,19 +20,19 @@ from lispac.gui.dialogs.find_again import FindAgainDialog
 from lispac.gui.dialogs.identity import IdentityDialog
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.dialogs.import_files.preview import Preview
+from lispac.gui.dialogs.import_files.file_preview import FilePreview
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
 from lispac.gui.language import set_language
 from lispac.gui.settings import AppSettings
 from lispac.gui.studies import SITES
-from lispac.gui.viewport.recording import RecordingViewport
+from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.project_file import write_project
 from lispac.language import gettext
 from lispac.project import Project
-from lispac.report.budget_values import Budget
-from lispac.simulation.visibility_study import visibility
-from lispac.workflow.budget import budget_of
+from lispac.report.budget_values import ErrorBudgetValues
+from lispac.simulation.visibility_study import study_visibility
+from lispac.workflow.budget import error_budget_of
 from lispac.workflow.validation import validate
 from tests.gui.design_support import followed, opened_by_keys, type_cell
 from tests.gui.french_support import english
@@ -111,7 +111,7 @@ def test_dialogues(french: Driver, demo: Demo, estimated: Project) -> None:
         about_box(window),
         shortcuts_box(window),
         error_box(window, ZeroDivisionError("by zero")),
-        BudgetDialog(Budget.of(budget_of(estimated, demo.survey)), window),
+        BudgetDialog(ErrorBudgetValues.of(error_budget_of(estimated, demo.survey)), window),
         CheckDialog(estimated, track, window),
         FindAgainDialog(estimated.target("T1"), window),
         IdentityDialog(estimated.identity, str, window),
@@ -142,7 +142,7 @@ def test_files_that_are_looked_into(french: Driver, demo: Demo, tmp_path: Path) 
     heads = set()
     for row in range(dialog.table.rowCount()):
         dialog.table.selectRow(row)
-        head = dialog.findChild(Preview).horizontalHeader().model()
+        head = dialog.findChild(FilePreview).horizontalHeader().model()
         heads |= {head.headerData(k, Qt.Orientation.Horizontal) for k in range(head.columnCount())}
     try:
         assert {"intensity", "return_number", "classification"} <= heads  # as the file calls them
@@ -179,7 +179,7 @@ def test_a_site_is_designed(french: Driver) -> None:
     editor = type_cell(french, design.targets.table, 0, 1, "1,25")
     french.bot.keyClick(editor, Key.Key_Return)
     french.rest()
-    assert edits.hung(design.workspace.titled)[0].along == pytest.approx(1.25)
+    assert edits.placed_targets(design.workspace.titled)[0].along == pytest.approx(1.25)
     assert design.targets.table.item(0, 1).text() == "1,25"
     undo = "&Annuler\u00a0: T1\u00a0: Position"
     assert design.actions_["undo"].text() == undo
@@ -211,7 +211,7 @@ def test_files_are_written_alike_in_both_languages(
 
 
 def test_the_study_of_visibility_is_french_throughout(qtbot: QtBot, qapp: QApplication) -> None:
-    found = [visibility(site) for site in SITES.values()]
+    found = [study_visibility(site) for site in SITES.values()]
     set_language("fr")
     try:
         dialog = VisibilityDialog(found)

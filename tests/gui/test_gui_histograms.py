@@ -88,7 +88,7 @@ def test_a_bar_is_read_off_under_the_mouse(driver: Driver, panel: HistogramsPane
 def test_distances_at_a_height_and_a_range_are_read_off_under_the_mouse(
     panel: HistogramsPanel, lengths: str
 ) -> None:
-    units.show_in("degrees", lengths)
+    units.set_units("degrees", lengths)
     try:
         panel.plot.setCurrentIndex(AGAINST)
         panel.canvas.draw()
@@ -98,9 +98,9 @@ def test_distances_at_a_height_and_a_range_are_read_off_under_the_mouse(
             event = MouseEvent("motion_notify_event", panel.canvas, x, y)
             panel.canvas.callbacks.process(event.name, event)
             assert panel.reading.text().startswith(title)
-            assert f"\u00a0{units.unit('m').sign}: " in panel.reading.text()
+            assert f"\u00a0{units.shown_unit('m').sign}: " in panel.reading.text()
     finally:
-        units.show_in("degrees", "metres")
+        units.set_units("degrees", "metres")
 
 
 def test_the_wheel_shows_finer_bars_and_a_double_click_all_again(

@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.import_files.dialog import MOUNTING, TIMELINE, ImportDialog
 from lispac.gui.dialogs.import_files.file_table import ROLE, STATE
-from lispac.gui.dialogs.import_files.timeline import bars_of
+from lispac.gui.dialogs.import_files.timeline import timeline_bars
 from lispac.gui.settings import AppSettings
 from lispac.messages import Action
 from lispac.workflow.projects import create_project
@@ -119,7 +119,7 @@ def test_lines_in_another_time_base_are_mended_by_a_button(
     rest(qtbot, dialog)
     dialog.tabs.setCurrentIndex(TIMELINE)
     assert dialog.tabs.tabText(TIMELINE) == "Timeline (2 lines to check)"
-    bars = bars_of(dialog.intake)
+    bars = timeline_bars(dialog.intake)
     assert [bar.sound for bar in bars] == [True, True, False, False]
     assert bars[2].words == "100.0 % outside trajectory"
     assert not dialog.ok.isEnabled()
@@ -202,7 +202,7 @@ def test_columns_are_chosen_over_the_preview_and_remembered(
     second = ImportDialog(AppSettings(tmp_path / "settings.ini"))
     second.add([demo.project.trajectory, tmp_path / "next.txt"])
     rest(qtbot, second)
-    assert second.intake.files_problem() == ""
+    assert second.intake.files_problem_text() == ""
     second.done(0)
     second.deleteLater()
 

@@ -9,10 +9,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 
+from lispac.gui.dialogs.dialog_service import Dialogs
 from lispac.gui.dialogs.import_files.dialog import QUALITY, ImportDialog
 from lispac.gui.dialogs.import_files.envelope import envelope
-from lispac.gui.dialogs.import_files.timeline import ticks_of
-from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.dialogs.import_files.timeline import round_ticks
 from lispac.gui.settings import AppSettings
 from lispac.workflow.projects import open_project
 from tests.gui.import_support import drop, raw
@@ -88,9 +88,9 @@ def test_an_envelope_keeps_peaks_and_breaks_at_gaps() -> None:
 
 
 def test_ticks_are_round_and_few() -> None:
-    assert ticks_of(485_987.0, 486_461.0, 6) == [486_000, 486_100, 486_200, 486_300, 486_400]
-    assert len(ticks_of(0.0, 0.9, 4)) <= 5
-    assert [f"{tick:,.0f}" for tick in ticks_of(-3.0, 43.0, 5)] == ["0", "10", "20", "30", "40"]
+    assert round_ticks(485_987.0, 486_461.0, 6) == [486_000, 486_100, 486_200, 486_300, 486_400]
+    assert len(round_ticks(0.0, 0.9, 4)) <= 5
+    assert [f"{tick:,.0f}" for tick in round_ticks(-3.0, 43.0, 5)] == ["0", "10", "20", "30", "40"]
 
 
 # -- keyboard --------------------------------------------------------------------------------------

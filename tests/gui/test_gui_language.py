@@ -13,10 +13,10 @@ from pytestqt.qtbot import QtBot
 from lispac.gui.language import set_language
 from lispac.gui.main_window import MainWindow
 from lispac.gui.panels.fields import OptionalNumber
-from lispac.gui.panels.widgets import TallArea
+from lispac.gui.panels.widgets import VerticalScrollArea
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
-from lispac.gui.viewport.recording import RecordingViewport
+from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.language import current_language, gettext
 from lispac.progress import Progress
 from lispac.project import Project
@@ -34,7 +34,7 @@ def session(qtbot: QtBot, qapp: QApplication, tmp_path: Path):
     made = Session(qapp, RecordingViewport, settings, ScriptedDialogs())
     qtbot.waitUntil(made.window.isActiveWindow, timeout=SOON_MS)
     yield made
-    made.window.retire()
+    made.window.stop_and_hide()
     made.window.deleteLater()
     made.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
@@ -94,7 +94,7 @@ def test_the_former_window_is_gone_with_all_it_held(session: Session, qtbot: QtB
     for code in ("fr", "en"):
         former = session.window
         former.settings.language = code
-        former.renew()
+        former.rebuild_window()
         qtbot.waitUntil(lambda former=former: session.window is not former, timeout=SOON_MS)
     del former
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
@@ -112,7 +112,7 @@ def test_a_saved_project_stays_saved(session: Session, qtbot: QtBot, demo: Demo)
     english.document.mark_saved(english.document.file_digest)
     english.controller.rename("T2", "South wall")
     english.settings.language = "fr"
-    english.renew()
+    english.rebuild_window()
     qtbot.waitUntil(lambda: session.window is not english, timeout=SOON_MS)
     document = session.window.document
     assert document.is_modified
@@ -126,7 +126,7 @@ def renewed(session: Session, qtbot: QtBot, code: str) -> MainWindow:
     """The window in another language."""
     former = session.window
     former.settings.language = code
-    former.renew()
+    former.rebuild_window()
     qtbot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
     return session.window
 
@@ -174,7 +174,7 @@ def test_what_was_found_waits_on_for_a_yes_or_a_no(
 ) -> None:
     session.window.document.open(demo.project, demo.survey)
     found = demo.picked.target("T1")
-    session.window.controller.offer(found)
+    session.window.controller.set_candidate(found)
     french = renewed(session, qtbot, "fr")
     assert french.controller.candidate is found
     assert french.targets.candidate.isVisible()
@@ -209,7 +209,7 @@ def test_panels_that_float_come_back_after_the_window(
     assert french.docks["Log"].isFloating()
     assert french.docks["Log"].isVisible()
     assert shown.names[-2:] == ["main_window", "dock_log"]
-    french.retire()
+    french.stop_and_hide()
     assert [each for each in QApplication.topLevelWidgets() if each.isVisible()] == []
 
 
@@ -250,7 +250,7 @@ def test_another_language_waits_for_the_work_on_a_plan(session: Session, qtbot: 
 
     former.site_design.runner.run("Finding the best plan", work, ended.append)
     former.settings.language = "fr"
-    former.renew()
+    former.rebuild_window()
     qtbot.wait(200)
     assert session.window is former
     assert "when the running task has ended" in former.log.toPlainText()
@@ -263,7 +263,7 @@ def test_the_log_stays(session: Session, qtbot: QtBot) -> None:
     former = session.window
     former.log.note("Something happened")
     said = former.log.toPlainText()
-    former.renew()
+    former.rebuild_window()
     qtbot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
     assert session.window.log.toPlainText().startswith(said)
 
@@ -273,7 +273,7 @@ def test_nothing_is_cut_off_in_a_small_french_window(
 ) -> None:
     english = session.window
     english.settings.language = "fr"
-    english.renew()
+    english.rebuild_window()
     qtbot.waitUntil(lambda: session.window is not english, timeout=SOON_MS)
     window = session.window
     window.setGeometry(0, 0, 1366, 768)
@@ -283,7 +283,7 @@ def test_nothing_is_cut_off_in_a_small_french_window(
         window.workflow.open(step)
         qtbot.wait(50)
         for panel in (window.results, window.workflow):
-            for area in panel.findChildren(TallArea):
+            for area in panel.findChildren(VerticalScrollArea):
                 if area.isVisible():
                     assert area.width() >= area.minimumSizeHint().width()
     assert window.width() == 1366

@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui import desktop_notifications
 from lispac.gui.desktop_notifications import DesktopNotifications
-from lispac.gui.logbook import Logbook
+from lispac.gui.log_file import LogFile
 from lispac.gui.tasks import Task
 from tests.gui.support import WAIT_MS, Driver
 
@@ -22,7 +22,7 @@ from tests.gui.support import WAIT_MS, Driver
 def test_what_nobody_would_see_is_in_the_log_file(tmp_path: Path) -> None:
     told: list[BaseException] = []
     before = (threading.excepthook, logging.getLogger("lispac").handlers[:])
-    book = Logbook(tmp_path / "made", told.append)
+    book = LogFile(tmp_path / "made", told.append)
     book.begin()
     try:
         thread = threading.Thread(target=lambda: 1 / 0)
@@ -46,7 +46,7 @@ def test_what_nobody_would_see_is_in_the_log_file(tmp_path: Path) -> None:
 
 
 def test_an_error_is_written_down_with_its_origin(tmp_path: Path, driver: Driver) -> None:
-    book = Logbook(tmp_path, driver.dialogs.show_error)
+    book = LogFile(tmp_path, driver.dialogs.show_error)
     book.begin()
     try:
         driver.window.controller.noted.emit("Opened a project")
@@ -69,7 +69,7 @@ def test_an_error_is_written_down_with_its_origin(tmp_path: Path, driver: Driver
 
 def test_a_folder_that_cannot_be_written_stops_nothing(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
-    book = Logbook(tmp_path / "file", lambda _error: None)
+    book = LogFile(tmp_path / "file", lambda _error: None)
     book.begin()
     logging.getLogger("lispac").info("nowhere")
     book.end()

@@ -23,7 +23,7 @@ def test_it_is_opened_in_the_language_of_the_window(
     driver: Driver, spoken: str, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     opened: list[QUrl] = []
-    monkeypatch.setattr(caches, "usual_folder", lambda: cache)
+    monkeypatch.setattr(caches, "default_folder", lambda: cache)
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: opened.append(url) or True)
     monkeypatch.setattr("lispac.gui.manual.current_language", lambda: spoken)
     press(driver, Key.Key_F1, Qt.KeyboardModifier.ShiftModifier)

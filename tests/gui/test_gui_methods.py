@@ -6,24 +6,24 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QTimer
 
+from lispac.alternative_methods import AlternativeResult
 from lispac.errors import AdjustmentError
 from lispac.gui.dialogs.methods import MethodsDialog
 from lispac.messages import note
-from lispac.opinions import Opinion
-from lispac.workflow import opinions
-from lispac.workflow.opinions import natural_planes
+from lispac.workflow import method_runs
+from lispac.workflow.method_runs import adjust_natural_planes
 from tests.gui.support import Driver, Left, settle
 from tests.gui.test_gui_studies import answered
 from tests.gui.test_gui_warnings import listed
 
 
-def said_by_the_scene(project, _survey, *, progress) -> Opinion:
+def said_by_the_scene(project, _survey, *, progress) -> AlternativeResult:
     """Nearly what the targets say; how it is found is tested elsewhere and takes a while."""
     progress(0.5, "Matching the lines: iteration 1")
     result = project.result
     turned = result.boresight + np.radians([0.5, 0.0, 0.0])
     lines = tuple(line.name for line in project.lines)
-    return Opinion(
+    return AlternativeResult(
         "targetless",
         turned,
         np.array(result.covariance),
@@ -41,10 +41,10 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
     def ask(project, survey, method, *, progress):
         asked.append(method)
         if method == "natural planes":
-            return natural_planes(project, survey, progress=progress)
+            return adjust_natural_planes(project, survey, progress=progress)
         return replace(said_by_the_scene(project, survey, progress=progress), method=method)
 
-    monkeypatch.setattr(opinions, "ask", ask)
+    monkeypatch.setattr(method_runs, "run_method", ask)
     action, before = adjusted.window.actions_["methods"], adjusted.project
     assert action.isEnabled()
     assert before.opinions == ()
@@ -96,7 +96,7 @@ def test_what_a_method_cannot_answer_is_told(
     def refuse(_project, _survey, method, *, progress):
         raise AdjustmentError(f"the lines share too little for {method}")
 
-    monkeypatch.setattr(opinions, "ask", refuse)
+    monkeypatch.setattr(method_runs, "run_method", refuse)
     before = adjusted.project
     compare(adjusted)
     answered(adjusted, lambda dialog: adjusted.bot.mouseClick(dialog.ask, Left))

@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
 
 from lispac.gui import theme, units
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.panels.mounting_sketch import HEIGHT, VIEWS, MountingSketch, length_words
-from lispac.survey.georeferencing import Mounting, place
+from lispac.gui.panels.mounting_sketch import HEIGHT, VIEWS, MountingSketch, length_with_unit
+from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses
 from tests.gui.support import Driver, open_step, type_into
 
@@ -25,7 +25,7 @@ def placed(lever_arm, boresight_deg) -> np.ndarray:
     """
     points = np.vstack([np.zeros(3), np.eye(3)])
     level = Poses(np.zeros((4, 3)), np.zeros((4, 3)))
-    return place(points, level, Mounting(np.array(lever_arm), np.radians(boresight_deg)))
+    return place_points(points, level, Mounting(np.array(lever_arm), np.radians(boresight_deg)))
 
 
 def offsets(sketch: MountingSketch, view: str) -> np.ndarray:
@@ -113,7 +113,7 @@ def test_the_scanners_axes_point_where_georeferencing_points_them(
     for axis in range(3):
         north, west, up = local[1 + axis] - local[0]
         for view in VIEWS:
-            start, tip = sketch.axis_at(view, axis)
+            start, tip = sketch.axis_ends(view, axis)
             drawn.append((tip.x() - start.x(), start.y() - tip.y()))
             wanted.append([way(north, west, up) for way in RIGHT_UP[view]])
     pixels = np.vdot(drawn, wanted) / np.vdot(wanted, wanted)  # of an axis that is seen whole
@@ -127,7 +127,7 @@ def test_a_small_turn_is_drawn_to_its_own_side(opened: Driver) -> None:
         sketch = typed(opened, ("1", "0", "2"), ("0", "0", yaw))
         assert sketch.factor > 1
         local = placed((1.0, 0.0, 2.0), (0.0, 0.0, float(yaw)))
-        start, tip = sketch.axis_at("above", 0)
+        start, tip = sketch.axis_ends("above", 0)
         assert np.sign(tip.x() - start.x()) == np.sign(-(local[1] - local[0])[1])
         assert abs(tip.x() - start.x()) > 2
 
@@ -196,12 +196,12 @@ def test_everything_stays_inside_at_every_size(qtbot, size) -> None:
 
 
 def test_distances_are_in_the_unit_shown() -> None:
-    assert length_words(2.1, ".2f") == "2.10\u00a0m"
-    units.show_in("degrees", "feet")
+    assert length_with_unit(2.1, ".2f") == "2.10\u00a0m"
+    units.set_units("degrees", "feet")
     try:
-        assert length_words(2.1, ".2f").replace("\u00a0", " ") == f"{2.1 / 0.3048:.2f} ft"
+        assert length_with_unit(2.1, ".2f").replace("\u00a0", " ") == f"{2.1 / 0.3048:.2f} ft"
     finally:
-        units.show_in("degrees", "metres")
+        units.set_units("degrees", "metres")
 
 
 def test_the_import_dialogue_draws_it_too(filled: ImportDialog, qtbot) -> None:

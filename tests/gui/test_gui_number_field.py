@@ -113,7 +113,7 @@ def test_letters_and_too_many_decimals_cannot_be_typed(form, qtbot) -> None:
 
 def test_in_feet_and_in_french_the_range_is_in_them(form, qtbot) -> None:
     set_language("fr")
-    units.show_in("degrees", "feet")
+    units.set_units("degrees", "feet")
     try:
         own = Form()
         qtbot.addWidget(own)
@@ -129,4 +129,4 @@ def test_in_feet_and_in_french_the_range_is_in_them(form, qtbot) -> None:
         assert own.up.value() == pytest.approx(320.5 * 0.3048)
     finally:
         set_language("en")
-        units.show_in("degrees", "metres")
+        units.set_units("degrees", "metres")

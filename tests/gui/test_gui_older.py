@@ -5,7 +5,7 @@ from dataclasses import replace
 from html import unescape
 from pathlib import Path
 
-from lispac.adjustment.outdated import refused_since
+from lispac.adjustment.outdated_result import outdated_result_warning
 from lispac.gui.language import set_language
 from lispac.gui.report_export import ReportExport
 from lispac.message_texts import message_text
@@ -31,7 +31,7 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
         ("serious", "adjustment.refused_since")
     ]
     set_language("fr")
-    french = message_text(refused_since(refusal))
+    french = message_text(outdated_result_warning(refusal))
     assert french.startswith("La dernière compensation n’a pas été possible")
     set_language("en")
 

@@ -17,13 +17,13 @@ from pytestqt.qtbot import QtBot
 from lispac.adjustment.result import CandidateCause
 from lispac.errors import Cancelled, InputError
 from lispac.gui import status
-from lispac.gui.dialogs.error import describe, error_box
+from lispac.gui.dialogs.error import error_box, error_text_and_details
 from lispac.gui.language import set_language
 from lispac.gui.settings import AppSettings
-from lispac.gui.statusbar import TaskBar
+from lispac.gui.statusbar import TaskStatusBar
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.language import gettext_lazy
-from lispac.progress import PointStep, Progress
+from lispac.progress import PointProgress, Progress
 from lispac.project import Project
 from lispac.workflow import edits
 from tests.gui.support import Demo
@@ -234,8 +234,8 @@ def test_what_a_library_said_is_in_the_details(qapp):
 def test_an_error_of_the_program_is_its_sentence_and_another_has_details(
     qtbot: QtBot, qapp: QApplication
 ):
-    assert describe(InputError("line 3 is empty")) == ("line 3 is empty", "")
-    sentence, details = describe(ZeroDivisionError("by zero"))
+    assert error_text_and_details(InputError("line 3 is empty")) == ("line 3 is empty", "")
+    sentence, details = error_text_and_details(ZeroDivisionError("by zero"))
     assert "Traceback" not in sentence
     assert "ZeroDivisionError: by zero" in details
     box = error_box(None, ZeroDivisionError("by zero"))
@@ -248,17 +248,17 @@ def test_an_error_of_the_program_is_its_sentence_and_another_has_details(
 
 
 def test_steps_say_what_is_there_and_what_comes_next(demo: Demo):
-    assert status.steps(None, None)[0].sentence == "no project open"
-    assert status.steps(demo.project, None)[0].state == "todo"
-    start = status.steps(demo.project, demo.survey)
+    assert status.step_statuses(None, None)[0].sentence == "no project open"
+    assert status.step_statuses(demo.project, None)[0].state == "todo"
+    start = status.step_statuses(demo.project, demo.survey)
     assert [s.state for s in start] == ["done", "todo", "empty", "empty", "empty"]
     assert "Ctrl" in start[1].advice
-    ready = status.steps(demo.picked, demo.survey)
+    ready = status.step_statuses(demo.picked, demo.survey)
     assert ready[1].sentence == "2 targets in 6 lines, 1 validation plane"
     assert ready[2].ready
     first = demo.picked.target("T1")
     lonely = demo.picked.with_target(replace(first, sightings=first.sightings[:1]))
-    assert "fewer than two lines" in status.steps(lonely, demo.survey)[1].advice
+    assert "fewer than two lines" in status.step_statuses(lonely, demo.survey)[1].advice
 
 
 def test_many_points_are_counted_in_millions():
@@ -267,20 +267,20 @@ def test_many_points_are_counted_in_millions():
 
 
 def test_a_serious_doubt_is_no_done_step(demo: Demo, estimated: Project):
-    sound = status.steps(estimated, demo.survey)[2]
+    sound = status.step_statuses(estimated, demo.survey)[2]
     assert sound.state == "done"
     assert "warnings" not in sound.sentence
     size, sigma, moved = np.array([0.1]), np.array([0.004]), estimated.result.sigma * 9
     found = CandidateCause("lever_x", "", "", size, sigma, moved, 0.05, 600.0)
     result = replace(estimated.result, causes=((found,),))
-    doubtful = status.steps(replace(estimated, result=result), demo.survey)[2]
+    doubtful = status.step_statuses(replace(estimated, result=result), demo.survey)[2]
     assert doubtful.state == "warning"
     assert doubtful.sentence.startswith("done, with warnings")
     assert "warnings on the right" in doubtful.advice
 
 
 def test_renaming_a_validation_plane_keeps_the_order(demo: Demo):
-    renamed = edits.with_name(demo.picked, "T1", "A")
+    renamed = edits.with_renamed_target(demo.picked, "T1", "A")
     assert [t.name for t in renamed.targets] == ["A", "T2", "V1"]
     assert edits.with_use_of_target(demo.picked, "T1", True) is demo.picked
 
@@ -303,14 +303,14 @@ READING = gettext_lazy("Reading {line}", line="L1")
     ("step", "shown"),
     [
         (gettext_lazy("Aligning the lines"), "Aligning the lines  ·  5 %/s, 10 s left"),
-        (PointStep(READING, 4_900_000, 20_000_000, 2.1e6),
+        (PointProgress(READING, 4_900_000, 20_000_000, 2.1e6),
          "Reading L1: 4.9 M of 20.0 M points, 2.10 M points/s  ·  10 s left"),
-        (PointStep(READING, 4_900_000, 20_000_000),
+        (PointProgress(READING, 4_900_000, 20_000_000),
          "Reading L1: 4.9 M of 20.0 M points  ·  5 %/s, 10 s left"),
     ],
 )  # fmt: skip
 def test_time_left_is_shown_once_and_counts_for_the_whole_task(qtbot: QtBot, step, shown):
-    bar = TaskBar()
+    bar = TaskStatusBar()
     qtbot.addWidget(bar)
     task = Task("Import", lambda progress: None, lambda value: None)
     task.started = time.monotonic() - 10
@@ -320,7 +320,7 @@ def test_time_left_is_shown_once_and_counts_for_the_whole_task(qtbot: QtBot, ste
 
 
 def test_time_left_is_french_after_a_name_that_stays(qtbot: QtBot) -> None:
-    bar = TaskBar()
+    bar = TaskStatusBar()
     qtbot.addWidget(bar)
     task = Task("Adjusting", lambda progress: None, lambda value: None)
     task.started = time.monotonic() - 10

@@ -26,7 +26,7 @@ def opened_panel(driver: Driver) -> PatchTestPanel:
 def follow(driver: Driver) -> None:
     """Wait until the curve is that of the angles as they are."""
     patch_test_controller = driver.window.tools.patch_test_controller
-    driver.bot.waitUntil(lambda: not patch_test_controller.waits, timeout=60_000)
+    driver.bot.waitUntil(lambda: not patch_test_controller.is_curve_pending, timeout=60_000)
     driver.rest()
 
 
@@ -80,18 +80,18 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     truth = np.radians(opened.project.truth_deg)
     assert (np.abs(answer.boresight - truth) < 3 * answer.sigma).all()
 
-    assert opened.project.opinion("patch test") is None
+    assert opened.project.alternative_result("patch test") is None
     click(opened, shown.keep)
-    kept = opened.project.opinion("patch test")
+    kept = opened.project.alternative_result("patch test")
     assert kept is not None
     np.testing.assert_array_equal(kept.boresight, answer.boresight)
     press(opened, Key.Key_Z, Control)
-    assert opened.project.opinion("patch test") is None
+    assert opened.project.alternative_result("patch test") is None
 
     # All that count, not one alone: the minimum of one is its own.
     shown.of.setCurrentIndex(1)
     start = answer.boresight + [0.0, np.radians(0.15), 0.0]
-    shown.angles.turn_to(start)
+    shown.angles.set_angles(start)
     slider = shown.angles.sliders[PITCH]  # its middle is where the angle was found
     drag(opened, slider, 80)
     follow(opened)
@@ -185,7 +185,7 @@ def test_what_was_found_is_forgotten_with_another_choice(opened: Driver) -> None
     tick(opened, shown.objects, 0)
     assert shown.objects.item(0).checkState() == Qt.CheckState.Unchecked
     assert shown.said.text() == ""
-    many = len(shown.ticked)
+    many = len(shown.ticked_entries)
     assert many == shown.objects.count() - 1
     for row in range(shown.pairs.count()):
         tick(opened, shown.pairs, row)

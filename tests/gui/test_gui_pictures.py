@@ -13,9 +13,9 @@ from PySide6.QtWidgets import QLabel
 from lispac.gui import units
 from lispac.gui.dialogs.about import shortcuts_box
 from lispac.gui.panels.sightings_table import EDITED
-from lispac.gui.pictures import NO_SECTION
+from lispac.gui.picture_export import NO_SECTION
 from lispac.gui.viewport.base import Shading
-from lispac.gui.viewport.overlay import OverlaidView, free_place
+from lispac.gui.viewport.overlay import OverlaidView, free_label_place
 from tests.gui.support import Control, Driver, Key, click, press, settle
 from tests.view_scenes import scene
 
@@ -84,7 +84,7 @@ def test_the_section_is_saved_and_copied_as_it_is_shown(picked: Driver, tmp_path
 
 
 def test_a_section_in_feet_is_saved_in_metres(picked: Driver, tmp_path: Path) -> None:
-    units.show_in("degrees", "feet")
+    units.set_units("degrees", "feet")
     try:
         panel = section(picked)
         first = panel.canvas.figure.axes[0]
@@ -104,7 +104,7 @@ def test_a_section_in_feet_is_saved_in_metres(picked: Driver, tmp_path: Path) ->
         assert first.get_xlim() == (-0.25, 0.5)
         assert first.get_ylabel() == "Height (ft)"
     finally:
-        units.show_in("degrees", "metres")
+        units.set_units("degrees", "metres")
 
 
 def test_a_sighting_edited_by_hand_is_marked_in_the_table(picked: Driver) -> None:
@@ -169,13 +169,13 @@ def test_labels_of_targets_beside_each_other_can_both_be_read(qapp) -> None:
     metrics = QFontMetricsF(qapp.font())
     taken: list[QRectF] = []
     for step in range(4):
-        taken.append(free_place(QPointF(300.0 + step, 200.0), metrics, f"T{step}", taken))
+        taken.append(free_label_place(QPointF(300.0 + step, 200.0), metrics, f"T{step}", taken))
     assert taken[0].left() > 300.0
     assert taken[0].bottom() < 200.0
     for k, box in enumerate(taken):
         assert not any(box.intersects(other) for other in taken[:k])
     # Where all places are taken, the usual one will do.
-    fifth = free_place(QPointF(300.0, 200.0), metrics, "T0", taken)
+    fifth = free_label_place(QPointF(300.0, 200.0), metrics, "T0", taken)
     assert fifth == taken[0]
 
 
@@ -187,5 +187,5 @@ def test_labels_of_targets_keep_clear_of_the_scale_of_colours(qapp) -> None:
     (scale,) = overlay.taken()
     metrics = QFontMetricsF(qapp.font())
     spot = QPointF(scale.left() + 30.0, scale.bottom() + 10.0)
-    assert free_place(spot, metrics, "V3", []).intersects(scale)
-    assert not free_place(spot, metrics, "V3", overlay.taken()).intersects(scale)
+    assert free_label_place(spot, metrics, "V3", []).intersects(scale)
+    assert not free_label_place(spot, metrics, "V3", overlay.taken()).intersects(scale)

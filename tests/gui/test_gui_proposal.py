@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 
 from lispac.gui.dialogs.proposal import ProposalDialog
 from lispac.project import Project
-from lispac.workflow.proposal_acceptance import not_picked, with_accepted
-from lispac.workflow.proposals import Proposal, propose
+from lispac.workflow.proposal_acceptance import with_accepted, without_picked
+from lispac.workflow.proposals import Proposal, propose_targets
 from tests.gui.support import Demo, Driver, Left, click, open_step
 
 TARGETS = 1
@@ -27,7 +27,7 @@ TARGETS = 1
 @pytest.fixture(scope="module")
 def proposal(demo: Demo) -> Proposal:
     """What is proposed for the demo."""
-    return propose(demo.project, demo.survey)
+    return propose_targets(demo.project, demo.survey)
 
 
 def answered(driver: Driver, answer: Callable[[QDialog], None]) -> None:
@@ -115,7 +115,7 @@ def test_a_proposal_rejected_or_cancelled_changes_nothing(opened: Driver) -> Non
 def test_what_is_picked_is_not_proposed_and_names_stay_apart(
     demo: Demo, proposal: Proposal
 ) -> None:
-    left = not_picked(demo.picked, proposal)
+    left = without_picked(demo.picked, proposal)
     assert len(left.targets) < len(proposal.targets)
     assert set(left.picked) <= {"T1", "T2"}
     taken = {target.name for target in demo.picked.targets}
@@ -142,7 +142,7 @@ def test_the_head_says_what_the_sigmas_are_of(
 ) -> None:
     targets = [target for target in proposal.targets if target.role == "target"][:known]
     named = tuple(replace(target, name=f"A{k + 1}") for k, target in enumerate(targets))
-    dialog = ProposalDialog(not_picked(replace(demo.project, targets=named), proposal))
+    dialog = ProposalDialog(without_picked(replace(demo.project, targets=named), proposal))
     qtbot.addWidget(dialog)
     assert words in dialog.findChild(QLabel, "proposal_sigmas").text()
     names = [dialog.table.item(row, 0).text() for row in range(dialog.table.rowCount())]
@@ -154,7 +154,7 @@ def test_nothing_ticked_cannot_be_accepted(qtbot, proposal: Proposal) -> None:
     qtbot.addWidget(dialog)
     for row in range(dialog.table.rowCount()):
         dialog.table.item(row, 0).setCheckState(Qt.CheckState.Unchecked)
-    assert dialog.ticked == ()
+    assert dialog.ticked_entries == ()
     assert not dialog.accept_button.isEnabled()
 
 

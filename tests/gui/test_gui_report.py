@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui.panels.report import ReportPanel
-from lispac.gui.panels.widgets import Choice
-from lispac.gui.viewport.pace import Pace
+from lispac.gui.panels.widgets import ChoiceBox
+from lispac.gui.viewport.frame_times import FrameTimes
 from lispac.identity import NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
@@ -80,7 +80,7 @@ def test_what_is_wrong_is_said_and_cancel_changes_nothing(opened: Driver) -> Non
     assert opened.window.document.undo_stack.count() == 0
 
 
-def choose(driver: Driver, box: Choice, index: int) -> None:
+def choose(driver: Driver, box: ChoiceBox, index: int) -> None:
     """Open the list and take an entry by the keyboard."""
     box.setFocus()
     driver.bot.keyClick(box, Key.Key_Home)
@@ -342,7 +342,7 @@ def test_what_the_mouse_does_is_on_the_screen_and_in_no_picture(
     real: Driver, demo: Demo, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # How many points fit into a picture is measured with each frame, and is another each time
-    monkeypatch.setattr(Pace, "picture", property(lambda _: 20_000))
+    monkeypatch.setattr(FrameTimes, "picture", property(lambda _: 20_000))
     real.window.document.open(demo.project, demo.survey)
     real.rest()
     overlay = real.viewport.widget.overlay
@@ -380,7 +380,7 @@ def test_no_report_is_proposed_into_the_cache(
     """It may be emptied at any time; a project elsewhere keeps its report beside it."""
     folder = adjusted.project.folder
     place = folder.parent if cached else folder / "cache"
-    monkeypatch.setattr("lispac.gui.places.cache_place", lambda: place)
+    monkeypatch.setattr("lispac.gui.proposed_folders.cache_place", lambda: place)
     adjusted.window.actions_["report"].trigger()
     proposed = adjusted.dialogs.proposed
     assert proposed.name == f"{adjusted.project.name}.pdf"

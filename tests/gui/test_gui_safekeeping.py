@@ -9,13 +9,13 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.recovery_copies import ELSEWHERE, LOCK_NAME
-from lispac.gui.viewport.recording import RecordingViewport
+from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.project_file import (
     FILE_NAME,
     UNSAVED_NAME,
-    keep_unsaved,
     read_project,
     read_unsaved,
+    write_unsaved,
 )
 from tests.concurrent_commands import pool, run
 from tests.gui.killed import killed_after_editing
@@ -61,7 +61,7 @@ def test_what_a_killed_program_did_comes_back(driver: Driver, folder: Path) -> N
 
 
 def test_what_is_not_wanted_back_is_gone(driver: Driver, folder: Path) -> None:
-    keep_unsaved(read_project(folder).without_target("T1"))
+    write_unsaved(read_project(folder).without_target("T1"))
     opened(driver, folder)
     assert driver.dialogs.safety == [f"recover {folder.name}"]
     assert {"T1", "T2"} <= names(driver.project)

@@ -12,13 +12,13 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QLineEdit
 
 from lispac.errors import InputError, ProjectError
-from lispac.gui.dialogs.service import Dialogs
+from lispac.gui.dialogs.dialog_service import Dialogs
 from lispac.io.project_file import write_project
 from lispac.progress import Step, no_progress
 from lispac.project import Project
-from lispac.workflow.importing import import_lines, line_folder
+from lispac.workflow.line_import import import_lines, line_folder
+from lispac.workflow.project_copy import save_project_as
 from lispac.workflow.projects import open_project, save_project
-from lispac.workflow.saving_as import save_project_as
 from lispac.workflow.survey import load_survey
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press
 from tests.message_codes import codes
@@ -177,7 +177,7 @@ def test_no_project_is_proposed_into_the_cache(
     """That of the built-in survey lies there; it is not where one would look for one's own."""
     folder = harbour.project.folder
     place = folder.parent if cached else folder / "cache"
-    monkeypatch.setattr("lispac.gui.places.cache_place", lambda: place)
+    monkeypatch.setattr("lispac.gui.proposed_folders.cache_place", lambda: place)
     asked: list[Path] = []
     harbour.dialogs.folder_to_save_in = asked.append
     press(harbour, Key.Key_S, Control | Shift)

@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui import theme
 from lispac.gui.language import set_language
-from lispac.gui.viewport.recording import RecordingViewport
+from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.workflow.projects import save_project

@@ -94,7 +94,7 @@ def test_taken_names_are_not_ticked_and_columns_can_be_stated(picked: Driver, li
     def preview(dialog: QDialog) -> None:
         pick = dialog.findChild(QPushButton, "pick_list")
         table = dialog.findChild(QTableWidget, "seed_list_table")
-        ticked.append([seed.name for seed in dialog.ticked])
+        ticked.append([seed.name for seed in dialog.ticked_entries])
         assert "tick to replace" in table.item(0, 6).text()
         columns = dialog.findChild(QLineEdit, "list_columns")
         picked.bot.keyClicks(columns, "name,x,y")

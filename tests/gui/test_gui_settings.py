@@ -16,16 +16,16 @@ from lispac.gui.preferences import Preferences
 from lispac.gui.recovery_copies import LOCK_NAME
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.decimation import Budget
-from lispac.gui.viewport.recording import RecordingViewport
-from lispac.io.sensor_file import PosFigures, ScannerFigures
+from lispac.gui.viewport.recording_viewport import RecordingViewport
+from lispac.io.sensor_file import PosSpecification, ScannerSpecification
 from lispac.project import Settings
 from lispac.workflow.projects import new_project
-from lispac.workflow.sensors import keep, library
+from lispac.workflow.sensors import read_library, store_sensor
 from tests.gui.support import Driver, Key, Left, in_front, press
 
 OTHERS = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",
                      theme="dark", scale="turbo")  # fmt: skip
-MINE = ScannerFigures("Profiler 16", 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
+MINE = ScannerSpecification("Profiler 16", 0.004, 0.0125, 0.3, "Data sheet of 2026-03")
 
 
 @pytest.fixture
@@ -164,14 +164,14 @@ def test_own_sensors_are_added_copied_edited_and_removed(
         sensor_beam="0.3", sensor_source=MINE.source,
     )  # fmt: skip
     qtbot.mouseClick(sensors.add_scanner, Left)
-    assert library(folder).scanner("profiler-16") == MINE
+    assert read_library(folder).scanner("profiler-16") == MINE
     assert sensors.current is not None
     assert sensors.current.figures == MINE
     assert "Profiler 16" in [page.choice.scanner.itemText(k) for k in range(count)]
 
     answer_editor(monkeypatch, qtbot, sensor_range="6")
     qtbot.mouseClick(sensors.edit, Left)
-    assert library(folder).scanner("profiler-16").range_sigma == 0.006
+    assert read_library(folder).scanner("profiler-16").range_sigma == 0.006
 
     sensors.select("apogee")
     assert not sensors.edit.isEnabled()
@@ -179,20 +179,20 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     answer_editor(monkeypatch, qtbot)
     qtbot.mouseClick(sensors.copy, Left)
     theirs, ours = (
-        next(s.figures for s in library(folder).pos if s.name == name)
+        next(s.figures for s in read_library(folder).pos if s.name == name)
         for name in ("apogee", "sbg-systems-apogee-user-defined")
     )
-    assert isinstance(ours, PosFigures)
+    assert isinstance(ours, PosSpecification)
     assert ours.states == theirs.states
     assert sensors.table.rowCount() == count + 2
 
     sensors.select("profiler-16")
     QTimer.singleShot(200, lambda: answer_box(qtbot, "Cancel"))
     qtbot.mouseClick(sensors.remove, Left)
-    assert library(folder).scanner("profiler-16").range_sigma == 0.006
+    assert read_library(folder).scanner("profiler-16").range_sigma == 0.006
     QTimer.singleShot(200, lambda: answer_box(qtbot, "Remove"))
     qtbot.mouseClick(sensors.remove, Left)
-    assert [s.name for s in library(folder).scanners if s.own] == []
+    assert [s.name for s in read_library(folder).scanners if s.own] == []
     assert sensors.table.rowCount() == count + 1
     qtbot.waitUntil(lambda: in_front(page) and sensors.table.hasFocus())
     assert sensors.current is not None
@@ -204,7 +204,7 @@ def test_own_sensors_are_added_copied_edited_and_removed(
 
 
 def test_what_cannot_be_kept_is_said_while_it_is_typed(qtbot: QtBot, tmp_path: Path) -> None:
-    keep(tmp_path, MINE)
+    store_sensor(tmp_path, MINE)
     editor = SensorEditor(tmp_path, NEW_SCANNER, "")
     qtbot.addWidget(editor)
     editor.show()

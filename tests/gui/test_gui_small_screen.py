@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 from lispac.gui import theme
 from lispac.gui.language import set_language
 from lispac.gui.panels.convention import TITLE as CONVENTION
-from lispac.gui.viewport.recording import RecordingViewport
+from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.language import LANGUAGES
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, press
 

@@ -59,13 +59,13 @@ def test_the_radius_of_a_ball_is_told_in_the_unit_shown(opened, balls):
     panel = opened.window.targets
     panel.shape_choice.setCurrentIndex(1)
     panel._sphere_radius.setValue(0.15)
-    units.show_in("degrees", "feet")
+    units.set_units("degrees", "feet")
     try:
         seed(opened, balls, "S1")
         assert f"Known radius: {0.15 / 0.3048:g} ft" in detail(opened)
         assert " m " not in detail(opened)
     finally:
-        units.show_in("degrees", "metres")
+        units.set_units("degrees", "metres")
 
 
 def test_a_line_of_its_own_keeps_the_shape_of_the_target(opened, balls):

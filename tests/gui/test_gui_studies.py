@@ -12,7 +12,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QDialog
 
 from lispac.gui.dialogs.budget import BudgetDialog
-from lispac.gui.dialogs.check import CheckDialog, CheckedDialog
+from lispac.gui.dialogs.check import CheckDialog, CheckResultDialog
 from lispac.gui.dialogs.history import HistoryDialog
 from lispac.gui.dialogs.line_quality import LineQualityDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
@@ -142,8 +142,8 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
         dialog.system.setCurrentIndex(dialog.system.findData("local"))
         dialog.sigma.setValue(2.0)
 
-    def look(dialog: CheckedDialog) -> None:
-        assert isinstance(dialog, CheckedDialog)
+    def look(dialog: CheckResultDialog) -> None:
+        assert isinstance(dialog, CheckResultDialog)
         seen.append(dialog)
         found = adjusted.project.absolute
         assert found is not None

@@ -11,12 +11,12 @@ from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui import theme
+from lispac.gui.colour_schemes import DARK, LIGHT, ColourScheme, luminance
 from lispac.gui.design import edits
 from lispac.gui.dialogs.about import about_box
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.panels.chart import Chart
-from lispac.gui.panels.dark_pictures import dimmed
-from lispac.gui.schemes import DARK, LIGHT, Scheme, luminance
+from lispac.gui.panels.dark_pictures import with_inverted_lightness
 from lispac.gui.session import LATER_MS, Session
 from lispac.gui.settings import AppSettings
 from lispac.project import Project
@@ -43,7 +43,7 @@ def test_luminance_is_that_of_the_standard() -> None:
 
 
 @BOTH
-def test_words_are_read_on_every_ground(scheme: Scheme) -> None:
+def test_words_are_read_on_every_ground(scheme: ColourScheme) -> None:
     grounds = ("window", "paper", "bar", "alternate", "header")
     words = ("text", "muted", "placeholder", "accent", "done", "warning", "error")
     pairs = [
@@ -60,7 +60,7 @@ def test_words_are_read_on_every_ground(scheme: Scheme) -> None:
 
 
 @BOTH
-def test_focus_frames_and_marks_stand_out(scheme: Scheme) -> None:
+def test_focus_frames_and_marks_stand_out(scheme: ColourScheme) -> None:
     pairs = [
         *product(("accent", "frame", "doubtful", "waiting"), ("window", "paper", "bar")),
         ("accent", "current"), ("fill", "paper"), ("fill_edge", "window"),
@@ -74,7 +74,7 @@ def test_focus_frames_and_marks_stand_out(scheme: Scheme) -> None:
 
 @BOTH
 @pytest.mark.parametrize("blind", ["protan", "deutan"])
-def test_the_colour_blind_tell_neighbouring_lines_apart(scheme: Scheme, blind: str) -> None:
+def test_the_colour_blind_tell_neighbouring_lines_apart(scheme: ColourScheme, blind: str) -> None:
     colours = [seen(colour, blind) for colour in scheme.lines]
     apart = [float(np.linalg.norm(one - other)) for one, other in pairwise(colours)]
     assert min(apart) > AT_A_GLANCE
@@ -109,7 +109,7 @@ def seen(colour: tuple[int, int, int], blind: str) -> np.ndarray:
 
 
 @BOTH
-def test_a_palette_leaves_nothing_to_the_system(scheme: Scheme) -> None:
+def test_a_palette_leaves_nothing_to_the_system(scheme: ColourScheme) -> None:
     from lispac.gui.style import palette
 
     made = palette(scheme)
@@ -118,8 +118,8 @@ def test_a_palette_leaves_nothing_to_the_system(scheme: Scheme) -> None:
 
 
 def test_names_of_colours_are_those_of_the_scheme_in_use() -> None:
-    assert theme.scheme().muted == theme.MUTED
-    with theme.on_paper():
+    assert theme.current_scheme().muted == theme.MUTED
+    with theme.paper_colours():
         assert theme.PAPER == "#ffffff"
     with pytest.raises(AttributeError, match="NO_COLOUR"):
         _ = theme.NO_COLOUR
@@ -144,14 +144,14 @@ def test_dark_and_light_are_chosen_and_nothing_is_lost(
     edited = session.window.document.project
     change(session, qtbot, "Dark")
     dark = session.window
-    assert theme.scheme() is DARK
+    assert theme.current_scheme() is DARK
     assert dark.settings.theme == "dark"
     assert dark.actions_["theme_dark"].isChecked()
     assert dark.document.project is edited
     assert dark.document.undo_stack.canUndo()
     assert ground(dark).lightnessF() < 0.2
     change(session, qtbot, "Light")
-    assert theme.scheme() is LIGHT
+    assert theme.current_scheme() is LIGHT
     assert ground(session.window).lightnessF() > 0.9
     assert AppSettings(Path(session.window.settings._store.fileName())).theme == "light"
 
@@ -166,9 +166,9 @@ def test_the_window_follows_the_system(
     session: Session, qtbot: QtBot, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     change(session, qtbot, "System default")
-    window, other = session.window, not theme.scheme().dark
+    window, other = session.window, not theme.current_scheme().is_dark
     # What the window system does where it has looks of its own, which a virtual screen has not.
-    monkeypatch.setattr(theme, "system_is_dark", lambda _application: other)
+    monkeypatch.setattr(theme, "is_system_dark", lambda _application: other)
     told = qapp.styleHints().colorSchemeChanged
     menu = open_menu(qtbot, window, "File")
     told.emit(Scheming.Dark if other else Scheming.Light)
@@ -176,38 +176,38 @@ def test_the_window_follows_the_system(
     assert session.window is window  # nothing goes from under an open menu or dialogue
     menu.close()
     qtbot.waitUntil(lambda: session.window is not window, timeout=SOON_MS)
-    assert theme.scheme() is (DARK if other else LIGHT)
+    assert theme.current_scheme() is (DARK if other else LIGHT)
 
 
 def test_the_design_window_follows_the_system_and_stays_in_front(
     session: Session, qtbot: QtBot, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     change(session, qtbot, "System default")
-    window, other = session.window, not theme.scheme().dark
+    window, other = session.window, not theme.current_scheme().is_dark
     window.site_design.open()
     design = window.site_design.window
     qtbot.waitUntil(lambda: in_front(design), timeout=SOON_MS)
-    monkeypatch.setattr(theme, "system_is_dark", lambda _application: other)
-    design.workspace.drag(edits.usual(90.0))
+    monkeypatch.setattr(theme, "is_system_dark", lambda _application: other)
+    design.workspace.drag(edits.default_plan(90.0))
     qapp.styleHints().colorSchemeChanged.emit(Scheming.Dark if other else Scheming.Light)
     qtbot.wait(3 * LATER_MS)
     assert session.window is window  # nothing goes from under a drag
-    design.workspace.give_up()
+    design.workspace.cancel_drag()
     qtbot.waitUntil(lambda: session.window is not window, timeout=SOON_MS)
     heir = session.window.site_design.window
     qtbot.waitUntil(heir.isActiveWindow, timeout=SOON_MS)
-    assert theme.scheme() is (DARK if other else LIGHT)
+    assert theme.current_scheme() is (DARK if other else LIGHT)
 
 
 def test_a_chosen_look_does_not_follow_the_system(
     session: Session, qtbot: QtBot, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window = session.window
-    monkeypatch.setattr(theme, "system_is_dark", lambda _application: True)
+    monkeypatch.setattr(theme, "is_system_dark", lambda _application: True)
     qapp.styleHints().colorSchemeChanged.emit(Scheming.Dark)
     qtbot.wait(3 * LATER_MS)
     assert session.window is window
-    assert theme.scheme() is LIGHT
+    assert theme.current_scheme() is LIGHT
 
 
 @pytest.mark.parametrize("choice", ["light", "dark"])
@@ -326,7 +326,7 @@ def test_what_is_drawn_on_white_is_read_on_dark_in_its_own_hue(
     monkeypatch.setattr(theme, "_used", DARK)
     on_white = QColor(colour)
     pixel = np.array([[[*on_white.getRgb()]]], dtype=np.uint8)
-    shown = QColor(*(int(each) for each in dimmed(pixel)[0, 0]))
+    shown = QColor(*(int(each) for each in with_inverted_lightness(pixel)[0, 0]))
     assert contrast(shown.name(), DARK.paper) > 4.5
     if on_white.saturationF() > 0.5:
         assert abs(shown.hue() - on_white.hue()) < 12

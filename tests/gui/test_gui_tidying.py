@@ -80,7 +80,7 @@ def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.Mo
         ):  # fmt: skip
             now[0] += later
             monkeypatch.setattr(gc, "get_count", lambda counts=counts: counts)
-            tidying.tidy()
+            tidying.collect_due()
     finally:
         tidying.end()
     assert collected == [0, 2, 0, 2]
@@ -101,7 +101,7 @@ def test_modules_that_came_are_not_looked_at_again(
     def later() -> list[str]:
         done.clear()
         now[0] += ALL_S + 1
-        tidying.tidy()
+        tidying.collect_due()
         return done
 
     try:
@@ -170,11 +170,11 @@ def test_what_lies_in_holes_is_given_back_after_work(monkeypatch: pytest.MonkeyP
     held = resident()
     del blocks[::2]
     memory = MemoryTrimming()
-    memory.when_due()  # just begun
+    memory.trim_if_due()  # just begun
     assert resident() > held - 20e6
     later = time.monotonic() + REST_S + 1
     monkeypatch.setattr(time, "monotonic", lambda: later)
-    memory.when_due()
+    memory.trim_if_due()
     assert resident() < held - 150e6
     assert len(blocks) == 2000
 

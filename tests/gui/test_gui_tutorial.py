@@ -35,7 +35,7 @@ def program(
     """The program as it is started for the first time, in a language."""
     if qapp.platformName() == "offscreen":
         pytest.skip("OpenGL needs a screen, if only a virtual one")
-    from lispac.gui.viewport.vtk import VtkViewport
+    from lispac.gui.viewport.vtk_viewport import VtkViewport
 
     settings = AppSettings(tmp_path / "settings.ini")
     settings.language, settings.theme = request.param, "light"
@@ -44,7 +44,7 @@ def program(
     qtbot.waitUntil(session.window.isActiveWindow, timeout=WAIT_MS)
     yield session.window
     session.window.document.undo_stack.setClean()
-    session.window.retire()
+    session.window.stop_and_hide()
     session.window.deleteLater()
     session.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

@@ -21,14 +21,14 @@ from lispac.gui.panels import widgets
 from lispac.gui.panels.distances import histogram_text
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.number_field import NumberField
-from lispac.gui.point_colours import shading
+from lispac.gui.point_colours import point_shading
 from lispac.gui.residuals import residual_shading
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import PickedPoint
-from lispac.gui.viewport.overlay import legend_words, length_text, scale_length
-from lispac.gui.viewport.recording import RecordingViewport
-from lispac.gui.viewport.sketches import words_of
+from lispac.gui.viewport.overlay import legend_texts, length_text, scale_bar_length
+from lispac.gui.viewport.recording_viewport import RecordingViewport
+from lispac.gui.viewport.sketches import label_text
 from lispac.project import Project
 from tests.gui.design_support import followed
 from tests.gui.metric import METRIC, metric_words
@@ -51,9 +51,9 @@ METRIC_FOR_ALL = (
 @pytest.fixture
 def imperial() -> Iterator[None]:
     """Feet and milliradians, which end with the test."""
-    units.show_in("milliradians", "feet")
+    units.set_units("milliradians", "feet")
     yield
-    units.show_in("degrees", "metres")
+    units.set_units("degrees", "metres")
 
 
 @pytest.fixture
@@ -64,10 +64,10 @@ def program(qtbot: QtBot, qapp: QApplication, tmp_path: Path) -> Iterator[Sessio
     made = Session(qapp, RecordingViewport, kept, ScriptedDialogs())
     qtbot.waitUntil(made.window.isActiveWindow, timeout=SOON_MS)
     yield made
-    made.window.retire()
+    made.window.stop_and_hide()
     made.window.deleteLater()
     made.deleteLater()
-    units.show_in("degrees", "metres")
+    units.set_units("degrees", "metres")
     set_language("en")
 
 
@@ -91,7 +91,7 @@ def test_what_is_only_shown_stays_to_the_last_digit(
 ) -> None:
     value = round(value, 9)
     set_language(code)
-    units.show_in(angles, lengths)
+    units.set_units(angles, lengths)
     try:
         shown = field(suffix, 4)
         shown.setValue(value)
@@ -100,12 +100,12 @@ def test_what_is_only_shown_stays_to_the_last_digit(
         typed = field(suffix, 4)
         typed.lineEdit().setText(shown.text())
         typed.interpretText()
-        factor = units.unit(suffix.strip()).factor
+        factor = units.shown_unit(suffix.strip()).factor
         half = 0.5 * 10.0 ** -shown.decimals() / factor
         assert typed.value() == pytest.approx(value, abs=1.001 * half + 1e-12)
         assert typed.text() == shown.text()
     finally:
-        units.show_in("degrees", "metres")
+        units.set_units("degrees", "metres")
         set_language("en")
 
 
@@ -124,7 +124,7 @@ def test_what_is_only_shown_stays_to_the_last_digit(
 def test_what_is_typed_is_converted(
     qapp: QApplication, angles: str, lengths: str, suffix: str, text: str, value: float
 ) -> None:
-    units.show_in(angles, lengths)
+    units.set_units(angles, lengths)
     try:
         typed = field(suffix, 4)
         typed.lineEdit().setText(text)
@@ -132,7 +132,7 @@ def test_what_is_typed_is_converted(
         assert typed.value() == pytest.approx(value, abs=1e-12)
         assert float(typed.cleanText()) == float(text)
     finally:
-        units.show_in("degrees", "metres")
+        units.set_units("degrees", "metres")
 
 
 def test_a_tooltip_names_the_unit_of_its_field_and_keeps_other_figures(
@@ -229,10 +229,10 @@ def test_measured_in_feet(imperial: None) -> None:
 
 
 def test_the_scale_is_round_in_feet_and_metric_in_files(imperial: None) -> None:
-    assert length_text(scale_length(0.01, 150)) == "2 ft"
-    with units.standard():
-        assert length_text(scale_length(0.01, 150)) == "1 m"
-    assert length_text(scale_length(0.01, 150)) == "2 ft"
+    assert length_text(scale_bar_length(0.01, 150)) == "2 ft"
+    with units.standard_units():
+        assert length_text(scale_bar_length(0.01, 150)) == "1 m"
+    assert length_text(scale_bar_length(0.01, 150)) == "2 ft"
 
 
 def test_comparisons_are_in_feet_and_copied_in_millimetres(
@@ -261,7 +261,7 @@ def test_another_unit_makes_the_window_anew(program: Session, qtbot: QtBot, demo
     former.document.open(demo.picked, demo.survey)
     project = former.document.project
     former.settings.units = ("minutes", "survey feet")
-    former.renew()
+    former.rebuild_window()
     qtbot.waitUntil(lambda: program.window is not former, timeout=SOON_MS)
     assert program.window.document.project is project
     assert program.window.data.lever_arm.fields[0].suffix() == " ftUS"
@@ -276,9 +276,9 @@ def test_what_was_measured_is_metric_in_a_picture_for_a_file(
     for place in ((0.0, 0.0, 0.0), (3.0, 0.0, -4.0)):
         measuring._take(PickedPoint(opened.project.lines[0].name, place))
     sketch = opened.viewport.sketches["measure"]
-    assert words_of(sketch).startswith(f"Slope distance {5 / FOOT:.3f}\u00a0ft")
-    with units.standard():
-        assert words_of(sketch).startswith("Slope distance 5.000\u00a0m")
+    assert label_text(sketch).startswith(f"Slope distance {5 / FOOT:.3f}\u00a0ft")
+    with units.standard_units():
+        assert label_text(sketch).startswith("Slope distance 5.000\u00a0m")
 
 
 def test_the_scale_of_colours_is_in_feet_and_metric_in_files(
@@ -288,19 +288,19 @@ def test_the_scale_of_colours_is_in_feet_and_metric_in_files(
     reach = 0.0256
     left, _ = residual_shading(estimated, demo.survey, clouds, reach=reach)
     end = f"{reach / FOOT:.3f}"
-    assert legend_words(left) == ("Distance from the surface (ft)", f"−{end}", f"+{end}")
-    heights, seconds = shading("height", clouds), shading("time", clouds)
+    assert legend_texts(left) == ("Distance from the surface (ft)", f"−{end}", f"+{end}")
+    heights, seconds = point_shading("height", clouds), point_shading("time", clouds)
     assert heights is not None
     assert seconds is not None
     ups = np.concatenate([cloud.sample[:, 2] for cloud in clouds.values()])
-    title, low, high = legend_words(heights)
+    title, low, high = legend_texts(heights)
     assert title == "Height (ft)"
     assert (float(low), float(high)) == pytest.approx(np.percentile(ups, [2, 98]) / FOOT, abs=0.5)
-    with units.standard():
-        assert legend_words(left)[1:] == ("−26", "+26")
-        low, high = legend_words(heights)[1:]
+    with units.standard_units():
+        assert legend_texts(left)[1:] == ("−26", "+26")
+        low, high = legend_texts(heights)[1:]
         assert (float(low), float(high)) == pytest.approx(np.percentile(ups, [2, 98]), abs=0.5)
-    assert legend_words(seconds) == (seconds.title, seconds.low, seconds.high)
+    assert legend_texts(seconds) == (seconds.title, seconds.low, seconds.high)
 
 
 def test_no_metric_word_is_left_in_a_window_in_feet(

@@ -4,8 +4,8 @@ import numpy as np
 from PySide6.QtWidgets import QLabel
 
 from lispac.gui.dialogs.about import shortcuts_box
+from lispac.gui.view_actions import VIEWS
 from lispac.gui.view_menu import NOTHING_SELECTED
-from lispac.gui.viewing_actions import VIEWS
 from tests.gui.support import Driver, Key, press
 
 SHIFT = Key.Key_Shift

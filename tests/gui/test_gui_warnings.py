@@ -8,13 +8,13 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
-from lispac.causes import Cause
 from lispac.gui.panels.adjust import AdjustPanel
 from lispac.gui.panels.warnings import NO_PROJECT, NOTHING, TITLE, WAITING
 from lispac.gui.status import ADJUST, DATA, TARGETS
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note, warning
 from lispac.project import Project
+from lispac.warning_causes import Cause
 from tests.gui.support import WAIT_MS, Demo, Driver, Key, Left, click, press, settle
 
 Role = Qt.ItemDataRole
@@ -218,7 +218,7 @@ def test_it_follows_edits_undo_and_a_new_result(adjusted: Driver) -> None:
 
 
 def test_why_no_result_follows_is_told(adjusted: Driver) -> None:
-    for target in adjusted.project.of_role("target"):
+    for target in adjusted.project.targets_of_role("target"):
         adjusted.window.controller.use_target(target.name, False)
     settle(adjusted)
     assert adjusted.window.document.refusal
@@ -257,7 +257,7 @@ def test_gaps_of_the_trajectory_are_told(picked: Driver, demo: Demo) -> None:
 
 
 def test_that_unsaved_work_is_not_kept_stays_to_be_read(picked: Driver) -> None:
-    picked.window.recovery_copies._cannot_keep(OSError("The disk is full"))
+    picked.window.recovery_copies._on_write_failed(OSError("The disk is full"))
     (found,) = [each for each in listed(picked) if each.code == "project.storage"]
     assert "The disk is full" in message_text(found)
     assert found.level is Level.WARNING

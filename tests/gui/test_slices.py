@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from lispac.gui import slices
+from lispac.gui import sliced_calculation
 from lispac.gui.panels.chart import Chart
-from lispac.gui.slices import Slices
+from lispac.gui.sliced_calculation import SlicedCalculation
 
 
 @pytest.fixture(autouse=True)
@@ -23,8 +23,8 @@ def _none_is_left() -> Iterator[None]:
 
 
 def test_it_rests_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(slices, "SLICE_S", 0.0)
-    steps, did = Slices(), []
+    monkeypatch.setattr(sliced_calculation, "SLICE_S", 0.0)
+    steps, did = SlicedCalculation(), []
 
     def work() -> None:
         for k in range(3):
@@ -44,14 +44,14 @@ def test_it_rests_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_what_is_short_does_not_rest() -> None:
-    steps = Slices()
+    steps = SlicedCalculation()
     steps.begin(steps.rest)
     assert steps.go_on()
 
 
 def test_what_is_abandoned_ends_where_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(slices, "SLICE_S", 0.0)
-    steps, did = Slices(), []
+    monkeypatch.setattr(sliced_calculation, "SLICE_S", 0.0)
+    steps, did = SlicedCalculation(), []
 
     def work() -> None:
         try:
@@ -74,7 +74,7 @@ def test_what_is_abandoned_ends_where_it_is(monkeypatch: pytest.MonkeyPatch) -> 
 
 
 def test_errors_come_to_the_caller() -> None:
-    steps = Slices()
+    steps = SlicedCalculation()
     steps.begin(lambda: 1 // 0)
     with pytest.raises(ZeroDivisionError):
         steps.go_on()
@@ -83,7 +83,7 @@ def test_errors_come_to_the_caller() -> None:
 
 @pytest.fixture
 def chart(qapp: QApplication, monkeypatch: pytest.MonkeyPatch) -> Iterator[Chart]:
-    monkeypatch.setattr(slices, "SLICE_S", 0.0)
+    monkeypatch.setattr(sliced_calculation, "SLICE_S", 0.0)
     made = filled(3)
     yield made
     if isValid(made):

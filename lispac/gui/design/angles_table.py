@@ -19,8 +19,8 @@ OUT_OF_DATE = N_(
 ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
 
 
-class Result(Protocol):
-    """Result with rows of a title and three values, and remarks, in the language in use."""
+class AnglesResult(Protocol):
+    """Result with rows of a title and three angles, and with remarks."""
 
     @property
     def rows(self) -> Sequence[Sequence[str]]:
@@ -32,7 +32,7 @@ class Result(Protocol):
 
 
 class AnglesTable(QWidget):
-    """Shows a hint until there is a result."""
+    """Table of roll, pitch and yaw; shows a hint until there is a result."""
 
     def __init__(self, name: str, hint: str) -> None:
         super().__init__()
@@ -56,14 +56,14 @@ class AnglesTable(QWidget):
         for each in (self.head, self.stale, self.words):
             each.hide()
         self._plan: Plan | None = None
-        self._shown: tuple[LazyText, Result, Plan] | None = None
+        self._shown: tuple[LazyText, AnglesResult, Plan] | None = None
 
     def follow(self, plan: Plan) -> None:
-        """Mark the result as out of date where it is of another plan."""
+        """Mark the result as out of date if it belongs to another plan."""
         self.stale.setVisible(self._plan is not None and self._plan is not plan)
 
-    def show_result(self, head: LazyText, result: Result, plan: Plan) -> None:
-        """Show the result for a plan."""
+    def show_result(self, head: LazyText, result: AnglesResult, plan: Plan) -> None:
+        """Show the result for a plan under a heading."""
         self._clear()
         self._plan, self._shown = plan, (head, result, plan)
         self.head.setText(str(head))
@@ -72,7 +72,7 @@ class AnglesTable(QWidget):
             self._grid.addWidget(widgets.label(name, "muted"), row, 0)
             for column, (angle, cell) in enumerate(zip(angles, cells, strict=True), start=1):
                 shown = widgets.label(cell.replace("-", "−"), "" if row else "muted")
-                shown.setFont(theme.tabular(shown.font()))
+                shown.setFont(theme.tabular_font(shown.font()))
                 if row:
                     shown.setAccessibleName(f"{name}, {angle}")
                 self._grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
@@ -81,8 +81,8 @@ class AnglesTable(QWidget):
         for each in (self.head, self.words):
             each.show()
 
-    def take_over(self, former: "AnglesTable") -> None:
-        """Show the result of another table."""
+    def copy_state_from(self, former: "AnglesTable") -> None:
+        """Copy the result of another table."""
         if former._shown is not None:
             self.show_result(*former._shown)
 

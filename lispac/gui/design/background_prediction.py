@@ -20,7 +20,7 @@ LATE_MS = 400
 
 @dataclass(frozen=True, eq=False)
 class SlowResults:
-    """Results that take longer than the standard deviations.
+    """Results that take longer to compute than the standard deviations.
 
     Attributes
     ----------
@@ -35,7 +35,7 @@ class SlowResults:
 
 
 class BackgroundPrediction(QObject):
-    """Has a worker of its own: sigmas follow while a search runs.
+    """Predicts the precision of the plan in a worker of its own.
 
     When the worker is free, the plan shown then is predicted next; earlier ones are skipped.
 
@@ -58,82 +58,82 @@ class BackgroundPrediction(QObject):
         self._work = workspace
         self._titled = workspace.titled
         self._runner = TaskRunner(self)
-        self._runner.failed.connect(self._fail)
+        self._runner.failed.connect(self._report_failure)
         self._foretelling = self.has_said = False
         self._slow: Task | None = None
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
-        self._pause.timeout.connect(self._say)
+        self._pause.timeout.connect(self._check_plan)
         self._late = QTimer(self, singleShot=True, interval=LATE_MS)
         self._late.timeout.connect(self.late)
-        workspace.changed.connect(self._follow)
+        workspace.changed.connect(self._on_plan_changed)
 
     @property
-    def behind(self) -> bool:
-        """Whether the sigmas shown are not yet the plan's."""
+    def is_out_of_date(self) -> bool:
+        """Whether the standard deviations shown are those of an earlier plan."""
         return self._foretelling
 
     @property
     def active(self) -> bool:
-        """Whether anything is still to be computed."""
+        """Whether a prediction is running or waiting."""
         return self._runner.active or self._pause.isActive()
 
     def start(self) -> None:
-        """Follow from now on."""
-        self._begin()
+        """Predict now and after each change of the plan."""
+        self._start_prediction()
 
     def stop(self) -> None:
-        """Stop all computations."""
+        """Stop all predictions."""
         self._pause.stop()
         self._late.stop()
         self._runner.close()
 
-    def _follow(self) -> None:
+    def _on_plan_changed(self) -> None:
         if self._work.titled.plan is not self._titled.plan:
-            self._begin()
+            self._start_prediction()
 
-    def _begin(self) -> None:
+    def _start_prediction(self) -> None:
         self._titled, self.has_said = self._work.titled, False
         if self._slow is not None:
             self._slow.cancel.set()
         self._pause.start()
         self._late.start()
         if not self._foretelling:
-            self._foretell()
+            self._predict_sigmas()
 
-    def _foretell(self) -> None:
+    def _predict_sigmas(self) -> None:
         self._foretelling = True
         plan = self._titled.plan
         self._runner.run(
             gettext("Predicting the precision"),
             lambda _progress: PredictedPrecision.of(plan),
-            self._tell,
+            self._emit_prediction,
             quiet=True,
         )
 
-    def _tell(self, found: PredictedPrecision) -> None:
+    def _emit_prediction(self, found: PredictedPrecision) -> None:
         self._foretelling = False
         if found.plan is not self._titled.plan:
-            self._foretell()
+            self._predict_sigmas()
         self.foretold.emit(found)
 
-    def _say(self) -> None:
+    def _check_plan(self) -> None:
         if self._foretelling:
             self._pause.start()
             return
         titled = self._titled
 
         def work(progress: Progress) -> SlowResults:
-            thesis = PredictedPrecision.of(edits.thesis_beside(titled))
-            return SlowResults(predicted_precision.remarks(titled.plan, progress), thesis)
+            thesis = PredictedPrecision.of(edits.thesis_plan_at_wall(titled))
+            return SlowResults(predicted_precision.plan_messages(titled.plan, progress), thesis)
 
         def done(found: SlowResults) -> None:
             self.has_said = True
             self.said.emit(found)
-            self._weigh()
+            self._compute_information_gain()
 
         self._slow = self._runner.run(gettext("Checking the survey plan"), work, done, quiet=True)
 
-    def _weigh(self) -> None:
+    def _compute_information_gain(self) -> None:
         plan = self._titled.plan
 
         def done(found: object) -> None:
@@ -142,12 +142,12 @@ class BackgroundPrediction(QObject):
 
         self._slow = self._runner.run(
             gettext("Computing the information gain"),
-            lambda progress: predicted_precision.worths(plan, progress),
+            lambda progress: predicted_precision.plan_information_gains(plan, progress),
             done,
             quiet=True,
         )
 
-    def _fail(self, error: BaseException) -> None:
+    def _report_failure(self, error: BaseException) -> None:
         self._foretelling = False
         self._late.stop()
         self.failed.emit(error)

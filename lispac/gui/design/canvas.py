@@ -24,8 +24,8 @@ STEPS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 GRID_PIXELS = 42.0
 
 
-class Canvas(QWidget):
-    """Scale, grid, mouse and keys.
+class DesignCanvas(QWidget):
+    """Widget with scale, grid, mouse and keys for a drawing of the site.
 
     Parameters
     ----------
@@ -45,48 +45,48 @@ class Canvas(QWidget):
         self.workspace, self._axes = workspace, axes
         self._frozen: tuple[float, Array] | None = None
         self._known: tuple[tuple[TitledPlan, int, int], tuple[float, Array]] | None = None
-        workspace.changed.connect(self._follow)
+        workspace.changed.connect(self._on_plan_changed)
         workspace.selected.connect(self.update)
 
     def sizeHint(self) -> QSize:
-        """The size it likes best, in pixels."""
+        """Preferred size, in pixels."""
         return QSize(460, 340)
 
-    def _follow(self) -> None:
-        """Show the plan; a drag of what was in another one ends here."""
-        if self._frozen is not None and not self.workspace.dragging:
-            self._release()
+    def _on_plan_changed(self) -> None:
+        """Redraw the plan; a drag ends if the plan was replaced."""
+        if self._frozen is not None and not self.workspace.is_dragging:
+            self._end_drag()
         self.update()
 
-    def _release(self) -> LazyText:
-        """End the drag; name of the undo step."""
+    def _end_drag(self) -> LazyText:
+        """End the drag and return the name of the undo step."""
         self._frozen = None
         return self.dropped()
 
     def hideEvent(self, event) -> None:
         """Cancel the drag."""
         if self._frozen is not None:
-            self._release()
-            self.workspace.give_up()
+            self._end_drag()
+            self.workspace.cancel_drag()
         super().hideEvent(event)
 
     # -- scale -------------------------------------------------------------------------------
 
     @abstractmethod
     def bounds(self) -> Array:
-        """Corners of what is to be seen, shape (n, 2), metres."""
+        """Corners of the visible area, shape (n, 2), metres."""
 
     @property
     def _view(self) -> tuple[float, Array]:
-        """Pixels a metre, and the place in the middle of the picture; a drag leaves them."""
+        """Pixels per metre and the place at the centre; both are fixed during a drag."""
         if self._frozen is not None:
             return self._frozen
         of = (self.workspace.titled, self.width(), self.height())
         if self._known is None or self._known[0] != of:
-            self._known = of, self._fitted()
+            self._known = of, self._fitted_view()
         return self._known[1]
 
-    def _fitted(self) -> tuple[float, Array]:
+    def _fitted_view(self) -> tuple[float, Array]:
         places = self.bounds()
         low, high = places.min(axis=0), places.max(axis=0)
         room = np.array([self.width(), self.height()]) - 2 * MARGIN
@@ -94,13 +94,13 @@ class Canvas(QWidget):
         return scale, (low + high) / 2
 
     def pixel(self, place: Array) -> QPointF:
-        """Where a place (2,) is drawn."""
+        """Pixel of a place, shape (2,), metres."""
         scale, middle = self._view
         x, y = scale * (np.asarray(place) - middle)
         return QPointF(self.width() / 2 + float(x), self.height() / 2 - float(y))
 
     def place(self, pixel: QPointF) -> Array:
-        """The inverse of `pixel`."""
+        """Place, shape (2,), metres, of a pixel; inverse of `pixel`."""
         scale, middle = self._view
         offset = np.array([pixel.x() - self.width() / 2, self.height() / 2 - pixel.y()])
         return np.asarray(middle + offset / scale)
@@ -109,7 +109,7 @@ class Canvas(QWidget):
 
     @abstractmethod
     def draw(self, painter: QPainter) -> None:
-        """What there is, over the grid."""
+        """Draw the plan over the grid."""
 
     def paintEvent(self, event) -> None:
         """Paint grid and plan, in a frame that shows the focus."""
@@ -124,13 +124,13 @@ class Canvas(QWidget):
         painter.end()
 
     def _draw_grid(self, painter: QPainter) -> None:
-        factor = units.unit("m").factor
+        factor = units.shown_unit("m").factor
         scale = self._view[0] / factor
         shown = next((s for s in STEPS if s * scale >= GRID_PIXELS), STEPS[-1])
         step = shown / factor
         low = self.place(QPointF(0, self.height()))
         high = self.place(QPointF(self.width(), 0))
-        font = theme.tabular(self.font())
+        font = theme.tabular_font(self.font())
         font.setPixelSize(10)
         painter.setFont(font)
         across, up = self._axes
@@ -157,7 +157,7 @@ class Canvas(QWidget):
         painter.drawText(QPointF(4, 13), up)
 
     def words(self, painter: QPainter, at: QPointF, text: str, colour: str = "") -> None:
-        """Words as they are, on a ground of their own, so that they are read over lines."""
+        """Draw a text on a background that keeps it readable over lines."""
         font = QFont(self.font())
         font.setPixelSize(11)
         painter.setFont(font)
@@ -171,49 +171,49 @@ class Canvas(QWidget):
 
     @abstractmethod
     def take(self, at: QPointF) -> bool:
-        """Take what is at a pixel; whether there is something."""
+        """Take the object at a pixel for a drag; return whether there is one."""
 
     @abstractmethod
     def pull(self, at: QPointF, free: bool) -> None:
-        """Move what was taken; ``free`` does not snap."""
+        """Drag the object to a pixel; ``free`` turns snapping off."""
 
     @abstractmethod
     def dropped(self) -> LazyText:
-        """Release the object; name of the undo step."""
+        """Release the object and return the name of the undo step."""
 
     @abstractmethod
     def key(self, key: Qt.Key, free: bool) -> bool:
-        """Do what a key means; whether it means something."""
+        """Carry out the action of a key; return whether it has one."""
 
     @abstractmethod
-    def over(self, at: QPointF) -> Qt.CursorShape:
-        """The mouse's shape over a pixel."""
+    def cursor_shape_at(self, at: QPointF) -> Qt.CursorShape:
+        """Shape of the mouse cursor at a pixel."""
 
     def mousePressEvent(self, event) -> None:
-        """Begin to drag the object under the mouse; the scale is kept during the drag."""
+        """Take the object under the mouse and fix the scale."""
         if event.button() == Qt.MouseButton.LeftButton and self.take(event.position()):
             self._frozen = self._view
 
     def mouseMoveEvent(self, event) -> None:
-        """Move the dragged object, or highlight the one under the mouse."""
+        """Drag the object, or set the cursor for what is under the mouse."""
         if self._frozen is not None and event.buttons() & Qt.MouseButton.LeftButton:
             free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
             self.pull(event.position(), free)
         else:
-            self.setCursor(self.over(event.position()))
+            self.setCursor(self.cursor_shape_at(event.position()))
 
     def mouseReleaseEvent(self, event) -> None:
-        """End the drag as one undo step."""
+        """Release the object as one undo step."""
         if event.button() == Qt.MouseButton.LeftButton and self._frozen is not None:
-            self.workspace.drop(self._release())
+            self.workspace.end_drag(self._end_drag())
             self.update()
 
     def keyPressEvent(self, event) -> None:
-        """Give a drag up with Escape; other keys are for `key`, free with Shift."""
+        """Cancel a drag with Escape; pass other keys to `key`, with Shift as ``free``."""
         free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if event.key() == Qt.Key.Key_Escape and self._frozen is not None:
-            self._release()
-            self.workspace.give_up()
+            self._end_drag()
+            self.workspace.cancel_drag()
         elif event.modifiers() & ~(
             Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
         ) or not self.key(Qt.Key(event.key()), free):

@@ -1,4 +1,4 @@
-"""What can be done to a plan by hand: every edit makes a new one; knows no window."""
+"""Edits of a plan by hand: each function returns a changed plan; independent of the window."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -6,13 +6,13 @@ from math import radians
 
 import numpy as np
 
-from lispac.design.choices import thesis_plan
 from lispac.design.plan import Line, Plan, System
+from lispac.design.plan_choices import thesis_plan
 from lispac.design.site import Site, Wall
 from lispac.gui import units
 from lispac.io.plan_file import TitledPlan
-from lispac.io.sensor_file import PosState, ScannerFigures
-from lispac.simulation.closed_form import Ball, Board
+from lispac.io.sensor_file import PosAccuracy, ScannerSpecification
+from lispac.simulation.closed_form_survey import Ball, Board
 
 NEAREST, FARTHEST = 1.0, 200.0
 """Metres: distances a line can be dragged to."""
@@ -26,7 +26,7 @@ TITLE = "Site"
 
 @dataclass(frozen=True)
 class PlacedTarget:
-    """A target in the coordinates of an observer on the water.
+    """Target in coordinates of the wall: to the right, towards the water and up.
 
     Attributes
     ----------
@@ -54,18 +54,18 @@ class PlacedTarget:
 
     @classmethod
     def of(cls, target: Board | Ball, wall: Wall) -> "PlacedTarget":
-        """A target of a plan."""
+        """Convert a target of a plan."""
         along, off, up = wall.seen(target.centre)
         if isinstance(target, Ball):
             wide = 2 * target.radius
             return cls(target.name, along, off, up, 90.0, wall.facing_deg, wide, wide,
                        target.flatness, True, target.radius_known)  # fmt: skip
-        lean, facing = wall.facing_of(target)
+        lean, facing = wall.board_orientation(target)
         return cls(target.name, along, off, up, lean, facing, target.width, target.height,
                    target.flatness)  # fmt: skip
 
     def on(self, wall: Wall) -> Board | Ball:
-        """The target of a plan."""
+        """Convert to a target of a plan at this wall."""
         if self.ball:
             place = wall.place(self.along, self.off, self.up)
             return Ball(self.name, place, self.width / 2, self.radius_known, self.flatness)
@@ -75,110 +75,112 @@ class PlacedTarget:
         )  # fmt: skip
 
 
-def usual(facing_deg: float = 270.0) -> TitledPlan:
-    """What the thesis recommends: to begin with."""
+def default_plan(facing_deg: float = 270.0) -> TitledPlan:
+    """Plan with the boards and lines that the thesis recommends, as a start."""
     site = Site((0.0, 0.0, 0.0), facing_deg)
     return TitledPlan(TITLE, thesis_plan(site), site.wall)
 
 
-def thesis_beside(titled: TitledPlan) -> Plan:
-    """The thesis's boards and lines on this wall, with this system."""
+def thesis_plan_at_wall(titled: TitledPlan) -> Plan:
+    """Plan with the boards and lines of the thesis at this wall, with this system."""
     plan, wall = titled.plan, titled.wall
     site = Site(wall.middle, wall.facing_deg, system=plan.system, flatness=plan.flatness)
     return replace(thesis_plan(site), interval=plan.interval)
 
 
 def with_lines(titled: TitledPlan, lines: Sequence[Line]) -> TitledPlan:
-    """Other lines."""
+    """Plan with other lines."""
     return replace(titled, plan=titled.plan.with_lines(lines))
 
 
 def with_line(titled: TitledPlan, k: int, line: Line) -> TitledPlan:
-    """Another line in one's place."""
+    """Plan with the k-th line replaced."""
     lines = titled.plan.lines
     return with_lines(titled, (*lines[:k], line, *lines[k + 1 :]))
 
 
-def line_put_in(titled: TitledPlan, k: int, line: Line) -> TitledPlan:
-    """One more line, sailed as the k-th."""
+def with_line_inserted(titled: TitledPlan, k: int, line: Line) -> TitledPlan:
+    """Plan with a line inserted as the k-th."""
     lines = titled.plan.lines
     return with_lines(titled, (*lines[:k], line, *lines[k:]))
 
 
-def line_removed(titled: TitledPlan, k: int) -> TitledPlan:
-    """One line less."""
+def without_line(titled: TitledPlan, k: int) -> TitledPlan:
+    """Plan without the k-th line."""
     lines = titled.plan.lines
     return with_lines(titled, (*lines[:k], *lines[k + 1 :]))
 
 
-def line_sailed(titled: TitledPlan, k: int, turn: int) -> TitledPlan:
-    """The k-th line sailed as another turn."""
+def with_line_moved(titled: TitledPlan, k: int, turn: int) -> TitledPlan:
+    """Plan with the k-th line moved to another position in the order."""
     lines = list(titled.plan.lines)
     lines.insert(turn, lines.pop(k))
     return with_lines(titled, lines)
 
 
-def water_side(wall: Wall, heading_deg: float, otherwise: bool) -> bool:
+def is_site_to_starboard(wall: Wall, heading_deg: float, otherwise: bool) -> bool:
     """Whether the site lies to starboard of a vessel that stays on the wall's water side."""
     across = float(np.sin(np.radians(heading_deg - wall.facing_deg)))
     return otherwise if abs(across) < 0.01 else across > 0
 
 
-def turned(line: Line, wall: Wall, heading_deg: float) -> Line:
-    """The line with another heading, on the wall's water side."""
+def with_heading(line: Line, wall: Wall, heading_deg: float) -> Line:
+    """Line with another heading that stays on the water side of the wall."""
     heading = heading_deg % 360
-    return replace(line, heading_deg=heading, starboard=water_side(wall, heading, line.starboard))
+    return replace(
+        line, heading_deg=heading, starboard=is_site_to_starboard(wall, heading, line.starboard)
+    )
 
 
-def snapped(heading_deg: float) -> float:
-    """The nearest heading in whole steps for a helmsman."""
+def snap_heading(heading_deg: float) -> float:
+    """Heading rounded to a multiple of `SNAP_DEG`."""
     return float(SNAP_DEG * round(heading_deg / SNAP_DEG) % 360)
 
 
-def stepped(metres: float, step: float) -> float:
-    """A length in whole steps, which are round in the unit shown and about so many metres."""
-    step = units.step(step, "m")
+def round_to_step(metres: float, step: float) -> float:
+    """Length rounded to a step of about ``step`` metres that is round in the unit shown."""
+    step = units.shown_step(step, "m")
     return round(round(metres / step) * step, 9)
 
 
-def at_distance(line: Line, distance: float) -> Line:
-    """The line nearer or farther, to a decimetre or what is like it."""
-    return replace(line, distance=float(np.clip(stepped(distance, 0.1), NEAREST, FARTHEST)))
+def with_distance(line: Line, distance: float) -> Line:
+    """Line at another distance from the wall, rounded to about a decimetre."""
+    return replace(line, distance=float(np.clip(round_to_step(distance, 0.1), NEAREST, FARTHEST)))
 
 
-def hung(titled: TitledPlan) -> list[PlacedTarget]:
-    """All targets in the coordinates of an observer on the water."""
+def placed_targets(titled: TitledPlan) -> list[PlacedTarget]:
+    """All targets of a plan in coordinates of the wall."""
     return [PlacedTarget.of(target, titled.wall) for target in titled.plan.targets]
 
 
 def with_target(titled: TitledPlan, k: int, target: PlacedTarget) -> TitledPlan:
-    """Another target in one's place; as the last, one more."""
+    """Plan with the k-th target replaced, or with one added at the end."""
     targets = list(titled.plan.targets)
     targets[k : k + 1] = [target.on(titled.wall)]
     return replace(titled, plan=titled.plan.with_targets(targets))
 
 
-def target_removed(titled: TitledPlan, k: int) -> TitledPlan:
-    """One target less."""
+def without_target(titled: TitledPlan, k: int) -> TitledPlan:
+    """Plan without the k-th target."""
     targets = titled.plan.targets
     return replace(titled, plan=titled.plan.with_targets((*targets[:k], *targets[k + 1 :])))
 
 
-def free_name(titled: TitledPlan, letter: str) -> str:
-    """The first of T1, T2, … that no target has."""
+def free_target_name(titled: TitledPlan, letter: str) -> str:
+    """First of the names T1, T2, … that no target has."""
     names = {target.name for target in titled.plan.targets}
     return next(name for k in range(1, len(names) + 2) if (name := f"{letter}{k}") not in names)
 
 
 def with_system(titled: TitledPlan, system: System) -> TitledPlan:
-    """Another system on the vessel."""
+    """Plan with another survey system."""
     return replace(titled, plan=replace(titled.plan, system=system))
 
 
 def with_sensors(
-    titled: TitledPlan, figures: ScannerFigures | None, state: PosState | None
+    titled: TitledPlan, figures: ScannerSpecification | None, state: PosAccuracy | None
 ) -> TitledPlan:
-    """The sigmas of sensors of the library; None leaves what there is."""
+    """Plan with the standard deviations of sensors from the library; None keeps those it has."""
     system = titled.plan.system
     if figures is not None:
         scanner = replace(
@@ -198,11 +200,11 @@ def with_sensors(
     return with_system(titled, system)
 
 
-def wall_faces(titled: TitledPlan, facing_deg: float) -> TitledPlan:
-    """The whole site turned: wall, targets and lines."""
+def with_wall_facing(titled: TitledPlan, facing_deg: float) -> TitledPlan:
+    """Plan with the whole site turned: wall, targets and lines."""
     by = facing_deg - titled.wall.facing_deg
     wall = replace(titled.wall, facing_deg=facing_deg % 360)
-    targets = [replace(t, facing=(t.facing + by) % 360).on(wall) for t in hung(titled)]
+    targets = [replace(t, facing=(t.facing + by) % 360).on(wall) for t in placed_targets(titled)]
     lines = [replace(each, heading_deg=(each.heading_deg + by) % 360) for each in titled.plan.lines]
     plan = titled.plan.with_targets(targets).with_lines(lines)
     return replace(titled, plan=plan, wall=wall)

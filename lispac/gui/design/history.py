@@ -53,7 +53,7 @@ class History(Generic[State]):
             self.now, self._key = state, ""
 
     def keep(self) -> None:
-        """Mark the present state as saved; the next edit is a step of its own."""
+        """Mark the present state as saved; the next edit starts a new undo step."""
         self._saved, self._key = self.now, ""
 
     @property

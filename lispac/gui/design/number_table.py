@@ -24,8 +24,8 @@ from lispac.messages import error
 
 
 @dataclass(frozen=True)
-class Field:
-    """A column.
+class TableColumn:
+    """Column of a table: name, title, unit and range.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Field:
 
     @property
     def base(self) -> Base | None:
-        """Unit of lengths and speeds that follows the settings; None for angles."""
+        """Unit of lengths and speeds that the settings convert; None for angles."""
         return BASES.get(" " + self.unit.removesuffix("/s"))
 
     @property
@@ -64,14 +64,14 @@ class Field:
         """Symbol of the unit that is shown."""
         if self.base is None:
             return "°" if self.unit == "deg" else self.unit
-        return units.unit(self.base).sign + ("/s" if self.unit.endswith("/s") else "")
+        return units.shown_unit(self.base).sign + ("/s" if self.unit.endswith("/s") else "")
 
     def limit(self, value: float) -> str:
-        """A limit of the range in the unit shown."""
-        return f"{value:g}" if self.base is None else units.limit(value, self.base)
+        """Limit of the range, in the unit shown."""
+        return f"{value:g}" if self.base is None else units.limit_text(value, self.base)
 
     def read(self, text: str) -> float | str | None:
-        """Value of a typed text.
+        """Parse a typed text into a value.
 
         Raises
         ------
@@ -96,8 +96,8 @@ class Field:
             raise InputError(
                 error("window.not_a_number_in", field=field, text=text, unit=self.sign)
             )
-        value = typed if self.base is None else typed / units.unit(self.base).factor
-        value = units.ended(value, self.base, self.low, self.high)
+        value = typed if self.base is None else typed / units.shown_unit(self.base).factor
+        value = units.snap_to_limits(value, self.base, self.low, self.high)
         if not self.low <= value <= self.high:
             raise InputError(
                 error(
@@ -110,7 +110,7 @@ class Field:
         return value
 
     def shown(self, value: float | str | None) -> str:
-        """A value as the cell shows it, in the language and unit of the user."""
+        """Text of a value in the language and unit of the user."""
         if value is None:
             return gettext(self.empty)
         if isinstance(value, str):
@@ -122,7 +122,7 @@ class Field:
 
 
 class NumberTable(QTableWidget):
-    """One row for each line or target; edits are emitted, not made."""
+    """Table with one row for each line or target; emits edits without applying them."""
 
     edited = Signal(int, str, object)
     """Row, name of the field, and the value; None for an empty cell."""
@@ -130,7 +130,7 @@ class NumberTable(QTableWidget):
     mistake = Signal(str)
     """Error of the text being typed; empty where there is none."""
 
-    def __init__(self, name: str, title: str, fields: Sequence[Field]) -> None:
+    def __init__(self, name: str, title: str, fields: Sequence[TableColumn]) -> None:
         super().__init__(0, len(fields))
         self.setObjectName(name)
         self.setAccessibleName(title)
@@ -147,7 +147,7 @@ class NumberTable(QTableWidget):
         for k, each in enumerate(fields):
             head = self.horizontalHeaderItem(k)
             head.setToolTip(self._tip(each))
-            head.setTextAlignment(_side(each))
+            head.setTextAlignment(_alignment(each))
         self.verticalHeader().setDefaultSectionSize(25)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self.verticalHeader().hide()
@@ -164,9 +164,9 @@ class NumberTable(QTableWidget):
         )
         self.setTabKeyNavigation(False)
         self.setItemDelegate(_Delegate(self))
-        self.currentCellChanged.connect(self._choose)
+        self.currentCellChanged.connect(self._emit_chosen)
 
-    def _tip(self, field: Field) -> str:
+    def _tip(self, field: TableColumn) -> str:
         tip = gettext(field.tip)
         if field.words or field.choices:
             return tip
@@ -189,8 +189,8 @@ class NumberTable(QTableWidget):
                 item = self.item(r, c)
                 if item is None:
                     item = QTableWidgetItem()
-                    item.setTextAlignment(_side(field))
-                    item.setFont(theme.tabular(self.font()))
+                    item.setTextAlignment(_alignment(field))
+                    item.setFont(theme.tabular_font(self.font()))
                     item.setToolTip(self._tip(field))
                     self.setItem(r, c, item)
                 text = "" if value == "" else field.shown(value)
@@ -202,7 +202,7 @@ class NumberTable(QTableWidget):
             self.setCurrentCell(current, max(self.currentColumn(), 0))
         self._showing = False
 
-    def _choose(self, row: int, _column: int, before: int, _was: int) -> None:
+    def _emit_chosen(self, row: int, _column: int, before: int, _was: int) -> None:
         if not self._showing and row != before and row >= 0:
             self.chosen.emit(row)
 
@@ -224,20 +224,20 @@ class _Delegate(QStyledItemDelegate):
                                                   self.closeEditor.emit(box)))  # fmt: skip
         else:
             box = QLineEdit(parent)
-            box.setFont(theme.tabular(box.font()))
-            box.textEdited.connect(lambda _text: self._judge(box, field))
-            box.destroyed.connect(self._closed)
+            box.setFont(theme.tabular_font(box.font()))
+            box.textEdited.connect(lambda _text: self._check_input(box, field))
+            box.destroyed.connect(self._on_editor_closed)
         title = gettext(field.title)
         box.setAccessibleName(f"{title}, {field.sign}" if field.unit else title)
         return box
 
-    def _closed(self) -> None:
+    def _on_editor_closed(self) -> None:
         try:
             self._table.mistake.emit("")
         except RuntimeError:  # the table went first
             return
 
-    def _judge(self, editor: QLineEdit, field: Field) -> bool:
+    def _check_input(self, editor: QLineEdit, field: TableColumn) -> bool:
         try:
             field.read(editor.text())
             mistake = ""
@@ -282,7 +282,7 @@ class _Delegate(QStyledItemDelegate):
         return super().eventFilter(editor, event)
 
 
-def _side(field: Field) -> Qt.AlignmentFlag:
+def _alignment(field: TableColumn) -> Qt.AlignmentFlag:
     """Alignment of a column: names to the left, numbers to the right."""
     words = bool(field.words or field.choices)
     side = Qt.AlignmentFlag.AlignLeft if words else Qt.AlignmentFlag.AlignRight

@@ -7,10 +7,10 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 from lispac.design.plan import Line
 from lispac.gui import theme, units
 from lispac.gui.design import edits
-from lispac.gui.design.canvas import REACH, Array, Canvas
+from lispac.gui.design.canvas import REACH, Array, DesignCanvas
 from lispac.gui.design.workspace import Workspace
 from lispac.language import LazyText, gettext, gettext_lazy
-from lispac.simulation.closed_form import Board
+from lispac.simulation.closed_form_survey import Board
 
 ASIDE = 6.0
 """Pixels a line is drawn to starboard of its course: opposite lines lie beside each other."""
@@ -23,11 +23,11 @@ SNAP = 0.5
 Key = Qt.Key
 
 
-class PlanView(Canvas):
-    """North up; a line's number stands where it begins."""
+class PlanView(DesignCanvas):
+    """Plan view with north up; the number of a line is at its start."""
 
     def __init__(self, workspace: Workspace) -> None:
-        unit = units.unit("m").sign
+        unit = units.shown_unit("m").sign
         super().__init__(
             "plan_view", gettext("Plan view of the lines"), workspace,
             (gettext("east ({unit})", unit=unit), gettext("north ({unit})", unit=unit)),
@@ -50,28 +50,28 @@ class PlanView(Canvas):
         north, west, _ = self.workspace.titled.plan.middle
         return np.array([-west, north])
 
-    def _ends(self) -> list[tuple[Array, Array]]:
-        """Where each line begins and ends, east and north."""
+    def _line_ends(self) -> list[tuple[Array, Array]]:
+        """Start and end of each line, east and north, metres."""
         plan = self.workspace.titled.plan
         found = []
-        runs = plan.runs if plan.targets else [(-5.0, 5.0)] * len(plan.lines)
+        runs = plan.straight_extents if plan.targets else [(-5.0, 5.0)] * len(plan.lines)
         for line, (start, stop) in zip(plan.lines, runs, strict=True):
             north, west = line.abeam(plan.middle)
-            along = _along(line)
+            along = _line_direction(line)
             abeam = np.array([-west, north])
             found.append((abeam + start * along, abeam + stop * along))
         return found
 
-    def _drawn(self, k: int, ends: tuple[Array, Array]) -> tuple[QPointF, QPointF]:
-        along = _along(self.workspace.titled.plan.lines[k])
+    def _line_pixels(self, k: int, ends: tuple[Array, Array]) -> tuple[QPointF, QPointF]:
+        along = _line_direction(self.workspace.titled.plan.lines[k])
         aside = ASIDE * QPointF(along[1], along[0])  # to starboard, in pixels: y runs down
         return self.pixel(ends[0]) + aside, self.pixel(ends[1]) + aside
 
     def bounds(self) -> Array:
-        """Middle of the site, ends of the lines, targets: shape (n, 2), metres, east and north."""
+        """Centre of the site, ends of the lines, targets: shape (n, 2), metres, east and north."""
         titled = self.workspace.titled
         places = [self._middle]
-        places += [place for ends in self._ends() for place in ends]
+        places += [place for ends in self._line_ends() for place in ends]
         places += [np.array([-t.centre[1], t.centre[0]]) for t in titled.plan.targets]
         return np.stack(places)
 
@@ -91,9 +91,9 @@ class PlanView(Canvas):
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QBrush(QColor(theme.WALL)))
         painter.drawPolygon(QPolygonF([self.pixel(corner) for corner in corners]))
-        ends = self._ends()
+        ends = self._line_ends()
         for k in sorted(range(len(ends)), key=lambda k: k == self.workspace.line):
-            self._draw_line(painter, k, *self._drawn(k, ends[k]))
+            self._draw_line(painter, k, *self._line_pixels(k, ends[k]))
         for k, target in enumerate(titled.plan.targets):
             spot = self.pixel(np.array([-target.centre[1], target.centre[0]]))
             chosen = k == self.workspace.target
@@ -131,34 +131,34 @@ class PlanView(Canvas):
         painter.drawText(first + QPointF(-wide / 2, 4), number)
         if chosen:
             line = self.workspace.titled.plan.lines[k]
-            distance = units.localised(units.limit(line.distance, "m"))
-            label = f"{line.heading_deg:03.0f}°, {distance} {units.unit('m').sign}"
+            distance = units.localised(units.limit_text(line.distance, "m"))
+            label = f"{line.heading_deg:03.0f}°, {distance} {units.shown_unit('m').sign}"
             at = (first + last) / 2 + QPointF(8, -8)
             self.words(painter, at, label, theme.MOVED)
 
     # -- mouse -------------------------------------------------------------------------------
 
-    def _at(self, at: QPointF) -> tuple[int, bool] | None:
-        """The line at a pixel, and whether it is its arrow; the selected one before others."""
-        drawn = [self._drawn(k, ends) for k, ends in enumerate(self._ends())]
+    def _line_at(self, at: QPointF) -> tuple[int, bool] | None:
+        """Index of the line at a pixel, and whether its arrow is there; the selected line first."""
+        drawn = [self._line_pixels(k, ends) for k, ends in enumerate(self._line_ends())]
         order = sorted(range(len(drawn)), key=lambda k: k != self.workspace.line)
         for k in order:
-            if _apart(at, drawn[k][1], drawn[k][1]) <= REACH:
+            if _segment_distance(at, drawn[k][1], drawn[k][1]) <= REACH:
                 return k, True
-        near = [(_apart(at, *drawn[k]), k) for k in order]
+        near = [(_segment_distance(at, *drawn[k]), k) for k in order]
         best = min(near, default=(np.inf, -1), key=lambda each: round(each[0]))
         return (best[1], False) if best[0] <= REACH else None
 
-    def over(self, at: QPointF) -> Qt.CursorShape:
-        """A cross over what turns a line, a hand over what moves it."""
-        found = self._at(at)
+    def cursor_shape_at(self, at: QPointF) -> Qt.CursorShape:
+        """Cross cursor where a line can be turned, hand cursor where it can be moved."""
+        found = self._line_at(at)
         if found is None:
             return Qt.CursorShape.ArrowCursor
         return Qt.CursorShape.CrossCursor if found[1] else Qt.CursorShape.OpenHandCursor
 
     def take(self, at: QPointF) -> bool:
-        """Take a line, to move or to turn it."""
-        found = self._at(at)
+        """Take the line at a pixel, to move or turn it."""
+        found = self._line_at(at)
         if found is None:
             return False
         k, self._turns = found
@@ -168,32 +168,36 @@ class PlanView(Canvas):
         return True
 
     def pull(self, at: QPointF, free: bool) -> None:
-        """Move or turn the line that was taken."""
+        """Move or turn the line."""
         if self._line is None:
             return
         line, now = self._line, self.place(at) - self._middle
         if self._turns:
             by = np.degrees(np.arctan2(now[0], now[1]) - np.arctan2(self._from[0], self._from[1]))
             heading = (line.heading_deg + float(by)) % 360
-            heading = round(heading, 1) if free else edits.snapped(heading)
-            line = edits.turned(line, self.workspace.titled.wall, heading)
+            heading = round(heading, 1) if free else edits.snap_heading(heading)
+            line = edits.with_heading(line, self.workspace.titled.wall, heading)
         else:
-            along = _along(line)
+            along = _line_direction(line)
             away = np.array([-along[1], along[0]]) * (1 if line.starboard else -1)
-            line = edits.at_distance(line, line.distance + float((now - self._from) @ away))
+            line = edits.with_distance(line, line.distance + float((now - self._from) @ away))
             if not free:
-                line = edits.at_distance(line, edits.stepped(line.distance, SNAP))
+                line = edits.with_distance(line, edits.round_to_step(line.distance, SNAP))
         self.workspace.drag(edits.with_line(self.workspace.titled, self.workspace.line, line))
 
     def dropped(self) -> LazyText:
-        """Release the line; name of the undo step."""
+        """Release the line and return the name of the undo step."""
         self._line = None
-        return _turn(self.workspace.line) if self._turns else _move(self.workspace.line)
+        return (
+            _turn_edit_name(self.workspace.line)
+            if self._turns
+            else _move_edit_name(self.workspace.line)
+        )
 
     # -- keys --------------------------------------------------------------------------------
 
     def key(self, key: Qt.Key, free: bool) -> bool:
-        """Choose a line, turn it, move it, add or remove one."""
+        """Select, turn, move, add or remove a line with a key."""
         work, wall = self.workspace, self.workspace.titled.wall
         count = len(work.titled.plan.lines)
         if key in (Key.Key_PageUp, Key.Key_PageDown) and count:
@@ -201,15 +205,15 @@ class PlanView(Canvas):
         elif key in (Key.Key_Left, Key.Key_Right):
             by = (1.0 if free else edits.SNAP_DEG) * (1 if key == Key.Key_Right else -1)
             work.change_line(
-                _turn(work.line),
-                lambda line: edits.turned(line, wall, line.heading_deg + by),
+                _turn_edit_name(work.line),
+                lambda line: edits.with_heading(line, wall, line.heading_deg + by),
                 f"turn {work.line}",
             )
         elif key in (Key.Key_Up, Key.Key_Down):
-            farther = units.step(0.1 if free else 1.0, "m") * (1 if key == Key.Key_Up else -1)
+            farther = units.shown_step(0.1 if free else 1.0, "m") * (1 if key == Key.Key_Up else -1)
             work.change_line(
-                _move(work.line),
-                lambda line: edits.at_distance(line, line.distance + farther),
+                _move_edit_name(work.line),
+                lambda line: edits.with_distance(line, line.distance + farther),
                 f"move {work.line}",
             )
         elif key == Key.Key_Insert:
@@ -221,21 +225,21 @@ class PlanView(Canvas):
         return True
 
 
-def _turn(k: int) -> LazyText:
+def _turn_edit_name(k: int) -> LazyText:
     return gettext_lazy("Turn line {line:n}", line=k + 1)
 
 
-def _move(k: int) -> LazyText:
+def _move_edit_name(k: int) -> LazyText:
     return gettext_lazy("Move line {line:n}", line=k + 1)
 
 
-def _along(line: Line) -> Array:
+def _line_direction(line: Line) -> Array:
     heading = np.radians(line.heading_deg)
     return np.array([np.sin(heading), np.cos(heading)])
 
 
-def _apart(at: QPointF, first: QPointF, last: QPointF) -> float:
-    """Pixels from a spot to a straight line."""
+def _segment_distance(at: QPointF, first: QPointF, last: QPointF) -> float:
+    """Distance of a point from a line segment, pixels."""
     a, b, p = (np.array([q.x(), q.y()]) for q in (first, last, at))
     length = float((b - a) @ (b - a))
     share = 0.0 if length == 0 else float(np.clip((p - a) @ (b - a) / length, 0.0, 1.0))

@@ -4,24 +4,24 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from lispac.design.choices import faces_one_way
-from lispac.design.objective import Objective
+from lispac.design.objective import PlanObjective
 from lispac.design.plan import Plan
+from lispac.design.plan_choices import have_targets_one_orientation
+from lispac.design.plan_search import InformationGain, information_gains
 from lispac.design.prediction import Prediction, predict
-from lispac.design.search import InformationGain, worth
 from lispac.gui import units
 from lispac.io.plan_file import TitledPlan
 from lispac.language import N_, Plural, gettext, number
 from lispac.messages import Message, note
 from lispac.progress import Progress, no_progress
-from lispac.workflow.plan_checks import remarks_on
+from lispac.workflow.plan_checks import observability_remarks
 
 UNKNOWN, OPEN = "–", N_("undetermined")
 
 
 @dataclass(frozen=True, eq=False)
 class PredictedPrecision:
-    """Predicted precision, which is shown while a line is dragged.
+    """Predicted precision, which is also shown while a line is dragged.
 
     Attributes
     ----------
@@ -40,7 +40,7 @@ class PredictedPrecision:
         if not plan.targets or not plan.lines:
             return cls(plan, None, True)
         found = predict(plan)
-        return cls(plan, found, not found.determined or faces_one_way(plan))
+        return cls(plan, found, not found.determined or have_targets_one_orientation(plan))
 
     @property
     def sigmas(self) -> tuple[str, str, str]:
@@ -64,26 +64,26 @@ class PredictedPrecision:
 
 
 def sigma_text(degrees: float) -> str:
-    """A standard deviation in the unit and the language of the user."""
+    """Text of a standard deviation in the unit and the language of the user."""
     if not np.isfinite(degrees):
         return gettext(OPEN)
-    return units.localised(units.figure(degrees, "°", form(degrees)))
+    return units.localised(units.figure(degrees, "°", sigma_format(degrees)))
 
 
-def form(degrees: float) -> str:
-    """Format of a standard deviation."""
+def sigma_format(degrees: float) -> str:
+    """Format of a standard deviation in degrees."""
     return ".4f" if degrees < 5.0 else ".2f"
 
 
-def remarks(plan: Plan, progress: Progress = no_progress) -> tuple[Message, ...]:
-    """Observability of the angles, as after an adjustment."""
+def plan_messages(plan: Plan, progress: Progress = no_progress) -> tuple[Message, ...]:
+    """Remarks on the observability of the angles, as after an adjustment."""
     if not plan.targets or not plan.lines:
         return (note("plan.empty"),)
-    return remarks_on(plan, progress=progress)
+    return observability_remarks(plan, progress=progress)
 
 
-def minutes(titled: TitledPlan) -> str:
-    """Time on site as a text."""
+def time_on_site_text(titled: TitledPlan) -> str:
+    """Text of the time on site."""
     plan = titled.plan
     return gettext(
         Plural(
@@ -95,6 +95,12 @@ def minutes(titled: TitledPlan) -> str:
     )
 
 
-def worths(plan: Plan, progress: Progress = no_progress) -> tuple[InformationGain, ...]:
+def plan_information_gains(
+    plan: Plan, progress: Progress = no_progress
+) -> tuple[InformationGain, ...]:
     """Information gain of each target and line; empty where there is only one."""
-    return worth(plan, Objective(), progress=progress) if plan.targets and plan.lines else ()
+    return (
+        information_gains(plan, PlanObjective(), progress=progress)
+        if plan.targets and plan.lines
+        else ()
+    )

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
-from lispac.design.objective import CRITERIA, Objective
+from lispac.design.objective import CRITERIA, PlanObjective
 from lispac.gui import theme, units
-from lispac.gui.design.limits import LimitsForm
+from lispac.gui.design.limits_form import LimitsForm
 from lispac.gui.design.predicted_precision import sigma_text
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
-from lispac.gui.window_state import fill_in
+from lispac.gui.window_state import copy_fields
 from lispac.language import N_, LazyText, gettext
 
 FACTORS = {
@@ -21,7 +21,7 @@ FACTORS = {
 
 
 class SearchPanel(QScrollArea):
-    """Form of the search; emits what the user asks for."""
+    """Form of the search, which emits the request of the user."""
 
     asked = Signal()
     cancel_asked = Signal()
@@ -34,12 +34,12 @@ class SearchPanel(QScrollArea):
         self._work, self._busy = workspace, False
         self._found: LazyText | None = None
         self.limits = LimitsForm()
-        self.criterion = widgets.Choice(
+        self.criterion = widgets.ChoiceBox(
             "search_criterion",
             list(map(gettext, CRITERIA.values())),
             gettext("Quantity that the search minimises"),
         )
-        self.factors = widgets.Choice(
+        self.factors = widgets.ChoiceBox(
             "search_factors",
             list(map(gettext, FACTORS)),
             gettext(
@@ -119,15 +119,15 @@ class SearchPanel(QScrollArea):
         self.forget.clicked.connect(self.limits.use_form)
         self.find.clicked.connect(lambda: self.asked.emit())
         self.cancel.clicked.connect(lambda: self.cancel_asked.emit())
-        self.limits.changed.connect(self._judge)
-        workspace.changed.connect(self._judge)
-        self._judge()
+        self.limits.changed.connect(self._check_limits)
+        workspace.changed.connect(self._check_limits)
+        self._check_limits()
 
     @property
-    def objective(self) -> Objective:
+    def objective(self) -> PlanObjective:
         """Objective of the search."""
         factors = list(FACTORS.values())[self.factors.currentIndex()]
-        return Objective(list(CRITERIA)[self.criterion.currentIndex()], factors)
+        return PlanObjective(list(CRITERIA)[self.criterion.currentIndex()], factors)
 
     def show_found(self, found: LazyText | None) -> None:
         """Show the result of a search; None where there is none."""
@@ -135,30 +135,30 @@ class SearchPanel(QScrollArea):
         self.said.setText("" if found is None else str(found))
         self.said.setVisible(found is not None)
 
-    def take_over(self, former: "SearchPanel") -> None:
-        """Take over the choices and the result of another panel."""
-        fill_in(former, self)
-        self.limits.take_over(former.limits)
+    def copy_state_from(self, former: "SearchPanel") -> None:
+        """Copy the choices and the result of another panel."""
+        copy_fields(former, self)
+        self.limits.copy_state_from(former.limits)
         self.show_found(former._found)
 
     def show_busy(self, busy: bool) -> None:
-        """Whether work runs."""
+        """Enable or disable the controls while a task runs."""
         self._busy = busy
         self.cancel.setEnabled(busy)
-        self._judge()
+        self._check_limits()
 
-    def _judge(self) -> None:
+    def _check_limits(self) -> None:
         mistake = self.limits.mistake(self._work.titled)
         self.mistake.setText(mistake)
         self.mistake.setVisible(bool(mistake))
         self.about_file.setText(self.limits.file_text)
         self.forget.setEnabled(self.limits.has_file)
-        self.find.allow(not mistake and not self._busy)
+        self.find.update_enabled(not mistake and not self._busy)
 
 
 @dataclass(frozen=True)
 class SearchResult:
-    """Result of a search as a text.
+    """Result of a search, converted to text in the language in use.
 
     Attributes
     ----------
@@ -171,14 +171,14 @@ class SearchResult:
     """
 
     value: float
-    objective: Objective
+    objective: PlanObjective
     evaluated: int
     all_evaluated: bool
 
     def __str__(self) -> str:
         """The text in the language and the unit in use."""
         criterion = gettext(CRITERIA[self.objective.criterion])
-        unit = units.unit("°").sign
+        unit = units.shown_unit("°").sign
         value = sigma_text(self.value) + (unit if unit in "°′″" else f" {unit}")
         if self.all_evaluated:
             return gettext(

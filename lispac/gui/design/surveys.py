@@ -9,7 +9,7 @@ from lispac.design.monte_carlo import ENOUGH
 from lispac.gui import theme
 from lispac.gui.design.angles_table import AnglesTable
 from lispac.gui.panels import widgets
-from lispac.gui.window_state import fill_in
+from lispac.gui.window_state import copy_fields
 from lispac.language import N_, gettext
 
 MOST = 5000
@@ -30,7 +30,7 @@ class SimulationRequest:
 
 
 class SurveysPanel(QScrollArea):
-    """Form of the simulation, and its result."""
+    """Form of the simulation and table of its result."""
 
     asked = Signal()
     cancel_asked = Signal()
@@ -97,19 +97,19 @@ class SurveysPanel(QScrollArea):
         self.start.clicked.connect(lambda: self.asked.emit())
         self.cancel.clicked.connect(lambda: self.cancel_asked.emit())
 
-    def take_over(self, former: "SurveysPanel") -> None:
-        """Take over the choices and the result of another panel."""
-        fill_in(former, self)
-        self.answer.take_over(former.answer)
+    def copy_state_from(self, former: "SurveysPanel") -> None:
+        """Copy the choices and the result of another panel."""
+        copy_fields(former, self)
+        self.answer.copy_state_from(former.answer)
 
     @property
-    def wanted(self) -> SimulationRequest:
-        """Number and kind of surveys that the form has."""
+    def simulation_request(self) -> SimulationRequest:
+        """Number and kind of surveys, from the fields."""
         return SimulationRequest(
             round(self.surveys.value()), round(self.seed.value()), self.flatness.isChecked()
         )
 
     def show_busy(self, busy: bool) -> None:
-        """Whether work runs."""
+        """Enable or disable the controls while a task runs."""
         self.cancel.setEnabled(busy)
-        self.start.allow(not busy)
+        self.start.update_enabled(not busy)

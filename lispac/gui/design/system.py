@@ -14,14 +14,14 @@ from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
 from lispac.gui.panels.number_field import ALIKE
 from lispac.language import N_, LazyText, gettext, gettext_lazy
-from lispac.report.design_words import NAMES
+from lispac.report.stochastic_model_names import NAMES
 
 OWN = N_("user-defined")
 AXES = {"north": N_("north"), "east": N_("east"), "up": N_("up")}
 ANGLES = {"roll": N_("roll"), "pitch": N_("pitch"), "heading": N_("heading")}
 
 
-def _number(name, unit, decimals, low, high, step, tip):
+def _number_field(name, unit, decimals, low, high, step, tip):
     return widgets.number(
         name, suffix=f" {unit}", decimals=decimals, low=low, high=high, step=step,
         tip=tip, ranged=True,
@@ -29,7 +29,7 @@ def _number(name, unit, decimals, low, high, step, tip):
 
 
 class SystemPanel(QScrollArea):
-    """Form whose fields edit the plan and follow undo."""
+    """Form that edits the system of the plan and follows undo and redo."""
 
     library_asked = Signal()
     """The user wants the standard deviations of sensors of the library."""
@@ -44,11 +44,11 @@ class SystemPanel(QScrollArea):
         self.title.setAccessibleName(gettext("Title of the survey plan"))
         self.title.setToolTip(gettext("Title of the survey plan, printed on the field plan"))
         self.title.setMaxLength(80)
-        self.grade = widgets.Choice(
+        self.grade = widgets.ChoiceBox(
             "design_grade", [*map(gettext, GRADES), gettext(OWN)],
             gettext("Class of the POS, with typical standard deviations from data sheets"),
         )  # fmt: skip
-        self.model = widgets.Choice(
+        self.model = widgets.ChoiceBox(
             "design_pos_errors", list(map(gettext, NAMES.values())),
             gettext("Stochastic model of the POS errors: correlated or uncorrelated in time"),
         )  # fmt: skip
@@ -56,34 +56,34 @@ class SystemPanel(QScrollArea):
             choice.setAccessibleName(choice.toolTip())
             choice.setSizeAdjustPolicy(choice.SizeAdjustPolicy.AdjustToContents)
         self.position = [
-            _number(f"design_sigma_{axis}", "mm", 1, 0.1, 10_000.0, 1.0,
+            _number_field(f"design_sigma_{axis}", "mm", 1, 0.1, 10_000.0, 1.0,
                     gettext("Standard deviation of the POS position, {axis}", axis=gettext(title)))
             for axis, title in AXES.items()
         ]  # fmt: skip
         self.attitude = [
-            _number(f"design_sigma_{axis}", "°", 4, 0.0001, 10.0, 0.001,
+            _number_field(f"design_sigma_{axis}", "°", 4, 0.0001, 10.0, 0.001,
                     gettext("Standard deviation of the POS attitude, {angle}",
                             angle=gettext(title)))
             for axis, title in ANGLES.items()
         ]  # fmt: skip
         self.times = [
-            _number("design_time_position", "s", 0, 1.0, 100_000.0, 10.0,
+            _number_field("design_time_position", "s", 0, 1.0, 100_000.0, 10.0,
                     gettext("Correlation time of the position errors")),
-            _number("design_time_attitude", "s", 0, 1.0, 100_000.0, 10.0,
+            _number_field("design_time_attitude", "s", 0, 1.0, 100_000.0, 10.0,
                     gettext("Correlation time of the attitude errors")),
         ]  # fmt: skip
-        self.flatness = _number("design_flatness", "mm", 2, 0.0, 100.0, 0.1,
+        self.flatness = _number_field("design_flatness", "mm", 2, 0.0, 100.0, 0.1,
                                 gettext("Form error of the targets, 1σ"))  # fmt: skip
-        self.pulses = _number("design_pulses", "kHz", 1, 0.1, 10_000.0, 10.0,
+        self.pulses = _number_field("design_pulses", "kHz", 1, 0.1, 10_000.0, 10.0,
                               gettext("Pulse rate of the scanner"))  # fmt: skip
-        self.profiles = _number("design_profiles", "Hz", 1, 0.1, 10_000.0, 10.0,
+        self.profiles = _number_field("design_profiles", "Hz", 1, 0.1, 10_000.0, 10.0,
                                 gettext("Profile rate of the scanner"))  # fmt: skip
-        self.range_sigma = _number("design_range_sigma", "mm", 2, 0.01, 1000.0, 0.5,
+        self.range_sigma = _number_field("design_range_sigma", "mm", 2, 0.01, 1000.0, 0.5,
                                    gettext("Standard deviation of a range measurement")
                                    )  # fmt: skip
-        self.max_range = _number("design_max_range", "m", 0, 1.0, 10_000.0, 10.0,
+        self.max_range = _number_field("design_max_range", "m", 0, 1.0, 10_000.0, 10.0,
                                  gettext("Maximum range of the scanner"))  # fmt: skip
-        self.minutes = _number("design_minutes_line", "min", 1, 0.1, 600.0, 0.5,
+        self.minutes = _number_field("design_minutes_line", "min", 1, 0.1, 600.0, 0.5,
                                gettext("Time from the start of one line to the start of the next, "
                                        "turn included"))  # fmt: skip
         self.facing = widgets.number(
@@ -127,10 +127,10 @@ class SystemPanel(QScrollArea):
         ]  # fmt: skip
         for field in self._numbers:
             field.valueChanged.connect(lambda _v, field=field: self._edit(field.objectName()))
-        self.grade.activated.connect(self._take_grade)
+        self.grade.activated.connect(self._set_pos_class)
         self.model.activated.connect(lambda _k: self._edit("POS errors"))
-        self.facing.valueChanged.connect(self._turn)
-        self.title.textEdited.connect(self._name)
+        self.facing.valueChanged.connect(self._turn_wall)
+        self.title.textEdited.connect(self._set_title)
         workspace.changed.connect(self._show)
         self._show()
 
@@ -156,11 +156,11 @@ class SystemPanel(QScrollArea):
             self.title.setText(titled.title)
         self._showing = False
 
-    def _take_grade(self, which: int) -> None:
+    def _set_pos_class(self, which: int) -> None:
         if which < len(GRADES):
             system = self._work.titled.plan.system
             pos = list(GRADES.values())[which]
-            self._change(gettext_lazy("POS class"), replace(system, pos=pos))
+            self._set_system(gettext_lazy("POS class"), replace(system, pos=pos))
 
     def _edit(self, name: str) -> None:
         """Apply one field to the plan; the others keep all their digits."""
@@ -200,15 +200,15 @@ class SystemPanel(QScrollArea):
             plan = replace(plan, interval=60 * self.minutes.value())
         self._work.edit(gettext_lazy("Survey system"), replace(self._work.titled, plan=plan), name)
 
-    def _change(self, name: LazyText, system: System) -> None:
+    def _set_system(self, name: LazyText, system: System) -> None:
         self._work.edit(name, edits.with_system(self._work.titled, system))
 
-    def _turn(self, facing: float) -> None:
+    def _turn_wall(self, facing: float) -> None:
         if not self._showing:
-            turned = edits.wall_faces(self._work.titled, facing)
+            turned = edits.with_wall_facing(self._work.titled, facing)
             self._work.edit(gettext_lazy("Orientation of the wall"), turned, "facing")
 
-    def _name(self, title: str) -> None:
+    def _set_title(self, title: str) -> None:
         if title.strip():
             renamed = replace(self._work.titled, title=title.strip())
             self._work.edit(gettext_lazy("Title"), renamed, "title")

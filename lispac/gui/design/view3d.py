@@ -9,12 +9,12 @@ from lispac.gui import theme
 from lispac.gui.design import edits
 from lispac.gui.design.canvas import Array
 from lispac.gui.design.edits import PlacedTarget
-from lispac.gui.design.wall_view import FINE, STEP, moved
+from lispac.gui.design.wall_view import FINE, STEP, moved_target
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.viewport.base import Handle, PickedPoint, Sketch, Viewport
 from lispac.io.plan_file import TitledPlan
 from lispac.language import gettext_lazy
-from lispac.simulation.closed_form import Ball, Board
+from lispac.simulation.closed_form_survey import Ball, Board
 
 SQUARE = ((0, 1), (1, 2), (2, 3), (3, 0))
 RING = 16
@@ -26,7 +26,7 @@ BARB = 1.5
 
 
 class View3D(QObject):
-    """Draws the plan into a viewport; handles beside a target move it along, up and off."""
+    """Draws the plan into a viewport; handles move a target along the wall, up and off it."""
 
     def __init__(self, workspace: Workspace, viewport: Viewport) -> None:
         super().__init__(workspace)
@@ -36,21 +36,21 @@ class View3D(QObject):
         self._lost = False  # the dragged object was in another plan
         self._by = np.zeros(3)
         self._clouds: dict[str, Array] = {}
-        viewport.signals.seed_clicked.connect(self._hang)
-        viewport.signals.handle_moved.connect(self._drag)
-        viewport.signals.handle_let_go.connect(self._let_go)
-        workspace.changed.connect(self._follow)
+        viewport.signals.seed_clicked.connect(self._place_target)
+        viewport.signals.handle_moved.connect(self._drag_target)
+        viewport.signals.handle_let_go.connect(self._on_handle_released)
+        workspace.changed.connect(self._on_plan_changed)
         workspace.selected.connect(self.show)
 
-    def _follow(self) -> None:
-        """Show the plan; a drag of what was in another one ends here."""
-        if self._held is not None and not self._work.dragging:
+    def _on_plan_changed(self) -> None:
+        """Redraw the plan; a drag ends if the plan was replaced."""
+        if self._held is not None and not self._work.is_dragging:
             self._held, self._lost = None, True
         self.show()
 
     def show(self) -> None:
-        """Draw what there is."""
-        clouds = surfaces(self._work.titled)
+        """Draw wall, targets and lines."""
+        clouds = plan_surfaces(self._work.titled)
         if any(
             name not in self._clouds or not np.array_equal(cloud, self._clouds[name])
             for name, cloud in clouds.items()
@@ -58,7 +58,7 @@ class View3D(QObject):
             self._clouds = clouds
             colours = {"wall": theme.rgb("edge_strong"), "targets": theme.rgb("after")}
             self.viewport.show_clouds(clouds, colours)
-        drawn = sketches(self._work.titled, self._work.line, self._work.target)
+        drawn = plan_sketches(self._work.titled, self._work.line, self._work.target)
         for name in self._names - set(drawn):
             self.viewport.show_sketch(name, None)
         self._names = set(drawn)
@@ -66,10 +66,10 @@ class View3D(QObject):
             self.viewport.show_sketch(name, sketch)
 
     def fit(self) -> None:
-        """View the whole site from the water."""
+        """Bring the whole site into view from the water side."""
         plan, wall = self._work.titled.plan, self._work.titled.wall
         points = [np.array(plan.middle), *(np.array(t.centre) for t in plan.targets)]
-        points += [end for ends in _ends(self._work.titled) for end in ends]
+        points += [end for ends in _line_ends(self._work.titled) for end in ends]
         everything = np.stack(points)
         out = np.array([*wall.out, 0.0])
         station = np.array(plan.middle) + 20.0 * out
@@ -77,8 +77,8 @@ class View3D(QObject):
         side = np.array([*wall.right, 0.0])
         self.viewport.look_along(-out + 0.5 * side - 0.55 * np.array([0.0, 0.0, 1.0]), everything)
 
-    def _hang(self, at: PickedPoint) -> None:
-        """A click on a target selects it; on the wall it hangs the selected one there.
+    def _place_target(self, at: PickedPoint) -> None:
+        """Select the clicked target, or move the selected one to the clicked place.
 
         Where none is selected, a new one.
         """
@@ -91,7 +91,9 @@ class View3D(QObject):
             ]
             self._work.select(target=int(np.argmin(away)))
             return
-        along, _, up = (edits.stepped(metres, STEP) for metres in titled.wall.seen(at.position))
+        along, _, up = (
+            edits.round_to_step(metres, STEP) for metres in titled.wall.seen(at.position)
+        )
         if self._work.target < 0:
             self._work.add_target(place=(along, up))
         else:
@@ -99,57 +101,60 @@ class View3D(QObject):
                 gettext_lazy("Move target"), lambda each: replace(each, along=along, up=up)
             )
 
-    def _drag(self, name: str, handle: int, metres: float) -> None:
+    def _drag_target(self, name: str, handle: int, metres: float) -> None:
         if self._lost or name != f"target {self._work.target}":
             return
         if self._held is None:
-            self._held, self._by = edits.hung(self._work.titled)[self._work.target], np.zeros(3)
+            self._held, self._by = (
+                edits.placed_targets(self._work.titled)[self._work.target],
+                np.zeros(3),
+            )
         self._by[handle] += metres
         along, up, off = self._by
-        to = moved(self._held, float(along), float(up), FINE)
-        to = replace(to, off=edits.stepped(self._held.off + float(off), FINE))
+        to = moved_target(self._held, float(along), float(up), FINE)
+        to = replace(to, off=edits.round_to_step(self._held.off + float(off), FINE))
         self._work.drag(edits.with_target(self._work.titled, self._work.target, to))
 
-    def _let_go(self, _name: str) -> None:
+    def _on_handle_released(self, _name: str) -> None:
         self._lost = False
         if self._held is not None:
             name, self._held = self._held.name, None
-            self._work.drop(gettext_lazy("Move {target}", target=name))
+            self._work.end_drag(gettext_lazy("Move {target}", target=name))
 
 
-def sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketch]:
-    """Everything there is to draw, by its name."""
+def plan_sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketch]:
+    """Sketches of wall, lines and targets, by name."""
     plan, wall = titled.plan, titled.wall
-    drawn = {"wall": _wall(titled)}
-    for k, (first, last) in enumerate(_ends(titled)):
+    drawn = {"wall": _wall_sketch(titled)}
+    for k, (first, last) in enumerate(_line_ends(titled)):
         along = (last - first) / max(float(np.linalg.norm(last - first)), 1e-9)
         aside = np.array([-along[1], along[0], 0.0])
         barbs = [last - BARB * along + 0.5 * s * BARB * aside for s in (1, -1)]
         drawn[f"line {k}"] = Sketch(
-            tuple(map(_place, (first, last, *barbs))), ((0, 1), (1, 2), (1, 3)),
-            theme.rgb("moved" if k == line else "before"), label=f"{k + 1}", at=_place(first),
+            tuple(map(_as_tuple, (first, last, *barbs))), ((0, 1), (1, 2), (1, 3)),
+            theme.rgb("moved" if k == line else "before"), label=f"{k + 1}", at=_as_tuple(first),
         )  # fmt: skip
     right, out, up = np.array([*wall.right, 0.0]), np.array([*wall.out, 0.0]), np.eye(3)[2]
     for k, each in enumerate(plan.targets):
-        corners, edges = _outline(each)
+        corners, edges = _target_outline(each)
         handles: tuple[Handle, ...] = ()
         middle = np.array(each.centre)
         if k == target:
             half = each.radius if isinstance(each, Ball) else max(each.width, each.height) / 2
             handles = tuple(
-                Handle(_place(middle + (half + 0.4) * axis), _place(axis))
+                Handle(_as_tuple(middle + (half + 0.4) * axis), _as_tuple(axis))
                 for axis in (right, up, out)
             )
         drawn[f"target {k}"] = Sketch(
-            tuple(map(_place, corners)), edges, theme.rgb("moved" if k == target else "after"),
-            label=each.name, at=_place(middle), handles=handles,
+            tuple(map(_as_tuple, corners)), edges, theme.rgb("moved" if k == target else "after"),
+            label=each.name, at=_as_tuple(middle), handles=handles,
         )  # fmt: skip
     return drawn
 
 
-def surfaces(titled: TitledPlan) -> dict[str, Array]:
-    """Wall and targets as points, which the viewport draws, and the mouse finds."""
-    wide, high = _extent(titled)
+def plan_surfaces(titled: TitledPlan) -> dict[str, Array]:
+    """Wall and targets as points (n, 3), metres, which are drawn and can be clicked."""
+    wide, high = _wall_extent(titled)
     along, up = np.meshgrid(np.arange(-wide, wide, WALL_POINTS), np.arange(-1.0, high, WALL_POINTS))
     wall = titled.wall
     right, out = np.array([*wall.right, 0.0]), np.array([*wall.out, 0.0])
@@ -161,24 +166,24 @@ def surfaces(titled: TitledPlan) -> dict[str, Array]:
     return {"wall": face, "targets": np.concatenate([np.empty((0, 3)), *targets])}
 
 
-def _extent(titled: TitledPlan) -> tuple[float, float]:
-    """Half the width and the height of the wall that is drawn, metres."""
-    targets = edits.hung(titled)
+def _wall_extent(titled: TitledPlan) -> tuple[float, float]:
+    """Half width and height of the drawn wall, metres."""
+    targets = edits.placed_targets(titled)
     # Whole metres: the wall does not flicker while a target is dragged.
     wide = max([abs(t.along) + 3.0 for t in targets] + [8.0])
     high = max([t.up + 2.0 for t in targets] + [4.0])
     return float(np.ceil(wide)), float(np.ceil(high))
 
 
-def _wall(titled: TitledPlan) -> Sketch:
-    wide, high = _extent(titled)
+def _wall_sketch(titled: TitledPlan) -> Sketch:
+    wide, high = _wall_extent(titled)
     place = titled.wall.place
     corners = [place(-wide, 0, -1.0), place(wide, 0, -1.0), place(wide, 0, high),
                place(-wide, 0, high)]  # fmt: skip
     return Sketch(tuple(corners), SQUARE, theme.rgb("wall"))
 
 
-def _outline(target: Board | Ball) -> tuple[Array, tuple[tuple[int, int], ...]]:
+def _target_outline(target: Board | Ball) -> tuple[Array, tuple[tuple[int, int], ...]]:
     if isinstance(target, Board):
         # The grid's four outermost points have the second moments of the board, not its corners.
         grid = target.grid(2)
@@ -192,12 +197,12 @@ def _outline(target: Board | Ball) -> tuple[Array, tuple[tuple[int, int], ...]]:
     return np.array(target.centre) + target.radius * circles, edges
 
 
-def _ends(titled: TitledPlan) -> list[tuple[Array, Array]]:
+def _line_ends(titled: TitledPlan) -> list[tuple[Array, Array]]:
     plan = titled.plan
     if not plan.targets:
         return []
     found = []
-    for line, (start, stop) in zip(plan.lines, plan.runs, strict=True):
+    for line, (start, stop) in zip(plan.lines, plan.straight_extents, strict=True):
         heading = np.radians(line.heading_deg)
         along = np.array([np.cos(heading), -np.sin(heading), 0.0])
         abeam = np.array([*line.abeam(plan.middle), 0.0])
@@ -205,5 +210,5 @@ def _ends(titled: TitledPlan) -> list[tuple[Array, Array]]:
     return found
 
 
-def _place(point: Array) -> tuple[float, float, float]:
+def _as_tuple(point: Array) -> tuple[float, float, float]:
     return float(point[0]), float(point[1]), float(point[2])

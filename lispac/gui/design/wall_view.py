@@ -8,7 +8,7 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPen
 
 from lispac.gui import theme, units
 from lispac.gui.design import edits
-from lispac.gui.design.canvas import Array, Canvas
+from lispac.gui.design.canvas import Array, DesignCanvas
 from lispac.gui.design.edits import PlacedTarget
 from lispac.gui.design.workspace import Workspace
 from lispac.language import LazyText, current_language, gettext, gettext_lazy
@@ -23,11 +23,11 @@ ABOVE = 2.0
 Key = Qt.Key
 
 
-class WallView(Canvas):
-    """Right is to the right as seen from the water; zero is the height of the vessel's POS."""
+class WallView(DesignCanvas):
+    """View of the wall from the water; height zero is that of the vessel's POS."""
 
     def __init__(self, workspace: Workspace) -> None:
-        unit = units.unit("m").sign
+        unit = units.shown_unit("m").sign
         super().__init__(
             "wall_view", gettext("Front view of the wall and its targets"), workspace,
             (
@@ -36,7 +36,7 @@ class WallView(Canvas):
             ),
         )  # fmt: skip
         wide, fine = (
-            f"{units.localised(units.limit(units.step(step, 'm'), 'm'))} {unit}"
+            f"{units.localised(units.limit_text(units.shown_step(step, 'm'), 'm'))} {unit}"
             for step in (STEP, FINE)
         )
         self.setToolTip(
@@ -54,12 +54,12 @@ class WallView(Canvas):
     def bounds(self) -> Array:
         """Corners of the targets with a margin: shape (n, 2), metres, along the wall and up."""
         places = [(0.0, 0.0), (-4.0, 0.0), (4.0, 4.0)]
-        for each in edits.hung(self.workspace.titled):
+        for each in edits.placed_targets(self.workspace.titled):
             places += [(each.along - each.width, each.up - ABOVE)]
             places += [(each.along + each.width, each.up + ABOVE)]
         return np.array(places)
 
-    def _box(self, each: PlacedTarget) -> QRectF:
+    def _target_rect(self, each: PlacedTarget) -> QRectF:
         scale, _ = self._view
         tall = each.height if each.ball else each.height * abs(np.sin(np.radians(each.lean)))
         wide, tall = max(scale * each.width, LEAST), max(scale * float(tall), LEAST)
@@ -73,9 +73,9 @@ class WallView(Canvas):
         painter.drawLine(QPointF(0, level), QPointF(self.width(), level))
         painter.setPen(QColor(theme.MUTED))
         painter.drawText(QPointF(30, level - 4), gettext("height of the POS"))
-        targets = edits.hung(self.workspace.titled)
+        targets = edits.placed_targets(self.workspace.titled)
         for k in sorted(range(len(targets)), key=lambda k: k == self.workspace.target):
-            each, box = targets[k], self._box(targets[k])
+            each, box = targets[k], self._target_rect(targets[k])
             colour = QColor(theme.MOVED if k == self.workspace.target else theme.AFTER)
             painter.setPen(QPen(colour, 2))
             colour.setAlpha(120)
@@ -88,41 +88,41 @@ class WallView(Canvas):
                     units.localised(units.figure(v, "m", "+.2f")) for v in (each.along, each.up)
                 )
                 separator = ", " if current_language() == "en" else "; "
-                place = f"{along}{separator}{up} {units.unit('m').sign}".replace("-", "−")
+                place = f"{along}{separator}{up} {units.shown_unit('m').sign}".replace("-", "−")
                 self.words(painter, box.bottomLeft() + QPointF(0, 14), place, theme.MOVED)
 
     # -- mouse -------------------------------------------------------------------------------
 
-    def _at(self, at: QPointF) -> int | None:
-        targets = edits.hung(self.workspace.titled)
+    def _target_at(self, at: QPointF) -> int | None:
+        targets = edits.placed_targets(self.workspace.titled)
         order = sorted(range(len(targets)), key=lambda k: k != self.workspace.target)
-        return next((k for k in order if self._box(targets[k]).contains(at)), None)
+        return next((k for k in order if self._target_rect(targets[k]).contains(at)), None)
 
-    def over(self, at: QPointF) -> Qt.CursorShape:
-        """A hand over a target."""
-        there = self._at(at) is not None
+    def cursor_shape_at(self, at: QPointF) -> Qt.CursorShape:
+        """Hand cursor over a target."""
+        there = self._target_at(at) is not None
         return Qt.CursorShape.OpenHandCursor if there else Qt.CursorShape.ArrowCursor
 
     def take(self, at: QPointF) -> bool:
-        """Take a target."""
-        k = self._at(at)
+        """Take the target at a pixel."""
+        k = self._target_at(at)
         if k is None:
             return False
         self.workspace.select(target=k)
-        self._held = edits.hung(self.workspace.titled)[k]
+        self._held = edits.placed_targets(self.workspace.titled)[k]
         self._from = self.place(at)
         return True
 
     def pull(self, at: QPointF, free: bool) -> None:
-        """Move the target that was taken, along the wall and up."""
+        """Move the target along the wall and up."""
         if self._held is None:
             return
         along, up = self.place(at) - self._from
-        to = moved(self._held, float(along), float(up), FINE if free else STEP)
+        to = moved_target(self._held, float(along), float(up), FINE if free else STEP)
         self.workspace.drag(edits.with_target(self.workspace.titled, self.workspace.target, to))
 
     def dropped(self) -> LazyText:
-        """Release the target; name of the undo step."""
+        """Release the target and return the name of the undo step."""
         name = "" if self._held is None else self._held.name
         self._held = None
         return gettext_lazy("Move {target}", target=name)
@@ -130,8 +130,8 @@ class WallView(Canvas):
     # -- keys --------------------------------------------------------------------------------
 
     def key(self, key: Qt.Key, free: bool) -> bool:
-        """Choose a target, move it, add or remove one."""
-        work, step = self.workspace, units.step(FINE if free else STEP, "m")
+        """Select, move, add or remove a target with a key."""
+        work, step = self.workspace, units.shown_step(FINE if free else STEP, "m")
         count = len(work.titled.plan.targets)
         arrows = {
             Key.Key_Left: (-step, 0.0), Key.Key_Right: (step, 0.0),
@@ -142,7 +142,7 @@ class WallView(Canvas):
         elif key in arrows:
             work.change_target(
                 gettext_lazy("Move target"),
-                lambda each: moved(each, *arrows[key], FINE),
+                lambda each: moved_target(each, *arrows[key], FINE),
                 f"hang {work.target}",
             )
         elif key == Key.Key_Insert:
@@ -154,10 +154,10 @@ class WallView(Canvas):
         return True
 
 
-def moved(target: PlacedTarget, along: float, up: float, step: float) -> PlacedTarget:
-    """A target moved along the wall and up, metres, to steps of about so many."""
+def moved_target(target: PlacedTarget, along: float, up: float, step: float) -> PlacedTarget:
+    """Target moved along the wall and up, metres, to multiples of about ``step``."""
     return replace(
         target,
-        along=edits.stepped(target.along + along, step),
-        up=edits.stepped(target.up + up, step),
+        along=edits.round_to_step(target.along + along, step),
+        up=edits.round_to_step(target.up + up, step),
     )

@@ -15,10 +15,10 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme
 from lispac.gui.design.angles_table import AnglesTable
-from lispac.gui.design.lists import LinesList, TargetsList
-from lispac.gui.design.pictures import PicturesPanel
+from lispac.gui.design.figures_panel import FiguresPanel
+from lispac.gui.design.plan_tables import LinesList, TargetsList
 from lispac.gui.design.plan_view import PlanView
-from lispac.gui.design.results import ResultsPanel
+from lispac.gui.design.prediction_panel import PredictionPanel
 from lispac.gui.design.search import SearchPanel
 from lispac.gui.design.surveys import SurveysPanel
 from lispac.gui.design.system import SystemPanel
@@ -26,11 +26,11 @@ from lispac.gui.design.view3d import View3D
 from lispac.gui.design.wall_view import WallView
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
-from lispac.gui.statusbar import TaskBar
+from lispac.gui.statusbar import TaskStatusBar
 from lispac.gui.viewport.base import Viewport
 from lispac.io.plan_file import TitledPlan
 from lispac.language import N_, gettext, gettext_lazy
-from lispac.workflow.replay import Replay
+from lispac.workflow.plan_comparison import PlanComparison
 
 COMPARE = N_(
     "After the survey, open the project in the main window and the survey plan in this window, "
@@ -101,7 +101,7 @@ TOOLBAR = (
 
 
 class DesignWindow(QMainWindow):
-    """Views of one workspace; closing it keeps the plan.
+    """Window with the views of one workspace; closing it keeps the plan.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ class DesignWindow(QMainWindow):
         self.setObjectName("design_window")
         self.workspace, self._make_viewport = workspace, make_viewport
         self.view3d: View3D | None = None
-        self.actions_ = {name: self._action(name) for name in ACTIONS}
+        self.actions_ = {name: self._create_action(name) for name in ACTIONS}
         self._build()
         workspace.changed.connect(self._show)
         workspace.refused.connect(self.note)
@@ -125,16 +125,16 @@ class DesignWindow(QMainWindow):
             "close": self.close, "undo": workspace.undo, "redo": workspace.redo,
             "add_line": workspace.add_line, "add_board": workspace.add_target,
             "duplicate": lambda: workspace.add_line(again=True),
-            "earlier": lambda: workspace.sail_line(True),
-            "later": lambda: workspace.sail_line(False),
+            "earlier": lambda: workspace.move_line_in_order(True),
+            "later": lambda: workspace.move_line_in_order(False),
             "add_ball": lambda: workspace.add_target(ball=True), "fit": self.fit,
-            "surveys": self.ask_surveys,
+            "surveys": self.open_surveys_tab,
         }.items():  # fmt: skip
             self.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
         self._show()
 
     def sizeHint(self) -> QSize:
-        """The size it likes best, in pixels."""
+        """Preferred size, in pixels."""
         return QSize(1480, 920)
 
     def _build(self) -> None:
@@ -146,18 +146,18 @@ class DesignWindow(QMainWindow):
         left.addWidget(above)
         work = self.workspace
         self.plan_view, self.wall_view = PlanView(work), WallView(work)
-        above.addWidget(_titled(N_("Plan view"), self.plan_view))
-        self.views = _tabs("design_views")
+        above.addWidget(_single_tab(N_("Plan view"), self.plan_view))
+        self.views = _tab_widget("design_views")
         above.addWidget(self.views)
         above.setSizes([500, 500])
-        self._stage, self.pictures = QWidget(), PicturesPanel()
+        self._stage, self.pictures = QWidget(), FiguresPanel()
         QVBoxLayout(self._stage).setContentsMargins(0, 0, 0, 0)
-        _fill(self.views, (
+        _add_tabs(self.views, (
             (N_("Wall, seen from the water"), self.wall_view), (N_("3D"), self._stage),
             (N_("Figures"), self.pictures),
         ))  # fmt: skip
-        self.views.currentChanged.connect(self._view_chosen)
-        self.tabs = _tabs("design_tabs")
+        self.views.currentChanged.connect(self._on_view_changed)
+        self.tabs = _tab_widget("design_tabs")
         left.addWidget(self.tabs)
         left.setStretchFactor(0, 3)
         left.setStretchFactor(1, 2)
@@ -166,18 +166,18 @@ class DesignWindow(QMainWindow):
         self.system, self.search = SystemPanel(work), SearchPanel(work)
         self.surveys = SurveysPanel()
         self.compared = AnglesTable("design_compared", gettext(COMPARE))
-        _fill(self.tabs, (
+        _add_tabs(self.tabs, (
             (N_("Lines"), self.lines), (N_("Targets"), self.targets),
             (N_("POS and scanner"), self.system), (N_("Find the best plan"), self.search),
-            (N_("Simulate surveys"), self.surveys), (N_("Compare"), _scrolled(self.compared)),
+            (N_("Simulate surveys"), self.surveys), (N_("Compare"), _scroll_area(self.compared)),
         ))  # fmt: skip
-        self.results = ResultsPanel(work)
+        self.results = PredictionPanel(work)
         both.addWidget(self.results)
         both.setStretchFactor(0, 1)
         both.setSizes([1100, 360])
         for splitter in (above, left, both):
             splitter.setChildrenCollapsible(False)
-        self.task_bar = TaskBar()
+        self.task_bar = TaskStatusBar()
         self.mistake = widgets.label("", "error", name="design_mistake")
         self.task_bar.addWidget(self.mistake, 1)
         self.setStatusBar(self.task_bar)
@@ -197,7 +197,7 @@ class DesignWindow(QMainWindow):
         screen = self.screen().availableGeometry()
         self.resize(min(1480, screen.width()), min(920, screen.height() - 30))
 
-    def _action(self, name: str) -> QAction:
+    def _create_action(self, name: str) -> QAction:
         text, short, icon, keys, tip = ACTIONS[name]
         action = QAction(gettext(text), self)
         action.setObjectName(f"design_{name}")
@@ -233,7 +233,7 @@ class DesignWindow(QMainWindow):
         self.actions_["save"].setEnabled(history.changed)
 
     def show_busy(self, busy: bool) -> None:
-        """Whether long work runs."""
+        """Enable or disable the controls while a task runs."""
         self.search.show_busy(busy)
         self.surveys.show_busy(busy)
         for name in ("scenarios", "compare"):
@@ -244,21 +244,21 @@ class DesignWindow(QMainWindow):
         """Show a text in the status bar for some seconds."""
         self.task_bar.showMessage(text, NOTE_MS)
 
-    def show_pictures(self) -> None:
-        """Bring what long work found to the front, but for a drag it would take the view from."""
-        if self.workspace.dragging:
+    def show_figures(self) -> None:
+        """Bring the tab of the figures to the front, unless something is being dragged."""
+        if self.workspace.is_dragging:
             self.note(gettext("The figures are ready. Open the tab Figures to see them."))
         else:
             self.views.setCurrentWidget(self.pictures)
 
-    def ask_surveys(self) -> None:
-        """Show the page for simulated surveys."""
+    def open_surveys_tab(self) -> None:
+        """Bring the tab of the simulated surveys to the front."""
         self.tabs.setCurrentWidget(self.surveys)
         self.surveys.surveys.setFocus()
         self.surveys.surveys.selectAll()
 
-    def show_compared(self, found: Replay, project: str, titled: TitledPlan) -> None:
-        """Show the survey of a project against a plan."""
+    def show_comparison(self, found: PlanComparison, project: str, titled: TitledPlan) -> None:
+        """Show the comparison of a plan with the survey of a project."""
         head = gettext_lazy(
             "Standard deviations (deg) of the project {project} compared with the survey plan "
             "{plan}",
@@ -269,13 +269,13 @@ class DesignWindow(QMainWindow):
         self.tabs.setCurrentIndex(self.tabs.count() - 1)
 
     def fit(self) -> None:
-        """Show the whole site in 3D, and bring the page to the front."""
+        """Bring the 3D view to the front and the whole site into view."""
         if self.views.currentWidget() is self._stage and self.view3d is not None:
             self.view3d.fit()
         else:
             self.views.setCurrentWidget(self._stage)
 
-    def _view_chosen(self, index: int) -> None:
+    def _on_view_changed(self, index: int) -> None:
         if self.views.widget(index) is not self._stage:
             return
         if self.view3d is None:
@@ -294,12 +294,12 @@ class DesignWindow(QMainWindow):
 
     # -- one after the other -----------------------------------------------------------------
 
-    def take_over(self, former: "DesignWindow") -> None:
-        """Show what another window of the same plan shows, where it does and as large."""
-        self.search.take_over(former.search)
-        self.surveys.take_over(former.surveys)
-        self.compared.take_over(former.compared)
-        self.pictures.take_over(former.pictures)
+    def copy_state_from(self, former: "DesignWindow") -> None:
+        """Copy results, size and splitters of another window of the same plan."""
+        self.search.copy_state_from(former.search)
+        self.surveys.copy_state_from(former.surveys)
+        self.compared.copy_state_from(former.compared)
+        self.pictures.copy_state_from(former.pictures)
         self._show()
         self.restoreGeometry(former.saveGeometry())
         # Both are made of the same parts in the same order
@@ -313,31 +313,31 @@ class DesignWindow(QMainWindow):
     # -- the end -----------------------------------------------------------------------------
 
     def release(self) -> None:
-        """Let timers and graphics go, before the program ends."""
+        """Stop timers and release the graphics before the program ends."""
         self.results.stop()
         if self.view3d is not None:
             self.view3d.viewport.close()
         self.close()
 
     def closeEvent(self, event) -> None:
-        """Emit that the window was closed."""
+        """Emit `closed`."""
         self.closed.emit()
         event.accept()
 
 
-def _tabs(name: str) -> QTabWidget:
+def _tab_widget(name: str) -> QTabWidget:
     tabs = QTabWidget()
     tabs.setObjectName(name)
     tabs.setDocumentMode(True)
     return tabs
 
 
-def _fill(tabs: QTabWidget, pages: Sequence[tuple[str, QWidget]]) -> None:
+def _add_tabs(tabs: QTabWidget, pages: Sequence[tuple[str, QWidget]]) -> None:
     for title, page in pages:
         tabs.addTab(page, gettext(title))
 
 
-def _scrolled(page: QWidget) -> QScrollArea:
+def _scroll_area(page: QWidget) -> QScrollArea:
     area = QScrollArea()
     area.setWidgetResizable(True)
     page.setContentsMargins(12, 12, 12, 12)
@@ -345,8 +345,8 @@ def _scrolled(page: QWidget) -> QScrollArea:
     return area
 
 
-def _titled(title: str, view: QWidget) -> QTabWidget:
-    """One page with a tab of its own, so that it stands level with its neighbours."""
-    tabs = _tabs(f"{view.objectName()}_tab")
-    _fill(tabs, ((title, view),))
+def _single_tab(title: str, view: QWidget) -> QTabWidget:
+    """Tab widget with one page, so that it is aligned with its neighbours."""
+    tabs = _tab_widget(f"{view.objectName()}_tab")
+    _add_tabs(tabs, ((title, view),))
     return tabs

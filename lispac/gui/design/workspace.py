@@ -14,7 +14,7 @@ from lispac.language import LazyText, gettext, gettext_lazy
 
 
 class Workspace(QObject):
-    """One plan, its history, and what is selected in it.
+    """Plan with its undo history and its selection.
 
     Attributes
     ----------
@@ -30,49 +30,49 @@ class Workspace(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.history: History[TitledPlan] = History(edits.usual())
+        self.history: History[TitledPlan] = History(edits.default_plan())
         self._dragged: TitledPlan | None = None
         self.line = self.target = 0
 
     @property
     def titled(self) -> TitledPlan:
-        """The plan as it is shown: in a drag, as it would be."""
+        """Plan as displayed, including a drag that has not ended."""
         return self._dragged or self.history.now
 
     @property
-    def dragging(self) -> bool:
-        """Whether a drag is on its way."""
+    def is_dragging(self) -> bool:
+        """Whether something is being dragged."""
         return self._dragged is not None
 
     def start(self, titled: TitledPlan) -> None:
-        """Begin anew with a plan."""
+        """Replace the plan and clear the undo history."""
         self.history, self._dragged = History(titled), None
-        self._tell()
+        self._emit_changes()
 
-    def take_over(self, former: "Workspace") -> None:
-        """Go on with the plan of another one that goes: its way back, and what is selected."""
-        former.give_up()
+    def copy_state_from(self, former: "Workspace") -> None:
+        """Take over plan, undo history and selection of another workspace."""
+        former.cancel_drag()
         self.history, self._dragged = former.history, None
         self.line, self.target = former.line, former.target
-        self._tell()
+        self._emit_changes()
 
     def edit(self, name: LazyText, titled: TitledPlan, key: str = "") -> None:
         """Make one undo step; edits of the same ``key`` in a row are one step."""
         self._dragged = None
         self.history.push(name, titled, key)
-        self._tell()
+        self._emit_changes()
 
     def drag(self, titled: TitledPlan) -> None:
-        """Show what a drag would do."""
+        """Show the plan as a drag changes it, without an undo step."""
         self._dragged = titled
         self.changed.emit()
 
-    def drop(self, name: LazyText) -> None:
+    def end_drag(self, name: LazyText) -> None:
         """End the drag as one undo step."""
         if self._dragged is not None:
             self.edit(name, self._dragged)
 
-    def give_up(self) -> None:
+    def cancel_drag(self) -> None:
         """Cancel the drag."""
         if self._dragged is not None:
             self._dragged = None
@@ -80,17 +80,17 @@ class Workspace(QObject):
 
     def undo(self) -> None:
         """Undo one edit."""
-        self.give_up()
+        self.cancel_drag()
         self.history.undo()
-        self._tell()
+        self._emit_changes()
 
     def redo(self) -> None:
         """Redo one edit."""
-        self.give_up()
+        self.cancel_drag()
         self.history.redo()
-        self._tell()
+        self._emit_changes()
 
-    def _tell(self) -> None:
+    def _emit_changes(self) -> None:
         plan = self.history.now.plan
         self.line = min(max(self.line, 0), len(plan.lines) - 1)
         self.target = min(max(self.target, 0), len(plan.targets) - 1)
@@ -118,7 +118,7 @@ class Workspace(QObject):
     ) -> None:
         """Change the selected target."""
         if self.target >= 0:
-            target = change(edits.hung(self.titled)[self.target])
+            target = change(edits.placed_targets(self.titled)[self.target])
             self.edit(name, edits.with_target(self.titled, self.target, target), key)
 
     # -- more and less -----------------------------------------------------------------------
@@ -135,25 +135,25 @@ class Workspace(QObject):
             )
             return
         if not lines:
-            line = edits.turned(Line(0.0), wall, wall.facing_deg + 90.0)
+            line = edits.with_heading(Line(0.0), wall, wall.facing_deg + 90.0)
         else:
             line = lines[self.line]
             if not again:
-                line = edits.turned(line, wall, line.heading_deg + 180.0)
-        titled = edits.line_put_in(self.titled, self.line + 1, line)
+                line = edits.with_heading(line, wall, line.heading_deg + 180.0)
+        titled = edits.with_line_inserted(self.titled, self.line + 1, line)
         self.line += 1
         self.edit(gettext_lazy("Duplicate line") if again else gettext_lazy("Add line"), titled)
 
     def remove_line(self) -> None:
         """Remove the selected line."""
         if self.line >= 0:
-            self.edit(gettext_lazy("Remove line"), edits.line_removed(self.titled, self.line))
+            self.edit(gettext_lazy("Remove line"), edits.without_line(self.titled, self.line))
 
-    def sail_line(self, earlier: bool) -> None:
+    def move_line_in_order(self, earlier: bool) -> None:
         """Move the selected line one place in the order."""
         turn = self.line + (-1 if earlier else 1)
         if self.line >= 0 and 0 <= turn < len(self.titled.plan.lines):
-            titled = edits.line_sailed(self.titled, self.line, turn)
+            titled = edits.with_line_moved(self.titled, self.line, turn)
             self.line = turn
             self.edit(gettext_lazy("Order of lines"), titled)
 
@@ -165,7 +165,7 @@ class Workspace(QObject):
         place : tuple of float, metres
             Along the wall and up.
         """
-        there = edits.hung(self.titled)
+        there = edits.placed_targets(self.titled)
         if len(there) >= edits.MOST_TARGETS:
             self.refused.emit(
                 gettext(
@@ -177,7 +177,7 @@ class Workspace(QObject):
         last = there[self.target] if there else PlacedTarget("", -2.0, 0.0, 5.0)
         along, up = place or (last.along + 2.0, last.up)
         new = PlacedTarget(
-            edits.free_name(self.titled, "B" if ball else "T"), along, 0.0, up,
+            edits.free_target_name(self.titled, "B" if ball else "T"), along, 0.0, up,
             facing=self.titled.wall.facing_deg, ball=ball,
         )  # fmt: skip
         if ball:
@@ -189,4 +189,4 @@ class Workspace(QObject):
     def remove_target(self) -> None:
         """Remove the selected target."""
         if self.target >= 0:
-            self.edit(gettext_lazy("Remove target"), edits.target_removed(self.titled, self.target))
+            self.edit(gettext_lazy("Remove target"), edits.without_target(self.titled, self.target))

@@ -9,7 +9,7 @@ import lispac
 from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.gui.panels.results import convention_html
-from lispac.gui.viewing_actions import KEYS
+from lispac.gui.view_actions import KEYS
 from lispac.language import gettext
 
 
@@ -40,13 +40,13 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
     box = QDialog(parent)
     box.setObjectName("shortcuts_dialog")
     box.setWindowTitle(gettext("Mouse and keys"))
-    layout = widgets.column(box, 16)
+    layout = widgets.vertical_layout(box, 16)
     columns = QHBoxLayout()
     columns.setSpacing(32)
     # The first two headings have about as many rows as the others together.
     for parts in (KEYS[:2], KEYS[2:]):
         column = widgets.label(rich=True)
-        column.setText("".join(map(_keys, parts)))
+        column.setText("".join(map(_commands_html, parts)))
         columns.addWidget(column, 0, Qt.AlignmentFlag.AlignTop)
     layout.addLayout(columns)
     buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
@@ -55,14 +55,14 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
     return box
 
 
-def keys_said(keys: str) -> str:
-    """Keys in the user's language; a letter is that on its key: W is not west."""
+def keys_text(keys: str) -> str:
+    """Text of a key in the user's language; single letters are not translated."""
     return keys if len(keys) == 1 else gettext(keys)
 
 
-def _keys(part: tuple[str, tuple[tuple[str, str], ...]]) -> str:
+def _commands_html(part: tuple[str, tuple[tuple[str, str], ...]]) -> str:
     rows = "".join(
-        f"<tr><td style='white-space: nowrap'><b>{keys_said(keys)}</b>&nbsp;&nbsp;&nbsp;</td>"
+        f"<tr><td style='white-space: nowrap'><b>{keys_text(keys)}</b>&nbsp;&nbsp;&nbsp;</td>"
         f"<td style='white-space: nowrap'>{gettext(what)}</td></tr>"
         for keys, what in part[1]
     )

@@ -2,12 +2,12 @@
 
 from PySide6.QtWidgets import QWidget
 
-from lispac.gui.dialogs.study import StudyDialog
+from lispac.gui.dialogs.study_dialog import StudyDialog
 from lispac.gui.panels import widgets
-from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
+from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.report.budget_values import Budget
+from lispac.report.budget_values import ErrorBudgetValues
 
 COMPONENTS = (
     (
@@ -32,7 +32,7 @@ COMPONENTS = (
 class BudgetDialog(StudyDialog):
     """A row for each error source, for one direction of the beam at a time."""
 
-    def __init__(self, budget: Budget, parent: QWidget | None = None) -> None:
+    def __init__(self, budget: ErrorBudgetValues, parent: QWidget | None = None) -> None:
         columns = (
             Column(gettext("Source"), gettext("Source of error"), words=True),
             *(
@@ -52,7 +52,7 @@ class BudgetDialog(StudyDialog):
             table, parent,
         )  # fmt: skip
         self._budget = budget
-        self.beam = widgets.Choice(
+        self.beam = widgets.ChoiceBox(
             "budget_beam",
             [gettext("Beam direction: {direction}", direction=each.beam) for each in budget.beams],
             gettext("Direction of the beam"),
@@ -69,10 +69,10 @@ class BudgetDialog(StudyDialog):
         rows = []
         for each in (*beam.sources, *sums):
             figures = (
-                [number(None, "")] * (self.table.columnCount() - 1)
+                [number_cell(None, "")] * (self.table.columnCount() - 1)
                 if each.at_distance is None
                 else [
-                    number(getattr(spread, name), ".2f", 100.0)
+                    number_cell(getattr(spread, name), ".2f", 100.0)
                     for spread in each.at_distance
                     for _, _, name in COMPONENTS
                 ]

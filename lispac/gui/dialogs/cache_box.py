@@ -16,7 +16,7 @@ DEMO_OPEN = N_("The demo survey is open. Close it, then empty the cache.")
 
 
 class CacheBox(QWidget):
-    """The choice of the folder applies with the settings; the cache is emptied at once."""
+    """Box to choose the folder of the cache, and to empty it at once."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -52,7 +52,7 @@ class CacheBox(QWidget):
         layout.addWidget(self.said)
         self.choose.clicked.connect(self._choose)
         self.usual.clicked.connect(lambda: self.show_folder(None))
-        self.empty.clicked.connect(self._empty)
+        self.empty.clicked.connect(self._empty_cache)
         self.show_folder(None)
 
     @property
@@ -63,7 +63,7 @@ class CacheBox(QWidget):
     def show_folder(self, folder: Path | None) -> None:
         """Show a folder and the size of its cache; None for the default folder."""
         self._folder = folder
-        place = caches.place_in(folder)
+        place = caches.cache_folder_in(folder)
         self.place.setText(str(place))
         self.usual.setEnabled(folder is not None)
         self._show_size(place)
@@ -79,30 +79,30 @@ class CacheBox(QWidget):
             self.show_folder(folder)
 
     def _choose(self) -> None:
-        start = self._folder or caches.usual_folder()
+        start = self._folder or caches.default_folder()
         found = QFileDialog.getExistingDirectory(self, gettext("Folder for the cache"), str(start))
         if found:
             self.take(Path(found))
 
-    def _empty(self) -> None:
-        place = caches.place_in(self._folder)
+    def _empty_cache(self) -> None:
+        place = caches.cache_folder_in(self._folder)
         lock = QLockFile(str(place / caches.DEMO / LOCK_NAME))
         lock.setStaleLockTime(0)
         if not lock.tryLock(0) and lock.error() == QLockFile.LockError.LockFailedError:
             self._show_problem(gettext(DEMO_OPEN))
             return
         lock.unlock()
-        if not self._sure(place):
+        if not self._confirm_deletion(place):
             return
         try:
-            caches.empty(place)
+            caches.empty_cache(place)
         except InputError as error:
             self._show_problem(error_text(error))
         else:
             self._show_problem("")
         self._show_size(place)
 
-    def _sure(self, place: Path) -> bool:
+    def _confirm_deletion(self, place: Path) -> bool:
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC", gettext("Empty the cache?"),
             QMessageBox.StandardButton.Cancel, self,
@@ -121,7 +121,7 @@ class CacheBox(QWidget):
         return chosen is remove
 
     def _show_size(self, place: Path) -> None:
-        found = caches.size(place)
+        found = caches.cache_size(place)
         self.size.setText(
             gettext("{size:mb.1} MB", size=found) if found else gettext("The cache is empty")
         )

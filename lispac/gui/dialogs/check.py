@@ -13,17 +13,21 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
-from lispac.gui.dialogs.study import StudyDialog
+from lispac.gui.dialogs.study_dialog import StudyDialog
 from lispac.gui.dialogs.system_choice import HEIGHTS, system_box, system_text
 from lispac.gui.panels import widgets
-from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
+from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.project import Project
-from lispac.report.absolute_values import Absolute, AgainstReference, LineAgainstReference
+from lispac.report.absolute_values import (
+    AbsoluteCheckValues,
+    LineReferenceDistances,
+    ReferenceDistances,
+)
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.absolute import REACH, SIGMA
-from lispac.workflow.target_systems import LOCAL
+from lispac.workflow.absolute_check import REACH, SIGMA
+from lispac.workflow.output_crs import LOCAL
 
 AS_IN_FILE = N_("System of the file, or local frame if it has none")
 DISTANCES = (
@@ -69,7 +73,7 @@ DISTANCES = (
 
 @dataclass(frozen=True)
 class CheckRequest:
-    """Reference of a check, and how it is compared.
+    """Reference of a check and the options of the comparison.
 
     Attributes
     ----------
@@ -98,7 +102,7 @@ class CheckDialog(QDialog):
         self.setWindowTitle(gettext("Check against a reference"))
         self.setMinimumWidth(620)
         self._start = project.folder.parent
-        layout = widgets.column(self, 16)
+        layout = widgets.vertical_layout(self, 16)
         layout.addWidget(
             widgets.label(
                 gettext(
@@ -163,7 +167,7 @@ class CheckDialog(QDialog):
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
         row.addStretch(1)
-        for each in widgets.in_order(self.check, cancel):
+        for each in widgets.in_platform_order(self.check, cancel):
             row.addWidget(each)
         layout.addLayout(row)
         self._form = form
@@ -202,11 +206,11 @@ class CheckDialog(QDialog):
             self.file.setText(name)
 
 
-class CheckedDialog(StudyDialog):
+class CheckResultDialog(StudyDialog):
     """Distances of each line from the reference, before and after calibration."""
 
-    def __init__(self, found: Absolute, parent: QWidget | None = None) -> None:
-        from lispac.report.absolute_figure import absolute_figure
+    def __init__(self, found: AbsoluteCheckValues, parent: QWidget | None = None) -> None:
+        from lispac.report.absolute_figure import reference_distance_figure
 
         table = DiagnosticsTable("check_table", gettext("Lines and reference"), _columns())
         super().__init__(
@@ -220,8 +224,8 @@ class CheckedDialog(StudyDialog):
         )  # fmt: skip
         self.show_rows(
             [
-                *(_row(each, Cell(each.line)) for each in found.lines),
-                _row(found.together, Cell(gettext("all lines"))),
+                *(_line_row(each, Cell(each.line)) for each in found.lines),
+                _line_row(found.together, Cell(gettext("all lines"))),
             ]
         )
         not_compared = [
@@ -229,7 +233,7 @@ class CheckedDialog(StudyDialog):
             for reason in found.not_compared
         ]
         self.said.setText("\n".join([*map(message_text, found.in_words), *not_compared]))
-        absolute_figure(found, self.figure())
+        reference_distance_figure(found, self.figure())
         self.resize(1000, 760)
 
 
@@ -259,11 +263,11 @@ def _columns() -> tuple[Column, ...]:
     )
 
 
-def _row(line: LineAgainstReference, name: Cell) -> Row:
+def _line_row(line: LineReferenceDistances, name: Cell) -> Row:
     after = line.after
-    cells = [name, number(after.distances.n, ",.0f")]
+    cells = [name, number_cell(after.distances.n, ",.0f")]
     for state in (line.before, after):
-        cells += _figures(state)
+        cells += _distance_cells(state)
     result = (
         gettext("differs from reference")
         if after.mean_significant
@@ -272,9 +276,9 @@ def _row(line: LineAgainstReference, name: Cell) -> Row:
     return Row((*cells, Cell(result)), marked=after.mean_significant)
 
 
-def _figures(state: AgainstReference) -> list[Cell]:
+def _distance_cells(state: ReferenceDistances) -> list[Cell]:
     return [
-        number(state.signed.mean_m, "+.1f", 1000.0),
-        number(state.mean_interval95_m, ".1f", 1000.0),
-        number(state.distances.rms_m, ".1f", 1000.0),
+        number_cell(state.signed.mean_m, "+.1f", 1000.0),
+        number_cell(state.mean_interval95_m, ".1f", 1000.0),
+        number_cell(state.distances.rms_m, ".1f", 1000.0),
     ]

@@ -17,7 +17,7 @@ def error_text(error: LispacError) -> str:
     return str(error)
 
 
-def describe(error: BaseException) -> tuple[str, str]:
+def error_text_and_details(error: BaseException) -> tuple[str, str]:
     """Text of an error in the language of the user, and the traceback where it is needed."""
     if isinstance(error, LispacError):
         foreign = error.__cause__ is not None and not isinstance(error.__cause__, LispacError)
@@ -42,7 +42,7 @@ def describe(error: BaseException) -> tuple[str, str]:
 
 def error_box(parent: QWidget | None, error: BaseException) -> QMessageBox:
     """Message box for an error, not yet shown."""
-    text, details = describe(error)
+    text, details = error_text_and_details(error)
     box = widgets.MessageBox(QMessageBox.Icon.Warning, "LISPAC", text, parent=parent)
     box.setObjectName("error_dialog")
     box.setStandardButtons(QMessageBox.StandardButton.Close)

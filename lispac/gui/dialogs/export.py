@@ -22,21 +22,21 @@ from lispac.gui import theme
 from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.system_choice import HEIGHTS, HEIGHTS_TIP, REST_MS, system_box, system_text
 from lispac.gui.panels import widgets
-from lispac.installed import expanded
+from lispac.installation_paths import expand_user
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, error, note
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.data_export import trajectory_datum_note
 from lispac.workflow.export_request import (
     ENDINGS,
     ExportRequest,
     What,
-    system_of,
+    output_system_of,
 )
-from lispac.workflow.exported_files import trajectory_datum
 from lispac.workflow.georeferencing import Which
-from lispac.workflow.target_systems import LOCAL, own_datum
+from lispac.workflow.output_crs import LOCAL, trajectory_datum_of
 
 CONTENTS: dict[What, str] = {
     "lines": N_("Georeferenced lines with all attributes"),
@@ -69,10 +69,10 @@ class ExportDialog(QDialog):
         self.setObjectName("export_dialog")
         self.setWindowTitle(gettext("Export"))
         self._project, self._trajectory = project, trajectory
-        self.what = widgets.Choice(
+        self.what = widgets.ChoiceBox(
             "export_what", [gettext(each) for each in CONTENTS.values()], gettext("Data to export")
         )
-        self.boresight = widgets.Choice(
+        self.boresight = widgets.ChoiceBox(
             "export_boresight", [gettext(each) for each in BORESIGHTS.values()],
             gettext("Boresight angles used to georeference the points"),
         )  # fmt: skip
@@ -136,12 +136,12 @@ class ExportDialog(QDialog):
         self._settle = QTimer(self)
         self._settle.setSingleShot(True)
         self._settle.setInterval(REST_MS)
-        self._settle.timeout.connect(self._judge)
+        self._settle.timeout.connect(self._check_input)
         self.what.currentIndexChanged.connect(self._show_fields)
-        self.system.editTextChanged.connect(self._typed)
+        self.system.editTextChanged.connect(self._on_typed)
         for field in (self.height, self.datum, self.epoch):
-            field.textChanged.connect(self._typed)
-        self.folder.textChanged.connect(self._judge)
+            field.textChanged.connect(self._on_typed)
+        self.folder.textChanged.connect(self._check_input)
         if project.result is None:
             self.boresight.setCurrentIndex(list(BORESIGHTS).index("prior"))
             self.boresight.setEnabled(False)
@@ -158,15 +158,15 @@ class ExportDialog(QDialog):
 
     def request(self) -> ExportRequest:
         """The export as filled in."""
-        what, form = self._what, self._form
+        what, form = self._content, self._file_format
         # A relative path is relative to the project, not to where the program was started.
-        output = self._project.folder / expanded(Path(self.folder.text().strip()))
+        output = self._project.folder / expand_user(Path(self.folder.text().strip()))
         if what == "trajectory":
             ending = ".out" if form == "sbet" else ".txt"
             output = output / f"{self._project.trajectory.stem}_export{ending}"
         which = list(BORESIGHTS)[self.boresight.currentIndex()]
         try:
-            datum, epoch = self._shift()
+            datum, epoch = self._datum_and_epoch()
         except InputError:  # the dialogue shows it and cannot be accepted
             datum, epoch = None, None
         return ExportRequest(
@@ -177,14 +177,14 @@ class ExportDialog(QDialog):
         """Fill in datum and epoch of the lines; leave them empty where the lines differ."""
         self._differ = False
         try:
-            datum, epoch = own_datum(self._project.lines)
+            datum, epoch = trajectory_datum_of(self._project.lines)
         except LispacError:
             self._differ = True
             return
         self.datum.setText(datum)
         self.epoch.setText("" if epoch is None else repr(epoch))
 
-    def _shift(self) -> tuple[str | None, float | None]:
+    def _datum_and_epoch(self) -> tuple[str | None, float | None]:
         """Datum and epoch of the trajectory from the fields; None: as the files of the lines."""
         if not self.datum.isEnabled():
             return None, None
@@ -201,19 +201,19 @@ class ExportDialog(QDialog):
         return self.height.text().strip() if self.height.isEnabled() else ""
 
     @property
-    def _what(self) -> What:
+    def _content(self) -> What:
         return list(CONTENTS)[self.what.currentIndex()]
 
     @property
-    def _form(self) -> str:
-        return ENDINGS[self._what][self.form.currentIndex()]
+    def _file_format(self) -> str:
+        return ENDINGS[self._content][self.form.currentIndex()]
 
     @property
     def _system_text(self) -> str:
         return system_text(self.system)
 
     def _show_fields(self) -> None:
-        what = self._what
+        what = self._content
         on_map = what in ("lines", "targets")
         for field in (self.system, self.height, self.datum, self.epoch):
             self._rows.setRowVisible(field, on_map)
@@ -221,17 +221,17 @@ class ExportDialog(QDialog):
         self.form.clear()
         self.form.addItems([gettext(FORMATS[ending]) for ending in ENDINGS[what]])
         self.form.setEnabled(len(ENDINGS[what]) > 1)
-        self._judge()
+        self._check_input()
         self.adjustSize()
 
-    def _typed(self) -> None:
+    def _on_typed(self) -> None:
         if self.system.findText(self.system.currentText()) >= 0 and not self.height.text():
-            self._judge()  # chosen, not typed
+            self._check_input()  # chosen, not typed
             return
         self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(False)
         self._settle.start()
 
-    def _judge(self) -> None:
+    def _check_input(self) -> None:
         """Show the meaning of the coordinates, or what is wrong with them."""
         self._settle.stop()
         local = self._system_text == LOCAL
@@ -240,7 +240,7 @@ class ExportDialog(QDialog):
             field.setEnabled(not local and bool(self._system_text))
         good = bool(self.folder.text().strip())
         try:
-            meaning = self._meaning()
+            meaning = self._describe_coordinates()
             text = " ".join(map(_sentence, meaning))
             serious = any(isinstance(each, Message) and each.is_serious for each in meaning)
             role = "error" if serious else "muted"
@@ -252,19 +252,19 @@ class ExportDialog(QDialog):
         self.said.style().polish(self.said)
         self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(good)
 
-    def _meaning(self) -> Sequence[str | Message]:
-        if self._what == "trajectory":
-            return [trajectory_datum(self._project)]
+    def _describe_coordinates(self) -> Sequence[str | Message]:
+        if self._content == "trajectory":
+            return [trajectory_datum_note(self._project)]
         local = [
             gettext(
                 "The coordinates are north, west and up, in metres from the origin of the project"
             )
         ]
-        if self._what == "planes":
+        if self._content == "planes":
             return local
         height = self._height
-        found = system_of(
-            self._project, self._trajectory, self._system_text, height, *self._shift()
+        found = output_system_of(
+            self._project, self._trajectory, self._system_text, height, *self._datum_and_epoch()
         )
         if found is None:
             return local

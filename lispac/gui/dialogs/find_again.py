@@ -3,10 +3,10 @@
 from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLayout, QWidget
 
 from lispac.gui.panels import widgets
-from lispac.gui.panels.more_fields import MoreFields
+from lispac.gui.panels.search_option_fields import SearchOptionFields
 from lispac.language import gettext
 from lispac.project import Target
-from lispac.targets.settings import FinderChoices
+from lispac.targets.finder_settings import FinderChoices
 
 
 class FindAgainDialog(QDialog):
@@ -16,7 +16,7 @@ class FindAgainDialog(QDialog):
         super().__init__(parent)
         self.setObjectName("find_again_dialog")
         self.setWindowTitle(gettext("Find {target} again", target=target.name))
-        layout = widgets.column(self, 16)
+        layout = widgets.vertical_layout(self, 16)
         layout.setSizeConstraint(QLayout.SizeConstraint.SetFixedSize)  # adapts to the folded part
         introduction = gettext(
             "With these settings, {target} is searched for again on all lines, starting from its "
@@ -41,7 +41,7 @@ class FindAgainDialog(QDialog):
         form.addRow(gettext("Threshold"), self._threshold)
         form.addRow(gettext("Search radius"), self._radius)
         layout.addLayout(form)
-        self._more = MoreFields("again")
+        self._more = SearchOptionFields("again")
         self._more.show_value(target.choices)
         layout.addWidget(self._more)
         find = widgets.button(gettext("Find"), "again_find", primary=True)
@@ -51,7 +51,7 @@ class FindAgainDialog(QDialog):
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
         row.addStretch(1)
-        for each in widgets.in_order(find, cancel):
+        for each in widgets.in_platform_order(find, cancel):
             row.addWidget(each)
         layout.addLayout(row)
 

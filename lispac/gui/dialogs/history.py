@@ -5,13 +5,13 @@ from collections.abc import Sequence
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
-from lispac.gui.dialogs.study import StudyDialog, angle_columns
+from lispac.gui.dialogs.study_dialog import StudyDialog, angle_columns
 from lispac.gui.panels import widgets
-from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
+from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext, short_date
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.workflow.history import Entry, History, System, verdict
+from lispac.workflow.history import CalibratedSystem, History, HistoryEntry, change_message
 
 DISTANCE = 50.0
 """Metres from the scanner, for the displacement of a point in the table."""
@@ -43,7 +43,7 @@ DIFFERENCES = (
 
 
 class HistoryDialog(StudyDialog):
-    """Shows one system at a time, first that with most calibrations."""
+    """Dialogue that shows one system at a time, first the one with most calibrations."""
 
     def __init__(
         self,
@@ -63,9 +63,9 @@ class HistoryDialog(StudyDialog):
             table, parent,
         )  # fmt: skip
         self._histories, self._remarks = tuple(histories), tuple(remarks)
-        self.system = widgets.Choice("history_system", [""], gettext("System to show"))
+        self.system = widgets.ChoiceBox("history_system", [""], gettext("System to show"))
         self.system.clear()
-        self.system.addItems([_name(each.system) for each in histories])
+        self.system.addItems([_system_name(each.system) for each in histories])
         self.system.setSizeAdjustPolicy(self.system.SizeAdjustPolicy.AdjustToContents)
         self.system.currentIndexChanged.connect(self._show)
         self.body.insertWidget(1, self.system)
@@ -73,26 +73,26 @@ class HistoryDialog(StudyDialog):
         self._show()
 
     def _show(self) -> None:
-        from lispac.report.control_charts import control_figure
+        from lispac.report.control_charts import control_chart_figure
 
         history = self._histories[self.system.currentIndex()]
         self.show_rows([_row(each) for each in history.entries])
         self.said.setText("\n".join(map(message_text, (*history.remarks, *self._remarks))))
         self.said.setVisible(bool(self.said.text()))
-        control_figure(
+        control_chart_figure(
             [each.day for each in history.entries],
             [each.charted for each in history.entries],
             self.figure(),
         )
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(
-            gettext("Control chart of {system}", system=_name(history.system))
+            gettext("Control chart of {system}", system=_system_name(history.system))
         )
 
 
-def _name(system: System) -> str:
+def _system_name(system: CalibratedSystem) -> str:
     """Names of vessel, scanner and INS/GNSS."""
-    return gettext("unnamed system") if system == System() else system.in_words
+    return gettext("unnamed system") if system == CalibratedSystem() else system.in_words
 
 
 def _columns() -> list[Column]:
@@ -119,7 +119,7 @@ def _columns() -> list[Column]:
     ]
 
 
-def _row(entry: Entry) -> Row:
+def _row(entry: HistoryEntry) -> Row:
     charted = entry.charted
     found, change = charted.calibration, charted.change
     angles, sigmas = np.degrees(found.boresight), np.degrees(found.sigma)
@@ -128,16 +128,18 @@ def _row(entry: Entry) -> Row:
         Cell(found.name),
     ]
     for angle, sigma in zip(angles, sigmas, strict=True):
-        cells += [number(angle, "+.4f"), number(sigma, ".4f")]
+        cells += [number_cell(angle, "+.4f"), number_cell(sigma, ".4f")]
     if change is None:
-        cells += [number(None, "")] * 4
+        cells += [number_cell(None, "")] * 4
     else:
-        cells += [number(value, "+.1f") for value in change.significance]
-        cells.append(number(change.displacement(DISTANCE), ".1f", 100.0))
+        cells += [number_cell(value, "+.1f") for value in change.significance]
+        cells.append(number_cell(change.largest_displacement(DISTANCE), ".1f", 100.0))
     if change is None:
         result = gettext("first calibration")
     else:
         result = (
             gettext("mounting has moved") if charted.moved else gettext("no significant change")
         )
-    return Row((*cells, Cell(result)), marked=charted.moved, tip=message_text(verdict(entry)))
+    return Row(
+        (*cells, Cell(result)), marked=charted.moved, tip=message_text(change_message(entry))
+    )

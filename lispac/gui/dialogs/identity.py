@@ -46,7 +46,7 @@ class IdentityDialog(QDialog):
         self.setMinimumWidth(560)
         self._dates = dates
         self.identity: Identity = identity
-        layout = widgets.column(self, 16)
+        layout = widgets.vertical_layout(self, 16)
         layout.addWidget(
             widgets.label(
                 gettext("Empty fields are printed blank, to be filled in by hand."), wrap=True
@@ -58,7 +58,7 @@ class IdentityDialog(QDialog):
         self.fields = {name: _field(name, getattr(identity, name)) for name in NAMES}
         for name, field in self.fields.items():
             form.addRow(
-                gettext(LABELS[name]), self._with_button(field) if name == "dates" else field
+                gettext(LABELS[name]), self._row_with_button(field) if name == "dates" else field
             )
         layout.addLayout(form)
         self.said = widgets.label("", "error", wrap=True, name="identity_said")
@@ -71,27 +71,27 @@ class IdentityDialog(QDialog):
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
         row.addStretch(1)
-        for each in widgets.in_order(self.keep, cancel):
+        for each in widgets.in_platform_order(self.keep, cancel):
             row.addWidget(each)
         layout.addLayout(row)
         for field in self.fields.values():
-            field.textChanged.connect(self._judge)
+            field.textChanged.connect(self._check_input)
         self.fields[NAMES[0]].setFocus()
 
-    def _with_button(self, field: QWidget) -> QHBoxLayout:
+    def _row_with_button(self, field: QWidget) -> QHBoxLayout:
         take = widgets.button(
             gettext("Use dates of lines"), "identity_dates_of_lines",
             tip=gettext("Fill in the survey dates (UTC) from the times of the lines"),
         )  # fmt: skip
         take.setAutoDefault(False)
-        take.clicked.connect(self._take_dates)
+        take.clicked.connect(self._fill_in_dates)
         row = QHBoxLayout()
         row.setSpacing(theme.SPACE)
         row.addWidget(field, 1)
         row.addWidget(take)
         return row
 
-    def _take_dates(self) -> None:
+    def _fill_in_dates(self) -> None:
         found = self._dates()
         if found:
             self.fields["dates"].setText(found)
@@ -103,9 +103,9 @@ class IdentityDialog(QDialog):
                 )
             )
 
-    def _judge(self) -> None:
+    def _check_input(self) -> None:
         """Take over the typed texts, or show what is wrong with them."""
-        texts = {name: _text(field) for name, field in self.fields.items()}
+        texts = {name: _field_text(field) for name, field in self.fields.items()}
         try:
             self.identity = BLANK.changed(**texts)
             problem = ""
@@ -129,5 +129,5 @@ def _field(name: str, text: str) -> QLineEdit | QPlainTextEdit:
     return field
 
 
-def _text(field: QLineEdit | QPlainTextEdit) -> str:
+def _field_text(field: QLineEdit | QPlainTextEdit) -> str:
     return field.text() if isinstance(field, QLineEdit) else field.toPlainText()

@@ -2,13 +2,13 @@
 
 from PySide6.QtWidgets import QWidget
 
-from lispac.gui.dialogs.study import StudyDialog
-from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
+from lispac.gui.dialogs.study_dialog import StudyDialog
+from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.validation.line_differences import Facing
 from lispac.workflow.georeferencing import Which
-from lispac.workflow.line_quality import Figures, LineQuality
+from lispac.workflow.line_quality import DifferenceStatistics, LineQuality
 
 STATISTICS = (
     (
@@ -60,9 +60,9 @@ class LineQualityDialog(StudyDialog):
 
     def _draw(self, found: LineQuality) -> None:
         # Matplotlib is imported late, so that the window starts without it.
-        from lispac.report.line_map import line_map
+        from lispac.report.line_map import line_difference_map
 
-        line_map(found.pairs, self.figure())
+        line_difference_map(found.pairs, self.figure())
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(gettext("Map of the differences between lines"))
 
@@ -83,14 +83,14 @@ def _columns() -> list[Column]:
     ]
 
 
-def _row(first: str, second: str, facing: Facing, figures: Figures) -> Row:
+def _row(first: str, second: str, facing: Facing, figures: DifferenceStatistics) -> Row:
     same = first == second
     names = [Cell(gettext("all lines"))] * 2 if same else [Cell(first), Cell(second)]
     sizes = (figures.rmsd, figures.robust_sigma, figures.p95, figures.largest)
     return Row(
         (
             *names, Cell(gettext(FACING[facing])),
-            number(figures.places, ",.0f"), number(figures.median, "+.1f", 1000),
-            *(number(size, ".1f", 1000) for size in sizes),
+            number_cell(figures.places, ",.0f"), number_cell(figures.median, "+.1f", 1000),
+            *(number_cell(size, ".1f", 1000) for size in sizes),
         )
     )  # fmt: skip

@@ -5,14 +5,14 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
-from lispac.gui.dialogs.study import StudyDialog, angle_columns
+from lispac.alternative_methods import Method
+from lispac.gui.dialogs.study_dialog import StudyDialog, angle_columns
 from lispac.gui.panels import widgets
-from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
+from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.methods import MethodResult, remarks_on
-from lispac.opinions import Method
+from lispac.method_comparison import MethodResult, comparison_remarks
 
 METHODS = {
     "targets": N_("Targets"),
@@ -65,7 +65,7 @@ COLUMNS = 12
 
 
 class MethodsDialog(StudyDialog):
-    """A row for each method, with or without a result.
+    """Dialogue with a row for each method, with or without a result.
 
     Attributes
     ----------
@@ -90,14 +90,17 @@ class MethodsDialog(StudyDialog):
             table, parent,
         )  # fmt: skip
         self.asks = False
-        self.show_rows([*(_row(each) for each in found), *(_row_not_run(each) for each in absent)])
+        self.show_rows(
+            [*(_method_row(each) for each in found), *(_row_not_run(each) for each in absent)]
+        )
         remarks = [
             *refused.items(),
             *((each.method, remark) for each in found for remark in each.remarks),
         ]
         texts = [
-            *map(message_text, remarks_on(tuple(found))), *(_named(*each) for each in remarks)
-        ]  # fmt: skip
+            *map(message_text, comparison_remarks(tuple(found))),
+            *(_with_method_name(*each) for each in remarks),
+        ]
         self.said.setText("\n".join(texts))
         self.said.setVisible(bool(texts))
         self.ask = widgets.button(
@@ -108,11 +111,11 @@ class MethodsDialog(StudyDialog):
             ),
         )  # fmt: skip
         self.ask.setEnabled(any(each not in refused for each in absent))
-        self.ask.clicked.connect(self._ask)
+        self.ask.clicked.connect(self._request_missing)
         self._buttons.insertWidget(self._buttons.count() - 1, self.ask)
         self.resize(940, 360)
 
-    def _ask(self) -> None:
+    def _request_missing(self) -> None:
         self.asks = True
         self.accept()
 
@@ -132,30 +135,32 @@ def _columns() -> list[Column]:
     return columns
 
 
-def _name(method: str) -> str:
+def _method_name(method: str) -> str:
     return gettext(METHODS[method])
 
 
-def _named(method: str, remark: Message) -> str:
-    """A remark on the result of a method, or the reason why there is none."""
-    return gettext("{method}: {text}", method=_name(method), text=message_text(remark))
+def _with_method_name(method: str, remark: Message) -> str:
+    """Message on a method, preceded by its name."""
+    return gettext("{method}: {text}", method=_method_name(method), text=message_text(remark))
 
 
-def _row(each: MethodResult) -> Row:
+def _method_row(each: MethodResult) -> Row:
     found, against = each.calibration, each.against
     cells = [
-        Cell(_name(each.method)), number(each.lines, ".0f"), number(each.surfaces, ".0f")
-    ]  # fmt: skip
+        Cell(_method_name(each.method)),
+        number_cell(each.lines, ".0f"),
+        number_cell(each.surfaces, ".0f"),
+    ]
     differences = [None] * 3 if against is None else against.significance.tolist()
     for angle, sigma, difference in zip(
         np.degrees(found.boresight), np.degrees(found.sigma), differences, strict=True
     ):
-        cells += [number(angle, "+.4f"), number(sigma, ".4f")]
-        cells.append(BLANK if difference is None else number(difference, "+.1f"))
+        cells += [number_cell(angle, "+.4f"), number_cell(sigma, ".4f")]
+        cells.append(BLANK if difference is None else number_cell(difference, "+.1f"))
     tip = "\n".join(map(message_text, each.remarks))
     return Row(cells, marked=against is not None and against.differ, tip=tip)
 
 
 def _row_not_run(method: Method) -> Row:
-    cells = [Cell(_name(method)), *[BLANK] * (COLUMNS - 1)]
+    cells = [Cell(_method_name(method)), *[BLANK] * (COLUMNS - 1)]
     return Row(cells, tip=gettext(NOT_RUN[method]))

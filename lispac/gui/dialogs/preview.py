@@ -46,7 +46,7 @@ class PreviewDialog(QDialog):
             gettext("Save as PDF…"), "preview_save", icon="content-save", primary=True
         )
         keep.setAutoDefault(False)
-        keep.clicked.connect(self._keep)
+        keep.clicked.connect(self._save_pdf)
         close = widgets.button(gettext("Close"), "preview_close")
         close.setAutoDefault(False)
         close.clicked.connect(self.accept)
@@ -56,17 +56,17 @@ class PreviewDialog(QDialog):
         row.addWidget(self.said, 1)
         row.addWidget(keep)
         row.addWidget(close)
-        layout = widgets.column(self, 12)
+        layout = widgets.vertical_layout(self, 12)
         layout.addWidget(self.area, 1)
         layout.addLayout(row)
         bar = self.area.verticalScrollBar()
-        bar.valueChanged.connect(self._show_place)
-        bar.rangeChanged.connect(self._show_place)
+        bar.valueChanged.connect(self._show_page_number)
+        bar.rangeChanged.connect(self._show_page_number)
         widest = max((page.sizeHint().width() for page in self._pages), default=600)
         screen = self.screen().availableGeometry()
         self.resize(min(widest + 80, screen.width()), min(1000, screen.height() - 60))
         self.area.setFocus()
-        self._show_place()
+        self._show_page_number()
 
     @property
     def page(self) -> int:
@@ -85,11 +85,11 @@ class PreviewDialog(QDialog):
                 return True
         return super().eventFilter(watched, event)
 
-    def _keep(self) -> None:
+    def _save_pdf(self) -> None:
         if text := self._save():
             self.said.setText(text)
 
-    def _show_place(self) -> None:
+    def _show_page_number(self) -> None:
         self.place.setText(
             gettext("Page {page:n} of {total:n}", page=self.page, total=len(self._pages))
         )

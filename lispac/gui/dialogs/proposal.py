@@ -33,7 +33,7 @@ class ProposalDialog(QDialog):
         self.setWindowTitle(gettext("Proposed targets"))
         self.resize(860, 420)
         self._proposal = proposal
-        layout = widgets.column(self, 16)
+        layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(_introduction(proposal), wrap=True, name="proposal_sigmas"))
         warnings = widgets.label("", "warning", wrap=True, name="proposal_warnings")
         warnings.setText("\n".join(map(message_text, proposal.warnings)))
@@ -57,7 +57,7 @@ class ProposalDialog(QDialog):
         # The heights of the rows follow the final width of the reasons.
         self.table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.table.setStyleSheet("QTableWidget::item { padding: 4px 6px; }")
-        self.table.itemChanged.connect(lambda _item: self._count())
+        self.table.itemChanged.connect(lambda _item: self._show_count())
         layout.addWidget(self.table, 1)
         self.accept_button = widgets.button(
             "", "accept_proposal", primary=True, tip=gettext("Add the ticked targets and planes")
@@ -73,13 +73,13 @@ class ProposalDialog(QDialog):
         reject.clicked.connect(self.reject)
         row = QHBoxLayout()
         row.addStretch(1)
-        for each in widgets.in_order(self.accept_button, reject):
+        for each in widgets.in_platform_order(self.accept_button, reject):
             row.addWidget(each)
         layout.addLayout(row)
-        self._count()
+        self._show_count()
 
     @property
-    def ticked(self) -> tuple[str, ...]:
+    def ticked_entries(self) -> tuple[str, ...]:
         """Names of the ticked targets and planes."""
         checked = Qt.CheckState.Checked
         return tuple(
@@ -108,8 +108,8 @@ class ProposalDialog(QDialog):
             for column, item in enumerate((name, role, seen, reason)):
                 self.table.setItem(row, column, item)
 
-    def _count(self) -> None:
-        ticked, total = len(self.ticked), self.table.rowCount()
+    def _show_count(self) -> None:
+        ticked, total = len(self.ticked_entries), self.table.rowCount()
         self.accept_button.setText(
             gettext("Add {ticked:n} of {total:n} surfaces", ticked=ticked, total=total)
         )
@@ -120,7 +120,7 @@ def _introduction(proposal: Proposal) -> str:
     """Predicted standard deviations, and the purpose of the validation planes."""
     return "\n".join(
         [
-            _about_targets(proposal),
+            _targets_text(proposal),
             gettext(
                 "Validation planes are not used in the adjustment; they only serve to check that "
                 "the lines agree. Untick the targets and planes that you do not want to add."
@@ -129,15 +129,15 @@ def _introduction(proposal: Proposal) -> str:
     )
 
 
-def _about_targets(proposal: Proposal) -> str:
-    """Standard deviations with the targets, or that all useful ones are picked."""
+def _targets_text(proposal: Proposal) -> str:
+    """Text on the predicted precision, or that all useful targets are picked."""
     if not any(target.role == "target" for target in proposal.targets):
         return gettext(
             "No more targets are proposed because all suitable surfaces are already targets: "
             "{targets:names}.",
             targets=proposal.picked,
         )
-    sigmas = dict(zip(ANGLES, map(_angle, proposal.sigma), strict=True))
+    sigmas = dict(zip(ANGLES, map(_angle_text, proposal.sigma), strict=True))
     if proposal.picked:
         return gettext(
             "Predicted standard deviations of the boresight with the proposed and the existing "
@@ -151,8 +151,8 @@ def _about_targets(proposal: Proposal) -> str:
     )
 
 
-def _angle(radians: float) -> str:
-    """An angle in the unit that the user has chosen."""
-    sign = units.unit("°").sign
+def _angle_text(radians: float) -> str:
+    """Text of an angle in the unit that the user has chosen."""
+    sign = units.shown_unit("°").sign
     value = units.localised(units.figure(degrees(radians), "°", ".3f"))
     return value + (sign if sign in "°′″" else f"\N{NO-BREAK SPACE}{sign}")

@@ -7,8 +7,8 @@ from typing import Literal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
 from lispac.errors import LispacError
-from lispac.gui.dialogs.error import describe, error_box
-from lispac.gui.logbook import LOG
+from lispac.gui.dialogs.error import error_box, error_text_and_details
+from lispac.gui.log_file import LOG
 from lispac.gui.panels import widgets
 from lispac.language import Plural, gettext
 
@@ -20,14 +20,14 @@ MAX_NAMED = 8
 
 
 class Questions:
-    """Questions with a few buttons, answered in a message box."""
+    """Questions to the user, asked in message boxes."""
 
     def __init__(self) -> None:
         self.parent: QWidget | None = None
         self._error_open = False
 
     def add_or_new(self, name: str) -> DropAnswer:
-        """What to do with files dropped while a project is open."""
+        """Ask whether dropped files are added to the open project or make a new one."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
             gettext("Add the files to {project}?", project=name),
@@ -52,8 +52,8 @@ class Questions:
             return "add"
         return "new" if chosen is new else "cancel"
 
-    def save_changes(self, name: str) -> Answer:
-        """What to do with a changed project that is to be closed."""
+    def ask_to_save_changes(self, name: str) -> Answer:
+        """Ask whether to save a changed project before it is closed."""
         buttons = QMessageBox.StandardButton
         box = widgets.MessageBox(
             QMessageBox.Icon.Question,
@@ -72,8 +72,8 @@ class Questions:
             return "save"
         return "discard" if chosen == buttons.Discard else "cancel"
 
-    def candidate_waits(self, name: str) -> CandidateAnswer:
-        """What to do with a target that was found and not yet accepted, before estimating."""
+    def ask_about_candidate(self, name: str) -> CandidateAnswer:
+        """Ask whether to accept or reject the candidate before estimating."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
             gettext("{target} has been found but not accepted yet.", target=name),
@@ -93,8 +93,8 @@ class Questions:
             return "accept"
         return "reject" if chosen is reject else "cancel"
 
-    def recover(self, name: str, when: str) -> bool:
-        """Whether to restore unsaved changes after a crash."""
+    def ask_to_recover(self, name: str, when: str) -> bool:
+        """Ask whether to restore unsaved changes after a crash."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
             gettext("{project} has changes that were not saved when the program ended.",
@@ -112,8 +112,8 @@ class Questions:
         box.addButton(gettext("Discard"), QMessageBox.ButtonRole.DestructiveRole)
         return self._is_confirmed(box, restore)
 
-    def files_now(self, name: str, missing: Sequence[Path], start: Path) -> Path | None:
-        """Where the files of a project that was moved are now; None where it stays closed."""
+    def ask_files_folder(self, name: str, missing: Sequence[Path], start: Path) -> Path | None:
+        """Ask for the folder of the missing files; None if the project stays closed."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
             gettext(
@@ -143,8 +143,8 @@ class Questions:
         )
         return Path(folder) if folder else None
 
-    def open_elsewhere(self, name: str, where: str) -> bool:
-        """Whether to open a project that is open in another window."""
+    def ask_to_open_locked(self, name: str, where: str) -> bool:
+        """Ask whether to open a project that is open in another window."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Warning, "LISPAC",
             gettext("{project} is already open in another window.", project=name),
@@ -163,8 +163,8 @@ class Questions:
         box.setEscapeButton(stay)
         return self._is_confirmed(box, open_it, default=stay)
 
-    def overwrite(self, name: str) -> bool:
-        """Whether to overwrite a project that another program has changed."""
+    def ask_to_overwrite(self, name: str) -> bool:
+        """Ask whether to overwrite a project that another program has changed."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Warning, "LISPAC",
             gettext("{project} was changed by another program after it was opened.", project=name),
@@ -183,7 +183,7 @@ class Questions:
 
     @staticmethod
     def leave(dialog: QWidget) -> bool:
-        """Whether to close the import dialogue without importing its files."""
+        """Ask whether to close the import dialogue without importing its files."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC", gettext("Close without importing the files?"),
             parent=dialog,
@@ -211,7 +211,10 @@ class Questions:
 
     def show_error(self, error: BaseException) -> None:
         """Show an error, unless another one is being shown."""
-        LOG.error(describe(error)[0], exc_info=None if isinstance(error, LispacError) else error)
+        LOG.error(
+            error_text_and_details(error)[0],
+            exc_info=None if isinstance(error, LispacError) else error,
+        )
         if self._error_open:
             return
         self._error_open = True

@@ -21,7 +21,7 @@ INTRODUCTION = N_(
 
 
 class ScriptDialog(QDialog):
-    """Shows the script, to copy or to save; it does not change the project.
+    """Dialogue to copy or save the script of the project.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ class ScriptDialog(QDialog):
         self.setObjectName("script_dialog")
         self.setWindowTitle(gettext("Script of this project"))
         self._save = save
-        layout = widgets.column(self, 16)
+        layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(gettext(INTRODUCTION), wrap=True))
         if script.remarks:
             remarks = widgets.label(wrap=True, name="script_remarks")
@@ -52,7 +52,7 @@ class ScriptDialog(QDialog):
         copy = widgets.button(gettext("Copy"), "script_copy", tip=gettext("Copy the script"))
         copy.clicked.connect(self._copy)
         keep = widgets.button(gettext("Save…"), "script_save", icon="content-save", primary=True)
-        keep.clicked.connect(self._keep)
+        keep.clicked.connect(self._save_script)
         close = widgets.button(gettext("Close"), "script_close")
         close.clicked.connect(self.accept)
         row = QHBoxLayout()
@@ -70,6 +70,6 @@ class ScriptDialog(QDialog):
         QGuiApplication.clipboard().setText(self.text.toPlainText())
         self.said.setText(gettext("Script copied"))
 
-    def _keep(self) -> None:
+    def _save_script(self) -> None:
         if text := self._save():
             self.said.setText(text)

@@ -10,20 +10,24 @@ from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.system_choice import SystemChoice
 from lispac.gui.panels import widgets
 from lispac.gui.seed_options import SeedOptions
-from lispac.io.text_table import coordinate, coordinates_in
+from lispac.io.text_table import find_coordinates, parse_coordinate
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import error
-from lispac.project import Project, Triple, require_name
+from lispac.project import Project, Triple, require_target_name
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.coordinates import away, axes_of, require_near
+from lispac.workflow.coordinates import (
+    axis_names,
+    distances_from_trajectory,
+    require_near_trajectory,
+)
 
 AXES = {
     "north": N_("North"), "west": N_("West"), "up": N_("Up"),
     "longitude": N_("Longitude"), "latitude": N_("Latitude"), "height": N_("Height"),
     "easting": N_("Easting"), "northing": N_("Northing"), "X": "X", "Y": "Y", "Z": "Z",
 }  # fmt: skip
-"""Labels of the coordinates, by their names in `axes_of`."""
+"""Labels of the coordinates, by their names in `axis_names`."""
 ON_ALL_LINES = {
     "plane": N_("The program searches all lines for a plane target near these coordinates."),
     "sphere": N_("The program searches all lines for a sphere target near these coordinates."),
@@ -61,7 +65,7 @@ class SeedDialog(QDialog):
         self.setMinimumWidth(530)
         self._project, self._trajectory, self._seed_options = project, trajectory, seed_options
         self._place: Triple | None = None
-        layout = widgets.column(self, 16)
+        layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(_introduction(seed_options), wrap=True))
         self.name = QLineEdit(name)
         self.name.setObjectName("seed_name")
@@ -91,34 +95,34 @@ class SeedDialog(QDialog):
         cancel.setAutoDefault(False)  # Enter finds, wherever the focus is
         row = QHBoxLayout()
         row.addStretch(1)
-        for each in widgets.in_order(self.find_button, cancel):
+        for each in widgets.in_platform_order(self.find_button, cancel):
             row.addWidget(each)
         layout.addLayout(row)
         QWidget.setTabOrder(self.fields[2], self.find_button)
         QWidget.setTabOrder(self.find_button, cancel)
-        self.choice.changed.connect(self._judge)
-        self.name.textChanged.connect(self._judge)
+        self.choice.changed.connect(self._check_input)
+        self.name.textChanged.connect(self._check_input)
         for field in self.fields:
-            field.textChanged.connect(self._typed)
+            field.textChanged.connect(self._on_typed)
         self.fields[0].setFocus()
-        self._judge()
+        self._check_input()
 
     @property
     def seed(self) -> tuple[str, Triple] | None:
-        """Name and place in the local frame, metres; None where something is wrong."""
+        """Name and place in the local frame, metres; None if the input is invalid."""
         return None if self._place is None else (self.name.text().strip(), self._place)
 
-    def _typed(self, text: str) -> None:
-        """Three numbers at once, as copied from a list, fill the three fields."""
-        if self.sender() is self.fields[0] and (parts := coordinates_in(text)):
+    def _on_typed(self, text: str) -> None:
+        """Split three pasted numbers over the three fields."""
+        if self.sender() is self.fields[0] and (parts := find_coordinates(text)):
             for field, part in zip(self.fields, parts, strict=True):
                 field.blockSignals(True)
                 field.setText(part)
                 field.blockSignals(False)
-        self._judge()
+        self._check_input()
 
-    def _judge(self) -> None:
-        axes = axes_of(self.choice.system)
+    def _check_input(self) -> None:
+        axes = axis_names(self.choice.system)
         units = ("°", "°", "m") if axes[0] == "longitude" else ("m", "m", "m")
         for field, axis, unit in zip(self.fields, axes, units, strict=True):
             name = f"{_axis_label(axis)} ({unit})"
@@ -128,7 +132,7 @@ class SeedDialog(QDialog):
         role, text = "muted", ""
         if not self.choice.waiting:
             try:
-                text = self._meaning()
+                text = self._describe_coordinates()
             except (InputError, ProjectError) as failure:
                 role, text = "error", error_text(failure)
         self.said.setText(text)
@@ -137,7 +141,7 @@ class SeedDialog(QDialog):
         self.said.style().polish(self.said)
         self.find_button.setEnabled(self._place is not None)
 
-    def _meaning(self) -> str:
+    def _describe_coordinates(self) -> str:
         """Describe what is typed, and set the place where it is complete.
 
         Raises
@@ -151,16 +155,16 @@ class SeedDialog(QDialog):
             raise InputError(self.choice.problem.reason)
         name = self.name.text().strip()
         if not self._added:
-            require_name(name)
+            require_target_name(name)
             if any(target.name == name for target in self._project.targets):
                 raise ProjectError(error("window.name_taken", name=name))
         system = self.choice.system
-        axes = axes_of(system)
+        axes = axis_names(system)
         values = []
         for field, axis in zip(self.fields, axes, strict=True):
             text = field.text().strip()
             degrees = axis in ("longitude", "latitude")
-            values.append(coordinate(text, degrees=degrees) if text else None)
+            values.append(parse_coordinate(text, degrees=degrees) if text else None)
             wrong = bool(text) and values[-1] is None
             field.setProperty("wrong", wrong)
             field.style().unpolish(field)
@@ -174,9 +178,9 @@ class SeedDialog(QDialog):
             pairs = zip(axes, values, strict=True)
             missing = [_axis_label(axis) for axis, value in pairs if value is None]
             return gettext("Enter {coordinates:names}.", coordinates=missing)
-        place = require_near(point, system, self._trajectory, name)
+        place = require_near_trajectory(point, system, self._trajectory, name)
         self._place = (float(place[0]), float(place[1]), float(place[2]))
-        distance = float(away(place[None], self._trajectory)[0])
+        distance = float(distances_from_trajectory(place[None], self._trajectory)[0])
         if system is None:
             return gettext("Distance from the trajectory: {distance:m.1} m.", distance=distance)
         north, west, up = self._place
@@ -189,7 +193,7 @@ class SeedDialog(QDialog):
 
 
 def _introduction(seed_options: SeedOptions) -> str:
-    """What the dialogue does with the seed."""
+    """Text on how the seed is used."""
     kind = seed_options.shape if seed_options.role == "target" else "validation"
     if seed_options.line is None:
         first = gettext(ON_ALL_LINES[kind])
@@ -210,7 +214,7 @@ def _field(name: str) -> QLineEdit:
     field = QLineEdit()
     field.setObjectName(name)
     field.setAlignment(Qt.AlignmentFlag.AlignRight)
-    field.setFont(theme.tabular(field.font()))
+    field.setFont(theme.tabular_font(field.font()))
     field.setToolTip(
         gettext("Paste three numbers into the first field to fill in all three fields")
     )

@@ -26,8 +26,8 @@ from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
 from lispac.project import Project, Role, Target
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.coordinates import away
-from lispac.workflow.seed_lists import ListedSeed, Outcome, SeedList, read_seeds
+from lispac.workflow.coordinates import distances_from_trajectory
+from lispac.workflow.seed_lists import ListedSeed, SeedList, SeedOutcome, read_seeds
 
 ROLES: dict[Role, str] = {"target": N_("Target"), "validation": N_("Validation plane")}
 READ = (
@@ -39,7 +39,7 @@ Right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class SeedListDialog(QDialog):
-    """Shows the seeds of a list, from which the user ticks those to pick."""
+    """Dialogue with the seeds of a list, from which the user ticks those to pick."""
 
     def __init__(
         self,
@@ -55,7 +55,7 @@ class SeedListDialog(QDialog):
         self.resize(900, 560)
         self._path, self._project, self._trajectory = path, project, trajectory
         self._read: SeedList | None = None
-        layout = widgets.column(self, 16)
+        layout = widgets.vertical_layout(self, 16)
         introduction = widgets.label(wrap=True)
         roles = gettext(
             "If the list gives no role, a name that begins with V means a validation plane and "
@@ -81,8 +81,8 @@ class SeedListDialog(QDialog):
         form.addRow(gettext("Columns"), self.columns)
         self.choice.add_to(form)
         layout.addLayout(form)
-        self.table = _table("seed_list_table", gettext("Seeds of the list"), READ)
-        self.table.itemChanged.connect(lambda _item: self._count())
+        self.table = _create_table("seed_list_table", gettext("Seeds of the list"), READ)
+        self.table.itemChanged.connect(lambda _item: self._show_count())
         layout.addWidget(self.table, 1)
         self.said = widgets.label("", "muted", wrap=True, name="list_said")
         layout.addWidget(self.said)
@@ -96,15 +96,15 @@ class SeedListDialog(QDialog):
         cancel.setAutoDefault(False)  # Enter picks, wherever the focus is
         row = QHBoxLayout()
         row.addStretch(1)
-        for each in widgets.in_order(self.pick_button, cancel):
+        for each in widgets.in_platform_order(self.pick_button, cancel):
             row.addWidget(each)
         layout.addLayout(row)
-        self.choice.changed.connect(self._look)
-        self.columns.textChanged.connect(self._look)
-        self._look()
+        self.choice.changed.connect(self._read_list)
+        self.columns.textChanged.connect(self._read_list)
+        self._read_list()
 
     @property
-    def ticked(self) -> tuple[ListedSeed, ...]:
+    def ticked_entries(self) -> tuple[ListedSeed, ...]:
         """Seeds chosen to be picked."""
         seeds = () if self._read is None else self._read.seeds
         checked = Qt.CheckState.Checked
@@ -114,7 +114,7 @@ class SeedListDialog(QDialog):
             if self.table.item(row, 0).checkState() == checked
         )
 
-    def _look(self) -> None:
+    def _read_list(self) -> None:
         """Read the list with the columns and the system of the fields."""
         self._read, role = None, "error"
         columns = self.columns.text().replace(",", " ").split()
@@ -141,9 +141,11 @@ class SeedListDialog(QDialog):
         self.table.blockSignals(True)
         self.table.setRowCount(len(seeds))
         if seeds:
-            distances = away(np.array([seed.place for seed in seeds]), self._trajectory)
+            distances = distances_from_trajectory(
+                np.array([seed.place for seed in seeds]), self._trajectory
+            )
         for row, seed in enumerate(seeds):
-            name = _name(seed.name, seed.role)
+            name = _name_item(seed.name, seed.role)
             name.setFlags(name.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             name.setCheckState(Qt.CheckState.Unchecked if seed.taken else Qt.CheckState.Checked)
             name.setToolTip(gettext("Row {row:n} of the list; untick to exclude", row=seed.row))
@@ -153,10 +155,10 @@ class SeedListDialog(QDialog):
             )
             _set_row(self.table, row, name, seed.role, numbers, remark)
         self.table.blockSignals(False)
-        self._count()
+        self._show_count()
 
-    def _count(self) -> None:
-        ticked, rows = len(self.ticked), self.table.rowCount()
+    def _show_count(self) -> None:
+        ticked, rows = len(self.ticked_entries), self.table.rowCount()
         self.pick_button.setText(
             gettext("Search at {ticked:n} of {total:n} seeds", ticked=ticked, total=rows)
             if rows
@@ -166,16 +168,16 @@ class SeedListDialog(QDialog):
 
 
 class SeedsFoundDialog(QDialog):
-    """Shows which seeds of a list led to a target."""
+    """Dialogue that shows which seeds of a list led to a target."""
 
-    def __init__(self, outcomes: Sequence[Outcome], lines: int, parent: QWidget | None) -> None:
+    def __init__(self, outcomes: Sequence[SeedOutcome], lines: int, parent: QWidget | None) -> None:
         super().__init__(parent)
         self.setObjectName("seeds_found_dialog")
         self.setWindowTitle(gettext("Targets found from seeds"))
         self.resize(860, 520)
-        layout = widgets.column(self, 16)
+        layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(_summary(outcomes), wrap=True, name="seeds_found"))
-        self.table = _table("seeds_found_table", gettext("Targets found"), FOUND)
+        self.table = _create_table("seeds_found_table", gettext("Targets found"), FOUND)
         self.table.setRowCount(len(outcomes))
         for row, outcome in enumerate(outcomes):
             seed, target = outcome.seed, outcome.target
@@ -187,9 +189,9 @@ class SeedsFoundDialog(QDialog):
                 numbers = [seen, number(points)]
             remarks = [] if outcome.remark is None else [message_text(outcome.remark)]
             if target is not None:
-                remarks += _missing(target)
+                remarks += _missing_lines_text(target)
             _set_row(
-                self.table, row, _name(seed.name, seed.role), seed.role, numbers,
+                self.table, row, _name_item(seed.name, seed.role), seed.role, numbers,
                 "\n".join(remarks),
             )  # fmt: skip
         layout.addWidget(self.table, 1)
@@ -202,8 +204,8 @@ class SeedsFoundDialog(QDialog):
         layout.addLayout(row_of_buttons)
 
 
-def _summary(outcomes: Sequence[Outcome]) -> str:
-    """How many seeds led to a target, and how to undo that."""
+def _summary(outcomes: Sequence[SeedOutcome]) -> str:
+    """Text on the number of seeds that led to a target, and on undo."""
     found, total = sum(outcome.target is not None for outcome in outcomes), len(outcomes)
     if not found:
         return gettext(
@@ -224,15 +226,15 @@ def _summary(outcomes: Sequence[Outcome]) -> str:
     )
 
 
-def _missing(target: Target) -> list[str]:
-    """Lines on which a target was not found, with the reasons."""
+def _missing_lines_text(target: Target) -> list[str]:
+    """Text with the lines on which a target was not found, and the reasons."""
     return [
         gettext("Not found on line {line}: {reason}", line=line, reason=message_text(reason))
         for line, reason in target.missing.items()
     ]
 
 
-def _table(name: str, title: str, heads: Sequence[str]) -> QTableWidget:
+def _create_table(name: str, title: str, heads: Sequence[str]) -> QTableWidget:
     table = QTableWidget(0, len(heads))
     table.setTabKeyNavigation(False)
     table.setObjectName(name)
@@ -254,7 +256,7 @@ def _table(name: str, title: str, heads: Sequence[str]) -> QTableWidget:
     return table
 
 
-def _name(name: str, role: Role) -> QTableWidgetItem:
+def _name_item(name: str, role: Role) -> QTableWidgetItem:
     colour = theme.TARGET_COLOUR if role == "target" else theme.VALIDATION_COLOUR
     return QTableWidgetItem(theme.swatch(colour), name)
 
@@ -266,7 +268,7 @@ def _set_row(
     items = [QTableWidgetItem(text) for text in numbers]
     for item in items:
         item.setTextAlignment(Right)
-        item.setFont(theme.tabular(table.font()))
+        item.setFont(theme.tabular_font(table.font()))
     last = QTableWidgetItem(remark)
     last.setToolTip(widgets.plain_tip(remark))
     for column, item in enumerate((name, QTableWidgetItem(gettext(ROLES[role])), *items, last)):

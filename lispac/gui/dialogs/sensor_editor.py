@@ -10,12 +10,18 @@ from lispac.errors import InputError
 from lispac.gui import theme
 from lispac.gui.dialogs.error import error_text
 from lispac.gui.panels import widgets
-from lispac.io.sensor_file import STATES, Figures, PosFigures, PosState, ScannerFigures
+from lispac.io.sensor_file import (
+    STATES,
+    Figures,
+    PosAccuracy,
+    PosSpecification,
+    ScannerSpecification,
+)
 from lispac.language import N_, gettext
-from lispac.workflow.sensors import keep, require_sound
+from lispac.workflow.sensors import require_storable, store_sensor
 
-NEW_SCANNER = ScannerFigures("", 0.005, 0.01, 0.5, "")
-NEW_POS = PosFigures("", (PosState("ppk", (0.02, 0.02, 0.03), (0.01, 0.01, 0.015), ""),))
+NEW_SCANNER = ScannerSpecification("", 0.005, 0.01, 0.5, "")
+NEW_POS = PosSpecification("", (PosAccuracy("ppk", (0.02, 0.02, 0.03), (0.01, 0.01, 0.015), ""),))
 WITH_SOLUTION = {
     "rtk": N_("Specifications with RTK"),
     "ppk": N_("Specifications with PPK"),
@@ -24,8 +30,8 @@ WITH_SOLUTION = {
 """Labels of the GNSS solutions."""
 
 
-class _Line(QLineEdit):
-    """A line of text with a signal when it loses the focus."""
+class _TextField(QLineEdit):
+    """Text field that emits `left` when it loses the focus."""
 
     left = Signal()
     """The focus has left the field, whether or not it was edited."""
@@ -43,7 +49,7 @@ class _Line(QLineEdit):
 
 
 class SensorEditor(QDialog):
-    """Checks the specifications while the user types, and writes them to a file.
+    """Dialogue that checks the specifications during typing and writes them to a file.
 
     An empty field is reported after the focus has left it, or when the sensor is to be saved.
 
@@ -59,24 +65,24 @@ class SensorEditor(QDialog):
     ) -> None:
         super().__init__(parent)
         self._folder, self.name = folder, name
-        self._left: set[_Line] = set()
+        self._left: set[_TextField] = set()
         """Fields that had the focus."""
         self.setObjectName("sensor_editor")
-        scanner = isinstance(figures, ScannerFigures)
+        scanner = isinstance(figures, ScannerSpecification)
         self.setWindowTitle(gettext("Scanner") if scanner else gettext("INS/GNSS"))
         self.setMinimumWidth(620)
-        layout = widgets.column(self, 16)
+        layout = widgets.vertical_layout(self, 16)
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        self.title = _Line("sensor_title", gettext("Maker and model"), figures.title)
+        self.title = _TextField("sensor_title", gettext("Maker and model"), figures.title)
         form.addRow(gettext("Maker and model"), self.title)
-        self.parts: list[_ScannerPart | _StatePart]
-        if isinstance(figures, ScannerFigures):
-            self.parts = [_ScannerPart(figures, form)]
+        self.parts: list[_ScannerFields | _PosStateFields]
+        if isinstance(figures, ScannerSpecification):
+            self.parts = [_ScannerFields(figures, form)]
         else:
             given = {state.name: state for state in figures.states}
-            self.parts = [_StatePart(each, given.get(each), form) for each in STATES]
+            self.parts = [_PosStateFields(each, given.get(each), form) for each in STATES]
         layout.addLayout(form)
         self.said = widgets.label("", "error", wrap=True, name="sensor_editor_said")
         layout.addWidget(self.said)
@@ -86,72 +92,72 @@ class SensorEditor(QDialog):
         cancel.setAutoDefault(False)
         row = QHBoxLayout()
         row.addStretch(1)
-        for each in widgets.in_order(self.keep, cancel):
+        for each in widgets.in_platform_order(self.keep, cancel):
             row.addWidget(each)
         layout.addLayout(row)
         cancel.clicked.connect(self.reject)
-        self.keep.clicked.connect(self._keep)
+        self.keep.clicked.connect(self._save_sensor)
         for line in self._lines:
-            line.textChanged.connect(self._judge)
-            line.left.connect(lambda line=line: self._leave(line))
+            line.textChanged.connect(self._check_input)
+            line.left.connect(lambda line=line: self._on_field_left(line))
         for part in self.parts:
-            part.moved.connect(self._judge)
-        self._judge()
+            part.moved.connect(self._check_input)
+        self._check_input()
 
     @property
     def figures(self) -> Figures:
         """Specifications from the fields."""
         title = self.title.text().strip()
-        if isinstance(self.parts[0], _ScannerPart):
+        if isinstance(self.parts[0], _ScannerFields):
             return self.parts[0].figures(title)
-        states = [part.state() for part in self.parts if isinstance(part, _StatePart)]
-        return PosFigures(title, tuple(each for each in states if each is not None))
+        states = [part.state() for part in self.parts if isinstance(part, _PosStateFields)]
+        return PosSpecification(title, tuple(each for each in states if each is not None))
 
     @property
-    def _lines(self) -> list[_Line]:
+    def _lines(self) -> list[_TextField]:
         return [self.title, *(part.origin.source for part in self.parts)]
 
     @property
-    def _empty(self) -> _Line | None:
+    def _first_empty_field(self) -> _TextField | None:
         """The first required field that is empty."""
         lines = (line for line in self._lines if line.isEnabled())
         return next((line for line in lines if not line.text().strip()), None)
 
-    def _leave(self, line: _Line) -> None:
+    def _on_field_left(self, line: _TextField) -> None:
         self._left.add(line)
-        self._judge()
+        self._check_input()
 
-    def _judge(self, *_: object) -> None:
+    def _check_input(self, *_: object) -> None:
         try:
-            require_sound(self._folder, self.figures, self.name)
+            require_storable(self._folder, self.figures, self.name)
             problem = ""
         except InputError as error:
             problem = error_text(error)
-        if self._empty is not None and self._empty not in self._left:
+        if self._first_empty_field is not None and self._first_empty_field not in self._left:
             problem = ""  # the user has not reached this field yet
         self.said.setText(problem)
         self.keep.setEnabled(not problem)
 
-    def _keep(self) -> None:
-        if self._empty is not None:
-            self._empty.setFocus()
+    def _save_sensor(self) -> None:
+        if self._first_empty_field is not None:
+            self._first_empty_field.setFocus()
             self._left.update(self._lines)
-            self._judge()
+            self._check_input()
             return
         try:
-            self.name = keep(self._folder, self.figures, self.name)
+            self.name = store_sensor(self._folder, self.figures, self.name)
         except InputError as error:
             self.said.setText(error_text(error))
         else:
             self.accept()
 
 
-class _Origin(QWidget):
+class _SourceFields(QWidget):
     """Source of the specifications, and whether they were checked against it."""
 
     def __init__(self, name: str, source: str, from_memory: bool) -> None:
         super().__init__()
-        self.source = _Line(f"{name}_source", gettext("Source of the specifications"), source)
+        self.source = _TextField(f"{name}_source", gettext("Source of the specifications"), source)
         self.source.setPlaceholderText(gettext("Data sheet and its date"))
         self.from_memory = QCheckBox(gettext("Specifications not verified"))
         self.from_memory.setObjectName(f"{name}_from_memory")
@@ -165,8 +171,8 @@ class _Origin(QWidget):
         row.addWidget(self.from_memory)
 
 
-class _ScannerPart:
-    def __init__(self, given: ScannerFigures, form: QFormLayout) -> None:
+class _ScannerFields:
+    def __init__(self, given: ScannerSpecification, form: QFormLayout) -> None:
         self.range = widgets.number(
             "sensor_range", suffix=" mm", decimals=2, low=0.01, high=10_000, step=0.5,
             tip=gettext("Standard deviation of a range measurement, in millimetres"),
@@ -183,37 +189,40 @@ class _ScannerPart:
         self.range.setValue(1000 * given.range_sigma)
         self.angle.setValue(given.angle_sigma_deg)
         self.beam.setValue(given.divergence_mrad)
-        self.origin = _Origin("sensor", given.source, given.from_memory)
+        self.origin = _SourceFields("sensor", given.source, given.from_memory)
         self.moved = self.range.valueChanged
         form.addRow(gettext("Range noise (1 σ)"), self.range)
         form.addRow(gettext("Beam angular noise (1 σ)"), self.angle)
         form.addRow(gettext("Beam divergence"), self.beam)
         form.addRow(gettext("Source"), self.origin)
 
-    def figures(self, title: str) -> ScannerFigures:
-        return ScannerFigures(
+    def figures(self, title: str) -> ScannerSpecification:
+        return ScannerSpecification(
             title, round(self.range.value() / 1000, 8), self.angle.value(), self.beam.value(),
             self.origin.source.text().strip(), self.origin.from_memory.isChecked(),
         )  # fmt: skip
 
 
-class _StatePart:
-    def __init__(self, name: str, given: PosState | None, form: QFormLayout) -> None:
+class _PosStateFields:
+    def __init__(self, name: str, given: PosAccuracy | None, form: QFormLayout) -> None:
         self._name = name
         usual = given or NEW_POS.states[0]
         self.stated = QCheckBox(gettext(WITH_SOLUTION[name]))
         self.stated.setObjectName(f"sensor_{name}")
-        self.position = widgets.Triple(
+        self.position = widgets.TripleField(
             (gettext("North"), gettext("East"), gettext("Down")),
-            [_sigma(f"sensor_{name}_{axis}", " m", 100) for axis in ("n", "e", "d")],
+            [_sigma_field(f"sensor_{name}_{axis}", " m", 100) for axis in ("n", "e", "d")],
         )
-        self.attitude = widgets.Triple(
+        self.attitude = widgets.TripleField(
             (gettext("Roll"), gettext("Pitch"), gettext("Heading")),
-            [_sigma(f"sensor_{name}_{angle}", " °", 90) for angle in ("roll", "pitch", "heading")],
+            [
+                _sigma_field(f"sensor_{name}_{angle}", " °", 90)
+                for angle in ("roll", "pitch", "heading")
+            ],
         )
         self.position.set_value(usual.position_sigma)
         self.attitude.set_value(usual.attitude_sigma_deg)
-        self.origin = _Origin(
+        self.origin = _SourceFields(
             f"sensor_{name}", usual.source if given else "", given is not None and given.from_memory
         )
         self.moved = self.stated.toggled
@@ -226,14 +235,14 @@ class _StatePart:
             each.setEnabled(False)
         self.stated.setChecked(given is not None)
 
-    def state(self) -> PosState | None:
+    def state(self) -> PosAccuracy | None:
         if not self.stated.isChecked():
             return None
-        return PosState(
+        return PosAccuracy(
             self._name, self.position.value(), self.attitude.value(),
             self.origin.source.text().strip(), self.origin.from_memory.isChecked(),
         )  # fmt: skip
 
 
-def _sigma(name: str, suffix: str, high: float):
+def _sigma_field(name: str, suffix: str, high: float):
     return widgets.number(name, suffix=suffix, decimals=4, low=0.0001, high=high, step=0.001)

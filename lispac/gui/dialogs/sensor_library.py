@@ -23,13 +23,13 @@ from lispac.gui.dialogs.import_files.sensor_choice import SOLUTIONS
 from lispac.gui.dialogs.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
 from lispac.gui.panels import widgets
 from lispac.gui.units import Base
-from lispac.io.sensor_file import Figures, PosFigures, PosState, ScannerFigures
+from lispac.io.sensor_file import Figures, PosAccuracy, PosSpecification, ScannerSpecification
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.workflow.sensors import LONGEST, Sensor, library, origin_of, remove
+from lispac.workflow.sensors import LONGEST, Sensor, read_library, remove_sensor, source_text
 
 HEADS = (N_("Sensor"), N_("Standard deviations (1 σ)"), N_("Source"))
-AnySensor = Sensor[ScannerFigures] | Sensor[PosFigures]
+AnySensor = Sensor[ScannerSpecification] | Sensor[PosSpecification]
 
 
 class SensorLibraryPage(QWidget):
@@ -48,7 +48,7 @@ class SensorLibraryPage(QWidget):
         super().__init__()
         self._folder = folder
         self._sensors: list[AnySensor] = []
-        layout = widgets.column(self, 12)
+        layout = widgets.vertical_layout(self, 12)
         layout.addWidget(
             widgets.label(
                 gettext(
@@ -80,8 +80,8 @@ class SensorLibraryPage(QWidget):
         self.said = widgets.label("", "error", wrap=True, name="sensor_said")
         layout.addWidget(self.said)
         layout.addLayout(self._buttons())
-        self.table.itemSelectionChanged.connect(self._enable)
-        self.table.itemDoubleClicked.connect(lambda _item: self._edit() if self._own else None)
+        self.table.itemSelectionChanged.connect(self._enable_controls)
+        self.table.itemDoubleClicked.connect(lambda _item: self._edit() if self._is_own else None)
         self._fill()
 
     @property
@@ -97,7 +97,7 @@ class SensorLibraryPage(QWidget):
             self.table.setCurrentCell(names.index(name), 0)
 
     @property
-    def _own(self) -> bool:
+    def _is_own(self) -> bool:
         return self.current is not None and self.current.own
 
     def _buttons(self) -> QHBoxLayout:
@@ -116,8 +116,8 @@ class SensorLibraryPage(QWidget):
         )
         row = QHBoxLayout()
         for each, slot in (
-            (self.add_scanner, lambda: self._ask(NEW_SCANNER)),
-            (self.add_pos, lambda: self._ask(NEW_POS)),
+            (self.add_scanner, lambda: self._open_editor(NEW_SCANNER)),
+            (self.add_pos, lambda: self._open_editor(NEW_POS)),
             (self.copy, self._copy),
             (self.edit, self._edit),
             (self.remove, self._remove),
@@ -129,13 +129,13 @@ class SensorLibraryPage(QWidget):
         return row
 
     def _fill(self, name: str = "") -> None:
-        found = library(self._folder)
+        found = read_library(self._folder)
         self._sensors = [*found.scanners, *found.pos]
         self.said.setText("\n".join(message_text(each) for each in found.remarks))
         self.said.setVisible(bool(found.remarks))
         self.table.setRowCount(len(self._sensors))
         for row, sensor in enumerate(self._sensors):
-            sigmas, source = describe(sensor.figures)
+            sigmas, source = sensor_texts(sensor.figures)
             title = sensor.figures.title
             if sensor.own:
                 title = gettext("{sensor} (user-defined)", sensor=title)
@@ -145,29 +145,31 @@ class SensorLibraryPage(QWidget):
                 item.setToolTip(widgets.plain_tip(text))
                 self.table.setItem(row, column, item)
         self.select(name)
-        self._enable()
+        self._enable_controls()
 
-    def _enable(self) -> None:
+    def _enable_controls(self) -> None:
         self.copy.setEnabled(self.current is not None)
-        self.edit.setEnabled(self._own)
-        self.remove.setEnabled(self._own)
+        self.edit.setEnabled(self._is_own)
+        self.remove.setEnabled(self._is_own)
 
     def _copy(self) -> None:
         if self.current is not None:
             figures = self.current.figures
             excess = max(len(gettext("{sensor} (user-defined)", sensor=figures.title)) - LONGEST, 0)
             title = figures.title[: len(figures.title) - excess]
-            self._ask(replace(figures, title=gettext("{sensor} (user-defined)", sensor=title)))
+            self._open_editor(
+                replace(figures, title=gettext("{sensor} (user-defined)", sensor=title))
+            )
 
     def _edit(self) -> None:
         if self.current is not None:
-            self._ask(self.current.figures, self.current.name)
+            self._open_editor(self.current.figures, self.current.name)
 
     def _remove(self) -> None:
-        if self.current is None or not self._sure(self.current.figures.title):
+        if self.current is None or not self._confirm_deletion(self.current.figures.title):
             return
         try:
-            remove(self._folder, self.current)
+            remove_sensor(self._folder, self.current)
         except InputError as error:
             self.said.setText(error_text(error))
             self.said.show()
@@ -178,7 +180,7 @@ class SensorLibraryPage(QWidget):
         self.table.setFocus()
         self.changed.emit()
 
-    def _sure(self, title: str) -> bool:
+    def _confirm_deletion(self, title: str) -> bool:
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
             gettext("Remove {sensor} from the library?", sensor=title),
@@ -198,7 +200,7 @@ class SensorLibraryPage(QWidget):
         box.deleteLater()
         return chosen is sure
 
-    def _ask(self, figures: Figures, name: str = "") -> None:
+    def _open_editor(self, figures: Figures, name: str = "") -> None:
         editor = SensorEditor(self._folder, figures, name, self)
         if editor.exec() == QDialog.DialogCode.Accepted:
             self._fill(editor.name)
@@ -206,35 +208,35 @@ class SensorLibraryPage(QWidget):
         editor.deleteLater()
 
 
-def describe(figures: Figures) -> tuple[str, str]:
-    """Standard deviations and their source, a line for each GNSS solution."""
-    if isinstance(figures, ScannerFigures):
+def sensor_texts(figures: Figures) -> tuple[str, str]:
+    """Texts of the standard deviations and of their sources, a line for each solution."""
+    if isinstance(figures, ScannerSpecification):
         text = gettext(
             "range {range}, direction {direction}, divergence {divergence:x.2} mrad",
-            range=_amounts([1000 * figures.range_sigma], "mm", ".1f"),
-            direction=_amounts([figures.angle_sigma_deg], "°", ".4f"),
+            range=_values_text([1000 * figures.range_sigma], "mm", ".1f"),
+            direction=_values_text([figures.angle_sigma_deg], "°", ".4f"),
             divergence=figures.divergence_mrad,
         )
-        return text, origin_of(figures)
+        return text, source_text(figures)
     named = [(gettext(SOLUTIONS[each.name]), each) for each in figures.states]
     sigmas = [
-        gettext("{solution}: {text}", solution=solution, text=_sigmas(state))
+        gettext("{solution}: {text}", solution=solution, text=_sigmas_text(state))
         for solution, state in named
     ]
     sources = [
-        gettext("{solution}: {text}", solution=solution, text=origin_of(state))
+        gettext("{solution}: {text}", solution=solution, text=source_text(state))
         for solution, state in named
     ]
     return "\n".join(sigmas), "\n".join(sources)
 
 
-def _sigmas(state: PosState) -> str:
-    position = _amounts(state.position_sigma, "m", ".3f")
-    return f"{position}, {_amounts(state.attitude_sigma_deg, '°', '.3f')}"
+def _sigmas_text(state: PosAccuracy) -> str:
+    position = _values_text(state.position_sigma, "m", ".3f")
+    return f"{position}, {_values_text(state.attitude_sigma_deg, '°', '.3f')}"
 
 
-def _amounts(values: Sequence[float], base: Base, form: str) -> str:
+def _values_text(values: Sequence[float], base: Base, form: str) -> str:
     """Values in the unit that the user has chosen: ``0.010 / 0.010 / 0.020 m``."""
-    sign = units.unit(base).sign
+    sign = units.shown_unit(base).sign
     text = " / ".join(units.localised(units.figure(value, base, form)) for value in values)
     return text + (sign if sign in "°′″" else f"\N{NO-BREAK SPACE}{sign}")

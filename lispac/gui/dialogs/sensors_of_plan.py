@@ -7,14 +7,14 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QWidget
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.panels import widgets
-from lispac.io.sensor_file import PosState, ScannerFigures
+from lispac.io.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.language import gettext
-from lispac.workflow.sensors import library
+from lispac.workflow.sensors import read_library
 
-Sensors = tuple[ScannerFigures | None, PosState | None]
+Sensors = tuple[ScannerSpecification | None, PosAccuracy | None]
 
 
-class SensorsDialog(QDialog):
+class PlanSensorsDialog(QDialog):
     """Choice of scanner and INS/GNSS; the plan keeps its values where none is chosen.
 
     Parameters
@@ -27,9 +27,9 @@ class SensorsDialog(QDialog):
         self.setObjectName("plan_sensors")
         self.setWindowTitle(gettext("Sensors of the survey plan"))
         self.setMinimumWidth(520)
-        self._scanner: ScannerFigures | None = None
-        self._pos: PosState | None = None
-        layout = widgets.column(self, 16)
+        self._scanner: ScannerSpecification | None = None
+        self._pos: PosAccuracy | None = None
+        layout = widgets.vertical_layout(self, 16)
         layout.addWidget(
             widgets.label(
                 gettext(
@@ -39,9 +39,9 @@ class SensorsDialog(QDialog):
                 wrap=True,
             )
         )
-        self.choice = SensorChoice(library(folder), "plan")
-        self.choice.scanner_chosen.connect(self._take_scanner)
-        self.choice.pos_chosen.connect(self._take_pos)
+        self.choice = SensorChoice(read_library(folder), "plan")
+        self.choice.scanner_chosen.connect(self._set_scanner)
+        self.choice.pos_chosen.connect(self._set_pos)
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
         form.addRow(gettext("Scanner"), self.choice.scanner)
@@ -57,7 +57,7 @@ class SensorsDialog(QDialog):
         cancel.clicked.connect(self.reject)
         row = QHBoxLayout()
         row.addStretch(1)
-        for each in widgets.in_order(self.take, cancel):
+        for each in widgets.in_platform_order(self.take, cancel):
             row.addWidget(each)
         layout.addLayout(row)
 
@@ -67,8 +67,8 @@ class SensorsDialog(QDialog):
         scanner, pos = self.choice.names
         return (self._scanner if scanner else None, self._pos if pos else None)
 
-    def _take_scanner(self, figures: ScannerFigures) -> None:
+    def _set_scanner(self, figures: ScannerSpecification) -> None:
         self._scanner = figures
 
-    def _take_pos(self, state: PosState) -> None:
+    def _set_pos(self, state: PosAccuracy) -> None:
         self._pos = state

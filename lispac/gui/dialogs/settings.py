@@ -15,7 +15,7 @@ from lispac.gui.preferences import Preferences
 from lispac.gui.settings import POINT_BUDGETS, POINT_SIZES
 from lispac.gui.units import ANGLES, LENGTHS
 from lispac.language import LANGUAGES, N_, gettext
-from lispac.workflow.sensors import library
+from lispac.workflow.sensors import read_library
 
 MILLION = 1_000_000
 UNITS = {
@@ -53,7 +53,7 @@ class SettingsDialog(QDialog):
         self.setWindowTitle(gettext("Settings"))
         self.resize(1180, 640)
         self._folder = sensors
-        layout = widgets.column(self, 16)
+        layout = widgets.vertical_layout(self, 16)
         self.tabs = QTabWidget()
         self.tabs.setObjectName("settings_tabs")
         self._form = QFormLayout()
@@ -65,7 +65,7 @@ class SettingsDialog(QDialog):
         outer.addLayout(self._form)
         outer.addStretch(1)
         self.library = SensorLibraryPage(sensors)
-        self.library.changed.connect(self._renew_choice)
+        self.library.changed.connect(self._reload_sensor_choice)
         self.tabs.addTab(general, gettext("General"))
         self.tabs.addTab(self.library, gettext("Sensors"))
         layout.addWidget(self.tabs, 1)
@@ -107,7 +107,7 @@ class SettingsDialog(QDialog):
         self.scale.setCurrentIndex(list(SCALES).index(given.scale))
 
     def _build(self) -> None:
-        self.language = widgets.Choice(
+        self.language = widgets.ChoiceBox(
             "settings_language", [gettext(SYSTEM_DEFAULT), *LANGUAGES.values()],
             gettext("Language of the window. The language of the report is set in step 5."),
         )  # fmt: skip
@@ -124,7 +124,7 @@ class SettingsDialog(QDialog):
                 "draw fewer points."
             ),
         )  # fmt: skip
-        self.angles = widgets.Choice(
+        self.angles = widgets.ChoiceBox(
             "settings_angles", [gettext(UNITS[key]) for key in ANGLES],
             gettext(
                 "Unit of the boresight angles, attitudes and their standard deviations in the "
@@ -132,25 +132,25 @@ class SettingsDialog(QDialog):
                 "have their own units."
             ),
         )  # fmt: skip
-        self.lengths = widgets.Choice(
+        self.lengths = widgets.ChoiceBox(
             "settings_lengths", [gettext(UNITS[key]) for key in LENGTHS],
             gettext("Unit of lengths in the window. Files, reports and scripts remain metric."),
         )  # fmt: skip
-        self.looks = widgets.Choice(
+        self.looks = widgets.ChoiceBox(
             "settings_looks", [gettext(each) for each in THEMES.values()],
             gettext(
                 "Light or dark colours of the window. The line colours of all themes suit "
                 "colour-blind users."
             ),
         )  # fmt: skip
-        self.scale = widgets.Choice(
+        self.scale = widgets.ChoiceBox(
             "settings_scale", [gettext(each) for each in SCALES.values()],
             gettext(
                 "Colour scale of points coloured by height, intensity, range or time. Residuals "
                 "have their own scale."
             ),
         )  # fmt: skip
-        self.convention = widgets.Choice(
+        self.convention = widgets.ChoiceBox(
             "settings_convention", [gettext("(none)"), *(each.name for each in OTHERS)],
             gettext("The report also gives the boresight angles in the convention of the chosen "
                     "program"),
@@ -171,21 +171,21 @@ class SettingsDialog(QDialog):
         self._form.addRow(widgets.label(gettext("Cache"), "heading"))
         self._form.addRow(gettext("Folder"), self.cache)
         self._form.addRow(widgets.label(gettext("Sensors of new projects"), "heading"))
-        self._place_choice()
+        self._add_sensor_choice()
 
-    def _place_choice(self) -> None:
-        self.choice = SensorChoice(library(self._folder), "settings")
+    def _add_sensor_choice(self) -> None:
+        self.choice = SensorChoice(read_library(self._folder), "settings")
         self._form.addRow(gettext("Scanner"), self.choice.scanner)
         self._form.addRow("", self.choice.scanner_origin)
         self._form.addRow(gettext("INS/GNSS"), self.choice.pos)
         self._form.addRow("", self.choice.pos_origin)
 
-    def _renew_choice(self) -> None:
+    def _reload_sensor_choice(self) -> None:
         names = self.choice.names
         for _row in range(4):
             self._form.removeRow(self._form.rowCount() - 1)
         self.choice.deleteLater()
-        self._place_choice()
+        self._add_sensor_choice()
         self.choice.choose(*names)
 
     def _buttons(self) -> QHBoxLayout:
@@ -202,7 +202,7 @@ class SettingsDialog(QDialog):
         row = QHBoxLayout()
         row.addWidget(self.restore)
         row.addStretch(1)
-        for each in widgets.in_order(self.keep, cancel):
+        for each in widgets.in_platform_order(self.keep, cancel):
             row.addWidget(each)
         for each in (self.restore, cancel):
             each.setAutoDefault(False)

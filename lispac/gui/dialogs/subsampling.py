@@ -6,17 +6,17 @@ import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui import units
-from lispac.gui.dialogs.study import StudyDialog, angle_columns
-from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
+from lispac.gui.dialogs.study_dialog import StudyDialog, angle_columns
+from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import gettext
-from lispac.workflow.subsampling import Subsampled
+from lispac.workflow.subsampling import SubsamplingResult
 
 
 class SubsamplingDialog(StudyDialog):
     """A row for each point spacing."""
 
     def __init__(
-        self, found: Sequence[Subsampled], used: float, parent: QWidget | None = None
+        self, found: Sequence[SubsamplingResult], used: float, parent: QWidget | None = None
     ) -> None:
         title = gettext("Subsampling study")
         table = DiagnosticsTable("subsampling_table", title, _columns())
@@ -29,13 +29,13 @@ class SubsamplingDialog(StudyDialog):
             ),
             table, parent,
         )  # fmt: skip
-        self.show_rows([_row(each, each.distance == used) for each in found])
+        self.show_rows([_spacing_row(each, each.distance == used) for each in found])
         self.said.setText(
             gettext(
                 "The highlighted row has the point spacing of the project settings, {spacing} "
                 "{unit}.",
                 spacing=units.localised(units.figure(used, "m", ".2f")),
-                unit=units.unit("m").sign,
+                unit=units.shown_unit("m").sign,
             )
         )
         self.said.setVisible(any(each.distance == used for each in found))
@@ -62,11 +62,11 @@ def _columns() -> list[Column]:
     ]
 
 
-def _row(each: Subsampled, used: bool) -> Row:
+def _spacing_row(each: SubsamplingResult, used: bool) -> Row:
     cells = [
-        number(each.distance, ".2f") if each.distance else Cell(gettext("all points"), 0.0),
-        number(each.points, ",.0f"),
+        number_cell(each.distance, ".2f") if each.distance else Cell(gettext("all points"), 0.0),
+        number_cell(each.points, ",.0f"),
     ]
     for angle, sigma in zip(np.degrees(each.boresight), np.degrees(each.sigma), strict=True):
-        cells += [number(angle, "+.4f"), number(sigma, ".4f")]
-    return Row((*cells, number(each.seconds, ".2f")), marked=used)
+        cells += [number_cell(angle, "+.4f"), number_cell(sigma, ".4f")]
+    return Row((*cells, number_cell(each.seconds, ".2f")), marked=used)

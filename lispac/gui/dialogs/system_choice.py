@@ -11,8 +11,8 @@ from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.export_request import system_of
-from lispac.workflow.target_systems import LOCAL, common_system, utm_zone
+from lispac.workflow.export_request import output_system_of
+from lispac.workflow.output_crs import LOCAL, common_system, utm_zone
 
 REST_MS = 300
 LOCAL_NAME = N_("Local frame – North, West, Up")
@@ -51,7 +51,7 @@ def system_text(box: QComboBox) -> str:
 
 
 class SystemChoice(QObject):
-    """Two fields of a form for the system of given coordinates.
+    """Two fields of a form: coordinate system and vertical system.
 
     Attributes
     ----------
@@ -82,26 +82,26 @@ class SystemChoice(QObject):
         self._settle = QTimer(self)
         self._settle.setSingleShot(True)
         self._settle.setInterval(REST_MS)
-        self._settle.timeout.connect(self._judge)
-        self.box.editTextChanged.connect(self._typed)
-        self.height.textChanged.connect(self._typed)
+        self._settle.timeout.connect(self._resolve_system)
+        self.box.editTextChanged.connect(self._on_typed)
+        self.height.textChanged.connect(self._on_typed)
 
     def add_to(self, form: QFormLayout) -> None:
         """Add the two fields to a form."""
         form.addRow(gettext("Coordinate system"), self.box)
         form.addRow(gettext("Vertical system"), self.height)
         self._form = form
-        self._judge()
+        self._resolve_system()
 
-    def _typed(self) -> None:
+    def _on_typed(self) -> None:
         if self.box.findText(self.box.currentText()) >= 0 and not self.height.text():
-            self._judge()  # chosen, not typed
+            self._resolve_system()  # chosen, not typed
             return
         self.waiting = True
         self._settle.start()
         self.changed.emit()
 
-    def _judge(self) -> None:
+    def _resolve_system(self) -> None:
         self._settle.stop()
         self.waiting, self.problem, self.system = False, None, None
         text, chosen = system_text(self.box), self.box.findText(self.box.currentText().strip()) >= 0
@@ -111,7 +111,7 @@ class SystemChoice(QObject):
         elif text != LOCAL:
             height = self.height.text().strip()
             try:
-                self.system = system_of(self._project, self._trajectory, text, height)
+                self.system = output_system_of(self._project, self._trajectory, text, height)
             except LispacError as failure:
                 self.problem = failure
         self.changed.emit()

@@ -5,13 +5,13 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
-from lispac.gui.dialogs.study import StudyDialog
+from lispac.gui.dialogs.study_dialog import StudyDialog
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
 from lispac.language import N_, gettext
 
 if TYPE_CHECKING:
-    from lispac.simulation.visibility_study import Visibility
+    from lispac.simulation.visibility_study import VisibilityStudy
 
 COLUMNS = (
     (N_("Error"), N_("Systematic error and its size")),
@@ -53,15 +53,15 @@ SITES = {"terrestrial": N_("Terrestrial site"), "marine": N_("Marine site")}
 
 
 class VisibilityDialog(StudyDialog):
-    """Shows one site, one error and one criterion at a time.
+    """Dialogue that shows one site, one error and one criterion at a time.
 
     Parameters
     ----------
     found : results of each site
     """
 
-    def __init__(self, found: "Sequence[Visibility]", parent: QWidget | None = None) -> None:
-        from lispac.report.visibility_figures import CRITERIA, error_in_words
+    def __init__(self, found: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
+        from lispac.report.visibility_figures import CRITERIA, error_text
 
         columns = [Column(gettext(title), gettext(tip), words=True) for title, tip in COLUMNS]
         table = DiagnosticsTable(
@@ -81,18 +81,18 @@ class VisibilityDialog(StudyDialog):
         self._criteria = tuple(CRITERIA)
         self._reasons: list[str] = []
         self._summary = ""
-        self.site = widgets.Choice(
+        self.site = widgets.ChoiceBox(
             "visibility_site", [gettext(SITES[each.site.name]) for each in found],
             gettext(
                 "Terrestrial site: scanner 2.5 m above a board on the ground. Marine site: vessel "
                 "15 m from a quay 5 m high."
             ),
         )  # fmt: skip
-        self.error = widgets.Choice(
-            "visibility_error", [error_in_words(each) for each in found[0].site.errors],
+        self.error = widgets.ChoiceBox(
+            "visibility_error", [error_text(each) for each in found[0].site.errors],
             gettext("Systematic error to show"),
         )  # fmt: skip
-        self.criterion = widgets.Choice(
+        self.criterion = widgets.ChoiceBox(
             "visibility_criterion", [gettext(each.title) for each in CRITERIA.values()],
             gettext("Criterion shown in the chart"),
         )  # fmt: skip
@@ -108,13 +108,13 @@ class VisibilityDialog(StudyDialog):
         self.copy_numbers.setToolTip(
             gettext("Copy the values of the chart as a table for a spreadsheet")
         )
-        self.site.currentIndexChanged.connect(self._another_site)
+        self.site.currentIndexChanged.connect(self._on_site_changed)
         self.error.currentIndexChanged.connect(lambda _index: self._draw())
         table.itemSelectionChanged.connect(self._row_selected)
         self.criterion.currentIndexChanged.connect(lambda _index: self._draw())
         canvas = self.figure().canvas
         connections = (
-            canvas.mpl_connect("motion_notify_event", self._read),
+            canvas.mpl_connect("motion_notify_event", self._show_values_at),
             canvas.mpl_connect("axes_leave_event", lambda _event: self._clear_reading()),
         )
         # The mouse may leave the canvas after the label is destroyed
@@ -122,14 +122,14 @@ class VisibilityDialog(StudyDialog):
             lambda: [canvas.mpl_disconnect(each) for each in connections]
         )
         self.resize(1180, 860)
-        self._another_site()
+        self._on_site_changed()
 
     @property
-    def _shown(self) -> "Visibility":
+    def _shown(self) -> "VisibilityStudy":
         return self._found[self.site.currentIndex()]
 
     @property
-    def _drawn(self) -> "tuple[Visibility, str, str]":
+    def _drawn(self) -> "tuple[VisibilityStudy, str, str]":
         found = self._shown
         return (
             found,
@@ -137,20 +137,20 @@ class VisibilityDialog(StudyDialog):
             self._criteria[self.criterion.currentIndex()],
         )
 
-    def _another_site(self) -> None:
-        from lispac.report.visibility_figures import error_in_words
-        from lispac.report.visibility_tables import all_errors_in_words, comparison_table
+    def _on_site_changed(self) -> None:
+        from lispac.report.visibility_figures import error_text
+        from lispac.report.visibility_tables import all_errors_text, comparison_table
 
         found = self._shown
         self.error.blockSignals(True)
         chosen = self.error.currentIndex()
         self.error.clear()
-        self.error.addItems([error_in_words(each) for each in found.site.errors])
+        self.error.addItems([error_text(each) for each in found.site.errors])
         self.error.setCurrentIndex(min(chosen, self.error.count() - 1))
         self.error.blockSignals(False)
         rows = comparison_table(found, found.site.errors).rows
         self._reasons = [reason for *_, reason in rows]
-        self._summary = all_errors_in_words(found)
+        self._summary = all_errors_text(found)
         self.show_rows(
             [
                 Row(
@@ -167,7 +167,7 @@ class VisibilityDialog(StudyDialog):
             self.error.setCurrentIndex(self._shown.site.errors.index(key[0]))
 
     def _draw(self) -> None:
-        from lispac.report.visibility_figures import error_in_words, visibility_figure
+        from lispac.report.visibility_figures import error_text, visibility_figure
 
         found, error, criterion = self._drawn
         visibility_figure(found, error, criterion, self.figure())
@@ -176,7 +176,7 @@ class VisibilityDialog(StudyDialog):
         self._clear_reading()
         texts = [self._summary]
         if reason := self._reasons[self.error.currentIndex()]:
-            name = error_in_words(error)
+            name = error_text(error)
             texts.insert(
                 0,
                 gettext("{error}, difference from the thesis: {reason}", error=name, reason=reason),
@@ -186,12 +186,12 @@ class VisibilityDialog(StudyDialog):
     def _clear_reading(self) -> None:
         self.reading.setText(gettext(READ))
 
-    def _read(self, event) -> None:
+    def _show_values_at(self, event) -> None:
         """Show the values of the lines under the mouse."""
-        from lispac.report.visibility_tables import reading
+        from lispac.report.visibility_tables import values_at_inclination
 
         if event.inaxes is not None:
-            self.reading.setText(reading(*self._drawn, event.xdata))
+            self.reading.setText(values_at_inclination(*self._drawn, event.xdata))
 
     def numbers(self) -> str:
         """Values of the chart as text, tabs between the columns."""

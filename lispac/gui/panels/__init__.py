@@ -1,1 +1,1 @@
-"""What stands around the 3D view."""
+"""Panels around the 3D view."""

@@ -1,4 +1,4 @@
-"""Step 3: how many points, which model, which values to estimate, and the adjustment."""
+"""Step 3: points, model, parameters to estimate, and the adjustment."""
 
 from dataclasses import replace
 
@@ -15,12 +15,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.adjustment.stochastic import PosErrors
+from lispac.adjustment.stochastic_model import PosErrors
 from lispac.errors import InputError
 from lispac.gui.panels import widgets
 from lispac.gui.panels.adjust_model import ModelSettings
 from lispac.gui.panels.adjust_parameters import ParameterSwitches
-from lispac.gui.panels.fields import Fold
+from lispac.gui.panels.fields import FoldableGroup
 from lispac.gui.status import StepStatus
 from lispac.gui.tasks import Task
 from lispac.language import N_, Plural, gettext
@@ -66,7 +66,7 @@ class AdjustPanel(QWidget):
         self._ready = False
         self._project: Project | None = None
         self._counted: tuple[int | None, int, int, str] = (None, 0, 0, "")
-        layout = widgets.column(self)
+        layout = widgets.vertical_layout(self)
         layout.setSpacing(6)
         layout.addLayout(self._distance_row())
         self.count = widgets.label("", "muted", wrap=True, name="point_count", rich=True)
@@ -84,10 +84,12 @@ class AdjustPanel(QWidget):
         self.model_sentence = widgets.label("", "muted", wrap=True, name="model_sentence")
         layout.addWidget(self.model_sentence)
         self.parameters = ParameterSwitches()
-        self.also = Fold(gettext("Additional parameters"), "fold_parameters", self.parameters)
+        self.also = FoldableGroup(
+            gettext("Additional parameters"), "fold_parameters", self.parameters
+        )
         layout.addWidget(self.also)
         self.model = ModelSettings()
-        self.advanced = Fold(gettext("Advanced"), "fold_advanced", self.model)
+        self.advanced = FoldableGroup(gettext("Advanced"), "fold_advanced", self.model)
         layout.addWidget(self.advanced)
         self.cross_check = QCheckBox(gettext("Cross-check with subsets of the data"))
         self.cross_check.setObjectName("cross_check")
@@ -109,26 +111,26 @@ class AdjustPanel(QWidget):
         )  # fmt: skip
         self.estimate.clicked.connect(self.ask)
         layout.addWidget(self.estimate)
-        layout.addWidget(self._running_row())
+        layout.addWidget(self._progress_row())
         self.advice = widgets.label("", "muted", wrap=True, name="adjust_advice")
         layout.addWidget(self.advice)
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(DEBOUNCE_MS)
         self._rest.timeout.connect(lambda: self.subsample_changed.emit(self._metres))
-        self._models.idToggled.connect(lambda _id, on: self._check() if on else None)
-        self.parameters.changed.connect(self._check)
-        self.model.changed.connect(self._check)
-        self._check()
+        self._models.idToggled.connect(lambda _id, on: self._check_input() if on else None)
+        self.parameters.changed.connect(self._check_input)
+        self.model.changed.connect(self._check_input)
+        self._check_input()
 
     @property
     def subsample(self) -> float:
-        """Metres."""
+        """Point spacing, metres."""
         return self._metres
 
     @property
     def pos_errors(self) -> PosErrors:
-        """The chosen model."""
+        """Chosen model of the POS errors."""
         return MODELS[self._models.checkedId()][0]
 
     @property
@@ -137,7 +139,7 @@ class AdjustPanel(QWidget):
         return self._models.checkedButton()
 
     def settings(self) -> Settings | None:
-        """The project's settings with what is chosen here.
+        """Settings of the project with the values of the panel.
 
         Raises
         ------
@@ -147,12 +149,12 @@ class AdjustPanel(QWidget):
         if self._settings is None:
             return None
         chosen = replace(self._settings, subsample=self._metres, pos_errors=self.pos_errors)
-        chosen = self.model.settings_of(self.parameters.settings_of(chosen))
+        chosen = self.model.with_chosen_values(self.parameters.with_chosen_values(chosen))
         chosen.require_sound()
         return chosen
 
     def ask(self) -> None:
-        """Ask for an adjustment with what is chosen."""
+        """Request an adjustment with the values of the panel."""
         if self.estimate.isEnabled():
             self._rest.stop()
             self.estimate_asked.emit(self.settings(), self.cross_check.isChecked())
@@ -170,15 +172,15 @@ class AdjustPanel(QWidget):
                 self._models.button(k).setChecked(model == settings.pos_errors)
             self.parameters.show_settings(settings)
             self.model.show_settings(settings)
-        self._check()
+        self._check_input()
 
     @property
     def sound(self) -> bool:
         """Whether all typed values are valid."""
         return self.problem.isHidden()
 
-    def _check(self) -> None:
-        """Show what is wrong with the typed values, and the summaries of the folded groups."""
+    def _check_input(self) -> None:
+        """Show errors of the typed values, and the summaries of the folded groups."""
         self.model_sentence.setText(gettext(MODELS[self._models.checkedId()][2]))
         self.model.show_model(self.pos_errors)
         self.also.set_summary(self.parameters.summary)
@@ -190,7 +192,7 @@ class AdjustPanel(QWidget):
         else:
             self.problem.setText("")
             self.problem.hide()
-        self.estimate.allow(self._ready and self.sound)
+        self.estimate.update_enabled(self._ready and self.sound)
         self._update_count()
 
     def _show_problem(self, text: str) -> None:
@@ -254,7 +256,7 @@ class AdjustPanel(QWidget):
         return self._project.result.points if fits else None
 
     def show_task(self, task: Task | None) -> None:
-        """Progress of the adjustment, where one runs."""
+        """Show the progress of the adjustment; None if none runs."""
         self._running.setVisible(task is not None)
         if task is not None:
             self._progress.setValue(round(task.fraction * 1000))
@@ -264,7 +266,7 @@ class AdjustPanel(QWidget):
         """Stop the timer."""
         self._rest.stop()
 
-    def _running_row(self) -> QWidget:
+    def _progress_row(self) -> QWidget:
         self._progress = QProgressBar()
         self._progress.setObjectName("estimate_progress")
         self._progress.setRange(0, 1000)
@@ -291,7 +293,7 @@ class AdjustPanel(QWidget):
         )  # fmt: skip
         self.distance.setSpecialValueText(gettext("all points"))
         self.distance.setMinimumWidth(84)
-        self.unit = widgets.Choice(
+        self.unit = widgets.ChoiceBox(
             "subsample_unit", [unit for unit, _ in UNITS], gettext("Unit of the point spacing")
         )
         self._show_distance()

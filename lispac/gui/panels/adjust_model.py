@@ -7,8 +7,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QLabel, QWidget
 
-from lispac.adjustment.robust import LossName
-from lispac.adjustment.stochastic import PosErrors
+from lispac.adjustment.robust_loss import LossName
+from lispac.adjustment.stochastic_model import PosErrors
 from lispac.errors import InputError
 from lispac.gui import units
 from lispac.gui.panels import widgets
@@ -76,25 +76,25 @@ class ModelSettings(QWidget):
         form.setHorizontalSpacing(8)
         form.setVerticalSpacing(5)
         form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.DontWrapRows)
-        self.position_time = self._time(
+        self.position_time = self._time_field(
             "position_time", gettext("Correlation time of the position error of the POS")
         )
-        self.attitude_time = self._time(
+        self.attitude_time = self._time_field(
             "attitude_time", gettext("Correlation time of the attitude error of the POS")
         )
         form.addRow(gettext("Correlation, position"), self.position_time)
         form.addRow(gettext("Correlation, attitude"), self.attitude_time)
         self.times = _WrappedText(gettext(TIMES), "times_sentence")
         form.addRow(self.times)
-        self.surface = self._optional(
+        self.surface = self._optional_field(
             "surface", gettext("Surface roughness"), "mm", _MM, gettext("estimated"),
             gettext(
                 "Standard deviation of the surface of a target in one line from its common "
                 "surface in all lines"
             ),
         )  # fmt: skip
-        form.addRow(gettext("Roughness, {unit}", unit=units.unit("mm").sign), self.surface)
-        self.loss = widgets.Choice(
+        form.addRow(gettext("Roughness, {unit}", unit=units.shown_unit("mm").sign), self.surface)
+        self.loss = widgets.ChoiceBox(
             "loss", [gettext(title) for _, title, _ in LOSSES],
             gettext("Weight of outliers: points far from the surface of their target"),
         )  # fmt: skip
@@ -102,7 +102,7 @@ class ModelSettings(QWidget):
             self.loss.setItemData(k, gettext(tip), Qt.ItemDataRole.ToolTipRole)
         self.loss.currentIndexChanged.connect(self.changed)
         form.addRow(gettext("Outliers"), self.loss)
-        self.noise = widgets.Choice(
+        self.noise = widgets.ChoiceBox(
             "lidar_noise", [gettext(noise) for noise in NOISES],
             gettext("Model of the LiDAR noise: one value, one value per axis, or range and "
                     "angle"),
@@ -111,26 +111,26 @@ class ModelSettings(QWidget):
         form.addRow(gettext("LiDAR noise"), self.noise)
         self._same = widgets.label("", "muted", wrap=True, name="lidar_same")
         self.axes = []
-        millimetres, degrees = units.unit("mm").sign, units.unit("°").sign
+        millimetres, degrees = units.shown_unit("mm").sign, units.shown_unit("°").sign
         for axis in "XYZ":
             self.axes.append(
-                self._optional(
+                self._optional_field(
                     f"lidar_{axis.lower()}", gettext("LiDAR noise along {axis}", axis=axis), "mm",
                     _MM, f"{axis}, {millimetres}",
                     gettext("Standard deviation of a LiDAR point along {axis}", axis=axis), True,
                 )
             )  # fmt: skip
-        self.range = self._optional(
+        self.range = self._optional_field(
             "lidar_range", gettext("LiDAR range noise"), "mm", _MM,
             gettext("range, {unit}", unit=millimetres),
             gettext("Standard deviation of the range"), True,
         )  # fmt: skip
-        self.angle = self._optional(
+        self.angle = self._optional_field(
             "lidar_angle", gettext("LiDAR angle noise"), "°", 1.0,
             gettext("angle, {unit}", unit=degrees),
             gettext("Standard deviation of the beam direction"), True,
         )  # fmt: skip
-        self._three, self._two = _row(*self.axes), _row(self.range, self.angle)
+        self._three, self._two = _field_row(*self.axes), _field_row(self.range, self.angle)
         for each in (self._same, self._three, self._two):
             form.addRow("", each)
         self.components = QCheckBox(gettext("Estimate variance components"))
@@ -159,8 +159,8 @@ class ModelSettings(QWidget):
         self._form = form
         self._show_noise()
 
-    def settings_of(self, settings: Settings) -> Settings:
-        """The settings with what is chosen here.
+    def with_chosen_values(self, settings: Settings) -> Settings:
+        """Settings with the values of these fields.
 
         Raises
         ------
@@ -169,14 +169,20 @@ class ModelSettings(QWidget):
         kind = self.noise.currentIndex()
         return replace(
             settings,
-            position_time=_kept(self.position_time.value(), settings.position_time, 0.051),
-            attitude_time=_kept(self.attitude_time.value(), settings.attitude_time, 0.051),
+            position_time=_unrounded_value(
+                self.position_time.value(), settings.position_time, 0.051
+            ),
+            attitude_time=_unrounded_value(
+                self.attitude_time.value(), settings.attitude_time, 0.051
+            ),
             surface=self.surface.value(),
             loss=LOSSES[self.loss.currentIndex()][0],
-            lidar_sigma_xyz=self._all(self.axes, "window.lidar_axes_incomplete")
+            lidar_sigma_xyz=self._all_values(self.axes, "window.lidar_axes_incomplete")
             if kind == 1
             else None,
-            lidar_beam_sigma=self._all((self.range, self.angle), "window.lidar_beam_incomplete")
+            lidar_beam_sigma=self._all_values(
+                (self.range, self.angle), "window.lidar_beam_incomplete"
+            )
             if kind == 2
             else None,
             variance_components=self.components.isChecked(),
@@ -226,18 +232,18 @@ class ModelSettings(QWidget):
             settings.append(gettext("targets of one orientation accepted"))
         return ", ".join(settings)
 
-    def _all(self, fields, code: str):
+    def _all_values(self, fields, code: str):
         values = [field.value() for field in fields]
         if any(value is None for value in values):
             raise InputError(error(code))
         return tuple(values)
 
-    def _time(self, name: str, tip: str):
+    def _time_field(self, name: str, tip: str):
         field = widgets.number(name, suffix=" s", decimals=1, low=0, high=1e6, step=30, tip=tip)
         field.valueChanged.connect(self.changed)
         return field
 
-    def _optional(self, *parts) -> OptionalNumber:
+    def _optional_field(self, *parts) -> OptionalNumber:
         field = OptionalNumber(*parts)
         field.textChanged.connect(self.changed)
         return field
@@ -249,7 +255,7 @@ class ModelSettings(QWidget):
         self.changed.emit()
 
 
-def _row(*fields: QWidget) -> QWidget:
+def _field_row(*fields: QWidget) -> QWidget:
     widget = QWidget()
     row = QHBoxLayout(widget)
     row.setContentsMargins(0, 0, 0, 0)
@@ -259,6 +265,6 @@ def _row(*fields: QWidget) -> QWidget:
     return widget
 
 
-def _kept(displayed: float, before: float, step: float) -> float:
-    """The value with all its digits where the field was not changed."""
+def _unrounded_value(displayed: float, before: float, step: float) -> float:
+    """Value with all its digits if the rounded field was not changed."""
     return before if abs(displayed - before) < step else displayed

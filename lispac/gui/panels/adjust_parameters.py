@@ -1,12 +1,12 @@
-"""Which values are estimated besides the boresight, and what is known of them."""
+"""Parameters estimated besides the boresight, with their priors."""
 
 from dataclasses import dataclass, replace
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QGridLayout, QLabel, QWidget
 
+from lispac.adjustment.display_text import QUANTITIES
 from lispac.adjustment.parameters import Parameter
-from lispac.adjustment.shown import QUANTITIES
 from lispac.gui import theme, units
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import OptionalNumber
@@ -17,8 +17,8 @@ from lispac.project import Settings
 
 
 @dataclass(frozen=True)
-class Kind:
-    """A value of the mounting as the window shows it; texts are English.
+class MountingParameter:
+    """Mounting parameter as shown in the window; texts are English.
 
     Attributes
     ----------
@@ -43,7 +43,7 @@ class Kind:
     tip: str
 
     def amount(self, value: float, *, signed: bool = True) -> str:
-        """A value with the unit shown, written as in the user's language."""
+        """Text of a value with the unit shown, in the user's language."""
         form = f"{'+' if signed else ''}.{self.decimals}f"
         if self.unit in BASES:
             return units.local_amount(value * self.scale, BASES[self.unit], form)
@@ -92,8 +92,8 @@ TITLES = {
     "scan_angle_offset": N_("Scan-angle offset"),
     "latency": N_("Latency"),
 }
-KINDS: dict[str, Kind] = {
-    name: Kind(
+KINDS: dict[str, MountingParameter] = {
+    name: MountingParameter(
         name, TITLES[name], each.unit.replace("deg", "°"), each.factor, each.decimals,
         *_LIMITS_AND_TEXTS[name],
     )
@@ -104,7 +104,7 @@ SCANNER = ("range_offset", "scan_angle_offset", "latency")
 
 
 class ParameterSwitches(QWidget):
-    """A row for each value: a switch, its prior and the standard deviation of that."""
+    """Row for each parameter: a switch, its prior and the prior's standard deviation."""
 
     changed = Signal()
 
@@ -133,10 +133,10 @@ class ParameterSwitches(QWidget):
             switch = QCheckBox(gettext(kind.short_title))
             switch.setObjectName(f"estimate_{kind.name}")
             switch.setToolTip(gettext(kind.tip))
-            switch.toggled.connect(self._switched)
+            switch.toggled.connect(self._on_switched)
             self.switches[kind.name] = switch
             grid.addWidget(switch, row, 0)
-            grid.addWidget(self._prior(kind), row, 1)
+            grid.addWidget(self._prior_field(kind), row, 1)
             sigma = OptionalNumber(
                 f"sigma_{kind.name}", gettext(kind.sigma_title), kind.unit, kind.scale,
                 gettext("unknown"), gettext("Standard deviation of the prior"),
@@ -146,10 +146,10 @@ class ParameterSwitches(QWidget):
             self.sigmas[kind.name] = sigma
             grid.addWidget(sigma, row, 2)
         grid.setColumnStretch(0, 1)
-        self._switched()
+        self._on_switched()
 
-    def settings_of(self, settings: Settings) -> Settings:
-        """The settings with what is chosen here.
+    def with_chosen_values(self, settings: Settings) -> Settings:
+        """Settings with the values of these rows.
 
         Raises
         ------
@@ -189,9 +189,9 @@ class ParameterSwitches(QWidget):
         for name in SCANNER:
             field = self.priors[name]
             field.blockSignals(True)
-            field.setValue(self._shown[name] * _scale(name))
+            field.setValue(self._shown[name] * _unit_scale(name))
             field.blockSignals(False)
-        self._enable()
+        self._enable_controls()
 
     @property
     def summary(self) -> str:
@@ -201,10 +201,10 @@ class ParameterSwitches(QWidget):
             return gettext(Plural("{count:n} parameter", "{count:n} parameters"), count=len(chosen))
         return ", ".join(gettext(kind.summary) for kind in chosen) if chosen else gettext("none")
 
-    def _prior(self, kind: Kind) -> QWidget:
+    def _prior_field(self, kind: MountingParameter) -> QWidget:
         if kind.name in LEVER:
             shown = widgets.label("")
-            shown.setFont(theme.tabular(shown.font()))
+            shown.setFont(theme.tabular_font(shown.font()))
             shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             shown.setToolTip(gettext("Lever arm given in step 1"))
             self._lever[kind.name] = shown
@@ -220,21 +220,21 @@ class ParameterSwitches(QWidget):
         return field
 
     def _value(self, name: str) -> float:
-        """Metres, degrees or seconds, with all digits where the field was not changed."""
+        """Value in metres, degrees or seconds, with all digits if it was not changed."""
         typed, shown = self.priors[name].value(), self._shown.get(name, 0.0)
-        if abs(typed - shown * _scale(name)) < ALIKE:
+        if abs(typed - shown * _unit_scale(name)) < ALIKE:
             return shown
-        return typed / _scale(name)
+        return typed / _unit_scale(name)
 
-    def _switched(self) -> None:
-        self._enable()
+    def _on_switched(self) -> None:
+        self._enable_controls()
         self.changed.emit()
 
-    def _enable(self) -> None:
+    def _enable_controls(self) -> None:
         for name, switch in self.switches.items():
             self.sigmas[name].setEnabled(switch.isChecked())
 
 
-def _scale(name: str) -> float:
-    """Shown units to one of `Settings`, which holds the scan-angle offset in degrees."""
+def _unit_scale(name: str) -> float:
+    """Factor from the unit shown to that of `Settings`."""
     return 1.0 if name == "scan_angle_offset" else KINDS[name].scale

@@ -3,10 +3,10 @@
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QFrame, QHBoxLayout
 
-from lispac.doubles import overlap_warning
+from lispac.duplicate_targets import overlap_warning
 from lispac.gui import units
 from lispac.gui.panels import widgets
-from lispac.gui.panels.line_lights import LineLights
+from lispac.gui.panels.line_lights import LineQualityLights
 from lispac.gui.tab_order import ENTERS
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
@@ -40,12 +40,12 @@ class CandidateBox(QFrame):
         super().__init__()
         self.setObjectName("candidate_box")
         self.setProperty("role", "candidate")
-        layout = widgets.column(self, 10)
+        layout = widgets.vertical_layout(self, 10)
         self.title = widgets.label("", "heading", name="candidate_title")
         self.detail = widgets.label("", wrap=True, name="candidate_detail")
         layout.addWidget(self.title)
         layout.addWidget(self.detail)
-        self.lights = LineLights("candidate_lights")
+        self.lights = LineQualityLights("candidate_lights")
         layout.addWidget(self.lights)
         self.double = widgets.label("", "warning", wrap=True, name="candidate_double")
         layout.addWidget(self.double)
@@ -70,7 +70,7 @@ class CandidateBox(QFrame):
         return super().eventFilter(watched, event)
 
     def fill(self, candidate: Target, project: Project, survey: Survey | None) -> None:
-        """Show where the target was found, where not, and whether another one has its points."""
+        """Show the lines with and without the target, and a target that shares its points."""
         known = any(target.name == candidate.name for target in project.targets)
         self.title.setText(gettext(TITLES[candidate.role][known], name=candidate.name))
         found = candidate.sightings
@@ -106,9 +106,9 @@ class CandidateBox(QFrame):
 
 def _comparison_text(target: Target, survey: Survey) -> str:
     """How the target differs from the expected one, on the first line with a difference."""
-    from lispac.workflow.qualities import unexpected
+    from lispac.workflow.sighting_assessment import unexpected_deviations
 
-    differences = unexpected(target, survey)
+    differences = unexpected_deviations(target, survey)
     if not differences:
         return gettext("Size and inclination agree with the expected values.")
     line, reasons = next(iter(differences.items()))

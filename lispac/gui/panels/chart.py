@@ -1,4 +1,4 @@
-"""A plot in the window. Imported with the first plot: Matplotlib takes half a second."""
+"""Matplotlib plot in the window, imported with the first plot as it takes half a second."""
 
 from collections.abc import Callable
 
@@ -12,9 +12,9 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPixmap, QResiz
 
 from lispac.gui import theme
 from lispac.gui.idle_tasks import IdleTask
-from lispac.gui.panels.dark_pictures import dimmed
-from lispac.gui.panels.ticks import spoken_ticks
-from lispac.gui.slices import Slices
+from lispac.gui.panels.dark_pictures import with_inverted_lightness
+from lispac.gui.panels.ticks import localise_ticks
+from lispac.gui.sliced_calculation import SlicedCalculation
 
 AFTER_MS = 20
 """Delay before drawing. A plot takes 0.2 to 0.5 s, half of it for the layout of its texts: other
@@ -38,17 +38,17 @@ class _Renderer(RendererAgg):
 
 
 class Chart(FigureCanvasQTAgg):
-    """Matplotlib's canvas, drawn when it is visible, and once for all changes until then.
+    """Matplotlib canvas that is drawn when visible, once for all pending changes.
 
     A plot on white ground is dimmed in a dark window, and copied as it is drawn.
     """
 
     def __init__(self, width: int, height: int, ground: str = WHITE) -> None:
         """Set the minimum size in pixels, and the colour of the ground."""
-        self._dims = ground == WHITE and theme.scheme().dark
+        self._dims = ground == WHITE and theme.current_scheme().is_dark
         self._due: IdleTask | None = None
         self._stale = True
-        self._layout = Slices()
+        self._layout = SlicedCalculation()
         """The layout of texts in progress."""
         self._hurried = False
         """Whether the plot changed before the layout was complete."""
@@ -59,8 +59,8 @@ class Chart(FigureCanvasQTAgg):
         self._drawn_with: tuple[float, float, float] | None = None
         super().__init__(Figure(layout="constrained", facecolor=ground))
         self.destroyed.connect(self._layout.abandon)
-        self._due = IdleTask(self._begin, self, AFTER_MS)
-        self._next = IdleTask(self._go_on, self)
+        self._due = IdleTask(self._begin_drawing, self, AFTER_MS)
+        self._next = IdleTask(self._continue_steps, self)
         self.setMinimumSize(width, height)
 
     def draw_idle(self) -> None:
@@ -70,11 +70,11 @@ class Chart(FigureCanvasQTAgg):
 
     def draw(self) -> None:
         """Draw now."""
-        self._abandon()
+        self._abandon_drawing()
         self._stale = False
-        spoken_ticks(self.figure)
+        localise_ticks(self.figure)
         super().draw()
-        self._last = self._drawn(dims=self._dims)
+        self._last = self._rendered_image(dims=self._dims)
 
     def get_renderer(self) -> _Renderer:
         """Renderer of the present size."""
@@ -86,18 +86,18 @@ class Chart(FigureCanvasQTAgg):
             self.renderer.rest = self._layout.rest
         return self.renderer
 
-    def _abandon(self) -> None:
+    def _abandon_drawing(self) -> None:
         """Abandon a started picture."""
         self._left = []
         self._layout.abandon()
 
-    def _begin(self) -> None:
-        """Lay out the texts in several turns; each plot is a turn, too."""
+    def _begin_drawing(self) -> None:
+        """Lay out the texts in several turns of the event loop."""
         if not self._stale or self.width() <= 0 or self.height() <= 0:
             return
-        self._abandon()
+        self._abandon_drawing()
         self._stale = False
-        spoken_ticks(self.figure)
+        localise_ticks(self.figure)
         figure, layout = self.figure, self.figure.get_layout_engine()
         if not figure.axes:  # still empty
             self._begin_parts()
@@ -106,28 +106,28 @@ class Chart(FigureCanvasQTAgg):
             self._begin_parts()
         else:
             self._layout.begin(lambda: layout.execute(figure))
-            self._go_on()
+            self._continue_steps()
 
     def _begin_parts(self) -> None:
         self._hurried = False
         self.get_renderer().clear()
         self.figure.patch.draw(self.renderer)
-        self._left = self._parts()
+        self._left = self._artists()
         if self._left:
             self._next.start()
         else:
-            self._finish()
+            self._show_finished()
 
-    def _parts(self) -> list[Artist]:
+    def _artists(self) -> list[Artist]:
         """The artists on the ground, in drawing order."""
         parts = [each for each in self.figure.get_children() if each is not self.figure.patch]
         return sorted(parts, key=lambda each: each.get_zorder())
 
-    def _go_on(self) -> None:
+    def _continue_steps(self) -> None:
         """Draw the next part; later changes are drawn after this picture is complete."""
         if self._layout.under_way:
             if self._stale:
-                self._abandon()
+                self._abandon_drawing()
                 self._hurried = True
                 self.update()
             elif self._layout.go_on():
@@ -144,12 +144,12 @@ class Chart(FigureCanvasQTAgg):
             if self._left:
                 self._next.start()
                 return
-            self._finish()
+            self._show_finished()
         self.update()
 
-    def _finish(self) -> None:
+    def _show_finished(self) -> None:
         """Show the complete picture."""
-        self._last = self._drawn(dims=self._dims)
+        self._last = self._rendered_image(dims=self._dims)
         self.callbacks.process("draw_event", DrawEvent("draw_event", self, self.renderer))
         self.update()
 
@@ -158,10 +158,10 @@ class Chart(FigureCanvasQTAgg):
         """Whether a picture was started and is not complete."""
         return self._layout.under_way or bool(self._left)
 
-    def _drawn(self, *, dims: bool = False) -> QImage:
+    def _rendered_image(self, *, dims: bool = False) -> QImage:
         pixels = np.asarray(self.buffer_rgba())
         if dims:
-            pixels = dimmed(pixels)
+            pixels = with_inverted_lightness(pixels)
         height, width, _ = pixels.shape
         image = QImage(pixels.data, width, height, QImage.Format.Format_RGBA8888).copy()
         image.setDevicePixelRatio(self.devicePixelRatioF())
@@ -171,11 +171,11 @@ class Chart(FigureCanvasQTAgg):
         """The picture that is shown or is due, without dimming."""
         if (self._stale or self.is_drawing) and self.width() > 0 and self.height() > 0:
             self.draw()
-        return QPixmap.fromImage(self._drawn()) if self._dims else self.grab()
+        return QPixmap.fromImage(self._rendered_image()) if self._dims else self.grab()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Draw again in the new size."""
-        self._abandon()
+        self._abandon_drawing()
         super().resizeEvent(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:

@@ -33,7 +33,7 @@ class ClippingPanel(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        column = widgets.column(self)
+        column = widgets.vertical_layout(self)
         column.addWidget(widgets.label(gettext(HINT), "muted", wrap=True))
         form = QFormLayout()
         self.fields = []

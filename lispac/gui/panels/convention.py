@@ -1,4 +1,4 @@
-"""Angles in another program: the boresight as it is entered there."""
+"""Boresight in the angle convention of another program."""
 
 from html import escape
 
@@ -16,22 +16,23 @@ from lispac.errors import InputError
 from lispac.gui import theme, units
 from lispac.gui.panels import widgets
 from lispac.gui.panels.convention_inputs import (
-    CurrentSettings,
-    GivenBoresight,
+    BoresightInputs,
+    CurrentSettingsInputs,
     ImuAxes,
     program_name,
 )
-from lispac.gui.panels.convention_table import AnglesTable
-from lispac.gui.panels.gizmo import Gizmo
+from lispac.gui.panels.convention_table import ConventionAnglesTable
 from lispac.gui.panels.matrix_field import MatrixField
-from lispac.gui.panels.mounting_words import boresight_said, lever_arm_said
+from lispac.gui.panels.mounting_texts import boresight_sentence, lever_arm_sentence
+from lispac.gui.panels.scanner_axes_view import ScannerAxesView
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.project import Project
 from lispac.survey.conventions.axes import Axes
-from lispac.survey.conventions.conversion import MountingInSystem, Setup
+from lispac.survey.conventions.conversion import ConventionSetup, MountingInSystem
 from lispac.survey.conventions.correction import SUM_MATTERS
-from lispac.survey.conventions.present import Replacement, replacement
+from lispac.survey.conventions.mounting_texts import offsets_note
+from lispac.survey.conventions.present_settings import ReplacementSettings, replace_settings
 from lispac.survey.conventions.systems import (
     LISPAC,
     SCANNER_WORDS,
@@ -41,7 +42,6 @@ from lispac.survey.conventions.systems import (
     Scanner,
     Status,
 )
-from lispac.survey.conventions.words import offsets_note
 from lispac.survey.georeferencing import Mounting
 
 TITLE = N_("Angles in another program")
@@ -72,17 +72,17 @@ _SCANNER_AXES: dict[Scanner, tuple[str, str]] = {
 
 
 class ConventionPanel(QWidget):
-    """The boresight in the convention of a chosen program, with the assumptions about it."""
+    """Boresight in the convention of a chosen program, with its assumptions."""
 
     def __init__(self) -> None:
         super().__init__()
         self._all_digits = self._all_angles = ""
-        self.given, self.current, self.imu = GivenBoresight(), CurrentSettings(), ImuAxes()
+        self.given, self.current, self.imu = BoresightInputs(), CurrentSettingsInputs(), ImuAxes()
         self._build()
         for inputs in (self.given, self.current, self.imu):
             inputs.changed.connect(self._refresh)
-        self.system.currentIndexChanged.connect(self._choose)
-        self._choose(1)
+        self.system.currentIndexChanged.connect(self._set_program)
+        self._set_program(1)
 
     @property
     def convention(self) -> Convention:
@@ -90,14 +90,14 @@ class ConventionPanel(QWidget):
         return SYSTEMS[self.system.currentIndex()]
 
     def show_project(self, project: Project | None) -> None:
-        """Take over the project's boresight and lever arm where they changed."""
+        """Take the boresight and lever arm of the project if they changed."""
         self.given.show_project(project)
 
     # -- assembly ----------------------------------------------------------------------------
 
     def _build(self) -> None:
         body = QWidget()
-        layout = widgets.column(body)
+        layout = widgets.vertical_layout(body)
         layout.addWidget(widgets.label(gettext("Program"), "heading"))
         self.system = QComboBox()
         self.system.setObjectName("convention_system")
@@ -118,7 +118,7 @@ class ConventionPanel(QWidget):
         layout.addWidget(self.imu)
         self.values_head = widgets.label("", "heading", wrap=True)
         layout.addWidget(self.values_head)
-        self.table = AnglesTable()
+        self.table = ConventionAnglesTable()
         layout.addWidget(self.table)
         self.remarks = widgets.label("", "muted", wrap=True, name="convention_remarks", rich=True)
         layout.addWidget(self.remarks)
@@ -128,14 +128,14 @@ class ConventionPanel(QWidget):
         layout.addWidget(self.lever)
         self.words = widgets.label(wrap=True, name="convention_words", rich=True)
         layout.addWidget(self.words)
-        self.gizmo = Gizmo()
+        self.gizmo = ScannerAxesView()
         layout.addWidget(self.gizmo)
         layout.addWidget(self.rules)
         layout.addWidget(self.current)
         layout.addWidget(self.given)
         layout.addWidget(self._matrix_box())
         layout.addStretch(1)
-        area = widgets.TallArea(body, 380)
+        area = widgets.VerticalScrollArea(body, 380)
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)
         outer.addWidget(area)
@@ -185,7 +185,7 @@ class ConventionPanel(QWidget):
 
     # -- what the user does ------------------------------------------------------------------
 
-    def _choose(self, index: int) -> None:
+    def _set_program(self, index: int) -> None:
         if self.system.currentIndex() != index:
             self.system.setCurrentIndex(index)
             return
@@ -208,8 +208,8 @@ class ConventionPanel(QWidget):
         convention, given = self.convention, self.given
         try:
             body_axes = self.imu.axes if convention.open_axes else None
-            setup = Setup(convention, body_axes, self.scanner.currentData())
-            new = replacement(
+            setup = ConventionSetup(convention, body_axes, self.scanner.currentData())
+            new = replace_settings(
                 setup, given.mounting, given.covariance, self.current.of(setup),
                 applied=self.current.applied.isChecked(), has_lever_arm=given.has_lever_arm,
             )  # fmt: skip
@@ -218,7 +218,7 @@ class ConventionPanel(QWidget):
             return
         self._show_rules(setup, new.mounting)
         self._show_values(new)
-        self._show_words(new.mounting)
+        self._show_mounting_text(new.mounting)
         self._show_matrix(new.stated)
 
     def _show_refusal(self, text: str) -> None:
@@ -230,7 +230,7 @@ class ConventionPanel(QWidget):
         for button in (self.copy, self.copy_angles):
             button.setEnabled(False)
 
-    def _show_rules(self, setup: Setup, mounting: Mounting) -> None:
+    def _show_rules(self, setup: ConventionSetup, mounting: Mounting) -> None:
         convention = setup.convention
         colour = theme.colour(_COLOURS[setup.status]).name()
         x, y, z = setup.axes
@@ -257,7 +257,7 @@ class ConventionPanel(QWidget):
         self.assumption.setText(f"<b>{title}</b> {setup.assumption}")
         self.assumption.setVisible(setup.assumption is not None)
 
-    def _show_values(self, new: Replacement) -> None:
+    def _show_values(self, new: ReplacementSettings) -> None:
         stated, correction = new.stated, new.correction
         setup = stated.setup
         convention = setup.convention
@@ -273,7 +273,7 @@ class ConventionPanel(QWidget):
             )
             self.remarks.setVisible(correction is not None)
             if correction is not None:
-                self.remarks.setText(_matrix_text(correction.rotation, new.transform))
+                self.remarks.setText(_correction_text(correction.rotation, new.transform))
         else:
             self.values_head.setText(
                 gettext("Angles to enter, degrees")
@@ -295,7 +295,7 @@ class ConventionPanel(QWidget):
             if stated.sigmas is not None:
                 rows.append((gettext("± 1 σ"), stated.sigmas, "", False))
             self.table.fill(convention, rows, decimals)
-            self._all_angles = _lines(convention, stated.angles, decimals)
+            self._all_angles = _angle_lines(convention, stated.angles, decimals)
             self._show_remarks(new)
         arm = _lever_arm_text(setup.axes, stated.lever_arm)
         texts = [
@@ -307,7 +307,7 @@ class ConventionPanel(QWidget):
             texts += map(message_text, filter(None, [new.lever_arm_note]))
         self.lever.setText("<br>".join(texts))
 
-    def _show_remarks(self, new: Replacement) -> None:
+    def _show_remarks(self, new: ReplacementSettings) -> None:
         stated, correction = new.stated, new.correction
         signs = str(stated.setup.signs)
         lines = [f"{signs[:1].upper()}{signs[1:]}."]
@@ -323,17 +323,17 @@ class ConventionPanel(QWidget):
                 lines.append(_sum_error_text(error))
         if new.transform is not None:
             title = gettext("Correction of the 4x4 matrix:")
-            lines.append(f"{title}<br>{_code(new.transform)}")
+            lines.append(f"{title}<br>{_matrix_html(new.transform)}")
         if stated.note is not None:
             lines.append(f"<b>{message_text(stated.note)}</b>")
         if stated.sigmas is not None and self.given.caution:
             lines.append(self.given.caution)
         self.remarks.setText("<br>".join(lines))
 
-    def _show_words(self, mounting: Mounting) -> None:
+    def _show_mounting_text(self, mounting: Mounting) -> None:
         sentences = (
-            f"<b>{boresight_said(mounting.plain.boresight)}</b>",
-            lever_arm_said(mounting.lever_arm),
+            f"<b>{boresight_sentence(mounting.plain.boresight)}</b>",
+            lever_arm_sentence(mounting.lever_arm),
             *map(message_text, filter(None, [offsets_note(mounting)])),
         )
         self.words.setText("<br>".join(sentence for sentence in sentences if sentence))
@@ -344,16 +344,16 @@ class ConventionPanel(QWidget):
         self.matrix_head.setText(
             gettext("Matrix from scanner to body in {program}, with the lever arm", program=name)
         )
-        self.matrix.setPlainText(_rows(stated.transform, 7))
-        self._all_digits = _rows(stated.transform, 12)
+        self.matrix.setPlainText(_matrix_rows(stated.transform, 7))
+        self._all_digits = _matrix_rows(stated.transform, 12)
         self.matrix.setToolTip(gettext(SCANNER_WORDS[stated.setup.scanner_frame]))
 
 
-def _matrix_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:
+def _correction_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:
     text = gettext(
         "The matrix below replaces the present matrix: new = correction · present. Correction:"
     )
-    return f"{text}<br>{_code(rotation if transform is None else transform)}"
+    return f"{text}<br>{_matrix_html(rotation if transform is None else transform)}"
 
 
 def _sum_error_text(error: float) -> str:
@@ -367,8 +367,8 @@ def _sum_error_text(error: float) -> str:
     )
 
 
-def _code(matrix: np.ndarray) -> str:
-    rows = _rows(matrix, 7).replace(" ", "&nbsp;").replace("\n", "<br>")
+def _matrix_html(matrix: np.ndarray) -> str:
+    rows = _matrix_rows(matrix, 7).replace(" ", "&nbsp;").replace("\n", "<br>")
     return f"<code>{rows}</code>"
 
 
@@ -382,13 +382,13 @@ def _lever_arm_text(axes: Axes, values: np.ndarray) -> str:
     )
 
 
-def _lines(convention: Convention, angles: np.ndarray, decimals: int) -> str:
+def _angle_lines(convention: Convention, angles: np.ndarray, decimals: int) -> str:
     values = np.round(np.degrees(angles), decimals) + 0.0
     named = zip(convention.names, values, strict=True)
     return "\n".join(f"{name}\t{value:.{decimals}f}" for name, value in named)
 
 
-def _rows(matrix: np.ndarray, decimals: int) -> str:
+def _matrix_rows(matrix: np.ndarray, decimals: int) -> str:
     return "\n".join(
         " ".join(f"{value + 0.0:{decimals + 4}.{decimals}f}" for value in np.round(row, decimals))
         for row in matrix

@@ -10,16 +10,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.adjustment.shown import capitalised
+from lispac.adjustment.display_text import capitalised
 from lispac.gui.panels import widgets
 from lispac.gui.panels.matrix_field import MatrixField
 from lispac.language import N_, gettext
 from lispac.project import Project
-from lispac.survey.conventions.axes import DIRECTIONS, Axes, completed_axes
-from lispac.survey.conventions.conversion import Setup
-from lispac.survey.conventions.present import Present, present_of_matrix
+from lispac.survey.conventions.axes import DIRECTIONS, Axes, complete_axes
+from lispac.survey.conventions.conversion import ConventionSetup
+from lispac.survey.conventions.matrix_input import matrix_of_text
+from lispac.survey.conventions.present_settings import PresentSettings, present_settings_of_matrix
 from lispac.survey.conventions.systems import Convention
-from lispac.survey.conventions.typed import matrix_of_text
 from lispac.survey.georeferencing import Mounting
 
 USER_DEFINED = N_("User-defined values.")
@@ -42,8 +42,8 @@ def program_name(convention: Convention) -> str:
     return gettext(convention.name)
 
 
-class GivenBoresight(QWidget):
-    """The boresight and lever arm to convert: those of the project, or user-defined.
+class BoresightInputs(QWidget):
+    """Fields for the boresight and lever arm to convert, from the project or user-defined.
 
     Attributes
     ----------
@@ -76,7 +76,7 @@ class GivenBoresight(QWidget):
         for field, meaning in zip(self.boresight.fields, MEANINGS, strict=True):
             field.setToolTip(gettext(meaning))
         for field in (*self.boresight.fields, *self.lever_arm.fields):
-            field.valueChanged.connect(self._typed)
+            field.valueChanged.connect(self._on_typed)
         layout.addWidget(self.boresight)
         layout.addWidget(self.lever_arm)
         self.take = widgets.button(
@@ -86,13 +86,13 @@ class GivenBoresight(QWidget):
                 "has been estimated"
             ),
         )  # fmt: skip
-        self.take.clicked.connect(self._take)
+        self.take.clicked.connect(self._take_from_project)
         self.take.setEnabled(False)
         layout.addWidget(self.take, alignment=Qt.AlignmentFlag.AlignLeft)
 
     def show_project(self, project: Project | None) -> None:
         """Take the boresight of the project where it changed."""
-        self._offered = None if project is None else _offer(project)
+        self._offered = None if project is None else _project_boresight(project)
         self.take.setEnabled(self._offered is not None)
         key: tuple[object, ...] = ()
         if project is not None:
@@ -100,9 +100,9 @@ class GivenBoresight(QWidget):
         # Other edits of the project keep the typed values.
         if key != self._key:
             self._key = key
-            self._take()
+            self._take_from_project()
 
-    def _take(self) -> None:
+    def _take_from_project(self) -> None:
         if self._offered is None:
             return
         self.mounting, self.covariance, self.caution, source = self._offered
@@ -112,7 +112,7 @@ class GivenBoresight(QWidget):
         self.source.setText(source)
         self.changed.emit()
 
-    def _typed(self) -> None:
+    def _on_typed(self) -> None:
         self.mounting = Mounting(
             np.array(self.lever_arm.value()), np.radians(self.boresight.value())
         )
@@ -122,8 +122,8 @@ class GivenBoresight(QWidget):
         self.changed.emit()
 
 
-class CurrentSettings(QWidget):
-    """The present settings of the other program, where they are to be corrected."""
+class CurrentSettingsInputs(QWidget):
+    """Fields for the present settings of the other program, if they are to be corrected."""
 
     changed = Signal()
 
@@ -146,7 +146,7 @@ class CurrentSettings(QWidget):
             )
             for k in range(3)
         ]
-        self.fields = widgets.Triple(("", "", ""), fields)
+        self.fields = widgets.TripleField(("", "", ""), fields)
         self._words = [
             self.fields.layout().itemAtPosition(0, column).widget() for column in range(3)
         ]
@@ -189,8 +189,8 @@ class CurrentSettings(QWidget):
         for field in fields:
             field.valueChanged.connect(self.changed)
 
-    def of(self, setup: Setup) -> Present | None:
-        """The present settings; None where they are not to be corrected.
+    def of(self, setup: ConventionSetup) -> PresentSettings | None:
+        """Present settings; None if they are not to be corrected.
 
         Raises
         ------
@@ -200,8 +200,8 @@ class CurrentSettings(QWidget):
         if not self.known.isChecked():
             return None
         if not self.as_matrix.isChecked():
-            return Present(np.radians(self.fields.value()))
-        return present_of_matrix(
+            return PresentSettings(np.radians(self.fields.value()))
+        return present_settings_of_matrix(
             setup, *matrix_of_text(self.matrix.toPlainText(), gettext("Present matrix"))
         )
 
@@ -237,7 +237,7 @@ class CurrentSettings(QWidget):
 
 
 class ImuAxes(QWidget):
-    """Where the axes of an IMU point, for a program whose body frame is that of the IMU."""
+    """Fields for the directions of the axes of an IMU, if that is the body frame."""
 
     changed = Signal()
 
@@ -263,16 +263,16 @@ class ImuAxes(QWidget):
 
     @property
     def axes(self) -> Axes:
-        """Right-handed axes; `InputError` where X and Y lie on one line."""
-        return completed_axes(DIRECTIONS[self.x.currentIndex()], DIRECTIONS[self.y.currentIndex()])
+        """Right-handed axes; `InputError` if X and Y lie on one line."""
+        return complete_axes(DIRECTIONS[self.x.currentIndex()], DIRECTIONS[self.y.currentIndex()])
 
     def show_z(self, direction: str) -> None:
         """Show the direction of the third axis."""
         self._z.setText(gettext("Z {direction}", direction=gettext(direction)))
 
 
-def _offer(project: Project) -> tuple[Mounting, np.ndarray | None, str, str]:
-    """Mounting, covariance, caution and source; texts in the user's language."""
+def _project_boresight(project: Project) -> tuple[Mounting, np.ndarray | None, str, str]:
+    """Mounting, covariance, warning and source text of a project."""
     result = project.result
     if result is None:
         return project.mounting("prior"), None, "", (

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from lispac.adjustment.shown import capitalised
+from lispac.adjustment.display_text import capitalised
 from lispac.gui import theme, units
 from lispac.language import gettext
 from lispac.survey.conventions.systems import Convention
@@ -18,8 +18,8 @@ Row = tuple[str, np.ndarray, str, bool]
 """Title in the user's language, angles in radians, format of the sign, bold."""
 
 
-class AnglesTable(QTableWidget):
-    """Three angles in a row, with a scroll bar where their digits need more space."""
+class ConventionAnglesTable(QTableWidget):
+    """Table of three angles, which scrolls if their digits need more space."""
 
     def __init__(self) -> None:
         super().__init__(1, 3)
@@ -50,16 +50,16 @@ class AnglesTable(QTableWidget):
             for column, value in enumerate(np.round(np.degrees(values), decimals)):
                 item = QTableWidgetItem(units.localised(f"{value + 0.0:{sign}.{decimals}f}"))
                 item.setTextAlignment(_RIGHT)
-                item.setFont(theme.tabular(self.font(), bold=bold))
+                item.setFont(theme.tabular_font(self.font(), bold=bold))
                 self.setItem(row, column, item)
-        self._lay_out()
+        self._set_column_widths()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Distribute the new width over the columns."""
         super().resizeEvent(event)
-        self._lay_out()
+        self._set_column_widths()
 
-    def _lay_out(self) -> None:
+    def _set_column_widths(self) -> None:
         """Give each column the width of its numbers, and distribute the rest."""
         head = self.horizontalHeader()
         needed = [

@@ -14,8 +14,8 @@ LUMA = (77, 150, 29)
 """Shares of red, green and blue in 256, after ITU-R BT.601."""
 
 
-def dimmed(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """The picture in the colours of the scheme in use.
+def with_inverted_lightness(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Pixels of a picture with inverted lightness, in the colours of the scheme in use.
 
     Parameters
     ----------

@@ -40,12 +40,12 @@ class DataPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._settings: Settings | None = None
-        layout = widgets.column(self)
+        layout = widgets.vertical_layout(self)
         self._empty = _EmptyState(self)
         layout.addWidget(self._empty)
         self._filled = QWidget()
         layout.addWidget(self._filled)
-        filled = widgets.column(self._filled, 0)
+        filled = widgets.vertical_layout(self._filled, 0)
 
         files = QFormLayout()
         files.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
@@ -105,7 +105,7 @@ class DataPanel(QWidget):
         self.apply.clicked.connect(self._apply)
         self.revert.clicked.connect(lambda: self._fill(self._settings))
         for field in (*self.lever_arm.fields, *self.boresight.fields, self.lidar_sigma):
-            field.valueChanged.connect(self._compare)
+            field.valueChanged.connect(self._show_changes)
         for field in (*self.lever_arm.fields, *self.boresight.fields):
             field.valueChanged.connect(lambda _value, field=field: self._keep_in_sight(field))
         self.show_project(None, None)
@@ -117,8 +117,8 @@ class DataPanel(QWidget):
         if project is None:
             self._settings = None
             return
-        _name_file(self._trajectory, project.trajectory, "")
-        _name_file(
+        _show_file_name(self._trajectory, project.trajectory, "")
+        _show_file_name(
             self._accuracy, project.accuracy, gettext("given standard deviations, constant in time")
         )
         self._list_lines(project, survey)
@@ -154,13 +154,13 @@ class DataPanel(QWidget):
             item.setToolTip(widgets.plain_tip(f"{line.path}\n{use}"))
             table.setItem(row, 0, item)
             here = survey is not None and line.name in survey.scans
-            heading = f"{_degrees(survey.heading[line.name])}°" if here else "–"
+            heading = f"{_heading_degrees(survey.heading[line.name])}°" if here else "–"
             points = number(len(survey.scans[line.name]), 0) if here else "–"
             for place, text in ((1, heading), (2, points)):
                 cell = QTableWidgetItem(text)
                 cell.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable)
                 cell.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-                cell.setFont(theme.tabular(table.font()))
+                cell.setFont(theme.tabular_font(table.font()))
                 table.setItem(row, place, cell)
         table.blockSignals(False)
         height = table.horizontalHeader().sizeHint().height() + 26 * min(len(names), 8) + 4
@@ -178,24 +178,24 @@ class DataPanel(QWidget):
             self.lidar_sigma.blockSignals(True)
             self.lidar_sigma.setValue(settings.lidar_sigma * 1000)
             self.lidar_sigma.blockSignals(False)
-        self._compare()
+        self._show_changes()
 
-    def _edited(self) -> Settings | None:
+    def _edited_settings(self) -> Settings | None:
         """Settings with the fields that the user changed; None where there are none."""
         if self._settings is None:
             return None
         fresh = self._settings
-        if _moved(self.lever_arm.value(), fresh.lever_arm):
+        if _is_changed(self.lever_arm.value(), fresh.lever_arm):
             fresh = replace(fresh, lever_arm=self.lever_arm.value())
-        if _moved(self.boresight.value(), fresh.boresight_deg):
+        if _is_changed(self.boresight.value(), fresh.boresight_deg):
             fresh = replace(fresh, boresight_deg=self.boresight.value())
-        if _moved((self.lidar_sigma.value() / 1000,), (fresh.lidar_sigma,)):
+        if _is_changed((self.lidar_sigma.value() / 1000,), (fresh.lidar_sigma,)):
             fresh = replace(fresh, lidar_sigma=self.lidar_sigma.value() / 1000)
         return None if fresh is self._settings else fresh
 
-    def _compare(self) -> None:
+    def _show_changes(self) -> None:
         self.mounting.show_mounting(self.lever_arm.value(), self.boresight.value())
-        differs = self._edited() is not None
+        differs = self._edited_settings() is not None
         self.apply.setEnabled(differs)
         self.revert.setEnabled(differs)
 
@@ -209,7 +209,7 @@ class DataPanel(QWidget):
                 above.ensureWidgetVisible(each, 0, 4)
 
     def _apply(self) -> None:
-        edited = self._edited()
+        edited = self._edited_settings()
         if edited is not None:
             self.settings_edited.emit(edited)
 
@@ -219,7 +219,7 @@ class _EmptyState(QWidget):
 
     def __init__(self, panel: DataPanel) -> None:
         super().__init__()
-        layout = widgets.column(self, 0)
+        layout = widgets.vertical_layout(self, 0)
         layout.addWidget(
             widgets.label(
                 gettext(
@@ -268,15 +268,15 @@ def _lines_table() -> QTableWidget:
     return table
 
 
-def _name_file(label: QLabel, path: Path | None, otherwise: str) -> None:
+def _show_file_name(label: QLabel, path: Path | None, otherwise: str) -> None:
     label.setText(path.name if path is not None else otherwise)
     label.setToolTip(widgets.plain_tip(str(path) if path is not None else otherwise))
 
 
-def _moved(shown: tuple[float, ...], kept: tuple[float, ...]) -> bool:
+def _is_changed(shown: tuple[float, ...], kept: tuple[float, ...]) -> bool:
     # A field keeps all digits of the value that it shows.
     return any(abs(a - b) > ALIKE for a, b in zip(shown, kept, strict=True))
 
 
-def _degrees(heading: float) -> int:
+def _heading_degrees(heading: float) -> int:
     return round(heading * 57.29577951308232) % 360

@@ -21,21 +21,25 @@ SMALLEST_DEG = 1e-12
 
 
 def convergence(result: AdjustmentResult, figure: Figure) -> None:
-    """Distance of each angle from its last value, per iteration; the prior is iteration 0."""
-    axes = _axes(figure)
+    """Draw the distance of each angle from its last value over the iterations; 0 is the prior."""
+    axes = _new_axes(figure)
     path = np.degrees(np.vstack([result.prior_boresight, result.path]))
-    away = np.abs(path - path[-1]) * units.unit("°").factor
+    away = np.abs(path - path[-1]) * units.shown_unit("°").factor
     count, last = np.arange(len(path)), np.degrees(result.angles)
     for k, title in enumerate(ANGLE_TITLES):
         value = units.local_amount(float(last[k]), "°", "+.4f")
         shown = np.where(away[:-1, k] > SMALLEST_DEG, away[:-1, k], np.nan)
         axes.plot(
-            count[:-1], shown, color=theme.scheme().series[k], marker=MARKERS[k], markersize=4,
+            count[:-1],
+            shown,
+            color=theme.current_scheme().series[k],
+            marker=MARKERS[k],
+            markersize=4,
             linewidth=1.3,
             label=f"{gettext(title)}  {value}",
-        )  # fmt: skip
+        )
     sigma = float(np.degrees(result.sigma.min()))
-    sigma *= units.unit("°").factor
+    sigma *= units.shown_unit("°").factor
     axes.axhline(sigma, color=theme.MUTED, linewidth=1, linestyle="--")
     axes.annotate(
         gettext("smallest σ"), (1, sigma), xycoords=("axes fraction", "data"), xytext=(-4, 3),
@@ -52,8 +56,8 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
 
 
 def correlations(result: AdjustmentResult, figure: Figure) -> None:
-    """Heat map of all estimated values, with numbers."""
-    axes = _axes(figure)
+    """Draw a heat map of the correlations of all estimated values, with numbers."""
+    axes = _new_axes(figure)
     names = [short_title(name) for name in result.estimated]
     shades = LinearSegmentedColormap.from_list(
         "correlation", [theme.NEGATIVE, theme.PAPER, theme.POSITIVE]
@@ -73,7 +77,7 @@ def correlations(result: AdjustmentResult, figure: Figure) -> None:
 
 
 def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
-    """Estimated POS error of each sighting, with the band of its prior ± 2 σ."""
+    """Draw the estimated POS error of each sighting, with the band of its prior ± 2 σ."""
     figure.clear()
     parts = (
         (
@@ -90,8 +94,8 @@ def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
     place = np.arange(len(items))
     for subplot, (title, base, scale, which, components) in enumerate(parts, start=1):
         axes = figure.add_subplot(1, 2, subplot)
-        _dress(axes)
-        scale *= units.unit(base).factor
+        _style_axes(axes)
+        scale *= units.shown_unit(base).factor
         error = np.array([item.pos_error[which] for item in items]) * scale
         prior = np.array([item.pos_sigma[which] for item in items]) * scale
         for k, component in enumerate(components):
@@ -101,13 +105,13 @@ def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
             corners = ((left, -up), (left, up), (right, up), (right, -up))
             bars = PolyCollection(
                 np.stack([np.stack(corner, axis=-1) for corner in corners], axis=1),
-                facecolor=theme.scheme().series[k], alpha=0.18, linewidth=0,
+                facecolor=theme.current_scheme().series[k], alpha=0.18, linewidth=0,
                 label=None if k else gettext("prior ± 2 σ"),
             )  # fmt: skip
             axes.add_collection(bars)
             axes.plot(
                 offset, error[:, k], linestyle="none", marker=MARKERS[k], markersize=4,
-                color=theme.scheme().series[k], label=gettext(component),
+                color=theme.current_scheme().series[k], label=gettext(component),
             )  # fmt: skip
         axes.axhline(0, color=theme.MUTED, linewidth=0.8)
         axes.set_xticks(place, names, rotation=60, ha="right", rotation_mode="anchor")
@@ -119,16 +123,16 @@ def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
 
 
 def directions(result: AdjustmentResult, figure: Figure) -> None:
-    """Shares of roll, pitch and yaw in the three eigen directions."""
+    """Draw the shares of roll, pitch and yaw in the three eigenvectors."""
     observability = result.observability
     assert observability is not None
-    axes = _axes(figure)
+    axes = _new_axes(figure)
     sigma = np.degrees(observability.eigenvalues**-0.5)
     share = observability.directions**2
     left = np.zeros(3)
     for k, title in enumerate(map(gettext, ANGLE_TITLES)):
         axes.barh(range(3), share[k] * 100, left=left * 100, height=0.6,
-                  color=theme.scheme().series[k], alpha=0.85, label=title)  # fmt: skip
+                  color=theme.current_scheme().series[k], alpha=0.85, label=title)  # fmt: skip
         for row in range(3):
             if share[k, row] > 0.12:
                 text = gettext("{angle} {share:percent.0} %", angle=title, share=share[k, row])
@@ -146,20 +150,20 @@ def directions(result: AdjustmentResult, figure: Figure) -> None:
 
 
 def short_title(name: str) -> str:
-    """An estimated value as an axis of a figure shows it, in the user's language."""
+    """Short title of an estimated value for an axis, in the user's language."""
     if name in KINDS:
         return gettext(KINDS[name].short_title)
     return gettext(ANGLE_TITLES[ANGLES.index(name)])
 
 
-def _axes(figure: Figure) -> Axes:
+def _new_axes(figure: Figure) -> Axes:
     figure.clear()
     axes = figure.add_subplot()
-    _dress(axes)
+    _style_axes(axes)
     return axes
 
 
-def _dress(axes: Axes) -> None:
+def _style_axes(axes: Axes) -> None:
     axes.set_facecolor(theme.PAPER)
     axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
     axes.spines[["top", "right"]].set_visible(False)

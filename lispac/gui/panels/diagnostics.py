@@ -11,7 +11,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui.panels import widgets
-from lispac.gui.panels.diagnostics_pages import PAGES, Page, Sightings, Targets
+from lispac.gui.panels.diagnostics_pages import PAGES, DiagnosticsPage, SightingsPage, TargetsPage
 from lispac.language import N_, gettext
 from lispac.project import Project
 
@@ -28,13 +28,13 @@ class DiagnosticsPanel(QWidget):
         super().__init__()
         self.setMinimumHeight(216)
         self._project: Project | None = None
-        self._stale: set[Page] = set()
+        self._stale: set[DiagnosticsPage] = set()
         self.list = QListWidget()
         self.list.setObjectName("diagnostics_list")
         self.list.setAccessibleName(gettext("Pages of the diagnostics"))
         self.list.setStyleSheet("QListWidget { border: none; } QListWidget::item { padding: 3px; }")
         self._stack = QStackedWidget()
-        self.pages: dict[str, Page] = {}
+        self.pages: dict[str, DiagnosticsPage] = {}
         for kind in PAGES:
             page = kind()
             self.pages[page.title] = page
@@ -61,14 +61,14 @@ class DiagnosticsPanel(QWidget):
         row.addWidget(self.list)
         row.addWidget(right, 1)
         self._stale = set(self.pages.values())
-        self.list.currentRowChanged.connect(self._turn)
+        self.list.currentRowChanged.connect(self._show_page)
         self.list.setCurrentRow(0)
 
     @property
-    def current(self) -> Page:
+    def current(self) -> DiagnosticsPage:
         """The page in front."""
         page = self._stack.currentWidget()
-        assert isinstance(page, Page)
+        assert isinstance(page, DiagnosticsPage)
         return page
 
     def show_project(self, project: Project | None, *, waiting: bool = False) -> None:
@@ -77,7 +77,7 @@ class DiagnosticsPanel(QWidget):
         greyed = waiting and had_result
         self._waiting.setVisible(greyed)
         self._stack.setEnabled(not greyed)
-        if greyed or not self._differs(project):
+        if greyed or not self._has_new_result(project):
             return
         self._project = project
         self._stale = set(self.pages.values())
@@ -85,7 +85,7 @@ class DiagnosticsPanel(QWidget):
 
     def select(self, target: str, line: str) -> None:
         """Select the rows of a sighting."""
-        for page in (Sightings, Targets):
+        for page in (SightingsPage, TargetsPage):
             self.pages[page.title].select(target, line)
 
     def open(self, title: str) -> None:
@@ -97,13 +97,13 @@ class DiagnosticsPanel(QWidget):
         super().showEvent(event)
         self._fill()
 
-    def _differs(self, project: Project | None) -> bool:
+    def _has_new_result(self, project: Project | None) -> bool:
         if project is None or self._project is None:
             return project is not self._project
         old = self._project
         return project.result is not old.result or project.cross_checks is not old.cross_checks
 
-    def _turn(self, row: int) -> None:
+    def _show_page(self, row: int) -> None:
         self._stack.setCurrentIndex(row)
         self._fill()
 

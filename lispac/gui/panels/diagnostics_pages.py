@@ -30,8 +30,8 @@ NOT_WITH_CLASSICAL = N_(
 )
 
 
-class Page(QWidget):
-    """A page with its content, or with a text on how to obtain it."""
+class DiagnosticsPage(QWidget):
+    """Page with its content, or with advice on how to get it."""
 
     title = ""
     without_result = ""
@@ -50,7 +50,7 @@ class Page(QWidget):
 
     @property
     def advice(self) -> str:
-        """The text that is shown instead of the content; empty where there is content."""
+        """Text shown instead of the content; empty if there is content."""
         return self._empty.text() if self._stack.currentIndex() == 0 else ""
 
     def show_project(self, project: Project | None) -> None:
@@ -59,15 +59,15 @@ class Page(QWidget):
         if project is None or result is None:
             self._show_advice(gettext(self.without_result))
             return
-        lacking = self.lacks(project, result)
+        lacking = self.empty_page_advice(project, result)
         if lacking:
             self._show_advice(gettext(lacking))
             return
         self.fill(project, result)
         self._stack.setCurrentIndex(1)
 
-    def lacks(self, project: Project, result: AdjustmentResult) -> str:
-        """English text on what to do where the result has nothing for this page."""
+    def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
+        """Advice, in English, for a page without content; empty if the result has content."""
         return ""
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
@@ -82,8 +82,8 @@ class Page(QWidget):
         self._stack.setCurrentIndex(0)
 
 
-class FigurePage(Page):
-    """One figure."""
+class FigurePage(DiagnosticsPage):
+    """Page with one figure."""
 
     draws = ""
     """Name of the function in `diagnostic_figures`."""
@@ -113,23 +113,23 @@ class FigurePage(Page):
         self.canvas.draw_idle()
 
 
-class Convergence(FigurePage):
-    """Convergence of each angle."""
+class ConvergencePage(FigurePage):
+    """Page with the convergence of each angle."""
 
     title, draws = N_("Convergence"), "convergence"
     without_result = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the convergence of each angle."
     )
 
-    def lacks(self, project: Project, result: AdjustmentResult) -> str:
-        """Whether there was only one iteration."""
+    def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
+        """Advice if there was only one iteration."""
         if len(result.path) > 1:
             return ""
         return N_("The adjustment converged in one iteration. There is nothing to plot.")
 
 
-class Correlations(FigurePage):
-    """Correlations between all estimated values."""
+class CorrelationsPage(FigurePage):
+    """Page with the correlations of all estimated values."""
 
     title, draws = N_("Correlations"), "correlations"
     without_result = N_(
@@ -138,8 +138,8 @@ class Correlations(FigurePage):
     )
 
 
-class PosErrors(FigurePage):
-    """The estimated POS error of each sighting."""
+class PosErrorsPage(FigurePage):
+    """Page with the estimated POS error of each sighting."""
 
     title, draws = N_("POS error"), "pos_errors"
     without_result = N_(
@@ -147,13 +147,13 @@ class PosErrors(FigurePage):
         "sighting with its prior standard deviation."
     )
 
-    def lacks(self, project: Project, result: AdjustmentResult) -> str:
-        """Whether the model or the result has no tests of sightings."""
-        return _no_reliability(result)
+    def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
+        """Advice if the model or the result has no tests of sightings."""
+        return _reliability_advice(result)
 
 
-class Observability(FigurePage):
-    """How well lines and targets determine the angles."""
+class ObservabilityPage(FigurePage):
+    """Page on how well lines and targets determine the angles."""
 
     title, draws = N_("Observability"), "directions"
     without_result = N_(
@@ -167,10 +167,10 @@ class Observability(FigurePage):
         self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._row.setContentsMargins(8, 6, 4, 4)
-        self._row.addWidget(_scrolled(self.words), 1)
+        self._row.addWidget(_scroll_area(self.words), 1)
 
-    def lacks(self, project: Project, result: AdjustmentResult) -> str:
-        """Whether it was not computed."""
+    def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
+        """Advice if the observability was not computed."""
         return "" if result.observability else NOT_COMPUTED
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
@@ -192,8 +192,8 @@ class Observability(FigurePage):
         self.draw(result)
 
 
-class TablePage(Page):
-    """One table."""
+class TablePage(DiagnosticsPage):
+    """Page with one table."""
 
     name = ""
     columns: Callable[[], Sequence[Column]]
@@ -215,8 +215,8 @@ class TablePage(Page):
         self.table.select(target, line)
 
 
-class Sightings(TablePage):
-    """Residuals and tests of every sighting."""
+class SightingsPage(TablePage):
+    """Page with residuals and tests of every sighting."""
 
     title, name = N_("Sightings"), "diagnostics_sightings_table"
     columns = staticmethod(rows.sighting_columns)
@@ -227,8 +227,8 @@ class Sightings(TablePage):
     )
 
 
-class Targets(TablePage):
-    """Residuals of every target."""
+class TargetsPage(TablePage):
+    """Page with residuals of every target."""
 
     title, name = N_("Targets"), "diagnostics_targets_table"
     columns = staticmethod(rows.target_columns)
@@ -242,8 +242,8 @@ class Targets(TablePage):
         self.table.select(target, "")
 
 
-class Parameters(TablePage):
-    """Every estimated value with its prior and its significance."""
+class ParametersPage(TablePage):
+    """Page with every estimated value, its prior and its significance."""
 
     title, name = N_("Parameters"), "diagnostics_parameters_table"
     columns = staticmethod(rows.parameter_columns)
@@ -254,8 +254,8 @@ class Parameters(TablePage):
     )
 
 
-class Checks(Page):
-    """Results from parts of the data."""
+class CrossChecksPage(DiagnosticsPage):
+    """Page with the results from parts of the data."""
 
     title = N_("Cross-checks")
     without_result = N_(
@@ -283,8 +283,8 @@ class Checks(Page):
         layout.addWidget(self.table, 1)
         layout.addWidget(self.spread)
 
-    def lacks(self, project: Project, result: AdjustmentResult) -> str:
-        """Whether there are no cross-checks."""
+    def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
+        """Advice if there are no cross-checks."""
         if project.cross_checks is not None:
             return ""
         return N_(
@@ -297,21 +297,28 @@ class Checks(Page):
         """Fill the table, and show the spread."""
         assert project.cross_checks is not None
         self.table.show_rows(rows.check_rows(project.cross_checks))
-        self.spread.setText(rows.spread_words(project.cross_checks))
+        self.spread.setText(rows.spread_text(project.cross_checks))
 
 
-PAGES: tuple[type[Page], ...] = (
-    Sightings, Targets, Convergence, Correlations, PosErrors, Observability, Checks, Parameters,
-)  # fmt: skip
+PAGES: tuple[type[DiagnosticsPage], ...] = (
+    SightingsPage,
+    TargetsPage,
+    ConvergencePage,
+    CorrelationsPage,
+    PosErrorsPage,
+    ObservabilityPage,
+    CrossChecksPage,
+    ParametersPage,
+)
 
 
-def _no_reliability(result: AdjustmentResult) -> str:
+def _reliability_advice(result: AdjustmentResult) -> str:
     if not result.model.correlated:
         return NOT_WITH_CLASSICAL
     return "" if result.reliability else NOT_COMPUTED
 
 
-def _scrolled(widget: QWidget) -> QScrollArea:
+def _scroll_area(widget: QWidget) -> QScrollArea:
     area = QScrollArea()
     area.setWidgetResizable(True)
     area.setFrameShape(QFrame.Shape.NoFrame)

@@ -5,8 +5,9 @@ from collections.abc import Sequence
 import numpy as np
 from PySide6.QtCore import QLocale
 
-from lispac.adjustment.critical import critical_w
-from lispac.adjustment.parameters import SIGNIFICANT, Estimate
+from lispac.adjustment.critical_values import critical_test_value
+from lispac.adjustment.display_text import sighting_status
+from lispac.adjustment.parameters import SIGNIFICANT, ParameterEstimate
 from lispac.adjustment.reliability import CRITICAL
 from lispac.adjustment.result import (
     AdjustmentResult,
@@ -14,16 +15,15 @@ from lispac.adjustment.result import (
     SightingReliability,
     SightingResidual,
 )
-from lispac.adjustment.shown import standing
 from lispac.adjustment.sighting_warnings import MUCH_NOISE
 from lispac.gui import units
 from lispac.gui.panels.adjust_parameters import KINDS
-from lispac.gui.panels.diagnostics_table import Cell, Column, Row, number
+from lispac.gui.panels.diagnostics_table import Cell, Column, Row, number_cell
 from lispac.gui.units import Base
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.report.diagnostics import cross_checked
-from lispac.report.wording import named_parts
+from lispac.report.diagnostics import cross_check_values
+from lispac.report.text_format import named_cross_check_parts
 
 MM, MDEG = 1e3, float(np.degrees(1e3))
 FOLLOW = N_("Double-click or press Enter to show the points of this row in the view")
@@ -190,26 +190,30 @@ def parameter_columns() -> tuple[Column, ...]:
 def sighting_rows(result: AdjustmentResult) -> list[Row]:
     """One row for each sighting that was used."""
     tests = {(r.sighting.target, r.sighting.line): r for r in result.reliability}
-    critical = critical_w(result) or np.inf
+    critical = critical_test_value(result) or np.inf
     return [
-        _sighting(residual, tests.get((residual.sighting.target, residual.sighting.line)), critical)
+        _sighting_row(
+            residual, tests.get((residual.sighting.target, residual.sighting.line)), critical
+        )
         for residual in result.sightings
     ]
 
 
-def _sighting(residual: SightingResidual, test: SightingReliability | None, critical: float) -> Row:
+def _sighting_row(
+    residual: SightingResidual, test: SightingReliability | None, critical: float
+) -> Row:
     sighting = residual.sighting
     key = (sighting.target, sighting.line)
     fit = [
-        number(residual.points, ",.0f"),
-        number(residual.rms_before, ".1f", MM),
-        number(residual.rms_after, ".1f", MM),
+        number_cell(residual.points, ",.0f"),
+        number_cell(residual.rms_before, ".1f", MM),
+        number_cell(residual.rms_after, ".1f", MM),
     ]
     names = [Cell(sighting.target), Cell(sighting.line)]
     if test is None:
-        cells = [*names, *fit, *[number(None, "")] * 9, Cell(gettext("not tested"))]
+        cells = [*names, *fit, *[number_cell(None, "")] * 9, Cell(gettext("not tested"))]
         return Row(cells, key, tip=gettext(FOLLOW))
-    remark, disagrees = "", standing(test, critical) == "disagrees"
+    remark, disagrees = "", sighting_status(test, critical) == "disagrees"
     if test.released:
         remark = gettext("rejected: disagrees with other sightings")
     elif disagrees:
@@ -217,39 +221,39 @@ def _sighting(residual: SightingResidual, test: SightingReliability | None, crit
     elif test.strays > 0.05 * residual.points:
         remark = gettext("many outliers")
     tests = (
-        [number(None, "")] * 3
+        [number_cell(None, "")] * 3
         if test.released
         else [
-            number(test.w, "+.2f"),
-            number(test.detectable, ".1f", MM),
-            number(float(np.abs(test.effect).max()), ".1f", MDEG),
+            number_cell(test.w, "+.2f"),
+            number_cell(test.detectable, ".1f", MM),
+            number_cell(float(np.abs(test.effect).max()), ".1f", MDEG),
         ]
     )
     cells = [
         *names,
         *fit,
-        number(test.shift, "+.1f", MM),
+        number_cell(test.shift, "+.1f", MM),
         *tests,
-        number(test.strays, ",.0f"),
-        _worst_point(test),
-        number(test.redundancy, ".2f"),
-        _against_prior(test.pos_error[:3], test.pos_sigma[:3], MM, "mm"),
-        _against_prior(test.pos_error[3:], test.pos_sigma[3:], MDEG, "m°"),
+        number_cell(test.strays, ",.0f"),
+        _worst_point_cell(test),
+        number_cell(test.redundancy, ".2f"),
+        _error_cell(test.pos_error[:3], test.pos_sigma[:3], MM, "mm"),
+        _error_cell(test.pos_error[3:], test.pos_sigma[3:], MDEG, "m°"),
         Cell(remark),
     ]
     return Row(cells, key, marked=test.released or disagrees, tip=gettext(FOLLOW))
 
 
-def _worst_point(test: SightingReliability) -> Cell:
+def _worst_point_cell(test: SightingReliability) -> Cell:
     if test.largest_at is None:
-        return number(test.largest_w, ".1f")
+        return number_cell(test.largest_w, ".1f")
     # Without separators of thousands, as in the file
     time = f"{test.largest_at:.3f}".replace(".", QLocale().decimalPoint())
     text = gettext("{w:x.1} at {time} s", w=test.largest_w, time=time)
     return Cell(text, test.largest_w)
 
 
-def _against_prior(error: np.ndarray, sigma: np.ndarray, scale: float, base: Base) -> Cell:
+def _error_cell(error: np.ndarray, sigma: np.ndarray, scale: float, base: Base) -> Cell:
     size, prior = float(np.linalg.norm(error)), float(np.linalg.norm(sigma))
     found, expected = (units.local_figure(each * scale, base, ".1f") for each in (size, prior))
     return Cell(gettext("{error} (σ {sigma})", error=found, sigma=expected), size)
@@ -270,13 +274,13 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
         cells = [
             Cell(target.target),
             Cell(gettext("sphere") if target.sphere else gettext("plane")),
-            number(lines, ",.0f"),
-            number(target.points, ",.0f"),
-            number(target.rms_before, ".1f", MM),
-            number(target.rms_after, ".1f", MM),
-            number(target.noise, ".2f") if result.model.correlated else number(None, ""),
-            number(max(test_values, default=None), ".2f"),
-            number(sum(r.strays for r in tests), ",.0f") if tests else number(None, ""),
+            number_cell(lines, ",.0f"),
+            number_cell(target.points, ",.0f"),
+            number_cell(target.rms_before, ".1f", MM),
+            number_cell(target.rms_after, ".1f", MM),
+            number_cell(target.noise, ".2f") if result.model.correlated else number_cell(None, ""),
+            number_cell(max(test_values, default=None), ".2f"),
+            number_cell(sum(r.strays for r in tests), ",.0f") if tests else number_cell(None, ""),
             Cell(remark),
         ]
         rows.append(Row(cells, (target.target, ""), marked=bool(rejected), tip=gettext(FOLLOW)))
@@ -286,17 +290,17 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
 def check_rows(checks: CrossChecks) -> list[Row]:
     """One row for each part of the data."""
     rows = []
-    for name, check in named_parts(cross_checked(checks)):
+    for name, check in named_cross_check_parts(cross_check_values(checks)):
         title = Cell(name)
         if check.difference_deg is None or check.significance is None:
             reason = message_text(check.reason) if check.reason else ""
             verdict = Cell(gettext("no result"))
-            cells = [title, *[number(None, "")] * 6, verdict, Cell(reason)]
+            cells = [title, *[number_cell(None, "")] * 6, verdict, Cell(reason)]
             rows.append(Row(cells, tip=reason))
             continue
         cells = [title]
         for off, sigmas in zip(check.difference_deg, check.significance, strict=True):
-            cells += [number(off, "+.4f"), number(sigmas, "+.1f")]
+            cells += [number_cell(off, "+.4f"), number_cell(sigmas, "+.1f")]
         tip = gettext("An angle differs significantly") if check.disagrees else ""
         verdict = gettext("disagrees") if check.disagrees else gettext("agrees")
         cells += [Cell(verdict), Cell(tip)]
@@ -304,8 +308,8 @@ def check_rows(checks: CrossChecks) -> list[Row]:
     return rows
 
 
-def spread_words(checks: CrossChecks) -> str:
-    """The spread of the jackknife beside the formal sigmas, as rich text."""
+def spread_text(checks: CrossChecks) -> str:
+    """Spread of the jackknife beside the formal standard deviations, as rich text."""
 
     def row(title: str, values: Sequence[float] | None) -> str:
         numbers = (
@@ -325,18 +329,18 @@ def spread_words(checks: CrossChecks) -> str:
         )
         + "</tr>"
         + row(gettext("Formal σ"), checks.sigma)
-        + row(_two_lines(gettext("Spread, one line omitted")), checks.spread_lines)
-        + row(_two_lines(gettext("Spread, one target omitted")), checks.spread_targets)
+        + row(_break_at_commas(gettext("Spread, one line omitted")), checks.spread_lines)
+        + row(_break_at_commas(gettext("Spread, one target omitted")), checks.spread_targets)
         + "</table>"
     )
 
 
-def _two_lines(text: str) -> str:
+def _break_at_commas(text: str) -> str:
     return text.replace(", ", ",<br>")
 
 
 def parameter_rows(result: AdjustmentResult) -> list[Row]:
-    """The angles, then every parameter that was estimated besides."""
+    """Rows of the angles and of all other estimated parameters."""
     rows = []
     for k, title in enumerate(ANGLE_TITLES):
         value, prior = result.angles[k], result.prior_angles[k]
@@ -344,11 +348,11 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
             Row(
                 [
                     Cell(gettext(title)),
-                    _angle(float(value), "+.4f"),
-                    _angle(float(result.sigma[k]), ".4f"),
-                    _angle(float(prior), "+.4f"),
-                    number(None, ""),
-                    number(float((value - prior) / result.sigma[k]), "+.1f"),
+                    _angle_cell(float(value), "+.4f"),
+                    _angle_cell(float(result.sigma[k]), ".4f"),
+                    _angle_cell(float(prior), "+.4f"),
+                    number_cell(None, ""),
+                    number_cell(float((value - prior) / result.sigma[k]), "+.1f"),
                     Cell(gettext("always estimated")),
                 ]
             )
@@ -371,19 +375,19 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
             Cell(gettext("unknown"))
             if estimate.prior_sigma is None
             else cell(estimate.prior_sigma, signed=False),
-            number(estimate.significance, "+.1f"),
+            number_cell(estimate.significance, "+.1f"),
             Cell(remark),
         ]
         rows.append(Row(cells, marked=estimate.value is None, tip=remark))
     return rows
 
 
-def _angle(value: float, form: str) -> Cell:
+def _angle_cell(value: float, form: str) -> Cell:
     return Cell(units.local_amount(float(np.degrees(value)), "°", form), value)
 
 
-def _significance_text(estimate: Estimate) -> str:
-    """Whether a parameter is significant; empty where it has no value."""
+def _significance_text(estimate: ParameterEstimate) -> str:
+    """Text on the significance of a parameter; empty if it has no value."""
     if estimate.value is None:
         return ""
     if estimate.significant is None:

@@ -1,4 +1,4 @@
-"""A table of numbers, sorted by value; its rows lead to targets and lines."""
+"""Table of numbers, sorted by value, with links from rows to targets and lines."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 @dataclass(frozen=True)
 class Column:
-    """A column's heading and its tooltip."""
+    """Heading and tooltip of a column."""
 
     title: str
     tip: str
@@ -31,7 +31,7 @@ class Column:
 
 @dataclass(frozen=True)
 class Cell:
-    """What a cell shows and is sorted by."""
+    """Text and sort value of a cell."""
 
     text: str
     value: float | None = None
@@ -43,7 +43,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Row:
-    """One row.
+    """Cells of a row, with its target and line.
 
     Attributes
     ----------
@@ -57,8 +57,8 @@ class Row:
     tip: str = ""
 
 
-class _Item(QTableWidgetItem):
-    """Sorted by its value, unknown ones last; texts alphabetically."""
+class _SortedItem(QTableWidgetItem):
+    """Item sorted by its value, unknown ones last; texts alphabetically."""
 
     def __init__(self, cell: Cell, base: Base | None) -> None:
         if cell.figure is not None and cell.value is not None:
@@ -82,7 +82,7 @@ class _Item(QTableWidgetItem):
 
 
 class DiagnosticsTable(QTableWidget):
-    """Rows that can be sorted by any column; a double click or Enter follows one."""
+    """Table sortable by any column; a double click or Enter emits `followed`."""
 
     followed = Signal(str, str)
 
@@ -94,11 +94,13 @@ class DiagnosticsTable(QTableWidget):
         self._columns = tuple(columns)
         self._rows: list[Row] = []
         # Units in a second line: the columns stay narrow enough to be seen together.
-        self.setHorizontalHeaderLabels([_title(column).replace(" (", "\n(") for column in columns])
+        self.setHorizontalHeaderLabels(
+            [_column_title(column).replace(" (", "\n(") for column in columns]
+        )
         sorting = gettext("Click to sort")
         for k, column in enumerate(columns):
             head = self.horizontalHeaderItem(k)
-            tip = _in_units(column.tip, column)
+            tip = _convert_units(column.tip, column)
             head.setToolTip(f"{tip}\n{sorting}")
             head.setTextAlignment(_LEFT if column.words else _RIGHT)
         self.verticalHeader().hide()
@@ -116,9 +118,9 @@ class DiagnosticsTable(QTableWidget):
         header.setSortIndicatorClearable(True)
         header.setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
         self.setSortingEnabled(True)
-        header.sortIndicatorChanged.connect(self._show_arrow)
-        self._show_arrow(-1)
-        self.activated.connect(lambda index: self._follow(index.row()))
+        header.sortIndicatorChanged.connect(self._show_sort_arrow)
+        self._show_sort_arrow(-1)
+        self.activated.connect(lambda index: self._emit_followed(index.row()))
 
     def show_rows(self, rows: Sequence[Row]) -> None:
         """Show other rows, sorted as before."""
@@ -128,10 +130,10 @@ class DiagnosticsTable(QTableWidget):
         header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self._rows = list(rows)
         self.setRowCount(len(rows))
-        font = theme.tabular(self.font())
+        font = theme.tabular_font(self.font())
         for number, row in enumerate(rows):
             for column, cell in enumerate(row.cells):
-                item = _Item(cell, self._columns[column].base)
+                item = _SortedItem(cell, self._columns[column].base)
                 item.setData(Qt.ItemDataRole.UserRole, number)
                 item.setTextAlignment(_LEFT if self._columns[column].words else _RIGHT)
                 item.setFont(font)
@@ -143,15 +145,15 @@ class DiagnosticsTable(QTableWidget):
                 self.setItem(number, column, item)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.setSortingEnabled(True)
-        self._show_arrow(header.sortIndicatorSection())
+        self._show_sort_arrow(header.sortIndicatorSection())
         if selected is not None:
             self.select(*selected)
 
     def as_text(self) -> str:
         """The table as text, with tabs between the columns for a spreadsheet."""
-        heads = [_title(column) for column in self._columns]
+        heads = [_column_title(column) for column in self._columns]
         rows = [
-            [_plain(self.item(row, column).text()) for column in range(len(heads))]
+            [_spreadsheet_text(self.item(row, column).text()) for column in range(len(heads))]
             for row in range(self.rowCount())
         ]
         return "".join("\t".join(row) + "\n" for row in [heads, *rows])
@@ -170,31 +172,33 @@ class DiagnosticsTable(QTableWidget):
                 self.blockSignals(False)
                 return
 
-    def _show_arrow(self, section: int) -> None:
-        """Reserve space for the arrow only while a column is sorted: every heading gets it."""
+    def _show_sort_arrow(self, section: int) -> None:
+        """Reserve space for the sort arrow only while a column is sorted."""
         self.horizontalHeader().setSortIndicatorShown(section >= 0)
 
-    def _follow(self, row: int) -> None:
+    def _emit_followed(self, row: int) -> None:
         key = self.key(row)
         if key is not None:
             self.followed.emit(*key)
 
 
-def _plain(text: str) -> str:
-    """A text that a spreadsheet in the user's language reads: no separators of thousands."""
+def _spreadsheet_text(text: str) -> str:
+    """Text for a spreadsheet in the user's language, without thousands separators."""
     return text.replace("−", "-").replace("\N{NARROW NO-BREAK SPACE}", "")
 
 
-def _title(column: Column) -> str:
-    return _in_units(column.title, column)
+def _column_title(column: Column) -> str:
+    return _convert_units(column.title, column)
 
 
-def _in_units(text: str, column: Column) -> str:
-    return text if column.base is None else units.signs(text, column.base, figures=False)
+def _convert_units(text: str, column: Column) -> str:
+    return (
+        text if column.base is None else units.convert_unit_signs(text, column.base, figures=False)
+    )
 
 
-def number(value: float | None, form: str, scale: float = 1.0) -> Cell:
-    """A cell with a number, or a dash."""
+def number_cell(value: float | None, form: str, scale: float = 1.0) -> Cell:
+    """Cell with a number, or with a dash for None."""
     if value is None:
         return Cell("–")
     return Cell(f"{value * scale:{form}}", float(value), figure=(form, scale))

@@ -6,12 +6,12 @@ from typing import Literal
 
 import numpy as np
 
-from lispac.foreign_values import as_cell
 from lispac.gui import units
 from lispac.language import gettext
-from lispac.validation.bins import BEYOND, merged
-from lispac.validation.profile import Profile
-from lispac.validation.results import PlaneComparison
+from lispac.untrusted_values import as_csv_cell
+from lispac.validation.comparison_results import PlaneComparison
+from lispac.validation.distance_bins import BEYOND, merge_bins
+from lispac.validation.distance_profile import DistanceProfile
 
 TAB = "\t"
 """Separates the columns, so that a spreadsheet splits them."""
@@ -20,8 +20,8 @@ Against = Literal["height", "range"]
 """What the distances of a profile are plotted against."""
 
 
-def histogram_words(comparison: PlaneComparison, low: float, high: float) -> str:
-    """How many distances a bar of the histogram holds, from ``low`` to ``high`` metres."""
+def histogram_bar_text(comparison: PlaneComparison, low: float, high: float) -> str:
+    """Text on the distances in a bar of the histogram, from ``low`` to ``high`` metres."""
     edges = comparison.bin_edges
     beyond = high >= float(edges[-1]) * (1.0 - 1e-9)
     middles = 0.5 * (edges[:-1] + edges[1:])
@@ -42,8 +42,8 @@ def histogram_words(comparison: PlaneComparison, low: float, high: float) -> str
     )  # fmt: skip
 
 
-def profile_words(profile: Profile, against: Against, place: float) -> str:
-    """The distances at a height or range, metres."""
+def profile_bin_text(profile: DistanceProfile, against: Against, place: float) -> str:
+    """Text on the distances at a height or range, metres."""
     k = int(np.clip(np.searchsorted(profile.edges, place) - 1, 0, len(profile.n) - 1))
     low, high = profile.edges[k : k + 2]
     start, end = units.local_figure(low, "m", ".1f"), units.local_amount(high, "m", ".1f")
@@ -58,42 +58,42 @@ def profile_words(profile: Profile, against: Against, place: float) -> str:
         "{reach}: median {median_before} → {median_after}, 95th percentile {p95_before} → "
         "{p95_after}, {count:n} distances",
         reach=reach,
-        median_before=_figure(profile.median_before[k]),
-        median_after=_amount(profile.median_after[k]),
-        p95_before=_figure(profile.p95_before[k]),
-        p95_after=_amount(profile.p95_after[k]),
+        median_before=_millimetres(profile.median_before[k]),
+        median_after=_millimetres_with_unit(profile.median_after[k]),
+        p95_before=_millimetres(profile.p95_before[k]),
+        p95_after=_millimetres_with_unit(profile.p95_after[k]),
         count=count,
     )
 
 
-def _figure(metres: float) -> str:
+def _millimetres(metres: float) -> str:
     return units.local_figure(1000 * metres, "mm", ".1f")
 
 
-def _amount(metres: float) -> str:
+def _millimetres_with_unit(metres: float) -> str:
     return units.local_amount(1000 * metres, "mm", ".1f")
 
 
 def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
-    """The bars as a table, tabs between the columns: edges (mm), points before and after.
+    """Bars as tab-separated table: edges (mm), points before and after.
 
     Parameters
     ----------
     shown : float, metres
         Width of the visible part, which has at most ``bars`` bars.
     """
-    edges, before = merged(comparison.bin_edges, comparison.counts_before, shown, bars)
-    _, after = merged(comparison.bin_edges, comparison.counts_after, shown, bars)
+    edges, before = merge_bins(comparison.bin_edges, comparison.counts_before, shown, bars)
+    _, after = merge_bins(comparison.bin_edges, comparison.counts_after, shown, bars)
     ends = [*(f"{1000 * edge:.6g}" for edge in edges[1:-1]), BEYOND]
     rows = zip(1000 * edges[:-1], ends, before, after, strict=True)
-    return _text(
+    return _tabbed_text(
         ("From (mm)", "To (mm)", "Points before", "Points after"),
         [(f"{low:.6g}", end, str(b), str(a)) for low, end, b, a in rows],
     )
 
 
 def profiles_text(comparison: PlaneComparison) -> str:
-    """The distances against height and range as a table, tabs between the columns."""
+    """Distances against height and range as tab-separated table."""
     rows = []
     for title, profile in (("Height", comparison.by_height), ("Range", comparison.by_range)):
         if profile is None:
@@ -109,11 +109,11 @@ def profiles_text(comparison: PlaneComparison) -> str:
         "Quantity", "From (m)", "To (m)", "Distances", "Median before (mm)", "Median after (mm)",
         "95 % before (mm)", "95 % after (mm)",
     )  # fmt: skip
-    return _text(heads, rows)
+    return _tabbed_text(heads, rows)
 
 
-def _text(heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+def _tabbed_text(heads: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
     stream = StringIO()
     writer = csv.writer(stream, delimiter=TAB, lineterminator="\n")
-    writer.writerows([as_cell(cell) for cell in row] for row in (heads, *rows))
+    writer.writerows([as_csv_cell(cell) for cell in row] for row in (heads, *rows))
     return stream.getvalue()

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 from lispac.gui import theme, units
 from lispac.gui.panels import widgets
 from lispac.language import gettext
-from lispac.targets.expected import ExpectedTarget
+from lispac.targets.expected_target import ExpectedTarget
 
 USUAL = (1.23, 1.22)
 """Metres: width and height of the usual board."""

@@ -1,4 +1,4 @@
-"""Fields that may stay empty, and groups that fold away."""
+"""Number fields that may be empty, and groups that can be folded."""
 
 import math
 
@@ -16,7 +16,7 @@ BASES: dict[str, Base] = {"m": "m", "mm": "mm", "°": "°"}
 
 
 class OptionalNumber(QLineEdit):
-    """A number with its unit; empty means that it is not known.
+    """Field for a number with its unit; an empty field means unknown.
 
     Parameters
     ----------
@@ -40,7 +40,7 @@ class OptionalNumber(QLineEdit):
         super().__init__()
         self.setObjectName(name)
         base = BASES.get(unit)
-        shown = units.unit(base) if units.differs(base) else units.Unit(unit)
+        shown = units.shown_unit(base) if units.is_converted(base) else units.Unit(unit)
         self.setAccessibleName(f"{title}, {shown.sign}")
         if needed:
             tip = gettext("{description}, in {unit}", description=description, unit=shown.sign)
@@ -52,14 +52,14 @@ class OptionalNumber(QLineEdit):
         self.setToolTip(tip)
         self.setPlaceholderText(empty)
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
-        self.setFont(theme.tabular(self.font()))
+        self.setFont(theme.tabular_font(self.font()))
         self.setMinimumWidth(48)
         self._title, self._unit, self._scale = title, shown.sign, scale * shown.factor
         self._given: tuple[str, float] | None = None
-        self.textChanged.connect(self._mark)
+        self.textChanged.connect(self._mark_invalid)
 
     def value(self) -> float | None:
-        """Metres, radians or seconds; None where the field is empty.
+        """Value in metres, radians or seconds; None if the field is empty.
 
         Raises
         ------
@@ -91,9 +91,9 @@ class OptionalNumber(QLineEdit):
         self.setText(shown.replace(".", QLocale().decimalPoint()))
         self._given = None if value is None else (self.text(), value)
         self.blockSignals(False)
-        self._mark()
+        self._mark_invalid()
 
-    def _mark(self) -> None:
+    def _mark_invalid(self) -> None:
         """Show by the frame whether the text is a valid standard deviation."""
         try:
             wrong = (self.value() or 0.0) < 0
@@ -104,8 +104,8 @@ class OptionalNumber(QLineEdit):
         self.style().polish(self)
 
 
-class Fold(QWidget):
-    """A heading that folds the widget below it, and shows a summary of its settings.
+class FoldableGroup(QWidget):
+    """Group with a heading that folds it and shows a summary of its settings.
 
     Parameters
     ----------

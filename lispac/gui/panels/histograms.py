@@ -22,8 +22,8 @@ from lispac.gui.panels import distances, pairs_table, widgets
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
 from lispac.project import Project
-from lispac.validation.profile import Profile
-from lispac.validation.results import DistanceStatistics, PlaneComparison
+from lispac.validation.comparison_results import DistanceStatistics, PlaneComparison
+from lispac.validation.distance_profile import DistanceProfile
 
 _COLUMNS = (
     (N_("Plane"), N_("Validation plane")),
@@ -53,10 +53,10 @@ STATISTICS = (
 """Legend of the histogram, as in the report."""
 
 
-def preload() -> None:
-    """Import Matplotlib in the worker: it takes half a second."""
+def preload_matplotlib() -> None:
+    """Import Matplotlib in the worker, which takes half a second."""
+    import lispac.report.distance_profiles  # noqa: F401
     import lispac.report.histograms  # noqa: F401
-    import lispac.report.profiles  # noqa: F401
 
 
 class HistogramsPanel(QWidget):
@@ -67,10 +67,10 @@ class HistogramsPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._comparisons: tuple[PlaneComparison, ...] = ()
-        self._drawing = IdleTask(self._selected_again, self)
+        self._drawing = IdleTask(self._redraw_selected, self)
         self._stack = QStackedLayout(self)
         empty = QWidget()
-        layout = widgets.column(empty)
+        layout = widgets.vertical_layout(empty)
         layout.addWidget(
             widgets.label(
                 gettext(
@@ -86,9 +86,9 @@ class HistogramsPanel(QWidget):
         filled.setObjectName("comparison_splitter")
         filled.setContentsMargins(6, 6, 6, 6)
         filled.setChildrenCollapsible(False)
-        self.table = _table()
-        self.table.itemSelectionChanged.connect(self._selected)
-        self.pairs = pairs_table.pairs_table()
+        self.table = _create_table()
+        self.table.itemSelectionChanged.connect(self._on_plane_selected)
+        self.pairs = pairs_table.create_pairs_table()
         self.tabs = QTabWidget()
         self.tabs.setObjectName("comparison_tabs")
         self.tabs.addTab(self.table, gettext("Planes"))
@@ -98,7 +98,7 @@ class HistogramsPanel(QWidget):
         self._plots = QVBoxLayout(plots)
         self._plots.setContentsMargins(0, 0, 0, 0)
         self._plots.setSpacing(2)
-        self._plots.addLayout(self._tools())
+        self._plots.addLayout(self._create_tool_row())
         self._plots.addWidget(self.reading)
         filled.addWidget(plots)
         for part, share in enumerate(_SHARES):
@@ -107,8 +107,8 @@ class HistogramsPanel(QWidget):
         self._stack.addWidget(filled)
         self.canvas: QWidget | None = None
 
-    def _tools(self) -> QHBoxLayout:
-        self.plot = widgets.Choice(
+    def _create_tool_row(self) -> QHBoxLayout:
+        self.plot = widgets.ChoiceBox(
             "comparison_plot", [gettext(plot) for plot in PLOTS],
             gettext(
                 "Number of points by distance, share of the points by distance, or distance "
@@ -117,7 +117,7 @@ class HistogramsPanel(QWidget):
             ),
         )  # fmt: skip
         self.plot.setMinimumContentsLength(len(PLOTS[AGAINST]))
-        self.plot.currentIndexChanged.connect(self._selected_again)
+        self.plot.currentIndexChanged.connect(self._redraw_selected)
         self.reading = widgets.label(gettext(ZOOM), "muted", name="comparison_reading")
         # A long text is cut off, so that it does not widen the plot.
         self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -141,16 +141,16 @@ class HistogramsPanel(QWidget):
     @property
     def current(self) -> str | None:
         """Name of the plane whose histograms are drawn."""
-        each = self._current
+        each = self._current_comparison
         return None if each is None else each.name
 
     @property
-    def _current(self) -> PlaneComparison | None:
+    def _current_comparison(self) -> PlaneComparison | None:
         rows = self.table.selectionModel().selectedRows()
         return self._comparisons[rows[0].row()] if rows else None
 
     def show_project(self, project: Project | None) -> None:
-        """Show the comparisons, where there are some."""
+        """Show the comparisons of a project."""
         comparisons = () if project is None else project.validation
         self._stack.setCurrentIndex(1 if comparisons else 0)
         if comparisons is self._comparisons:
@@ -160,11 +160,11 @@ class HistogramsPanel(QWidget):
         self._comparisons = comparisons
         self.table.blockSignals(True)
         self.table.setRowCount(len(comparisons))
-        font = theme.tabular(self.table.font())
+        font = theme.tabular_font(self.table.font())
         for row, each in enumerate(comparisons):
             model = message_text(each.model.name)
             tip = gettext(POOLED[each.pooled_from], plane=each.name, model=model)
-            for column, text in enumerate(_texts(each)):
+            for column, text in enumerate(_comparison_texts(each)):
                 item = QTableWidgetItem(text)
                 item.setFont(font)
                 if column:
@@ -188,23 +188,23 @@ class HistogramsPanel(QWidget):
             self.table.blockSignals(False)
             self._draw(self._comparisons[names.index(name)])
 
-    def _selected(self) -> None:
-        if self._current is not None:
-            self._draw(self._current)
-            self.plane_selected.emit(self._current.name)
+    def _on_plane_selected(self) -> None:
+        if self._current_comparison is not None:
+            self._draw(self._current_comparison)
+            self.plane_selected.emit(self._current_comparison.name)
 
-    def _selected_again(self) -> None:
-        if self._current is not None:
-            self._draw(self._current)
+    def _redraw_selected(self) -> None:
+        if self._current_comparison is not None:
+            self._draw(self._current_comparison)
 
     def _draw(self, comparison: PlaneComparison) -> None:
         # Imported here, so that the start of the window does not wait for it.
+        from lispac.report.distance_profiles import profile_figure
         from lispac.report.histograms import histogram_figure
-        from lispac.report.profiles import profile_figure
 
         self.pairs.show_rows(pairs_table.pair_rows(comparison))
         self.tabs.setTabText(1, gettext("Pairs of lines on {plane}", plane=comparison.name))
-        canvas = self._canvas()
+        canvas = self._plot_canvas()
         if self.plot.currentIndex() == AGAINST:
             profile_figure(comparison, canvas.figure)
         else:
@@ -222,22 +222,22 @@ class HistogramsPanel(QWidget):
         )
 
     def _show_units(self, figure) -> None:
-        from lispac.gui.panels.ticks import in_units
+        from lispac.gui.panels.ticks import convert_axis_units
 
         against = self.plot.currentIndex() == AGAINST
-        legend = None if against or not units.differs("mm") else figure.axes[0].get_legend()
-        if legend is not None and self._current is not None:
-            each = self._current
+        legend = None if against or not units.is_converted("mm") else figure.axes[0].get_legend()
+        if legend is not None and self._current_comparison is not None:
+            each = self._current_comparison
             for text, template, state in zip(
                 legend.get_texts(), STATISTICS, (each.before, each.after), strict=True
             ):
                 text.set_text(_statistics_text(template, state))
         for axes in figure.axes:
-            in_units(axes.xaxis, "m" if against else "mm")
+            convert_axis_units(axes.xaxis, "m" if against else "mm")
             if against:
-                in_units(axes.yaxis, "mm")
+                convert_axis_units(axes.yaxis, "mm")
 
-    def _canvas(self):
+    def _plot_canvas(self):
         if self.canvas is None:
             from lispac.gui.panels.chart import Chart
             from lispac.gui.panels.plot_zoom import PlotZoom
@@ -247,7 +247,7 @@ class HistogramsPanel(QWidget):
             self._zooming = PlotZoom(self.canvas)
             canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM))
             connections = (
-                canvas.mpl_connect("motion_notify_event", self._read),
+                canvas.mpl_connect("motion_notify_event", self._show_values_at),
                 canvas.mpl_connect("axes_leave_event", leave),
             )
             # The label may be deleted before the mouse leaves the canvas
@@ -257,25 +257,25 @@ class HistogramsPanel(QWidget):
             self._plots.insertWidget(1, self.canvas, 1)
         return self.canvas
 
-    def _read(self, event) -> None:
+    def _show_values_at(self, event) -> None:
         """Show the values under the mouse."""
-        comparison, axes = self._current, event.inaxes
+        comparison, axes = self._current_comparison, event.inaxes
         if comparison is None or axes is None:
             return
         if self.plot.currentIndex() == AGAINST:
-            profiles: tuple[tuple[distances.Against, Profile | None], ...] = (
+            profiles: tuple[tuple[distances.Against, DistanceProfile | None], ...] = (
                 ("height", comparison.by_height), ("range", comparison.by_range)
             )  # fmt: skip
             drawn = [(against, each) for against, each in profiles if each is not None]
             for place, (against, profile) in zip(axes.figure.axes, drawn, strict=False):
                 if place is axes:
-                    self.reading.setText(distances.profile_words(profile, against, event.xdata))
+                    self.reading.setText(distances.profile_bin_text(profile, against, event.xdata))
             return
         edges = axes.patches[0].get_data().edges
         k = int(edges.searchsorted(event.xdata, side="right")) - 1
         if 0 <= k < len(edges) - 1:
             low, high = edges[k] / 1000.0, edges[k + 1] / 1000.0
-            self.reading.setText(distances.histogram_words(comparison, low, high))
+            self.reading.setText(distances.histogram_bar_text(comparison, low, high))
 
     def _copy_picture(self) -> None:
         if self.canvas is not None:
@@ -283,7 +283,7 @@ class HistogramsPanel(QWidget):
             self.reading.setText(gettext("The picture was copied to the clipboard"))
 
     def _copy_numbers(self) -> None:
-        comparison = self._current
+        comparison = self._current_comparison
         if comparison is None or self.canvas is None:
             return
         if self.plot.currentIndex() == AGAINST:
@@ -307,7 +307,7 @@ def _statistics_text(template: str, state: DistanceStatistics) -> str:
     )
 
 
-def _texts(each: PlaneComparison) -> list[str]:
+def _comparison_texts(each: PlaneComparison) -> list[str]:
     def change(*states: float) -> str:
         before, after = (units.local_figure(1000 * each, "mm", ".1f") for each in states)
         return f"{before} → {after}"
@@ -321,7 +321,7 @@ def _texts(each: PlaneComparison) -> list[str]:
     ]
 
 
-def _table() -> QTableWidget:
+def _create_table() -> QTableWidget:
     table = QTableWidget(0, len(_COLUMNS))
     table.setTabKeyNavigation(False)
     table.setObjectName("comparison_table")

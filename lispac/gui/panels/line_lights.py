@@ -1,4 +1,4 @@
-"""A light for every line of a target, with the reason in its tooltip."""
+"""Quality light for each line of a target, with the reason in its tooltip."""
 
 from collections.abc import Mapping
 
@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 from lispac.gui import theme, units
 from lispac.gui.panels import widgets
-from lispac.gui.panels.sightings_table import quality_words
+from lispac.gui.panels.sightings_table import quality_text
 from lispac.language import Plural, gettext
 from lispac.project import PickedSighting, Target
-from lispac.targets.quality import SightingQuality
+from lispac.targets.sighting_quality import SightingQuality
 
 SIZE, GAP = 16, 14
 """Pixels: side of a light, and between one line and the next."""
@@ -19,8 +19,8 @@ WAITS = "circle-outline"
 POINTS = Plural("{line}: {count:n} point, {rms} RMS", "{line}: {count:n} points, {rms} RMS")
 
 
-class LineLights(QWidget):
-    """Lights and names of the lines, as many in a row as fit."""
+class LineQualityLights(QWidget):
+    """Lights and names of the lines, in as many columns as fit."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -48,18 +48,22 @@ class LineLights(QWidget):
             self._cells[sighting.line] = sighting, light, name
         self.show_qualities({})
         self._columns = 0
-        self._place()
+        self._arrange()
 
     def show_qualities(self, qualities: Mapping[str, SightingQuality]) -> None:
         """Show the quality of the lines where it is known."""
         for line, (sighting, light, name) in self._cells.items():
             quality = qualities.get(line)
-            icon = theme.icon(WAITS, theme.MUTED) if quality is None else theme.light(quality.light)
+            icon = (
+                theme.icon(WAITS, theme.MUTED)
+                if quality is None
+                else theme.quality_icon(quality.light)
+            )
             light.setPixmap(icon.pixmap(SIZE, SIZE))
             if quality is None:
                 judgement = gettext("The quality is being computed")
             else:
-                judgement = quality_words(quality)
+                judgement = quality_text(quality)
             rms = units.local_amount(1000 * sighting.rms, "mm", ".1f")
             points = gettext(POINTS, line=line, count=len(sighting.indices), rms=rms)
             for each in (light, name):
@@ -69,9 +73,9 @@ class LineLights(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Arrange the names for the new width."""
         super().resizeEvent(event)
-        self._place()
+        self._arrange()
 
-    def _place(self) -> None:
+    def _arrange(self) -> None:
         """Arrange the lines in rows, each column as wide as the longest name."""
         if not self._cells:
             return

@@ -12,7 +12,7 @@ EMPTY = N_("Actions, assumptions and errors of the program are listed here with 
 
 
 class LogPanel(QPlainTextEdit):
-    """Lines with their time, which can be read and copied."""
+    """Log messages with their times."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -24,8 +24,8 @@ class LogPanel(QPlainTextEdit):
         self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.setFrameShape(QPlainTextEdit.Shape.NoFrame)
 
-    def take_over(self, former: "LogPanel") -> None:
-        """Take the lines of the log of a former window."""
+    def copy_state_from(self, former: "LogPanel") -> None:
+        """Copy the messages of the log of a former window."""
         self.setPlainText(former.toPlainText())
 
     def note(self, text: str) -> None:

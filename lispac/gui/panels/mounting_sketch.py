@@ -21,11 +21,15 @@ from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from lispac.gui import theme, units
 from lispac.gui.panels import quantities, widgets
-from lispac.gui.panels.gizmo import SCANNER_AXES, exaggerated, turn_words
-from lispac.gui.panels.mounting_words import boresight_said, lever_arm_said
+from lispac.gui.panels.mounting_texts import boresight_sentence, lever_arm_sentence
+from lispac.gui.panels.scanner_axes_view import (
+    SCANNER_AXES,
+    exaggerated_rotation,
+    exaggeration_text,
+)
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.survey.lever_arm import lever_arm_doubts
+from lispac.survey.lever_arm_warnings import lever_arm_warnings
 
 View = Literal["above", "starboard"]
 VIEWS: tuple[View, ...] = ("above", "starboard")
@@ -112,8 +116,8 @@ class MountingSketch(QWidget):
     def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
         """Draw a lever arm (metres; forward, left, up) and a boresight (roll, pitch, yaw)."""
         self.lever_arm = np.array(lever_arm, dtype=float)
-        self.factor, self._rotation_body_scanner = exaggerated(np.radians(boresight_deg))
-        self.doubtful = bool(lever_arm_doubts(lever_arm))
+        self.factor, self._rotation_body_scanner = exaggerated_rotation(np.radians(boresight_deg))
+        self.doubtful = bool(lever_arm_warnings(lever_arm))
         self.update()
 
     # -- where things are ------------------------------------------------------------------------
@@ -127,14 +131,14 @@ class MountingSketch(QWidget):
     @property
     def pixels_per_metre(self) -> float:
         """Scale of both views, along all axes."""
-        return self._half / self.reach
+        return self._half_size / self.reach
 
     def at(self, view: View, point_body: Sequence[float] | np.ndarray) -> QPointF:
-        """Where a point of the body frame (metres from the POS centre) is drawn."""
+        """Pixel of a point of the body frame (metres from the POS centre) in a view."""
         right, up = self.pixels_per_metre * (_ONTO[view] @ np.asarray(point_body, dtype=float))
         return self._centre(view) + QPointF(float(right), -float(up))
 
-    def axis_at(self, view: View, axis: int) -> tuple[QPointF, QPointF]:
+    def axis_ends(self, view: View, axis: int) -> tuple[QPointF, QPointF]:
         """Start and end of an axis of the scanner in a view."""
         start = self.at(view, self.lever_arm)
         right, up = _AXIS * (_ONTO[view] @ self._rotation_body_scanner[:, axis])
@@ -142,13 +146,13 @@ class MountingSketch(QWidget):
 
     def hull(self, view: View) -> QPolygonF:
         """Outline of the vessel in a view."""
-        centre, half = self._centre(view), self._half
+        centre, half = self._centre(view), self._half_size
         return QPolygonF([centre + QPointF(half * x, -half * y) for x, y in _HULLS[view]])
 
-    def words_beside(self, view: View) -> dict[str, QRectF]:
+    def side_labels(self, view: View) -> dict[str, QRectF]:
         """Labels at the sides of a view, with their places."""
         left, width = self.width() / 2 * VIEWS.index(view), self.width() / 2
-        half, y = self._half, self._centre(view).y()
+        half, y = self._half_size, self._centre(view).y()
         metrics = QFontMetricsF(self._font)
         line = metrics.height()
         top, bottom, port, starboard = (gettext(label) for label in _SIDES[view])
@@ -170,7 +174,7 @@ class MountingSketch(QWidget):
         return font
 
     @property
-    def _half(self) -> float:
+    def _half_size(self) -> float:
         return min(self.width() / 4 - 6, (self.height() - 40) / 2 - 13)
 
     def _centre(self, view: View) -> QPointF:
@@ -192,7 +196,7 @@ class MountingSketch(QWidget):
         for view in VIEWS:
             self._paint_vessel(painter, view)
             self._paint_body_axes(painter, view)
-            self._paint_way(painter, view)
+            self._paint_lever_arm(painter, view)
             self._paint_scanner(painter, view)
         self._paint_scale(painter)
         painter.end()
@@ -206,7 +210,7 @@ class MountingSketch(QWidget):
         left = self.width() / 2 * VIEWS.index(view)
         painter.drawText(QPointF(left + 7, 15), gettext(TITLES[view]))
         painter.setPen(QColor(theme.MUTED))
-        for label, area in self.words_beside(view).items():
+        for label, area in self.side_labels(view).items():
             painter.drawText(area, Qt.AlignmentFlag.AlignCenter, label)
 
     def _paint_body_axes(self, painter: QPainter, view: View) -> None:
@@ -223,8 +227,8 @@ class MountingSketch(QWidget):
         y = 4.0 + metrics.ascent() if away.y() >= 0 else -7.0
         painter.drawText(centre + QPointF(x, y), gettext("POS"))
 
-    def _paint_way(self, painter: QPainter, view: View) -> None:
-        """From the POS centre to the scanner along the axes of the view, with the distances."""
+    def _paint_lever_arm(self, painter: QPainter, view: View) -> None:
+        """Paint the lever arm along the axes of the view, with its components."""
         onto = _ONTO[view]
         along_up = np.abs(onto[1]) * self.lever_arm  # first up or down the picture, then across
         across = np.abs(onto[0]) * self.lever_arm
@@ -241,7 +245,7 @@ class MountingSketch(QWidget):
         ):
             if amount * self.pixels_per_metre < _LABELLED:
                 continue  # the text below the sketch has it
-            label = length_words(amount, ".2f")
+            label = length_with_unit(amount, ".2f")
             width, high = painter.fontMetrics().horizontalAdvance(label), 12.0
             if place.x() == corner.x() == self._centre(view).x():  # beside the upright part
                 x = place.x() + 5 if leftwards else place.x() - 5 - width
@@ -255,13 +259,13 @@ class MountingSketch(QWidget):
 
     def _paint_scanner(self, painter: QPainter, view: View) -> None:
         for axis, (letter, colour) in enumerate(SCANNER_AXES):
-            start, tip = self.axis_at(view, axis)
+            start, tip = self.axis_ends(view, axis)
             way = tip - start
             if np.hypot(way.x(), way.y()) < _SEEN * _AXIS:
                 continue
             painter.setPen(QPen(theme.colour(colour), 2.2))
             painter.drawLine(start, tip)
-            _letter(painter, start, tip, letter)
+            _paint_axis_letter(painter, start, tip, letter)
         painter.setPen(QPen(QColor(theme.PAPER)))
         painter.setBrush(self._colour)
         painter.drawEllipse(self.at(view, self.lever_arm), _DOT, _DOT)
@@ -271,20 +275,20 @@ class MountingSketch(QWidget):
         return QColor(theme.WARNING if self.doubtful else theme.ACCENT)
 
     def _paint_scale(self, painter: QPainter) -> None:
-        metres = 1 / units.unit("m").factor  # of one of the unit shown
+        metres = 1 / units.shown_unit("m").factor  # of one of the unit shown
         length = metres * max(
             (bar for bar in _BARS if metres * bar <= self.reach / 2), default=_BARS[0]
         )
         y, x = self.height() - 9, self.width() - 8.0
         bar = length * self.pixels_per_metre
-        label = length_words(length, ".3g")
+        label = length_with_unit(length, ".3g")
         painter.setPen(QPen(QColor(theme.MUTED), 1.5))
         painter.drawLine(QPointF(x - bar, y), QPointF(x, y))
         for end in (x - bar, x):
             painter.drawLine(QPointF(end, y - 3), QPointF(end, y + 3))
         wide = painter.fontMetrics().horizontalAdvance(label)
         painter.drawText(QPointF(x - bar - wide - 5, y + 4), label)
-        painter.drawText(QPointF(7, y + 4), turn_words(self.factor))
+        painter.drawText(QPointF(7, y + 4), exaggeration_text(self.factor))
 
 
 class MountingView(QWidget):
@@ -308,21 +312,21 @@ class MountingView(QWidget):
     def show_mounting(self, lever_arm: Sequence[float], boresight_deg: Sequence[float]) -> None:
         """Show a lever arm (metres; forward, left, up) and a boresight (degrees)."""
         self.sketch.show_mounting(lever_arm, boresight_deg)
-        text = f"{lever_arm_said(lever_arm)} {boresight_said(np.radians(boresight_deg))}"
+        text = f"{lever_arm_sentence(lever_arm)} {boresight_sentence(np.radians(boresight_deg))}"
         self.words.setText(text)
         self.sketch.setAccessibleDescription(text)
-        doubts = lever_arm_doubts(lever_arm)
+        doubts = lever_arm_warnings(lever_arm)
         self.doubts.setText("\n".join(map(message_text, doubts)))
         self.doubts.setVisible(bool(doubts))
 
 
-def length_words(length: float, form: str) -> str:
-    """A length (metres) with the unit shown."""
+def length_with_unit(length: float, form: str) -> str:
+    """Text of a length (metres) with the unit shown."""
     return units.localised(units.figure(length, "m", form)) + quantities.unit_suffix("m")
 
 
-def _letter(painter: QPainter, start: QPointF, tip: QPointF, letter: str) -> None:
-    """Beyond the tip of an axis."""
+def _paint_axis_letter(painter: QPainter, start: QPointF, tip: QPointF, letter: str) -> None:
+    """Paint the letter of an axis beyond its tip."""
     way = tip - start
     place = tip + way * (7.0 / max(float(np.hypot(way.x(), way.y())), 1e-9))
     painter.drawText(

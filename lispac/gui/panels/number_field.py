@@ -37,21 +37,21 @@ class NumberField(QDoubleSpinBox):
     def __init__(self, base: Base | None = None) -> None:
         super().__init__()
         self._base = base
-        self._factor = 1.0 if base is None else units.unit(base).factor
+        self._factor = 1.0 if base is None else units.shown_unit(base).factor
         # A hidden field in the unit shown, which validates and formats.
         self._face = QDoubleSpinBox()
         self._before: float | None = None
         super().setDecimals(KEPT)
         line = self.lineEdit()
-        line.textEdited.connect(self._typed)
-        line.textChanged.connect(self._mark)
+        line.textEdited.connect(self._on_typed)
+        line.textChanged.connect(self._mark_invalid)
 
     def setDecimals(self, decimals: int) -> None:
         """Set the number of decimals in the base."""
         self._face.setDecimals(
-            decimals if self._base is None else units.decimals(decimals, self._base)
+            decimals if self._base is None else units.shown_decimals(decimals, self._base)
         )
-        self._show_again()
+        self._reformat_text()
 
     def decimals(self) -> int:
         """Number of decimals shown."""
@@ -80,57 +80,59 @@ class NumberField(QDoubleSpinBox):
 
     def validate(self, text: str, place: int) -> object:
         """Whether a text is a number, inside or outside the range, or the start of one."""
-        found = self._face.validate(self._own(text), place)
-        if found[0] is QValidator.State.Invalid and (self._minus(text) or self._beyond(text)):
+        found = self._face.validate(self._with_local_decimal_sign(text), place)
+        if found[0] is QValidator.State.Invalid and (
+            self._is_minus_sign(text) or self._is_out_of_range(text)
+        ):
             return QValidator.State.Intermediate, text, place
         return found
 
     def valueFromText(self, text: str) -> float:
         """Value of a text in the unit shown; the present value if its text is the same."""
-        typed = self._face.valueFromText(self._own(text))
+        typed = self._face.valueFromText(self._with_local_decimal_sign(text))
         shown = self._face.valueFromText(self.textFromValue(self.value()))
         return self.value() if typed == shown else typed / self._factor
 
     def stepBy(self, steps: int) -> None:
         """Step from the typed value, or from the former one if that is outside the range."""
-        self._end()
+        self._finish_typing()
         super().stepBy(steps)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         """Restore the former value if the typed one is outside the range."""
-        self._end()
+        self._finish_typing()
         super().focusOutEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Accept the typed value with Enter, unless it is outside the range."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            if self._beyond(self.text()):
+            if self._is_out_of_range(self.text()):
                 self._show_range("")
                 event.accept()
                 return
-            self._end()
-        elif event.key() == Qt.Key.Key_Escape and self._beyond(self.text()):
-            self._end()
+            self._finish_typing()
+        elif event.key() == Qt.Key.Key_Escape and self._is_out_of_range(self.text()):
+            self._finish_typing()
             event.accept()
             return
         super().keyPressEvent(event)
 
-    def _typed(self, text: str) -> None:
+    def _on_typed(self, text: str) -> None:
         if self._before is None:
             self._before = self.value()
-        if self._beyond(text):
+        if self._is_out_of_range(text):
             self._show_range("")
 
-    def _end(self) -> None:
-        """End the typing: keep a valid number, else restore the former value."""
+    def _finish_typing(self) -> None:
+        """Finish typing: keep a valid number, otherwise restore the former value."""
         before, self._before = self._before, None
         if before is None or self.hasAcceptableInput():
             return
         typed = self.cleanText()
         self.setValue(before)
-        self._show_again()
-        self._mark(self.text())  # Qt announces typed texts only
-        if typed and self._beyond(typed):
+        self._reformat_text()
+        self._mark_invalid(self.text())  # Qt announces typed texts only
+        if typed and self._is_out_of_range(typed):
             QTimer.singleShot(TIP_DELAY_MS, self, lambda: self._show_range(typed))
 
     def _show_range(self, typed: str) -> None:
@@ -147,30 +149,30 @@ class NumberField(QDoubleSpinBox):
             )  # fmt: skip
         QToolTip.showText(self.mapToGlobal(self.rect().bottomLeft()), text, self)
 
-    def _mark(self, text: str) -> None:
-        wrong = self._beyond(text)
+    def _mark_invalid(self, text: str) -> None:
+        wrong = self._is_out_of_range(text)
         if bool(self.property("wrong")) != wrong:
             self.setProperty("wrong", wrong)
             self.style().unpolish(self)
             self.style().polish(self)
 
-    def _minus(self, text: str) -> bool:
-        return self._bare(text) in ("-", "\N{MINUS SIGN}")
+    def _is_minus_sign(self, text: str) -> bool:
+        return self._without_unit(text) in ("-", "\N{MINUS SIGN}")
 
-    def _beyond(self, text: str) -> bool:
-        number, is_one = self.locale().toDouble(self._bare(text))
+    def _is_out_of_range(self, text: str) -> bool:
+        number, is_one = self.locale().toDouble(self._without_unit(text))
         face = self._face
         return is_one and not face.minimum() <= number <= face.maximum()
 
-    def _bare(self, text: str) -> str:
-        return self._own(text).removesuffix(self.suffix()).strip()
+    def _without_unit(self, text: str) -> str:
+        return self._with_local_decimal_sign(text).removesuffix(self.suffix()).strip()
 
-    def _own(self, text: str) -> str:
+    def _with_local_decimal_sign(self, text: str) -> str:
         point = self.locale().decimalPoint()
         return text.replace(",", point).replace(".", point)
 
-    def _show_again(self) -> None:
-        """Format the text again, which Qt would keep."""
+    def _reformat_text(self) -> None:
+        """Format the text again, which Qt would not do."""
         super().setDecimals(KEPT)
 
     def wheelEvent(self, event: QWheelEvent) -> None:

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 from math import degrees
 
 from lispac.gui.panels import quantities
-from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number
+from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.gui.units import Base
 from lispac.language import N_, gettext
+from lispac.validation.comparison_results import PairComparison, PairState, PlaneComparison
 from lispac.validation.plane_offset import PlaneOffset
-from lispac.validation.results import PairComparison, PairState, PlaneComparison
 
 _COLUMNS: tuple[tuple[str, str, Base], ...] = (
     (N_("RMS before (mm)"),
@@ -35,8 +35,8 @@ _COLUMNS: tuple[tuple[str, str, Base], ...] = (
 """Title, tip and unit of the columns of a pair's values."""
 
 
-def pairs_table() -> DiagnosticsTable:
-    """The table, empty."""
+def create_pairs_table() -> DiagnosticsTable:
+    """Create the empty table."""
     columns = [
         Column(
             gettext("Lines"),
@@ -57,41 +57,47 @@ def pairs_table() -> DiagnosticsTable:
 
 def pair_rows(comparison: PlaneComparison) -> list[Row]:
     """One row for each pair of lines on the plane."""
-    return [_row(pair) for pair in comparison.pairs]
+    return [_pair_row(pair) for pair in comparison.pairs]
 
 
-def _row(pair: PairComparison) -> Row:
+def _pair_row(pair: PairComparison) -> Row:
     arrow = " ⇄ " if pair.reciprocal else " / "
     states = (pair.before, pair.after)
     figures = [
-        *(number(state.distances.rms, ".1f", 1000.0) for state in states),
-        *(number(_off(state), "+.1f", 1000.0) for state in states),
-        *(number(None if p is None else p.offset, "+.1f", 1000.0) for p in _planes(states)),
-        *(number(None if p is None else degrees(p.angle), ".3f") for p in _planes(states)),
+        *(number_cell(state.distances.rms, ".1f", 1000.0) for state in states),
+        *(number_cell(_median_offset(state), "+.1f", 1000.0) for state in states),
+        *(
+            number_cell(None if p is None else p.offset, "+.1f", 1000.0)
+            for p in _plane_offsets(states)
+        ),
+        *(
+            number_cell(None if p is None else degrees(p.angle), ".3f")
+            for p in _plane_offsets(states)
+        ),
     ]
     return Row(
         (
             Cell(f"{pair.line_a}{arrow}{pair.line_b}"),
-            number(pair.after.distances.n, ",.0f"),
+            number_cell(pair.after.distances.n, ",.0f"),
             *figures,
         ),
-        tip=_tip(pair),
+        tip=_pair_tip(pair),
     )
 
 
-def _mm(metres: float, *, sign: bool = False) -> str:
+def _millimetres(metres: float, *, sign: bool = False) -> str:
     return quantities.amount(1000 * metres, "mm", 1, sign=sign)
 
 
-def _off(state: PairState) -> float | None:
+def _median_offset(state: PairState) -> float | None:
     return None if state.signed is None else state.signed.median
 
 
-def _planes(states: Sequence[PairState]) -> list[PlaneOffset | None]:
+def _plane_offsets(states: Sequence[PairState]) -> list[PlaneOffset | None]:
     return [state.planes for state in states]
 
 
-def _tip(pair: PairComparison) -> str:
+def _pair_tip(pair: PairComparison) -> str:
     lines = []
     signed, planes = pair.after.signed, pair.after.planes
     if signed is not None:
@@ -99,14 +105,17 @@ def _tip(pair: PairComparison) -> str:
             gettext(
                 "After: M3C2 distances at {count:n} places, 95 % confidence interval of one "
                 "distance ± {half_width}; {share:percent.0} % differ significantly from zero",
-                count=signed.n, half_width=_mm(signed.half_width), share=signed.significant,
+                count=signed.n,
+                half_width=_millimetres(signed.half_width),
+                share=signed.significant,
             )
-        )  # fmt: skip
+        )
     if planes is not None:
         lines.append(
             gettext(
                 "Plane offset after: {offset} ± {half_width} (95 % confidence interval)",
-                offset=_mm(planes.offset, sign=True), half_width=_mm(planes.offset_95),
+                offset=_millimetres(planes.offset, sign=True),
+                half_width=_millimetres(planes.offset_95),
             )
-        )  # fmt: skip
+        )
     return "\n".join(lines)

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QGridLayout, QSlider, QWidget
 from lispac.gui.panels import quantities, widgets
 from lispac.gui.panels.number_field import NumberField
 from lispac.language import N_, gettext
-from lispac.patchtest.optimise import ANGLES
+from lispac.patchtest.mismatch_minimisation import ANGLES
 
 Array = NDArray[np.float64]
 
@@ -33,7 +33,7 @@ _SEARCHES = (
 
 
 class PatchAngles(QWidget):
-    """Three sliders with their fields; `turned` announces each change."""
+    """Sliders and fields of three angles; `turned` is emitted on each change."""
 
     turned = Signal(int)
     """An angle was changed: 0 roll, 1 pitch, 2 yaw."""
@@ -77,8 +77,8 @@ class PatchAngles(QWidget):
             grid.addWidget(field, 2 * k, 2)
             grid.addWidget(find, 2 * k, 3)
             grid.addWidget(self.found[k], 2 * k + 1, 1, 1, 3)
-            slider.valueChanged.connect(lambda value, k=k: self._slid(k, value))
-            field.valueChanged.connect(lambda value, k=k: self._typed(k, value))
+            slider.valueChanged.connect(lambda value, k=k: self._on_slider_moved(k, value))
+            field.valueChanged.connect(lambda value, k=k: self._on_typed(k, value))
             find.clicked.connect(lambda _on, k=k: self.find_asked.emit(k))
             self.sliders.append(slider)
             self.fields.append(field)
@@ -103,13 +103,13 @@ class PatchAngles(QWidget):
             slider.blockSignals(True)
             slider.setRange(-round(reach / FINE), round(reach / FINE))
             slider.blockSignals(False)
-        self.turn_to(boresight)
+        self.set_angles(boresight)
 
-    def turn_to(self, boresight: Array) -> None:
+    def set_angles(self, boresight: Array) -> None:
         """Set all angles, without a signal."""
         self._boresight = np.array(boresight, dtype=float)
         for k in range(3):
-            self._show(k)
+            self._show_angle(k)
 
     def show_found(
         self, boresight: Array | None, sigma: Array | None = None, curvature: Array | None = None
@@ -143,23 +143,23 @@ class PatchAngles(QWidget):
                 )
             label.setText("; ".join(texts))
 
-    def allow(self, allowed: bool) -> None:
+    def update_enabled(self, allowed: bool) -> None:
         """Enable or disable the searches; the angles can be changed in either case."""
         for find in self.finds:
-            find.allow(allowed)
+            find.update_enabled(allowed)
 
-    def _slid(self, angle: int, steps: int) -> None:
-        self._take(angle, float(self._start[angle] + np.radians(steps * FINE)))
+    def _on_slider_moved(self, angle: int, steps: int) -> None:
+        self._set_angle(angle, float(self._start[angle] + np.radians(steps * FINE)))
 
-    def _typed(self, angle: int, degrees: float) -> None:
-        self._take(angle, float(np.radians(degrees)))
+    def _on_typed(self, angle: int, degrees: float) -> None:
+        self._set_angle(angle, float(np.radians(degrees)))
 
-    def _take(self, angle: int, value: float) -> None:
+    def _set_angle(self, angle: int, value: float) -> None:
         self._boresight[angle] = value
-        self._show(angle)
+        self._show_angle(angle)
         self.turned.emit(angle)
 
-    def _show(self, angle: int) -> None:
+    def _show_angle(self, angle: int) -> None:
         degrees = float(np.degrees(self._boresight[angle]))
         steps = round((degrees - float(np.degrees(self._start[angle]))) / FINE)
         for shown, value in ((self.fields[angle], degrees), (self.sliders[angle], steps)):

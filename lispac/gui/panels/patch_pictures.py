@@ -14,9 +14,9 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from lispac.gui import theme
 from lispac.gui.panels import quantities
 from lispac.gui.viewport.base import Colour
-from lispac.gui.viewport.overlay import length_text, scale_length
+from lispac.gui.viewport.overlay import length_text, scale_bar_length
 from lispac.language import gettext
-from lispac.patchtest.mismatch import lowest
+from lispac.patchtest.line_mismatch import curve_minimum
 
 Array = NDArray[np.float64]
 
@@ -26,8 +26,8 @@ DOT = 2.0
 """Size of a point in pixels."""
 
 
-class Picture(QWidget):
-    """A drawing on paper, with a name for screen readers."""
+class PaperPicture(QWidget):
+    """Widget for a drawing on paper, with a name for screen readers."""
 
     def __init__(self, name: str, accessible_name: str) -> None:
         super().__init__()
@@ -37,7 +37,7 @@ class Picture(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def sizeHint(self) -> QSize:
-        """The size it likes best, in pixels."""
+        """Preferred size, in pixels."""
         return QSize(360, 260)
 
     def painter(self) -> QPainter:
@@ -49,8 +49,8 @@ class Picture(QWidget):
         return painter
 
 
-class LinesPicture(Picture):
-    """The lines at an object, each in its colour, at true scale."""
+class LinesPicture(PaperPicture):
+    """Drawing of the lines at an object, each in its colour, at true scale."""
 
     def __init__(self) -> None:
         super().__init__("patch_section", gettext("Section of the lines at the object"))
@@ -74,7 +74,7 @@ class LinesPicture(Picture):
 
     @property
     def drawn(self) -> Mapping[str, Array]:
-        """The points shown."""
+        """Points shown."""
         return self._points
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -90,18 +90,18 @@ class LinesPicture(Picture):
             places = middle + scale * points * [1.0, -1.0]
             painter.drawPoints(QPolygonF([QPointF(x, y) for x, y in places.tolist()]))
         if self._points:
-            self._bar(painter, scale)
+            self._draw_scale_bar(painter, scale)
         painter.end()
 
-    def _bar(self, painter: QPainter, scale: float) -> None:
-        metres = scale_length(1.0 / scale, 0.3 * self.width())
+    def _draw_scale_bar(self, painter: QPainter, scale: float) -> None:
+        metres = scale_bar_length(1.0 / scale, 0.3 * self.width())
         low = self.height() - MARGIN - 4
         painter.setPen(QPen(theme.colour("text"), 2.5))
         painter.drawLine(QPointF(MARGIN, low), QPointF(MARGIN + metres * scale, low))
         painter.drawText(QPointF(MARGIN, low - 6), length_text(metres))
 
 
-class CurvePicture(Picture):
+class CurvePicture(PaperPicture):
     """Mismatch over one angle with its current value and minimum; a click chooses a value."""
 
     chosen = Signal(float)
@@ -127,26 +127,26 @@ class CurvePicture(Picture):
         self._title, self._values, self._mismatch = title, values[known], mismatch[known]
         self.update()
 
-    def show_present(self, value: float, mismatch: float) -> None:
+    def mark_current(self, value: float, mismatch: float) -> None:
         """Mark the current value, radians, and its mismatch, metres; NaN where it has none."""
         self._present = value, mismatch
         self.update()
 
     @property
     def minimum(self) -> float | None:
-        """Angle of the smallest mismatch, radians; None at an end of the curve."""
-        return lowest(self._values, self._mismatch)
+        """Angle of the smallest mismatch, radians; None if it is at an end of the curve."""
+        return curve_minimum(self._values, self._mismatch)
 
     def place(self, value: float, mismatch: float) -> QPointF:
         """Pixels of a value, radians, and a mismatch, metres."""
         first, last = self._values[0], self._values[-1]
         across = (value - first) / (last - first)
-        up = mismatch / self._most
+        up = mismatch / self._largest_mismatch
         frame = self._frame
         return QPointF(frame.left() + across * frame.width(), frame.bottom() - up * frame.height())
 
     @property
-    def _most(self) -> float:
+    def _largest_mismatch(self) -> float:
         return max(1.15 * float(self._mismatch.max()), 1e-4)
 
     @property
@@ -173,16 +173,16 @@ class CurvePicture(Picture):
         title = painter.fontMetrics().elidedText(self._title, Qt.TextElideMode.ElideRight, room)
         painter.drawText(QPointF(MARGIN, 17), title)
         if len(self._values) > 1:
-            self._axes(painter)
+            self._draw_axes(painter)
             line = QPolygonF(
                 [self.place(v, m) for v, m in zip(self._values, self._mismatch, strict=True)]
             )
             painter.setPen(QPen(theme.colour("accent"), 2))
             painter.drawPolyline(line)
-            self._marks(painter)
+            self._draw_marks(painter)
         painter.end()
 
-    def _axes(self, painter: QPainter) -> None:
+    def _draw_axes(self, painter: QPainter) -> None:
         frame = self._frame
         painter.setPen(theme.colour("grid"))
         painter.drawRect(frame)
@@ -196,11 +196,11 @@ class CurvePicture(Picture):
             if number != 1 or frame.width() > 240:
                 painter.drawText(box, flag, text)
         for share in (0.0, 0.5, 1.0):
-            text = quantities.amount(1000 * share * self._most, "mm", 0)
+            text = quantities.amount(1000 * share * self._largest_mismatch, "mm", 0)
             box = QRectF(0, frame.bottom() - share * frame.height() - 8, LEFT - 6, 16)
             painter.drawText(box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text)
 
-    def _marks(self, painter: QPainter) -> None:
+    def _draw_marks(self, painter: QPainter) -> None:
         lowest, frame = self.minimum, self._frame
         if lowest is not None:
             painter.setPen(QPen(theme.colour("done"), 1.5, Qt.PenStyle.DashLine))
@@ -226,4 +226,4 @@ class CurvePicture(Picture):
         painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()))
         if np.isfinite(mismatch):
             painter.setBrush(theme.colour("text"))
-            painter.drawEllipse(self.place(angle, min(mismatch, self._most)), 4, 4)
+            painter.drawEllipse(self.place(angle, min(mismatch, self._largest_mismatch)), 4, 4)

@@ -23,7 +23,7 @@ from lispac.gui.panels.patch_pictures import CurvePicture, LinesPicture
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.patchtest.pairs import Kind, LinePair
+from lispac.patchtest.line_pairs import Kind, LinePair
 
 TITLE = N_("Patch test")
 EMPTY = N_(
@@ -70,14 +70,18 @@ class PatchTestPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setMinimumHeight(250)
-        self.objects = _list("patch_objects", gettext("Objects; only ticked ones are compared"))
-        self.pairs = _list("patch_pairs", gettext("Pairs of lines; only ticked ones are compared"))
+        self.objects = _create_list(
+            "patch_objects", gettext("Objects; only ticked ones are compared")
+        )
+        self.pairs = _create_list(
+            "patch_pairs", gettext("Pairs of lines; only ticked ones are compared")
+        )
         self.picture, self.curve, self.angles = LinesPicture(), CurvePicture(), PatchAngles()
-        self.view = widgets.Choice(
+        self.view = widgets.ChoiceBox(
             "patch_view", [gettext(each) for each in VIEWS],
             gettext("Direction from which the object is viewed"),
         )  # fmt: skip
-        self.of = widgets.Choice(
+        self.of = widgets.ChoiceBox(
             "patch_curve_of", [gettext(each) for each in CURVES],
             gettext("Plot the mismatch of the displayed object or of all ticked objects"),
         )  # fmt: skip
@@ -91,14 +95,14 @@ class PatchTestPanel(QWidget):
         row = QHBoxLayout(inside)
         row.setContentsMargins(8, 4, 8, 4)
         left = QWidget()
-        left.setLayout(self._left())
+        left.setLayout(self._create_left_column())
         left.setFixedWidth(SIDE)
         row.addWidget(left)
         self._middle = QStackedLayout()
         self._middle.addWidget(self.words)
-        self._middle.addWidget(self._pictures())
+        self._middle.addWidget(self._create_pictures())
         row.addLayout(self._middle, 1)
-        row.addLayout(self._right())
+        row.addLayout(self._create_right_column())
         # In a small window the panel scrolls and does not widen the window.
         self._area = area = QScrollArea()
         area.setFrameShape(QFrame.Shape.NoFrame)
@@ -109,11 +113,11 @@ class PatchTestPanel(QWidget):
         around.addWidget(area)
         self.objects.itemChanged.connect(lambda _item: self.ticked_changed.emit())
         self.pairs.itemChanged.connect(lambda _item: self.ticked_changed.emit())
-        self.objects.currentItemChanged.connect(lambda _now, _before: self._another())
-        self.objects.itemDoubleClicked.connect(lambda item: self.go_asked.emit(_name(item)))
+        self.objects.currentItemChanged.connect(lambda _now, _before: self._emit_shown_changed())
+        self.objects.itemDoubleClicked.connect(lambda item: self.go_asked.emit(_item_name(item)))
         self.view.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
         self.of.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
-        self.allow(ready=False, busy=False, answer=False)
+        self.update_enabled(ready=False, busy=False, answer=False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Place the pictures side by side, or one below the other in a narrow panel."""
@@ -173,7 +177,7 @@ class PatchTestPanel(QWidget):
         self.remove.clicked.connect(lambda _on: self.remove_asked.emit(self.shown))
         self.go.clicked.connect(lambda _on: self.go_asked.emit(self.shown))
 
-    def _left(self) -> QGridLayout:
+    def _create_left_column(self) -> QGridLayout:
         grid = QGridLayout()
         grid.setContentsMargins(0, 0, 0, 0)
         grid.addWidget(self.propose, 0, 0, 1, 3)
@@ -192,7 +196,7 @@ class PatchTestPanel(QWidget):
         grid.setVerticalSpacing(4)
         return grid
 
-    def _pictures(self) -> QWidget:
+    def _create_pictures(self) -> QWidget:
         held = QWidget()
         self._grid = grid = QGridLayout(held)
         grid.setContentsMargins(0, 0, 0, 0)
@@ -210,7 +214,7 @@ class PatchTestPanel(QWidget):
         self._grid.addWidget(self.curve, row + 1, column)
         self._grid.setRowStretch(3, 0 if beside else 1)
 
-    def _right(self) -> QVBoxLayout:
+    def _create_right_column(self) -> QVBoxLayout:
         column = QVBoxLayout()
         column.setSpacing(4)
         self.angles.setMaximumWidth(420)
@@ -220,7 +224,7 @@ class PatchTestPanel(QWidget):
         for button in (self.keep, self.prior):
             row.addWidget(button)
         column.addLayout(row)
-        area = widgets.TallArea(self.said, 200)
+        area = widgets.VerticalScrollArea(self.said, 200)
         area.setMinimumHeight(34)
         self.said.setAlignment(Qt.AlignmentFlag.AlignTop)
         column.addWidget(area, 1)
@@ -230,26 +234,26 @@ class PatchTestPanel(QWidget):
 
     @property
     def shown(self) -> str:
-        """Name of the object shown; "" for none."""
+        """Name of the displayed object; empty for none."""
         item = self.objects.currentItem()
-        return "" if item is None else _name(item)
+        return "" if item is None else _item_name(item)
 
     @property
-    def ticked(self) -> tuple[str, ...]:
+    def ticked_entries(self) -> tuple[str, ...]:
         """Names of the ticked objects."""
-        return tuple(_ticked(self.objects))
+        return tuple(_ticked_names(self.objects))
 
     @property
     def ticked_pairs(self) -> frozenset[str]:
         """Names of the ticked pairs."""
-        return frozenset(_ticked(self.pairs))
+        return frozenset(_ticked_names(self.pairs))
 
     # -- what is shown -----------------------------------------------------------------------
 
     def show_objects(self, names: Sequence[str], unticked: Collection[str], shown: str) -> None:
         """Show the list of objects."""
         with QSignalBlocker(self.objects):
-            _fill(self.objects, [(name, name) for name in names], unticked)
+            _fill_list(self.objects, [(name, name) for name in names], unticked)
             if names:
                 row = names.index(shown) if shown in names else 0
                 self.objects.setCurrentRow(row)
@@ -258,7 +262,7 @@ class PatchTestPanel(QWidget):
     def show_pairs(self, pairs: Sequence[LinePair]) -> None:
         """Show the list of pairs; all are ticked."""
         with QSignalBlocker(self.pairs):
-            _fill(self.pairs, [(p.name, f"{SIGNS[p.kind]} {p.name}") for p in pairs], ())
+            _fill_list(self.pairs, [(p.name, f"{SIGNS[p.kind]} {p.name}") for p in pairs], ())
             for row, pair in enumerate(pairs):
                 kind = gettext(KINDS[pair.kind])
                 self.pairs.item(row).setToolTip(kind)
@@ -267,38 +271,38 @@ class PatchTestPanel(QWidget):
                 )
 
     def mark_objects(self, remarks: Mapping[str, Message]) -> None:
-        """Mark objects with remarks by their names; their tips show them."""
+        """Mark objects by name with remarks, which their tooltips show."""
         with QSignalBlocker(self.objects):
             for row in range(self.objects.count()):
                 item = self.objects.item(row)
-                remark = remarks.get(_name(item))
-                item.setText(f"{_name(item)} ⚠" if remark else _name(item))
-                tip = "" if remark is None else units.signs(message_text(remark), "°")
+                remark = remarks.get(_item_name(item))
+                item.setText(f"{_item_name(item)} ⚠" if remark else _item_name(item))
+                tip = "" if remark is None else units.convert_unit_signs(message_text(remark), "°")
                 item.setToolTip(widgets.plain_tip(tip))
 
-    def say_empty(self, reason: str) -> None:
+    def show_empty(self, reason: str) -> None:
         """Show why there are no objects: `EMPTY` or `NO_DATA`."""
         self.words.setText(gettext(reason))
         self.show_objects((), (), "")
 
-    def allow(self, *, ready: bool, busy: bool, answer: bool) -> None:
-        """Enable what can be done now."""
+    def update_enabled(self, *, ready: bool, busy: bool, answer: bool) -> None:
+        """Enable the buttons that can be used now."""
         some, free = bool(self.objects.count()), ready and not busy
         for button in (self.propose, self.point, self.target, self.box):
-            button.allow(free)
+            button.update_enabled(free)
         for button in (self.remove, self.go):
-            button.allow(some and ready)
-        self.all.allow(some and free)
-        self.keep.allow(answer and free)
-        self.prior.allow(some and ready)
+            button.update_enabled(some and ready)
+        self.all.update_enabled(some and free)
+        self.keep.update_enabled(answer and free)
+        self.prior.update_enabled(some and ready)
         self.angles.setEnabled(some and ready)
-        self.angles.allow(some and free)
+        self.angles.update_enabled(some and free)
 
-    def _another(self) -> None:
+    def _emit_shown_changed(self) -> None:
         self.shown_changed.emit()
 
 
-def _list(name: str, title: str) -> QListWidget:
+def _create_list(name: str, title: str) -> QListWidget:
     made = QListWidget()
     made.setObjectName(name)
     made.setAccessibleName(title)
@@ -307,7 +311,9 @@ def _list(name: str, title: str) -> QListWidget:
     return made
 
 
-def _fill(made: QListWidget, rows: Sequence[tuple[str, str]], unticked: Collection[str]) -> None:
+def _fill_list(
+    made: QListWidget, rows: Sequence[tuple[str, str]], unticked: Collection[str]
+) -> None:
     made.clear()
     for name, text in rows:
         item = QListWidgetItem(text, made)
@@ -316,10 +322,10 @@ def _fill(made: QListWidget, rows: Sequence[tuple[str, str]], unticked: Collecti
         item.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
 
 
-def _name(item: QListWidgetItem) -> str:
+def _item_name(item: QListWidgetItem) -> str:
     return str(item.data(Qt.ItemDataRole.UserRole))
 
 
-def _ticked(made: QListWidget) -> list[str]:
+def _ticked_names(made: QListWidget) -> list[str]:
     items = [made.item(row) for row in range(made.count())]
-    return [_name(item) for item in items if item.checkState() == Qt.CheckState.Checked]
+    return [_item_name(item) for item in items if item.checkState() == Qt.CheckState.Checked]

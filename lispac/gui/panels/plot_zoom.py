@@ -10,7 +10,7 @@ Limits = tuple[tuple[float, float], tuple[float, float]]
 
 
 class PlotZoom:
-    """Zoom and pan of the axes of a canvas."""
+    """Zoom and pan for the axes of a canvas."""
 
     def __init__(self, canvas: FigureCanvasBase) -> None:
         self._canvas = canvas
@@ -23,7 +23,7 @@ class PlotZoom:
         canvas.mpl_connect("button_release_event", self._release)
 
     def keep(self, *, upright: bool = True) -> None:
-        """Keep the present limits as those that show all.
+        """Store the present limits as those of the whole plot.
 
         Parameters
         ----------

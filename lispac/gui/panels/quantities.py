@@ -10,7 +10,7 @@ _ANGLE_SIGNS = "°′″"
 
 
 def figure(value: float, base: Base, decimals: int, *, sign: bool = False) -> str:
-    """A number without its unit.
+    """Text of a value without its unit.
 
     Parameters
     ----------
@@ -23,7 +23,7 @@ def figure(value: float, base: Base, decimals: int, *, sign: bool = False) -> st
 
 
 def amount(value: float, base: Base, decimals: int, *, sign: bool = False) -> str:
-    """The same number with its unit."""
+    """Text of a value with its unit."""
     return f"{figure(value, base, decimals, sign=sign)}{unit_suffix(base)}"
 
 
@@ -33,6 +33,6 @@ def unit_suffix(base: Base) -> str:
     return shown if shown in _ANGLE_SIGNS else f"\N{NO-BREAK SPACE}{shown}"
 
 
-def signed(value: float, decimals: int, *, sign: bool = True) -> str:
-    """A number in the language of the user with a true minus sign."""
+def signed_number(value: float, decimals: int, *, sign: bool = True) -> str:
+    """Text of a number in the language of the user, with a true minus sign."""
     return number(float(value), decimals, sign=sign).replace("-", _MINUS)

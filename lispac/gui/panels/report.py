@@ -30,7 +30,7 @@ LANGUAGE_KEYS = (OF_WINDOW, *LANGUAGES)
 
 
 class ReportPanel(QWidget):
-    """Options of the report; exports it and the georeferenced lines."""
+    """Options of the report, and buttons to export it and the georeferenced lines."""
 
     report_asked = Signal()
     lines_asked = Signal()
@@ -43,7 +43,7 @@ class ReportPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._template: Path | None = None
-        layout = widgets.column(self)
+        layout = widgets.vertical_layout(self)
         self.advice = widgets.label("", "hint", wrap=True, name="report_advice")
         layout.addWidget(self.advice)
         self.details = widgets.button(
@@ -53,7 +53,7 @@ class ReportPanel(QWidget):
                         "the report"),
         )  # fmt: skip
         layout.addWidget(self.details)
-        layout.addLayout(self._choices())
+        layout.addLayout(self._create_choice_form())
         self.template_error = widgets.label("", "error", wrap=True, name="report_said")
         layout.addWidget(self.template_error)
         self.report = widgets.button(
@@ -88,7 +88,7 @@ class ReportPanel(QWidget):
     def choice(self) -> tuple[str, str, str, str]:
         """Template, page, convention and language, for the settings."""
         template = "" if self._template is None else str(self._template)
-        options = self._chosen(USUAL)
+        options = self._with_choices(USUAL)
         return template, options.page, options.convention, self._language_key
 
     def options(self) -> ReportOptions:
@@ -99,10 +99,10 @@ class ReportPanel(QWidget):
         InputError
             Where the template can no longer be used.
         """
-        return self._chosen(report_options(self._template))
+        return self._with_choices(report_options(self._template))
 
     def show_choice(self, choice: tuple[str, str, str, str]) -> None:
-        """Show the last choice; what no longer exists is ignored."""
+        """Show the last choice; entries that no longer exist are ignored."""
         template, page, convention, language_key = choice
         self.show_template(Path(template) if template else None)
         if page in PAGES:
@@ -136,20 +136,20 @@ class ReportPanel(QWidget):
         """Enable what can be exported now."""
         self.advice.setText(status.advice)
         self.details.setEnabled(data_ready)
-        self.preview.allow(status.ready and not busy)
-        self.report.allow(status.ready and not busy)
-        self.lines.allow(data_ready and not busy)
+        self.preview.update_enabled(status.ready and not busy)
+        self.report.update_enabled(status.ready and not busy)
+        self.lines.update_enabled(data_ready and not busy)
 
-    def _choices(self) -> QFormLayout:
-        self.page = widgets.Choice(
+    def _create_choice_form(self) -> QFormLayout:
+        self.page = widgets.ChoiceBox(
             "report_page", list(map(gettext, PAGES.values())), gettext("Paper size")
         )
-        self.language = widgets.Choice(
+        self.language = widgets.ChoiceBox(
             "report_language", [gettext("Same as window"), *LANGUAGES.values()],
             gettext("Language of the report. JSON is always in English."),
         )  # fmt: skip
         names = [gettext(STATUS[each.status], program=gettext(each.name)) for each in OTHERS]
-        self.convention = widgets.Choice(
+        self.convention = widgets.ChoiceBox(
             "report_convention", [gettext("(none)"), *names],
             gettext("Give the boresight also in the convention of another program"),
         )  # fmt: skip
@@ -166,7 +166,7 @@ class ReportPanel(QWidget):
             gettext("Clear"), "report_template_none", tip=gettext("Do not use a template")
         )
         choose.clicked.connect(self.template_asked)
-        self.no_template.clicked.connect(lambda: self._changed(None))
+        self.no_template.clicked.connect(lambda: self._on_template_changed(None))
         row = QHBoxLayout()
         row.addWidget(self.template, 1)
         row.addWidget(self.no_template)
@@ -181,11 +181,11 @@ class ReportPanel(QWidget):
             box.activated.connect(lambda _index: self.changed.emit())
         return form
 
-    def _changed(self, template: Path | None) -> None:
+    def _on_template_changed(self, template: Path | None) -> None:
         self.show_template(template)
         self.changed.emit()
 
-    def _chosen(self, options: ReportOptions) -> ReportOptions:
+    def _with_choices(self, options: ReportOptions) -> ReportOptions:
         keys = ["", *(each.key for each in OTHERS)]
         return replace(
             options,

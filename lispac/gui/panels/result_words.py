@@ -3,12 +3,12 @@
 from collections.abc import Mapping, Sequence
 from html import escape
 
+from lispac.adjustment.display_text import variance_component_finding
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.shown import component_finding
-from lispac.adjustment.warnings import FLAT, doubts
+from lispac.adjustment.warnings import FLAT, result_warnings
 from lispac.gui import theme, units
 from lispac.gui.panels import quantities
-from lispac.gui.panels.adjust_parameters import KINDS, Kind
+from lispac.gui.panels.adjust_parameters import KINDS, MountingParameter
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
@@ -33,8 +33,8 @@ def observation_counts(result: AdjustmentResult) -> str:
     return f"{points}, {sightings}; {outliers}"
 
 
-def surface_words(result: AdjustmentResult) -> str:
-    """Standard deviation of the surfaces, or why there is none."""
+def roughness_text(result: AdjustmentResult) -> str:
+    """Text of the standard deviation of the surfaces, or the reason why there is none."""
     if not result.model.correlated:
         return "–"
     if result.model.surface == 0:
@@ -42,14 +42,14 @@ def surface_words(result: AdjustmentResult) -> str:
     if result.surfaces.max() < LEAST_SURFACE:
         return gettext("not detected")
     if result.offset is None:
-        return _millimetres(result.surface)
+        return _roughness_value_text(result.surface)
     return gettext(
         "offsets {offset}, tilts {tilt}",
-        offset=_millimetres(result.offset), tilt=_millimetres(result.surface),
+        offset=_roughness_value_text(result.offset), tilt=_roughness_value_text(result.surface),
     )  # fmt: skip
 
 
-def _millimetres(metres: float) -> str:
+def _roughness_value_text(metres: float) -> str:
     if metres < LEAST_SURFACE:
         return gettext("below {limit}", limit=quantities.amount(1000 * _TENTH_MM, "mm", 1))
     return quantities.amount(1000 * metres, "mm", 1)
@@ -90,11 +90,11 @@ SIGNIFICANCE: Mapping[bool | None, str] = {
 """Whether the change of a value is significant; None where it is not tested."""
 
 
-def verdict(
+def fit_verdict(
     result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> str:
-    """Meaning of the chi-square test; whether the uncertainties can be used, without warnings."""
-    is_sure = not doubts(result, checks, also)
+    """Text on the chi-square test; without warnings, whether the uncertainties can be used."""
+    is_sure = not result_warnings(result, checks, also)
     if result.chi_square.passed:
         if result.model.surface is None and (most := float(result.surfaces.max())) > FLAT:
             sure, unsure = FIT_WITH_SURFACES
@@ -109,8 +109,8 @@ def verdict(
     return gettext(SMALL_RESIDUALS[0] if is_sure else SMALL_RESIDUALS[1])
 
 
-def test_words(result: AdjustmentResult) -> str:
-    """The chi-square test with its bounds, as rich text."""
+def chi_square_text(result: AdjustmentResult) -> str:
+    """Text of the chi-square test with its bounds, as rich text."""
     test = result.chi_square
     statistic, lower, upper = (
         units.localised(f"{value:.4g}") for value in (test.statistic, test.lower, test.upper)
@@ -124,8 +124,8 @@ def test_words(result: AdjustmentResult) -> str:
     return f'<b style="color:{colour}">{title}</b>: {values}'
 
 
-def parameter_rows(result: AdjustmentResult) -> str:
-    """The parameters estimated besides the boresight, as rich text; empty without any."""
+def parameters_html(result: AdjustmentResult) -> str:
+    """Parameters estimated besides the boresight, as rich text; empty if there are none."""
     rows = []
     for estimate in result.parameters:
         kind = KINDS[estimate.name]
@@ -134,29 +134,29 @@ def parameter_rows(result: AdjustmentResult) -> str:
             reason = "" if estimate.reason is None else escape(message_text(estimate.reason))
             rows.append(f"<tr><td colspan='2'>{title}: {reason}</td></tr>")
             continue
-        prior = gettext("prior {value}", value=_parameter(kind, estimate.prior))
+        prior = gettext("prior {value}", value=_parameter_text(kind, estimate.prior))
         significance = escape(gettext(SIGNIFICANCE[estimate.significant]))
         rows.append(
             f"<tr><td>{title}</td><td align='right' style='padding-left:14px'>"
-            f"<b>{_parameter(kind, estimate.value)}</b> ± "
-            f"{_parameter(kind, estimate.sigma, signed=False)}"
+            f"<b>{_parameter_text(kind, estimate.value)}</b> ± "
+            f"{_parameter_text(kind, estimate.sigma, signed=False)}"
             f"</td></tr><tr><td colspan='2' align='right' style='color:{theme.MUTED}'>"
             f"{escape(prior)}, {significance}</td></tr>"
         )
     return f"<table width='100%'>{''.join(rows)}</table>" if rows else ""
 
 
-def _parameter(kind: Kind, value: float, *, signed: bool = True) -> str:
+def _parameter_text(kind: MountingParameter, value: float, *, signed: bool = True) -> str:
     return kind.amount(value, signed=signed)
 
 
-def component_texts(result: AdjustmentResult) -> tuple[str, ...]:
+def variance_component_texts(result: AdjustmentResult) -> tuple[str, ...]:
     """The variance components: factor, interval and finding of each."""
     return tuple(
         gettext(
             "{errors}: factor {factor:x.2} (95 %: {lower:x.2} to {upper:x.2}), {finding}",
             errors=gettext(COMPONENTS[each.name]), factor=each.factor, lower=each.lower,
-            upper=each.upper, finding=message_text(component_finding(each)),
+            upper=each.upper, finding=message_text(variance_component_finding(each)),
         )
         for each in result.components
     )  # fmt: skip

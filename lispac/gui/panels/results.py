@@ -17,14 +17,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.adjustment.outdated import refused_since
+from lispac.adjustment.outdated_result import outdated_result_warning
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.adjustment.stochastic import StochasticModel
-from lispac.adjustment.warnings import HIGH_CORRELATION, doubts
-from lispac.doubles import project_doubts
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.warnings import HIGH_CORRELATION, result_warnings
+from lispac.duplicate_targets import project_warnings
 from lispac.gui import theme, units
 from lispac.gui.panels import quantities, result_words, widgets
-from lispac.gui.panels.mounting_words import boresight_said
+from lispac.gui.panels.mounting_texts import boresight_sentence
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Message
@@ -49,20 +49,20 @@ _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class ResultsPanel(QWidget):
-    """Result of the adjustment, in the order of the first page of the report."""
+    """Result of the adjustment, in the order of page one of the report."""
 
     def __init__(self) -> None:
         super().__init__()
         self._stack = QStackedLayout(self)
         empty = QWidget()
-        layout = widgets.column(empty)
+        layout = widgets.vertical_layout(empty)
         self.refusal = widgets.label("", "warning", wrap=True, name="results_refusal")
         layout.addWidget(self.refusal)
         self._empty = widgets.label("", "muted", wrap=True, name="results_empty")
         layout.addWidget(self._empty)
         layout.addStretch(1)
         self._stack.addWidget(empty)
-        self._stack.addWidget(self._scrolled())
+        self._stack.addWidget(self._create_body())
 
     def show_project(
         self,
@@ -72,7 +72,7 @@ class ResultsPanel(QWidget):
         refusal: str = "",
         older: Message | str = "",
     ) -> None:
-        """Show the result, where there is one.
+        """Show the result of a project.
 
         Parameters
         ----------
@@ -104,9 +104,9 @@ class ResultsPanel(QWidget):
             _fill_correlation(self.correlation, result)
             self._fill_fit(project, result)
 
-    def _scrolled(self) -> QScrollArea:
+    def _create_body(self) -> QScrollArea:
         outer = QWidget()
-        around = widgets.column(outer)
+        around = widgets.vertical_layout(outer)
         self._waiting = widgets.label(
             gettext("A new estimate is running. The values below are from before the change."),
             "hint", wrap=True, name="results_waiting",
@@ -114,12 +114,12 @@ class ResultsPanel(QWidget):
         around.addWidget(self._waiting)
         self._body = QWidget()
         around.addWidget(self._body)
-        layout = widgets.column(self._body, 0)
+        layout = widgets.vertical_layout(self._body, 0)
         self.warnings = widgets.label("", "warning", wrap=True, name="results_warnings", rich=True)
         layout.addWidget(self.warnings)
-        title = gettext("Boresight ({unit})", unit=units.unit("°").sign)
+        title = gettext("Boresight ({unit})", unit=units.shown_unit("°").sign)
         layout.addWidget(widgets.label(title, "heading"))
-        self.angles = _table("angles_table", gettext("Boresight angles"), 4)
+        self.angles = _create_table("angles_table", gettext("Boresight angles"), 4)
         layout.addWidget(self.angles)
         self._truth_note = widgets.label(
             gettext(
@@ -143,14 +143,16 @@ class ResultsPanel(QWidget):
         self._verdict = widgets.label("", wrap=True, name="chi_square_verdict")
         layout.addWidget(self._verdict)
         layout.addWidget(widgets.label(gettext("Correlation"), "heading"))
-        self.correlation = _table("correlation_table", gettext("Correlation of the angles"), 3)
+        self.correlation = _create_table(
+            "correlation_table", gettext("Correlation of the angles"), 3
+        )
         layout.addWidget(self.correlation)
         layout.addWidget(widgets.label(gettext("Convention"), "heading"))
         convention = widgets.label("", "muted", wrap=True, name="convention", rich=True)
         convention.setText(convention_html())
         layout.addWidget(convention)
         around.addStretch(1)
-        return widgets.TallArea(outer, 380)
+        return widgets.VerticalScrollArea(outer, 380)
 
     def _fill_rotation(self, result: AdjustmentResult) -> None:
         """Show the rotation matrix where the pitch is too steep for the three angles."""
@@ -161,18 +163,18 @@ class ResultsPanel(QWidget):
                 f"<tr>{''.join(map(_matrix_cell, row))}</tr>"
                 for row in result.mounting.rotation_body_lidar
             )
-            sentence = escape(boresight_said(result.angles))
+            sentence = escape(boresight_sentence(result.angles))
             title = escape(gettext("Rotation matrix, LiDAR to body (forward, left, up):"))
             self.rotation.setText(f"{sentence}<br>{title}<table>{rows}</table>")
 
     def _fill_texts(self, project: Project, result: AdjustmentResult, older: Message | str) -> None:
-        also = list(project_doubts(project))
+        also = list(project_warnings(project))
         if older:
-            also.insert(0, refused_since(older))
-        warnings = doubts(result, project.cross_checks, also)
+            also.insert(0, outdated_result_warning(older))
+        warnings = result_warnings(result, project.cross_checks, also)
         self.warnings.setText("<br><br>".join(escape(message_text(each)) for each in warnings))
         self.warnings.setVisible(bool(warnings))
-        rows = result_words.parameter_rows(result)
+        rows = result_words.parameters_html(result)
         self.parameters.setText(rows)
         for each in (self._parameters_head, self.parameters):
             each.setVisible(bool(rows))
@@ -198,7 +200,7 @@ class ResultsPanel(QWidget):
             ("iterations", gettext("Iterations, time")),
         ):
             value = widgets.label(name=f"result_{key}", rich=True)
-            value.setFont(theme.tabular(value.font()))
+            value.setFont(theme.tabular_font(value.font()))
             value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
             self._values[key] = value
             form.addRow(widgets.label(title, "muted"), value)
@@ -210,18 +212,18 @@ class ResultsPanel(QWidget):
         texts = {
             "rms": f"{before} → <b>{after}</b>",
             "factor": number(result.variance_factor, 3),
-            "chi": result_words.test_words(result),
+            "chi": result_words.chi_square_text(result),
             "points": result_words.observation_counts(result),
             "model": _correlation_times(result.model),
-            "surface": result_words.surface_words(result),
+            "surface": result_words.roughness_text(result),
             "iterations": gettext(
                 "{iterations:n}, {time:s.2} s", iterations=result.iterations, time=result.elapsed
             ),
         }
         for key, text in texts.items():
             self._values[key].setText(text)
-        verdict = result_words.verdict(result, project.cross_checks, project_doubts(project))
-        components = "; ".join(result_words.component_texts(result))
+        verdict = result_words.fit_verdict(result, project.cross_checks, project_warnings(project))
+        components = "; ".join(result_words.variance_component_texts(result))
         if components:
             found = gettext("Estimated variance components: {components}.", components=components)
             verdict = f"{verdict} {found}"
@@ -235,7 +237,7 @@ def convention_html() -> str:
 
 
 def _matrix_cell(value: float) -> str:
-    return f"<td align=right>{quantities.signed(value, 8)}&nbsp;&nbsp;</td>"
+    return f"<td align=right>{quantities.signed_number(value, 8)}&nbsp;&nbsp;</td>"
 
 
 def _correlation_times(model: StochasticModel) -> str:
@@ -247,7 +249,7 @@ def _correlation_times(model: StochasticModel) -> str:
     )  # fmt: skip
 
 
-def _table(name: str, title: str, rows: int) -> QTableWidget:
+def _create_table(name: str, title: str, rows: int) -> QTableWidget:
     table = QTableWidget(rows, len(ANGLES))
     table.setTabKeyNavigation(False)
     table.setObjectName(name)
@@ -270,7 +272,7 @@ def _table(name: str, title: str, rows: int) -> QTableWidget:
     return table
 
 
-def _set_rows(table: QTableWidget, titles: Sequence[str]) -> None:
+def _set_row_titles(table: QTableWidget, titles: Sequence[str]) -> None:
     table.setRowCount(len(titles))
     table.setVerticalHeaderLabels(list(titles))
     table.setFixedHeight(table.horizontalHeader().sizeHint().height() + _ROW * len(titles) + 3)
@@ -289,7 +291,7 @@ def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | 
     if truth is not None:
         tip = gettext("Angle used to simulate the survey")
         rows.append((gettext("True value"), tip, np.array(truth), True))
-    _set_rows(table, [row[0] for row in rows])
+    _set_row_titles(table, [row[0] for row in rows])
     for k, (_, tip, angles, sign) in enumerate(rows):
         texts = [quantities.figure(angle, "°", 4, sign=sign) for angle in angles]
         _write_row(table, k, texts, bold=angles is value)
@@ -310,13 +312,15 @@ def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | 
 
 
 def _fill_correlation(table: QTableWidget, result: AdjustmentResult) -> None:
-    _set_rows(table, [gettext(name) for name in ANGLE_NAMES])
+    _set_row_titles(table, [gettext(name) for name in ANGLE_NAMES])
     for row in range(3):
-        _write_row(table, row, [quantities.signed(each, 2) for each in result.correlation[row]])
+        _write_row(
+            table, row, [quantities.signed_number(each, 2) for each in result.correlation[row]]
+        )
         for column in range(3):
             item = table.item(row, column)
             value = float(result.correlation[row, column])
-            item.setBackground(QBrush(_heat(value)))
+            item.setBackground(QBrush(_correlation_colour(value)))
             if row != column and abs(value) > HIGH_CORRELATION:
                 item.setToolTip(
                     gettext(
@@ -330,12 +334,12 @@ def _write_row(table: QTableWidget, row: int, texts: Sequence[str], *, bold: boo
     for column, text in enumerate(texts):
         item = QTableWidgetItem(text)
         item.setTextAlignment(_RIGHT)
-        item.setFont(theme.tabular(table.font(), bold=bold))
+        item.setFont(theme.tabular_font(table.font(), bold=bold))
         table.setItem(row, column, item)
 
 
-def _heat(value: float) -> QColor:
-    """Background of a correlation: paper at 0, blue towards +1, orange towards -1."""
+def _correlation_colour(value: float) -> QColor:
+    """Background colour of a correlation: paper at 0, blue to +1, orange to -1."""
     full = QColor(theme.POSITIVE if value >= 0 else theme.NEGATIVE)
     share = min(abs(value), 1.0)
     ends = zip(QColor(theme.PAPER).getRgb()[:3], full.getRgb()[:3], strict=True)

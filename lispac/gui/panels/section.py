@@ -10,7 +10,7 @@ from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.gui.viewport.base import Colour
 from lispac.language import N_, gettext
-from lispac.workflow.sections import Cut
+from lispac.workflow.survey_sections import SectionPoints
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -30,7 +30,7 @@ PRINT_DPI = 200
 
 
 class SectionPanel(QWidget):
-    """Options of the section, which `changed` announces, and its picture."""
+    """Options of the section and its picture; emits `changed`."""
 
     changed = Signal()
     """An option was changed."""
@@ -42,7 +42,7 @@ class SectionPanel(QWidget):
         super().__init__()
         self.setMinimumHeight(216)
         self.through = widgets.label("", "heading", name="section_through")
-        self.laid = widgets.Choice(
+        self.laid = widgets.ChoiceBox(
             "section_laid", [gettext(title) for title in LAID],
             gettext(
                 "A vertical section shows height against distance and reveals errors of roll "
@@ -113,16 +113,16 @@ class SectionPanel(QWidget):
 
     @property
     def shows(self) -> bool:
-        """Whether there is a section."""
+        """Whether a section is displayed."""
         return bool(self.through.text())
 
-    def printed(self) -> "Figure":
-        """A figure of the section as shown, under its title, that another thread may save."""
+    def figure_for_print(self) -> "Figure":
+        """Figure of the section with its title, which another thread may save."""
         from matplotlib.figure import Figure
 
         shown = self.canvas.figure
         printed = Figure(figsize=shown.get_size_inches(), dpi=PRINT_DPI, layout="constrained")
-        with theme.on_paper():
+        with theme.paper_colours():
             self._draw(printed)
         for axes, like in zip(printed.axes, shown.axes, strict=True):
             axes.set(xlim=like.get_xlim(), ylim=like.get_ylim())
@@ -130,8 +130,8 @@ class SectionPanel(QWidget):
         return printed
 
     def _allow_pictures(self, allowed: bool) -> None:
-        self.save_picture.allow(allowed)
-        self.copy_picture.allow(allowed)
+        self.save_picture.update_enabled(allowed)
+        self.copy_picture.update_enabled(allowed)
 
     def show_nothing(self, reason: str) -> None:
         """Show why there is no section."""
@@ -143,7 +143,12 @@ class SectionPanel(QWidget):
             self.canvas.hide()
 
     def show_cuts(
-        self, through: str, cuts: Sequence[Cut], colours: Mapping[str, Colour], *, target: bool
+        self,
+        through: str,
+        cuts: Sequence[SectionPoints],
+        colours: Mapping[str, Colour],
+        *,
+        target: bool,
     ) -> None:
         """Show a section before and after.
 

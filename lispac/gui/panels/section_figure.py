@@ -9,11 +9,11 @@ from matplotlib.lines import Line2D
 
 from lispac.gui import theme
 from lispac.gui.panels import quantities
-from lispac.gui.panels.ticks import in_units
+from lispac.gui.panels.ticks import convert_axis_units
 from lispac.gui.viewport.base import Array, Colour
-from lispac.gui.viewport.overlay import length_text, scale_length
+from lispac.gui.viewport.overlay import length_text, scale_bar_length
 from lispac.language import N_, gettext
-from lispac.workflow.sections import Cut
+from lispac.workflow.survey_sections import SectionPoints
 
 MOST = 60_000
 """Largest number of points drawn; of more, an even subsample of all lines."""
@@ -26,7 +26,10 @@ TITLES_WITH_DISTANCE = {
 
 
 def draw_section(
-    cuts: Sequence[Cut], colours: Mapping[str, Colour], titles: tuple[str, str], figure: Figure
+    cuts: Sequence[SectionPoints],
+    colours: Mapping[str, Colour],
+    titles: tuple[str, str],
+    figure: Figure,
 ) -> None:
     """Draw cuts side by side with common limits.
 
@@ -40,18 +43,20 @@ def draw_section(
     for number, cut in enumerate(cuts, start=1):
         axes = figure.add_subplot(1, len(cuts), number, sharex=first, sharey=first)
         first = first or axes
-        _draw(axes, cut, colours)
+        _draw_cut(axes, cut, colours)
         axes.set_xlabel(gettext(titles[0]), fontsize=TEXT, color=theme.TEXT)
         if number == 1:
             axes.set_ylabel(gettext(titles[1]), fontsize=TEXT, color=theme.TEXT)
-        in_units(axes.xaxis, "m")
-        in_units(axes.yaxis, "m")
+        convert_axis_units(axes.xaxis, "m")
+        convert_axis_units(axes.yaxis, "m")
     lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]
     if lines:
         marks = [
-            Line2D([], [], marker="o", linestyle="none", markersize=5, color=_share(colours[line]))
+            Line2D(
+                [], [], marker="o", linestyle="none", markersize=5, color=_unit_rgb(colours[line])
+            )
             for line in lines
-        ]  # fmt: skip
+        ]
         legend = figure.legend(
             marks, lines, loc="outside right center", fontsize=SMALL, frameon=False,
             labelcolor=theme.TEXT, handletextpad=0.1, borderaxespad=0.2,
@@ -60,15 +65,15 @@ def draw_section(
             text.set_parse_math(False)
 
 
-def title(cut: Cut) -> str:
-    """Title of a cut: before or after, and the largest distance between two lines."""
+def cut_title(cut: SectionPoints) -> str:
+    """Title of a cut: before or after, with the largest distance between two lines."""
     if cut.apart is None:
         return gettext(TITLES[cut.which])
     distance = quantities.amount(1000 * cut.apart, "mm", 0)
     return gettext(TITLES_WITH_DISTANCE[cut.which], distance=distance)
 
 
-def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
+def _draw_cut(axes: Axes, cut: SectionPoints, colours: Mapping[str, Colour]) -> None:
     axes.set_facecolor(theme.PAPER)
     total = sum(len(points) for points in cut.points.values())
     step = -(-total // MOST) or 1
@@ -76,7 +81,7 @@ def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
         shown = points[::step]
         axes.plot(
             shown[:, 0], shown[:, 1], marker="o", linestyle="none", markersize=1.7,
-            markeredgewidth=0, color=_share(colours[line]), label=line, gid=line,
+            markeredgewidth=0, color=_unit_rgb(colours[line]), label=line, gid=line,
         )  # fmt: skip
     half = 0.5 * np.array([cut.section.width, cut.section.height])
     axes.set_xlim(-half[0], half[0])
@@ -86,16 +91,16 @@ def _draw(axes: Axes, cut: Cut, colours: Mapping[str, Colour]) -> None:
     axes.set_axisbelow(True)
     axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
     axes.spines[:].set_color(theme.MUTED)
-    axes.set_title(title(cut), fontsize=TEXT, color=theme.TEXT, loc="left")
+    axes.set_title(cut_title(cut), fontsize=TEXT, color=theme.TEXT, loc="left")
     if not total:
         axes.text(0.5, 0.5, gettext("No points in the section"), transform=axes.transAxes,
                   ha="center", color=theme.MUTED, fontsize=TEXT)  # fmt: skip
-    _bar(axes, 2 * half)
+    _draw_scale_bar(axes, 2 * half)
 
 
-def _bar(axes: Axes, extent: Array) -> None:
+def _draw_scale_bar(axes: Axes, extent: Array) -> None:
     """Draw a scale bar in the lower left corner."""
-    metres = scale_length(1.0, 0.3 * float(extent.min()))
+    metres = scale_bar_length(1.0, 0.3 * float(extent.min()))
     length = length_text(metres)
     left, low = -0.46 * extent[0], -0.45 * extent[1]
     axes.plot([left, left + metres], [low, low], color=theme.TEXT, linewidth=2.5, gid="bar",
@@ -107,6 +112,6 @@ def _bar(axes: Axes, extent: Array) -> None:
     )  # fmt: skip
 
 
-def _share(colour: Colour) -> tuple[float, float, float]:
+def _unit_rgb(colour: Colour) -> tuple[float, float, float]:
     red, green, blue = colour
     return red / 255, green / 255, blue / 255

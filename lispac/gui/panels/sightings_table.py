@@ -19,7 +19,7 @@ from lispac.gui.panels import quantities, widgets
 from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
 from lispac.project import PickedSighting, Project, Target
-from lispac.targets.quality import Light, SightingQuality
+from lispac.targets.sighting_quality import Light, SightingQuality
 from lispac.workflow.survey import Survey
 
 Role = Qt.ItemDataRole
@@ -36,7 +36,7 @@ _LIGHTS: dict[Light, str] = {
 
 
 class SightingsModel(QAbstractTableModel):
-    """Model with a column for the targets and one for each line; the last row: whole lines."""
+    """Table model with targets as rows and lines as columns; the last row is whole lines."""
 
     target_used = Signal(str, bool)
     line_used = Signal(str, bool)
@@ -67,7 +67,7 @@ class SightingsModel(QAbstractTableModel):
             self.dataChanged.emit(self.index(0, 0), last)
 
     def key(self, index: Index) -> tuple[str, str] | None:
-        """(target, line) of a cell; line "" for the name's column."""
+        """Target and line of a cell; the line is empty in the column of names."""
         if not index.isValid() or index.row() >= len(self._targets):
             return None
         line = "" if index.column() == 0 else self._lines[index.column() - 1]
@@ -78,24 +78,24 @@ class SightingsModel(QAbstractTableModel):
         return next((k for k, t in enumerate(self._targets) if t.name == name), None)
 
     def column_of(self, line: str) -> int:
-        """Column of a line; that of the names where there is no such line."""
+        """Column of a line; the column of names if there is no such line."""
         return 1 + self._lines.index(line) if line in self._lines else 0
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
-        """One for each target, and one for whole lines if any target is adjusted."""
+        """Number of rows: targets, and one for whole lines if a target is adjusted."""
         targets = len(self._targets)
-        return 0 if parent.isValid() or not targets else targets + bool(self._adjusted)
+        return 0 if parent.isValid() or not targets else targets + bool(self._adjusted_targets)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """One for the names, and one for each line."""
+        """Number of columns: one for the names and one for each line."""
         return 0 if parent.isValid() else len(self._lines) + 1
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
         """Name of a line with its heading, and its colour."""
-        value = self._head(section, orientation, role)
+        value = self._header_value(section, orientation, role)
         return widgets.plain_tip(value) if role == Role.ToolTipRole and value else value
 
-    def _head(self, section: int, orientation: Qt.Orientation, role: int) -> Any:
+    def _header_value(self, section: int, orientation: Qt.Orientation, role: int) -> Any:
         if orientation == Qt.Orientation.Vertical:
             return None
         if role == Role.TextAlignmentRole:
@@ -112,41 +112,43 @@ class SightingsModel(QAbstractTableModel):
             return gettext(
                 "{line}: number of points, and RMS of their distances to the plane of the sighting "
                 "({unit})",
-                line=line, unit=units.unit("mm").sign,
+                line=line, unit=units.shown_unit("mm").sign,
             )  # fmt: skip
         return None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        """What can be ticked."""
+        """Flags of a cell, including whether it can be ticked."""
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
         if index.row() == len(self._targets):
-            on_line = index.column() > 0 and self._on_line(self._lines[index.column() - 1])
+            on_line = index.column() > 0 and self._sightings_on_line(
+                self._lines[index.column() - 1]
+            )
             return flags | Qt.ItemFlag.ItemIsUserCheckable if on_line else flags
         if index.column() == 0 or self._sighting(index) is not None:
             flags |= Qt.ItemFlag.ItemIsUserCheckable
         return flags
 
     def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
-        """What a cell shows."""
-        value = self._of(index, role)
+        """Value of a cell for a role."""
+        value = self._cell_value(index, role)
         return widgets.plain_tip(value) if role == Role.ToolTipRole and value else value
 
-    def _of(self, index: Index, role: int) -> Any:
+    def _cell_value(self, index: Index, role: int) -> Any:
         if index.row() == len(self._targets):
-            return self._of_line(index.column(), role)
+            return self._line_cell_value(index.column(), role)
         target = self._targets[index.row()]
         if index.column() == 0:
-            return _of_name(target, role)
+            return _name_cell_value(target, role)
         line = self._lines[index.column() - 1]
         sighting = target.sighting(line)
         if role == Role.TextAlignmentRole:
             return _RIGHT if sighting is not None else Qt.AlignmentFlag.AlignCenter
         if sighting is None:
-            return _of_missing(target, line, role)
-        return self._of_sighting(target, sighting, role)
+            return _missing_cell_value(target, line, role)
+        return self._sighting_cell_value(target, sighting, role)
 
     def setData(self, index: Index, value: Any, role: int = Role.EditRole) -> bool:
-        """Emit the signal of a tick."""
+        """Emit the signal of a ticked cell."""
         if role != Role.CheckStateRole:
             return False
         used = Qt.CheckState(value) == Qt.CheckState.Checked
@@ -167,15 +169,15 @@ class SightingsModel(QAbstractTableModel):
         return () if self._project is None else self._project.targets
 
     @property
-    def _adjusted(self) -> tuple[Target, ...]:
+    def _adjusted_targets(self) -> tuple[Target, ...]:
         return tuple(target for target in self._targets if target.role == "target")
 
-    def _on_line(self, line: str) -> list[PickedSighting]:
+    def _sightings_on_line(self, line: str) -> list[PickedSighting]:
         """Sightings of adjustment targets on a line."""
-        found = (target.sighting(line) for target in self._adjusted)
+        found = (target.sighting(line) for target in self._adjusted_targets)
         return [sighting for sighting in found if sighting is not None]
 
-    def _of_line(self, column: int, role: int) -> Any:
+    def _line_cell_value(self, column: int, role: int) -> Any:
         if column == 0:
             values = {
                 Role.DisplayRole: gettext("Whole line"),
@@ -184,7 +186,7 @@ class SightingsModel(QAbstractTableModel):
             }
             return values.get(Role(role))
         line = self._lines[column - 1]
-        sightings = self._on_line(line)
+        sightings = self._sightings_on_line(line)
         used = sum(sighting.used for sighting in sightings)
         if role == Role.TextAlignmentRole:
             return _RIGHT if sightings else Qt.AlignmentFlag.AlignCenter
@@ -207,16 +209,18 @@ class SightingsModel(QAbstractTableModel):
     def _sighting(self, index: Index) -> PickedSighting | None:
         return self._targets[index.row()].sighting(self._lines[index.column() - 1])
 
-    def _of_sighting(self, target: Target, sighting: PickedSighting, role: int) -> Any:
+    def _sighting_cell_value(self, target: Target, sighting: PickedSighting, role: int) -> Any:
         used = target.used and sighting.used
         quality = self._qualities.get((target.name, sighting.line))
         if role == Role.DisplayRole:
             is_poor = quality is not None and quality.light == "poor"
             light = "   " + gettext("poor") if is_poor else ""
             edited = f" {EDITED}" if sighting.by_hand else ""
-            return f"{number(len(sighting.indices), 0)}   {_mm(sighting.rms)}{light}{edited}"
+            return (
+                f"{number(len(sighting.indices), 0)}   {_millimetres(sighting.rms)}{light}{edited}"
+            )
         if role == Role.DecorationRole and quality is not None:
-            return theme.light(quality.light)
+            return theme.quality_icon(quality.light)
         if role == Role.CheckStateRole:
             return Qt.CheckState.Checked if sighting.used else Qt.CheckState.Unchecked
         if role == Role.ForegroundRole and not used:
@@ -242,11 +246,11 @@ class SightingsModel(QAbstractTableModel):
                     "the sighting {rms}",
                 ),
                 target=target.name, line=sighting.line, count=len(sighting.indices),
-                rms=_mm(sighting.rms),
+                rms=_millimetres(sighting.rms),
             )
         ]  # fmt: skip
         if (quality := self._qualities.get((target.name, sighting.line))) is not None:
-            lines.append(quality_words(quality))
+            lines.append(quality_text(quality))
         if sighting.by_hand:
             edited = gettext("Points edited with the lasso")
             lines.append(f"{EDITED} {edited}")
@@ -261,15 +265,16 @@ class SightingsModel(QAbstractTableModel):
                 lines.append(
                     gettext(
                         "RMS distance to the adjusted surface: {before} before, {after} after",
-                        before=_mm(residual.rms_before), after=_mm(residual.rms_after),
+                        before=_millimetres(residual.rms_before),
+                        after=_millimetres(residual.rms_after),
                     )
-                )  # fmt: skip
+                )
         lines.append(gettext("Untick to exclude this sighting"))
         return "\n".join(lines)
 
 
 class SightingsTable(QTableView):
-    """Table view of the sightings; announces the one that is selected."""
+    """Table view of the sightings; emits the selected sighting."""
 
     sighting_selected = Signal(str, str)
 
@@ -282,13 +287,13 @@ class SightingsTable(QTableView):
         self.setModel(self.sightings)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setAlternatingRowColors(True)
-        self.setFont(theme.tabular(self.font()))
+        self.setFont(theme.tabular_font(self.font()))
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(26)
         self.horizontalHeader().setHighlightSections(False)
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.horizontalHeader().setMinimumSectionSize(110)
-        self.selectionModel().currentChanged.connect(self._moved)
+        self.selectionModel().currentChanged.connect(self._emit_selected)
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:
         """Show another project; the selected cell stays selected if it still exists."""
@@ -334,18 +339,18 @@ class SightingsTable(QTableView):
         self.selectionModel().blockSignals(False)
         self.viewport().update()
 
-    def _moved(self, current: QModelIndex, _previous: QModelIndex) -> None:
+    def _emit_selected(self, current: QModelIndex, _previous: QModelIndex) -> None:
         key = self.sightings.key(current)
         if key is not None:
             self.sighting_selected.emit(*key)
 
 
-def _mm(metres: float) -> str:
+def _millimetres(metres: float) -> str:
     return quantities.amount(1000 * metres, "mm", 1)
 
 
-def quality_words(quality: SightingQuality) -> str:
-    """The quality, its reasons and the values behind them, one on each line."""
+def quality_text(quality: SightingQuality) -> str:
+    """Text of the quality, its reasons and the values behind them, one on each line."""
     lines = [
         gettext(_LIGHTS[quality.light]),
         *map(message_text, quality.reasons),
@@ -370,7 +375,7 @@ def quality_words(quality: SightingQuality) -> str:
             gettext(
                 "The prior boresight may cause up to {rms} of the RMS. Before the calibration, "
                 "the quality does not include this share.",
-                rms=_mm(quality.smear),
+                rms=_millimetres(quality.smear),
             )
         )
     elif quality.incidence is not None:
@@ -382,13 +387,13 @@ def quality_words(quality: SightingQuality) -> str:
                     "Quality computed with the estimated boresight from {count:n} points, RMS "
                     "{rms}",
                 ),
-                count=quality.points, rms=_mm(quality.rms),
+                count=quality.points, rms=_millimetres(quality.rms),
             )
         )  # fmt: skip
     return "\n".join(lines)
 
 
-def _of_name(target: Target, role: int) -> Any:
+def _name_cell_value(target: Target, role: int) -> Any:
     is_target = target.role == "target"
     if role == Role.DisplayRole:
         return target.name
@@ -408,7 +413,7 @@ def _of_name(target: Target, role: int) -> Any:
     return None
 
 
-def _of_missing(target: Target, line: str, role: int) -> Any:
+def _missing_cell_value(target: Target, line: str, role: int) -> Any:
     if role == Role.DisplayRole:
         return "–"
     if role == Role.ForegroundRole:

@@ -21,12 +21,12 @@ from lispac.gui import theme, units
 from lispac.gui.panels import quantities, widgets
 from lispac.gui.panels.candidate_box import CandidateBox
 from lispac.gui.panels.expected_fields import ExpectedFields
-from lispac.gui.panels.more_fields import MoreFields
+from lispac.gui.panels.search_option_fields import SearchOptionFields
 from lispac.gui.seed_options import SeedOptions
 from lispac.gui.units import Base
 from lispac.language import N_, gettext
 from lispac.project import Project, Role, Shape, Target
-from lispac.targets.expected import ExpectedTarget
+from lispac.targets.expected_target import ExpectedTarget
 from lispac.workflow.survey import Survey
 
 ALL_LINES = N_("All lines")
@@ -48,14 +48,14 @@ class TargetsPanel(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        layout = widgets.column(self)
+        layout = widgets.vertical_layout(self)
         self._project: Project | None = None
         self._survey: Survey | None = None
         self.hint = widgets.label("", "hint", wrap=True, name="seed_hint", rich=True)
         layout.addWidget(self.hint)
-        layout.addLayout(self._roles())
+        layout.addLayout(self._create_role_buttons())
         layout.addLayout(self._seed_form())
-        self.more = MoreFields("seed")
+        self.more = SearchOptionFields("seed")
         layout.addWidget(self.more)
         self.candidate = CandidateBox()
         self.candidate.accept.clicked.connect(self.accepted)
@@ -73,7 +73,7 @@ class TargetsPanel(QWidget):
 
     @property
     def role(self) -> Role:
-        """Whether the next seed is for a target or a validation plane."""
+        """Role of the next seed: target or validation plane."""
         return "validation" if self._validation.isChecked() else "target"
 
     @property
@@ -89,22 +89,22 @@ class TargetsPanel(QWidget):
 
     @property
     def line(self) -> str | None:
-        """Name of the line that the next seed is for, or None for all."""
+        """Name of the line of the next seed; None for all lines."""
         return self.line_choice.currentText() if self.line_choice.currentIndex() > 0 else None
 
     @property
     def radius(self) -> float | None:
-        """Search radius in metres, None for the default."""
+        """Search radius in metres; None for the default."""
         return self._radius.value() or None
 
     @property
     def threshold(self) -> float | None:
-        """RANSAC threshold in metres, None for that of the project."""
+        """RANSAC threshold in metres; None for that of the project."""
         return self._threshold.value() / 1000 or None
 
     @property
     def expected(self) -> ExpectedTarget | None:
-        """Expected size and tilt of the next plane, None where nothing is given."""
+        """Expected size and tilt of the next plane; None if not given."""
         return self._expected.value if self.shape == "plane" else None
 
     @property
@@ -136,10 +136,10 @@ class TargetsPanel(QWidget):
             for line, colour in theme.line_colours(lines).items():
                 self.line_choice.addItem(theme.swatch(colour), line)
         self._show_default_threshold()
-        self._list(project)
+        self._fill_table(project)
 
     def show_candidate(self, candidate: Target | None, project: Project | None) -> None:
-        """Show the candidate to accept or reject, where there is one."""
+        """Show the candidate to accept or reject; None if there is none."""
         self.candidate.setVisible(candidate is not None)
         if candidate is not None and project is not None:
             self.candidate.fill(candidate, project, self._survey)
@@ -157,14 +157,14 @@ class TargetsPanel(QWidget):
             self.table.blockSignals(False)
             self._selection_changed(emit=False)
 
-    def _list(self, project: Project | None) -> None:
+    def _fill_table(self, project: Project | None) -> None:
         targets = () if project is None else project.targets
         selected = self.current
         self.table.blockSignals(True)
         self._names = [target.name for target in targets]
         self.table.setRowCount(len(targets))
         for row, target in enumerate(targets):
-            for column, item in enumerate(_row(target, project)):
+            for column, item in enumerate(_target_items(target, project)):
                 self.table.setItem(row, column, item)
         self.table.clearSelection()
         if selected in self._names:
@@ -188,9 +188,9 @@ class TargetsPanel(QWidget):
         self.current_changed.emit()
         if name is not None and emit:
             self.selected.emit(name)
-        self._explain()
+        self._show_click_hint()
 
-    def _explain(self) -> None:
+    def _show_click_hint(self) -> None:
         """Show what the next click does."""
         line, target = escape(self.line or ""), escape(self.current or "")
         is_sphere = self.shape == "sphere"
@@ -223,7 +223,7 @@ class TargetsPanel(QWidget):
         self._sphere_radius.setEnabled(self.shape == "sphere")
         self._expected.setEnabled(self.shape == "plane")
         self._show_default_threshold()
-        self._explain()
+        self._show_click_hint()
 
     def _show_default_threshold(self) -> None:
         if self._project is None:
@@ -236,7 +236,7 @@ class TargetsPanel(QWidget):
             gettext("default ({threshold})", threshold=quantities.amount(default, "mm", 0))
         )
 
-    def _roles(self) -> QHBoxLayout:
+    def _create_role_buttons(self) -> QHBoxLayout:
         # The space separates the text from the icon.
         self._target = widgets.button(
             " " + gettext("Target"), "role_target",
@@ -278,7 +278,7 @@ class TargetsPanel(QWidget):
             tip=gettext(
                 "Radius of the sphere, not its diameter. 0: unknown; spheres with radii of "
                 "{smallest} to {largest} are searched for and the radius is estimated.",
-                smallest=_limit(0.05, "m"), largest=_limit(0.5, "m"),
+                smallest=_limit_text(0.05, "m"), largest=_limit_text(0.5, "m"),
             ),
         )  # fmt: skip
         self._sphere_radius.setSpecialValueText(gettext("unknown"))
@@ -292,7 +292,7 @@ class TargetsPanel(QWidget):
         self.line_choice.setToolTip(
             gettext("Lines to search. Choose a single line if the search in all lines failed.")
         )
-        self.line_choice.currentIndexChanged.connect(self._explain)
+        self.line_choice.currentIndexChanged.connect(self._show_click_hint)
         self._radius = widgets.number(
             "search_radius", suffix=" m", decimals=2, low=0, high=100, step=0.25,
             tip=gettext(
@@ -306,7 +306,7 @@ class TargetsPanel(QWidget):
                 "Largest distance of a point from its plane or sphere (RANSAC threshold). 0: the "
                 "larger of {plane} and 3 × the LiDAR noise; for spheres at least {sphere}, or 0.3 "
                 "of the radius of a small sphere.",
-                plane=_limit(10.0, "mm"), sphere=_limit(30.0, "mm"),
+                plane=_limit_text(10.0, "mm"), sphere=_limit_text(30.0, "mm"),
             ),
         )  # fmt: skip
         self._threshold.setSpecialValueText(gettext("default"))
@@ -366,9 +366,9 @@ class TargetsPanel(QWidget):
             self.removed.emit(self.current)
 
 
-def _limit(value: float, base: Base) -> str:
-    """End of a range with its unit."""
-    return f"{units.localised(units.limit(value, base))}{quantities.unit_suffix(base)}"
+def _limit_text(value: float, base: Base) -> str:
+    """Text of the end of a range with its unit."""
+    return f"{units.localised(units.limit_text(value, base))}{quantities.unit_suffix(base)}"
 
 
 def _targets_table() -> QTableWidget:
@@ -398,7 +398,7 @@ def _targets_table() -> QTableWidget:
     return table
 
 
-def _row(target: Target, project: Project) -> list[QTableWidgetItem]:
+def _target_items(target: Target, project: Project) -> list[QTableWidgetItem]:
     flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
     is_target = target.role == "target"
     colour = theme.TARGET_COLOUR if is_target else theme.VALIDATION_COLOUR
@@ -411,7 +411,7 @@ def _row(target: Target, project: Project) -> list[QTableWidgetItem]:
     if target.shape == "sphere":
         radius = target.sphere_radius
         shape.setToolTip(
-            gettext("Given radius: {radius}", radius=_limit(radius, "m"))
+            gettext("Given radius: {radius}", radius=_limit_text(radius, "m"))
             if radius
             else gettext("Radius unknown")
         )

@@ -11,18 +11,20 @@ from lispac.gui import units
 from lispac.gui.units import Base
 
 
-def in_units(axis: Axis, base: Base) -> None:
-    """Label an axis that is drawn in a base in the unit shown, at round values of that unit."""
-    if not units.differs(base):
+def convert_axis_units(axis: Axis, base: Base) -> None:
+    """Label an axis with round values of the unit shown instead of its base unit."""
+    if not units.is_converted(base):
         return
-    factor = units.unit(base).factor
+    factor = units.shown_unit(base).factor
     axis.set_major_locator(_RoundLocator(factor))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: _spoken(f"{value * factor:.6g}")))
-    axis.set_label_text(units.signs(axis.get_label_text(), base, figures=False))
+    axis.set_major_formatter(
+        FuncFormatter(lambda value, _: _localised_label(f"{value * factor:.6g}"))
+    )
+    axis.set_label_text(units.convert_unit_signs(axis.get_label_text(), base, figures=False))
 
 
-def spoken_ticks(figure: Figure) -> None:
-    """Label all plain axes with the decimal sign of the language."""
+def localise_ticks(figure: Figure) -> None:
+    """Label all plain axes with the decimal sign of the user's language."""
     if QLocale().decimalPoint() == ".":
         return
     for axes in figure.axes:
@@ -32,7 +34,7 @@ def spoken_ticks(figure: Figure) -> None:
                 axis.set_major_formatter(_LocalFormatter(plain))
 
 
-def _spoken(text: str) -> str:
+def _localised_label(text: str) -> str:
     return text.replace(".", QLocale().decimalPoint()).replace("-", "\N{MINUS SIGN}")
 
 
@@ -55,7 +57,7 @@ class _LocalFormatter(Formatter):
         self._plain = plain
 
     def __call__(self, value: float, place: int | None = None) -> str:
-        return _spoken(self._plain(value, place))
+        return _localised_label(self._plain(value, place))
 
     def set_axis(self, axis: Axis) -> None:
         super().set_axis(axis)
@@ -66,4 +68,4 @@ class _LocalFormatter(Formatter):
         self._plain.set_locs(locs)
 
     def get_offset(self) -> str:
-        return _spoken(self._plain.get_offset())
+        return _localised_label(self._plain.get_offset())

@@ -7,6 +7,7 @@ from lispac.gui.panels import widgets
 from lispac.gui.status import StepStatus
 from lispac.language import N_, gettext
 from lispac.project import Project
+from lispac.validation.comparison_results import PlaneComparison
 from lispac.validation.local_models import (
     FEWEST,
     SIX_POINT_PLANE,
@@ -14,7 +15,6 @@ from lispac.validation.local_models import (
     Kind,
     LocalModel,
 )
-from lispac.validation.results import PlaneComparison
 
 KINDS: tuple[tuple[Kind, str], ...] = (
     ("plane", N_("Local plane")), ("quadric", N_("Local quadric")), ("point", N_("Nearest point")),
@@ -22,7 +22,7 @@ KINDS: tuple[tuple[Kind, str], ...] = (
 
 
 class ValidatePanel(QWidget):
-    """Options of the comparison, and which clouds the view shows."""
+    """Options of the comparison, and the choice of the clouds shown."""
 
     validate_asked = Signal()
     shown_changed = Signal(str)
@@ -33,7 +33,7 @@ class ValidatePanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._shown: tuple[PlaneComparison, ...] = ()
-        layout = widgets.column(self)
+        layout = widgets.vertical_layout(self)
         layout.addWidget(
             widgets.label(
                 gettext(
@@ -45,7 +45,7 @@ class ValidatePanel(QWidget):
         )  # fmt: skip
         self.advice = widgets.label("", wrap=True, name="validate_advice")
         layout.addWidget(self.advice)
-        self.kind = widgets.Choice(
+        self.kind = widgets.ChoiceBox(
             "distance_to", [gettext(title) for _, title in KINDS],
             gettext(
                 "Model of the surface between the points of a line. Use a plane for walls and "
@@ -112,7 +112,7 @@ class ValidatePanel(QWidget):
         self.neighbours.setEnabled(kind != "point")
         self.neighbours.blockSignals(False)
 
-    def _follow(self, project: Project) -> None:
+    def _show_last_model(self, project: Project) -> None:
         """Show the model of the last validation, once for each validation."""
         if project.validation is self._shown:
             return
@@ -127,13 +127,13 @@ class ValidatePanel(QWidget):
             self.model_changed.emit(model)
 
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
-        """Enable what can be done now."""
+        """Enable the controls that can be used now."""
         if project is not None:
-            self._follow(project)
+            self._show_last_model(project)
         self.advice.setText(status.advice)
-        self.run.allow(status.ready and not busy)
+        self.run.update_enabled(status.ready and not busy)
         self.after.setEnabled(project is not None and project.result is not None)
 
-    def show_which(self, which: str) -> None:
-        """Show which clouds the view shows."""
+    def show_before_after(self, which: str) -> None:
+        """Show whether the view displays the lines before or after."""
         (self.after if which == "estimated" else self.before).setChecked(True)

@@ -16,12 +16,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.causes import RESULT
 from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message
+from lispac.warning_causes import RESULT
 
 TITLE = N_("Warnings")
 ENTERS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
@@ -49,8 +49,8 @@ COUNTS = {
 }
 
 
-def count_words(messages: Sequence[Message]) -> str:
-    """Number of messages of each level: ``2 warnings, 3 notes``."""
+def level_counts_text(messages: Sequence[Message]) -> str:
+    """Text of the number of messages of each level: ``2 warnings, 3 notes``."""
     counts = {level: sum(each.level is level for each in messages) for level in Level}
     return ", ".join(
         gettext(COUNTS[level], count=count) for level, count in counts.items() if count
@@ -58,7 +58,7 @@ def count_words(messages: Sequence[Message]) -> str:
 
 
 class WarningsPanel(QWidget):
-    """The list of warnings, or why there is none."""
+    """List of warnings, or the reason why there is none."""
 
     followed = Signal(object)
     """The `Cause` that the user wants to see."""
@@ -67,9 +67,9 @@ class WarningsPanel(QWidget):
         super().__init__()
         self.messages: tuple[Message, ...] = ()
         self.head = widgets.label("", "muted", wrap=True, name="warnings_head")
-        self.list = _List()
-        self.list.itemClicked.connect(lambda item: self._follow(self.list.row(item)))
-        self.list.entered_.connect(self._follow)
+        self.list = _WarningListWidget()
+        self.list.itemClicked.connect(lambda item: self._emit_cause(self.list.row(item)))
+        self.list.entered_.connect(self._emit_cause)
         self.empty = widgets.label("", "muted", wrap=True, name="warnings_empty")
         self.empty.setMargin(4)
         self.empty.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
@@ -113,7 +113,7 @@ class WarningsPanel(QWidget):
             self._show_empty(NOTHING)
             return
         self._fill()
-        self.head.setText(f"{count_words(messages)}. {gettext(GO)}")
+        self.head.setText(f"{level_counts_text(messages)}. {gettext(GO)}")
         self._pages.setCurrentIndex(1)
 
     @property
@@ -122,14 +122,14 @@ class WarningsPanel(QWidget):
         return self.list.count() == len(self.messages)
 
     def _fill(self) -> None:
-        """Add messages for a moment, and the others in the next turn of the event loop."""
+        """Add messages for a short time, and the others in the next turn of the event loop."""
         until = time.monotonic() + TURN_S
         texts = self._texts
         while not self.is_filled and time.monotonic() < until:
             message = self.messages[self.list.count()]
             if message not in texts:
                 texts[message] = message_text(message)
-            self.list.addItem(_item(message, texts[message]))
+            self.list.addItem(_message_item(message, texts[message]))
             if message == self._kept:
                 self.list.setCurrentRow(self.list.count() - 1)
         if not self.is_filled:
@@ -138,7 +138,7 @@ class WarningsPanel(QWidget):
             self._texts = {each: texts[each] for each in self.messages}
 
     def take_focus(self) -> None:
-        """Give the list the focus of the keyboard."""
+        """Give the list the keyboard focus."""
         if self.list.count():
             if self.list.currentRow() < 0:
                 self.list.setCurrentRow(0)
@@ -148,12 +148,12 @@ class WarningsPanel(QWidget):
         self.empty.setText(gettext(text))
         self._pages.setCurrentIndex(0)
 
-    def _follow(self, row: int) -> None:
+    def _emit_cause(self, row: int) -> None:
         if 0 <= row < len(self.messages):
             self.followed.emit(self.messages[row].subject or RESULT)
 
 
-class _List(QListWidget):
+class _WarningListWidget(QListWidget):
     """List with wrapped texts; Enter and Space act like a click."""
 
     entered_ = Signal(int)
@@ -187,7 +187,7 @@ class _List(QListWidget):
             super().keyPressEvent(event)
 
 
-def _item(message: Message, text: str) -> QListWidgetItem:
+def _message_item(message: Message, text: str) -> QListWidgetItem:
     icon, colour, level = LOOKS[message.level]
     made = QListWidgetItem(theme.icon(icon, theme.colour(colour).name()), text)
     action = gettext("Click, or press Enter, to go to the cause")
@@ -217,11 +217,11 @@ class WarningsButton(QPushButton):
         icon, colour = LOOKS[worst][:2] if worst else ("check-circle-outline", "done")
         self.setIcon(theme.icon(icon, theme.colour(colour).name()))
         text = (
-            count_words([each for each in messages or () if each.level is worst])
+            level_counts_text([each for each in messages or () if each.level is worst])
             if worst
             else gettext("No warnings")
         )
         self.setText(text)
-        counts = f"{count_words(messages)}. " if messages else ""
+        counts = f"{level_counts_text(messages)}. " if messages else ""
         self.setToolTip(counts + gettext("Click to see them all (F12)"))
         self.setAccessibleName(text)

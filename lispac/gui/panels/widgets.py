@@ -33,7 +33,7 @@ from lispac.language import N_, gettext
 def label(
     text: str = "", role: str = "", *, wrap: bool = False, name: str = "", rich: bool = False
 ) -> QLabel:
-    """A label; ``role`` is one of the style sheet's: muted, heading, error, hint.
+    """Label; ``role`` is one of the style sheet: muted, heading, error, hint.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def label(
 
 
 class MessageBox(QMessageBox):
-    """A message box whose texts are plain: names of files may look like HTML."""
+    """Message box with plain text, since file names may look like HTML."""
 
     def __init__(self, *args: Any, **named: Any) -> None:
         super().__init__(*args, **named)
@@ -65,12 +65,12 @@ class MessageBox(QMessageBox):
 
 
 def plain_tip(text: str) -> str:
-    """A text as a tooltip, which Qt would take for HTML where it looks like it."""
+    """Tooltip as plain text, even if it looks like HTML."""
     return f"<p>{escape(text)}</p>".replace("\n", "<br>") if Qt.mightBeRichText(text) else text
 
 
 class Button(QPushButton):
-    """A push button that gets its focus back after it was disabled for a while.
+    """Push button that regains the focus after it was disabled for a while.
 
     Enter presses it where it has the focus, also in a dialogue that has another for Enter.
     """
@@ -79,7 +79,7 @@ class Button(QPushButton):
         super().__init__(text)
         self._focus_went_to: QWidget | None = None
 
-    def allow(self, enabled: bool) -> None:
+    def update_enabled(self, enabled: bool) -> None:
         """Enable or disable."""
         had_focus = self.hasFocus()
         self.setEnabled(enabled)
@@ -92,7 +92,7 @@ class Button(QPushButton):
             self._focus_went_to = None
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Enter is for what has the focus: on Cancel it must not do what was cancelled."""
+        """Press the button with Enter only if it has the focus."""
         if event.key() in ENTERS and not event.isAutoRepeat():
             self.click()
         else:
@@ -112,8 +112,8 @@ def button(text: str, name: str, *, icon: str = "", tip: str = "", primary: bool
     return made
 
 
-def in_order(accept: QPushButton, reject: QPushButton) -> tuple[QPushButton, QPushButton]:
-    """Two buttons from left to right, in the order that the system's own dialogues have."""
+def in_platform_order(accept: QPushButton, reject: QPushButton) -> tuple[QPushButton, QPushButton]:
+    """Two buttons from left to right, in the order of the system's dialogues."""
     layouts = QDialogButtonBox.ButtonLayout
     how = QApplication.style().styleHint(QStyle.StyleHint.SH_DialogButtonLayout)
     accept_first = how in (layouts.WinLayout.value, layouts.KdeLayout.value)
@@ -132,7 +132,7 @@ def number(
     ranged: bool = False,
     fixed: bool = False,
 ) -> NumberField:
-    """A field for a number with its unit; the mouse wheel does not change it in passing.
+    """Number field with a unit; the mouse wheel changes it only if it has the focus.
 
     Parameters
     ----------
@@ -145,31 +145,31 @@ def number(
     base = None if fixed else BASES.get(suffix)
     bases = () if base is None else (base,)
     if ranged:
-        tip = _with_range(tip, low, high, suffix.strip(), base)
-    tip = units.signs(tip, *bases, figures=ranged)
+        tip = _tip_with_range(tip, low, high, suffix.strip(), base)
+    tip = units.convert_unit_signs(tip, *bases, figures=ranged)
     made = NumberField(base)
     made.setObjectName(name)
     made.setAccessibleName(tip or name)
     made.setDecimals(decimals)
     made.setRange(low, high)
-    made.setSingleStep(step if base is None else units.step(step, base))
-    made.setSuffix(f" {units.unit(base).sign}" if units.differs(base) else suffix)
+    made.setSingleStep(step if base is None else units.shown_step(step, base))
+    made.setSuffix(f" {units.shown_unit(base).sign}" if units.is_converted(base) else suffix)
     made.setToolTip(tip)
     made.setAlignment(Qt.AlignmentFlag.AlignRight)
-    made.setFont(theme.tabular(made.font()))
+    made.setFont(theme.tabular_font(made.font()))
     made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     made.setKeyboardTracking(True)
     return made
 
 
-def convert_tip(made: QWidget, *bases: Base) -> None:
-    """Signs of the units shown in a tip whose figures are of `lispac.gui.units`."""
-    made.setToolTip(units.signs(made.toolTip(), *bases))
-    made.setAccessibleName(units.signs(made.accessibleName(), *bases))
+def convert_tip_units(made: QWidget, *bases: Base) -> None:
+    """Tooltip with the signs of the units shown, for numbers from `lispac.gui.units`."""
+    made.setToolTip(units.convert_unit_signs(made.toolTip(), *bases))
+    made.setAccessibleName(units.convert_unit_signs(made.accessibleName(), *bases))
 
 
-def _with_range(tip: str, low: float, high: float, unit: str, base: Base | None) -> str:
-    first, last = (f"{v:,.10g}" if base is None else units.limit(v, base) for v in (low, high))
+def _tip_with_range(tip: str, low: float, high: float, unit: str, base: Base | None) -> str:
+    first, last = (f"{v:,.10g}" if base is None else units.limit_text(v, base) for v in (low, high))
     sign = "deg" if unit == "°" else unit
     first, last = units.localised(first), units.localised(last)
     if not unit:
@@ -177,8 +177,8 @@ def _with_range(tip: str, low: float, high: float, unit: str, base: Base | None)
     return gettext("{tip}, {low} to {high} {unit}", tip=tip, low=first, high=last, unit=sign)
 
 
-class Choice(QComboBox):
-    """A list to choose from; the mouse wheel does not change it in passing."""
+class ChoiceBox(QComboBox):
+    """Combo box; the mouse wheel changes it only if it has the focus."""
 
     def __init__(self, name: str, items: Sequence[str], tip: str) -> None:
         super().__init__()
@@ -192,15 +192,15 @@ class Choice(QComboBox):
             self.setMinimumContentsLength(12)
 
     def wheelEvent(self, event) -> None:
-        """Turn the value only with the focus: else the page under it moves."""
+        """Change the value only with the focus; otherwise scroll the page."""
         if self.hasFocus():
             super().wheelEvent(event)
         else:
             event.ignore()
 
 
-class TallArea(QScrollArea):
-    """Scrolls up and down only, and is as wide as what is in it: words are not cut off.
+class VerticalScrollArea(QScrollArea):
+    """Scroll area that scrolls vertically only and is as wide as its content.
 
     Parameters
     ----------
@@ -216,7 +216,7 @@ class TallArea(QScrollArea):
         self.setWidget(inside)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Request more space when the content has become wider."""
+        """Update the width when the content becomes wider."""
         if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():
             wide = self.minimumSizeHint().width()
             if wide != self._asked:
@@ -225,14 +225,14 @@ class TallArea(QScrollArea):
         return super().eventFilter(watched, event)
 
     def minimumSizeHint(self) -> QSize:
-        """Wide enough for what is in it and the bar, in pixels."""
+        """Smallest size for content and scroll bar, in pixels."""
         inside = self.widget().minimumSizeHint().width()
         bar = self.verticalScrollBar().sizeHint().width()
         return QSize(max(inside + bar, self._least), super().minimumSizeHint().height())
 
 
-class Triple(QWidget):
-    """Three numbers side by side with a title above each."""
+class TripleField(QWidget):
+    """Three number fields side by side with a title above each."""
 
     def __init__(self, titles: Sequence[str], fields: Sequence[QDoubleSpinBox]) -> None:
         super().__init__()
@@ -255,7 +255,7 @@ class Triple(QWidget):
         return a, b, c
 
     def set_value(self, values: Sequence[float]) -> None:
-        """Fill in three numbers without a signal."""
+        """Set the three numbers without emitting signals."""
         for field, value in zip(self.fields, values, strict=True):
             field.blockSignals(True)
             field.setValue(value)
@@ -279,7 +279,7 @@ _BORESIGHT = (
 """Title and tip of each field."""
 
 
-def lever_arm_fields(prefix: str) -> Triple:
+def lever_arm_fields(prefix: str) -> TripleField:
     """Fields of the lever arm, metres."""
     fields = [
         number(
@@ -288,10 +288,10 @@ def lever_arm_fields(prefix: str) -> Triple:
         )
         for axis, (_, tip) in zip("xyz", _LEVER_ARM, strict=True)
     ]  # fmt: skip
-    return Triple([gettext(title) for title, _ in _LEVER_ARM], fields)
+    return TripleField([gettext(title) for title, _ in _LEVER_ARM], fields)
 
 
-def boresight_fields(prefix: str) -> Triple:
+def boresight_fields(prefix: str) -> TripleField:
     """Fields of the prior boresight, degrees."""
     fields = [
         number(
@@ -300,11 +300,11 @@ def boresight_fields(prefix: str) -> Triple:
         )
         for angle, (_, tip) in zip(("roll", "pitch", "yaw"), _BORESIGHT, strict=True)
     ]  # fmt: skip
-    return Triple([gettext(title) for title, _ in _BORESIGHT], fields)
+    return TripleField([gettext(title) for title, _ in _BORESIGHT], fields)
 
 
-def column(parent: QWidget, margin: int = 12) -> QVBoxLayout:
-    """A vertical layout with the spacing all panels share."""
+def vertical_layout(parent: QWidget, margin: int = 12) -> QVBoxLayout:
+    """Vertical layout with the spacing of all panels."""
     layout = QVBoxLayout(parent)
     layout.setContentsMargins(margin, margin, margin, margin)
     layout.setSpacing(theme.SPACE)

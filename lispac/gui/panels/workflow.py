@@ -38,11 +38,11 @@ class WorkflowPanel(QWidget):
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)
         outer.setSpacing(0)
-        self.headers = [_Header(k + 1, title) for k, title in enumerate(STEPS)]
+        self.headers = [_StepHeader(k + 1, title) for k, title in enumerate(STEPS)]
         self._areas = []
         for k, (header, panel) in enumerate(zip(self.headers, panels, strict=True)):
             header.clicked.connect(lambda _=False, k=k: self.open(k))
-            area = widgets.TallArea(_on_top(panel), 340)
+            area = widgets.VerticalScrollArea(_top_aligned(panel), 340)
             self._areas.append(area)
             outer.addWidget(header)
             outer.addWidget(area, 1)
@@ -75,8 +75,8 @@ class WorkflowPanel(QWidget):
             header.show_status(status)
 
 
-class _Header(QPushButton):
-    """A step's number, name and sentence; a click opens it."""
+class _StepHeader(QPushButton):
+    """Header with number, name and status of a step; a click opens the step."""
 
     def __init__(self, number: int, title: str) -> None:
         super().__init__()
@@ -115,7 +115,7 @@ class _Header(QPushButton):
         self.setToolTip(widgets.plain_tip(f"{described} ({gettext(state)})"))
 
 
-def _on_top(panel: QWidget) -> QWidget:
+def _top_aligned(panel: QWidget) -> QWidget:
     holder = QWidget()
     layout = QVBoxLayout(holder)
     layout.setContentsMargins(0, 0, 0, 0)

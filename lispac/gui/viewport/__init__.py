@@ -1,1 +1,1 @@
-"""The 3D view, of which only `vtk` and `actors` know VTK."""
+"""3D view of the lines; only a few of its modules depend on VTK."""

@@ -1,4 +1,4 @@
-"""Points as the 3D library draws them."""
+"""VTK actors for points."""
 
 from collections.abc import Iterable
 
@@ -16,8 +16,8 @@ EDGE: Colour = (62, 70, 78)
 """Of shaded points."""
 
 
-def point_data(points: Array, shades: NDArray[np.uint8] | None = None) -> vtkPolyData:
-    """Points as one cell.
+def point_polydata(points: Array, shades: NDArray[np.uint8] | None = None) -> vtkPolyData:
+    """VTK data of points as one cell.
 
     Parameters
     ----------
@@ -42,18 +42,18 @@ def point_data(points: Array, shades: NDArray[np.uint8] | None = None) -> vtkPol
 
 
 def half_space() -> vtkPlane:
-    """What lies on the side its normal points to; of everything else nothing is drawn."""
+    """Clipping plane that keeps the side its normal points to."""
     return vtkPlane()
 
 
-def place_half(half: vtkPlane, point: Array, normal: Array) -> None:
-    """Put its plane through a point, shape (3,), across ``normal``."""
+def set_half_space(half: vtkPlane, point: Array, normal: Array) -> None:
+    """Set the clipping plane through a point, shape (3,), perpendicular to ``normal``."""
     half.SetOrigin(*point)
     half.SetNormal(*normal)
 
 
-def confine(actors: Iterable[vtkActor], half: vtkPlane | None) -> None:
-    """Draw only what lies in a half space, or all of the actors."""
+def clip_actors(actors: Iterable[vtkActor], half: vtkPlane | None) -> None:
+    """Clip actors to a half space, or remove their clipping."""
     for actor in actors:
         mapper = actor.GetMapper()
         mapper.RemoveAllClippingPlanes()
@@ -62,7 +62,7 @@ def confine(actors: Iterable[vtkActor], half: vtkPlane | None) -> None:
 
 
 def point_actor(data: vtkPolyData, colour: Colour, *, shaded: bool = False) -> vtkActor:
-    """Unlit points of one colour, or each of its own."""
+    """Actor of unlit points in one colour or in their own colours."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(data)
     if shaded:
@@ -73,23 +73,23 @@ def point_actor(data: vtkPolyData, colour: Colour, *, shaded: bool = False) -> v
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().LightingOff()
-    paint(actor, colour)
+    set_actor_colour(actor, colour)
     return actor
 
 
-def paint(actor: vtkActor, colour: Colour) -> None:
-    """Give all its points one colour."""
+def set_actor_colour(actor: vtkActor, colour: Colour) -> None:
+    """Set one colour for all points of an actor."""
     actor.GetProperty().SetColor(*(c / 255.0 for c in colour))
 
 
-def dark(colour: Colour) -> Colour:
-    """A darker one, for edges."""
+def darker_colour(colour: Colour) -> Colour:
+    """Darker colour, for edges."""
     red, green, blue = colour
     return red // 2, green // 2, blue // 2
 
 
-def size_points(actors: Iterable[vtkActor], pixels: float) -> None:
-    """Size of their points, in pixels of the screen."""
+def set_point_pixels(actors: Iterable[vtkActor], pixels: float) -> None:
+    """Set the size of the points of actors, in pixels of the screen."""
     for actor in actors:
         actor.GetProperty().SetPointSize(pixels)
 
@@ -107,8 +107,8 @@ def shift_depth(actor: vtkActor, camera: Camera, origin: Array, part: float) -> 
     actor.SetPosition(*(-part * (camera.position - origin)))
 
 
-def aim(renderer: vtkRenderer, camera: Camera, origin: Array) -> None:
-    """Let a renderer look as a camera does."""
+def set_renderer_camera(renderer: vtkRenderer, camera: Camera, origin: Array) -> None:
+    """Set the camera of a renderer."""
     eye = renderer.GetActiveCamera()
     eye.SetViewAngle(np.degrees(VIEW_ANGLE))
     eye.SetParallelProjection(camera.parallel)

@@ -1,4 +1,4 @@
-"""Interface of a 3D viewport; `vtk` draws, `recording` records the calls for tests."""
+"""Interface of the 3D viewport, implemented with VTK and, for tests, without graphics."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ Colour = tuple[int, int, int]
 
 @dataclass(frozen=True)
 class PickedPoint:
-    """The point under a Ctrl+click: its line and its local coordinates in metres."""
+    """Point under a Ctrl+click: its line and its local coordinates in metres."""
 
     line: str
     position: tuple[float, float, float]
@@ -26,7 +26,7 @@ class PickedPoint:
 
 @dataclass(frozen=True, eq=False)
 class Highlight:
-    """Points of one sighting to draw over the clouds.
+    """Points of one sighting that are drawn over the clouds.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class Highlight:
 
 @dataclass(frozen=True, eq=False)
 class Shading:
-    """Colours of the points where they do not have that of their line, and what they mean.
+    """Colours of the points that replace those of their lines, with a legend.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class Shading:
 
 @dataclass(frozen=True)
 class Marker:
-    """A labelled spot: a seed or the name of a target."""
+    """Labelled point: a seed or the name of a target."""
 
     label: str
     position: tuple[float, float, float]
@@ -76,7 +76,7 @@ class Marker:
 
 @dataclass(frozen=True)
 class Handle:
-    """A dot that the mouse moves along an axis, shape (3,), a unit vector."""
+    """Dot that the mouse moves along an axis, shape (3,), a unit vector."""
 
     position: tuple[float, float, float]
     axis: tuple[float, float, float]
@@ -84,7 +84,7 @@ class Handle:
 
 @dataclass(frozen=True)
 class Sketch:
-    """Straight lines over the picture, with words and handles.
+    """Straight lines over the picture, with a label and handles.
 
     Attributes
     ----------
@@ -116,7 +116,7 @@ BESIDE_COLOUR: Colour = (165, 171, 178)
 
 @dataclass(frozen=True)
 class Emphasis:
-    """How a sighting is drawn.
+    """Style in which a sighting is drawn.
 
     Attributes
     ----------
@@ -131,8 +131,8 @@ class Emphasis:
     above: bool = False
 
 
-def emphasis(highlight: Highlight, selected: tuple[str, str] | None) -> Emphasis:
-    """How a sighting is drawn while ``selected`` is."""
+def highlight_emphasis(highlight: Highlight, selected: tuple[str, str] | None) -> Emphasis:
+    """Style of a sighting while ``selected`` is selected."""
     if selected is None or highlight.key[0] != selected[0]:
         return Emphasis(highlight.colour, 2)
     if not selected[1]:
@@ -143,7 +143,7 @@ def emphasis(highlight: Highlight, selected: tuple[str, str] | None) -> Emphasis
 
 
 class ViewportSignals(QObject):
-    """Signals of a viewport."""
+    """Signals that a viewport emits to the window."""
 
     seed_clicked = Signal(object)  # PickedPoint, on Ctrl+click on a point
     missed = Signal()  # Ctrl+click in empty space
@@ -163,8 +163,8 @@ class Viewport(Protocol):
     def widget(self) -> QWidget:
         """The widget to put into the window."""
 
-    def another(self) -> "Viewport":
-        """One more of its kind, with nothing in it."""
+    def new_viewport(self) -> "Viewport":
+        """New empty viewport of the same kind."""
 
     def show_clouds(
         self,
@@ -187,22 +187,22 @@ class Viewport(Protocol):
         """Draw seeds and labels; replaces those shown."""
 
     def clip(self, box: Box | None) -> None:
-        """Draw only what lies in a box, or everything."""
+        """Draw only the points in a box; None for all points."""
 
     def show_beside(self, clouds: Mapping[str, Array] | None) -> None:
-        """Draw the lines as they lie otherwise on the left of a line that the mouse moves.
+        """Draw the lines placed otherwise on the left of a movable dividing line; None ends it.
 
         They are the same points in the same order, and have the same colours; None ends it.
         """
 
     def select(self, key: tuple[str, str] | None) -> None:
-        """Emphasise one sighting, (target, line), and grey the others of its target.
+        """Highlight one sighting, (target, line), and grey the others of its target.
 
         Line "" means all lines of the target.
         """
 
     def set_station(self, position: tuple[float, float, float]) -> None:
-        """Set the point from which the scene is viewed, usually the middle of the trajectory.
+        """Set the position of the observer, usually the middle of the trajectory.
 
         "front" looks from there at the lines, the other standard views follow; the origin of the
         local frame until it is said.
@@ -212,7 +212,7 @@ class Viewport(Protocol):
         """Bring everything, or the given points of shape (n, 3), into view."""
 
     def view(self, name: str) -> None:
-        """Standard view: "top", "front", "back", "left", "right" or "isometric"."""
+        """Show a standard view: "top", "front", "back", "left", "right" or "isometric"."""
 
     def look_along(self, direction: Array, points: Array) -> None:
         """Look at points (n, 3) along a direction (3,), from the station's side of them."""
@@ -221,34 +221,34 @@ class Viewport(Protocol):
         """Draw in parallel (orthographic) projection, or in perspective."""
 
     def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
-        """Set the function of the left button, and the text about it above the picture."""
+        """Set the mode of the left mouse button and the hint above the picture."""
 
     def set_hovering(self, hovering: bool) -> None:
-        """Emit the point under the resting mouse, or not."""
+        """Emit what is under the resting mouse, or stop doing so."""
 
     def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
-        """Those of a line's points that are drawn now and lie within a sphere, shape (n, 3)."""
+        """Drawn points of a line within a sphere, shape (n, 3)."""
 
     def show_sketch(self, name: str, sketch: Sketch | None) -> None:
-        """Draw something over the picture, or take it away."""
+        """Draw a sketch over the picture; None removes it."""
 
     def to_pixels(self, points: Array) -> Array:
-        """Pixels (x, y) where points (n, 3) are drawn; NaN behind the eye."""
+        """Pixels (x, y) of points (n, 3); NaN behind the camera."""
 
     def set_point_size(self, pixels: int) -> None:
-        """Size of the drawn points."""
+        """Set the size of the drawn points."""
 
     def set_point_budget(self, points: int) -> None:
-        """Draw so many points at most while the view rests."""
+        """Set the largest number of points drawn while the view rests."""
 
     def prepare(self) -> None:
-        """Show all the detail of a picture, which then only needs to be drawn."""
+        """Load all detail of a picture, so that it only needs to be drawn."""
 
     def picture(self) -> QImage:
-        """What is shown, with all its detail and what is written over it but the mouse's help."""
+        """Picture of the view with all detail and labels, without the help on the mouse."""
 
     def clear(self) -> None:
-        """Show nothing."""
+        """Remove all content."""
 
     def close(self) -> None:
         """Release the graphics; called before the window closes."""

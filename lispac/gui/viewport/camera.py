@@ -1,4 +1,4 @@
-"""The eye of the viewport: where it stands, how mouse movements turn it, what lands where.
+"""Camera of the viewport: position, movement by the mouse, and projection.
 
 Local frame, metres: North, West, Up; up stays up on the screen, as a surveyor reads terrain. Pixels
 are those of the widget, from its upper left corner, x to the right and y down.
@@ -39,7 +39,7 @@ class Size:
 
 @dataclass(frozen=True, eq=False)
 class Camera:
-    """Where the eye is and which way it looks.
+    """Position and direction of the camera.
 
     Attributes
     ----------
@@ -61,7 +61,7 @@ class Camera:
 
     @property
     def axes(self) -> Array:
-        """Rows right, up and forward of the eye; shape (3, 3), local frame."""
+        """Right, up and forward axes of the camera in rows; shape (3, 3), local frame."""
         sin_a, cos_a = np.sin(self.azimuth), np.cos(self.azimuth)
         sin_e, cos_e = np.sin(self.elevation), np.cos(self.elevation)
         return np.array(
@@ -74,21 +74,21 @@ class Camera:
 
     @property
     def position(self) -> Array:
-        """The eye; shape (3,), metres, local frame."""
+        """Position of the camera; shape (3,), metres, local frame."""
         position: Array = self.focal - self.focal_depth * self.axes[2]
         return position
 
     @property
     def focal_depth(self) -> float:
-        """From the eye to the focal point, metres."""
+        """Distance from the camera to the focal point, metres."""
         return self.distance + (BEHIND if self.parallel else 0.0)
 
     def reach(self, depth: Array | float) -> Array | float:
-        """Depth that sizes are reckoned with: in a parallel projection the same everywhere."""
+        """Depth that determines sizes; in a parallel projection the same everywhere."""
         return self.distance if self.parallel else depth
 
     def project(self, points: Array, size: Size) -> Array:
-        """Where points appear.
+        """Project points to pixels and depths.
 
         Parameters
         ----------
@@ -106,46 +106,46 @@ class Camera:
         y = 0.5 * size.height - seen[:, 1] * scale
         return np.column_stack([x, y, seen[:, 2]])
 
-    def slopes(self, x: float, y: float, size: Size) -> tuple[float, float]:
-        """Metres to the right and upwards, per metre of `reach`, of the ray through a pixel."""
+    def ray_slopes(self, x: float, y: float, size: Size) -> tuple[float, float]:
+        """Metres to the right and up, per metre of `reach`, of the ray through a pixel."""
         return (
             (x - 0.5 * size.width) / size.pixels_per_tangent,
             (0.5 * size.height - y) / size.pixels_per_tangent,
         )
 
     def point_at(self, x: float, y: float, depth: float, size: Size) -> Array:
-        """Point at the given depth behind a pixel; shape (3,), metres, local frame."""
-        right, up = self.slopes(x, y, size)
+        """Point at a depth behind a pixel; shape (3,), metres, local frame."""
+        right, up = self.ray_slopes(x, y, size)
         reach = self.reach(depth)
         return self.position + np.array([right * reach, up * reach, depth]) @ self.axes
 
     def metres_per_pixel(self, size: Size) -> float:
-        """Scale at the focal point."""
+        """Metres per pixel at the focal point."""
         return self.distance / size.pixels_per_tangent
 
-    def refocused(self, depth: float) -> "Camera":
-        """The same picture with the focal point at another depth."""
+    def with_focal_depth(self, depth: float) -> "Camera":
+        """Camera with the same picture and the focal point at another depth."""
         depth = max(depth, CLOSEST)
         focal = self.position + depth * self.axes[2]
         return replace(self, focal=focal, distance=float(self.reach(depth)))
 
-    def projected(self, *, parallel: bool) -> "Camera":
-        """The other projection, in which the focal point looks as large as before."""
+    def with_projection(self, *, parallel: bool) -> "Camera":
+        """Camera with parallel or perspective projection and the same size at the focal point."""
         return replace(self, parallel=parallel)
 
     def along(self, direction: Array) -> "Camera":
-        """The same focal point, looked at along a direction, shape (3,), local frame."""
+        """Camera that looks at the same focal point along a direction, shape (3,), local frame."""
         north, west, up = direction / np.linalg.norm(direction)
         level = float(np.hypot(north, west))
         azimuth = float(np.arctan2(-west, north)) if level > 1e-6 else self.azimuth
         return replace(self, azimuth=azimuth, elevation=float(np.arctan2(-up, level)))
 
     def centred(self, point: Array, factor: float, depth: float) -> "Camera":
-        """A point ``depth`` metres from the eye in the middle, ``factor`` times as far."""
+        """Camera with a point at the centre, at ``factor`` times its ``depth``, metres."""
         return replace(self, focal=point, distance=factor * float(self.reach(depth)))
 
     def orbited(self, dx: float, dy: float, pivot: Array) -> "Camera":
-        """Turned about a point, as if the scene were dragged by (dx, dy) pixels."""
+        """Camera turned about a point by a drag of (dx, dy) pixels."""
         limit = 0.5 * np.pi
         turned = replace(
             self,
@@ -156,12 +156,12 @@ class Camera:
         return replace(turned, focal=pivot + rotation @ (self.focal - pivot))
 
     def panned(self, dx: float, dy: float, depth: float, size: Size) -> "Camera":
-        """Shifted so that a point at ``depth`` follows the mouse by (dx, dy) pixels."""
+        """Camera shifted so that a point at ``depth`` follows the mouse by (dx, dy) pixels."""
         step = self.reach(depth) / size.pixels_per_tangent
         return replace(self, focal=self.focal + step * (np.array([-dx, dy, 0.0]) @ self.axes))
 
     def zoomed(self, factor: float, target: Array) -> "Camera":
-        """All distances to ``target`` times ``factor``; the target stays at its pixel."""
+        """Camera at ``factor`` times the distance to ``target``, which stays at its pixel."""
         factor = max(factor, CLOSEST / self.distance)
         return replace(
             self,
@@ -170,7 +170,7 @@ class Camera:
         )
 
     def fitted(self, points: Array, size: Size, margin: float = 1.06) -> "Camera":
-        """The same direction of view from where all of the points (n, 3) are seen."""
+        """Camera with the same direction that shows all of the points (n, 3)."""
         aspect = max(size.width, 1.0) / max(size.height, 1.0)
         tangent = np.tan(0.5 * VIEW_ANGLE) * np.array([aspect, 1.0])
         seen = points @ self.axes.T

@@ -1,11 +1,11 @@
-"""The widget the 3D library draws on, which draws anew only what has changed."""
+"""Widget that VTK draws on, which redraws only after changes."""
 
 from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
 
 
-class Canvas(QtInteractor):
-    """`QtInteractor` that shows its last frame again where nothing has changed.
+class VtkCanvas(QtInteractor):
+    """`QtInteractor` that shows its last frame again if nothing has changed.
 
     Qt paints a widget whenever a menu over it closes or the text over it changes, and the library
     renders the scene each time: 0.2 s with software OpenGL, which remote desktops have.
@@ -27,12 +27,12 @@ class Canvas(QtInteractor):
         self.update()
 
     def initializeGL(self) -> None:
-        """Begin with a context, or with another one after the window was taken apart."""
+        """Initialise a new OpenGL context, also after the window was rebuilt."""
         super().initializeGL()
         self._changed = True
 
     def resizeGL(self, width: int, height: int) -> None:
-        """Follow the size, in pixels of the window."""
+        """Redraw in the new size, in pixels of the window."""
         super().resizeGL(width, height)
         self._changed = True
 

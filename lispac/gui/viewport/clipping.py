@@ -1,4 +1,4 @@
-"""What is cut away: all but a box, and one placement on either side of a dividing line."""
+"""Clip box, and the plane that divides the picture between two placements."""
 
 from dataclasses import dataclass, replace
 
@@ -18,7 +18,7 @@ SMALLEST = 0.05
 
 @dataclass(frozen=True, eq=False)
 class Box:
-    """A box that may be turned.
+    """Box in any orientation.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class Box:
 
     @classmethod
     def about(cls, points: Array, ahead: Array, margin: float) -> "Box":
-        """About points (n, 3), one pair of its upright sides square to ``ahead``, shape (3,)."""
+        """Box around points (n, 3), with two sides perpendicular to ``ahead``, shape (3,)."""
         level = np.array([ahead[0], ahead[1], 0.0])
         length = np.linalg.norm(level)
         along = level / length if length > 0.2 else np.array([1.0, 0.0, 0.0])
@@ -45,7 +45,7 @@ class Box:
         return cls(0.5 * (low + high) @ axes, axes, 0.5 * (high - low))
 
     def inside(self, points: Array) -> NDArray[np.int64]:
-        """Indices of those of the points (n, 3) that lie in it."""
+        """Indices of the points (n, 3) in the box."""
         shift, found = self.axes @ self.centre, []
         for start in range(0, len(points), CHUNK):
             near = np.abs(points[start : start + CHUNK] @ self.axes.T - shift) <= self.half
@@ -54,7 +54,7 @@ class Box:
         return np.concatenate(found) if found else np.empty(0, np.int64)
 
     def moved(self, side: int, metres: float) -> "Box":
-        """One side moved outwards; 0 and 1 are the ends of the first axis, and so on."""
+        """Box with one side moved outwards; 0 and 1 are the ends of the first axis, and so on."""
         axis, sign = side // 2, 1.0 if side % 2 else -1.0
         metres = max(metres, SMALLEST - 2.0 * self.half[axis])
         half = self.half.copy()
@@ -62,12 +62,12 @@ class Box:
         return replace(self, centre=self.centre + 0.5 * sign * metres * self.axes[axis], half=half)
 
     def sized(self, lengths: Array) -> "Box":
-        """The same middle with other lengths, shape (3,), metres."""
+        """Box with the same centre and other lengths, shape (3,), metres."""
         return replace(self, half=0.5 * np.maximum(lengths, SMALLEST))
 
     @property
     def sides(self) -> list[tuple[Array, Array]]:
-        """Middle of each side and the direction out of the box there."""
+        """Centre and outward direction of each side."""
         return [
             (self.centre + sign * self.half[k] * self.axes[k], sign * self.axes[k])
             for k in range(3)
@@ -76,7 +76,7 @@ class Box:
 
     @property
     def corners(self) -> Array:
-        """Shape (8, 3), metres; see `EDGES`."""
+        """Corners, shape (8, 3), metres; see `EDGES`."""
         signs = np.array([(a, b, c) for c in (-1, 1) for a, b in RING])
         corners: Array = self.centre + (signs * self.half) @ self.axes
         return corners
@@ -92,12 +92,12 @@ EDGES = (
 """Pairs of corners of a box that an edge joins."""
 
 
-def right_of(camera: Camera, x: float, size: Size) -> tuple[Array, Array]:
-    """A point and the normal, shape (3,), of the plane that is seen as the upright line at ``x``.
+def dividing_plane(camera: Camera, x: float, size: Size) -> tuple[Array, Array]:
+    """Point and normal, shape (3,), of the plane that appears as the upright line at ``x``.
 
     The normal points to what is seen on the right of it.
     """
-    right, _ = camera.slopes(x, 0.0, size)
+    right, _ = camera.ray_slopes(x, 0.0, size)
     if camera.parallel:
         return camera.position + right * camera.distance * camera.axes[0], camera.axes[0]
     return camera.position, camera.axes[0] - right * camera.axes[2]

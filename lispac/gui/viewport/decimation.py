@@ -1,4 +1,4 @@
-"""Which points of large lines are drawn: a share of a budget for each, evenly thinned.
+"""Selection of the drawn points of large lines: an evenly thinned share of a budget each.
 
 While the camera moves a coarse sample of each line is drawn; where it rests, the points in view, so
 that a close look shows every point.
@@ -20,14 +20,14 @@ CHUNK = 1 << 14
 
 @dataclass(frozen=True)
 class Budget:
-    """How many points are drawn in all, at most; `pace` draws fewer where these take too long."""
+    """Largest number of points drawn in all; fewer are drawn if they take too long."""
 
     resting: int = 1_000_000
     moving: int = 250_000
 
 
-def shares(counts: Mapping[str, int], budget: int) -> dict[str, int]:
-    """Part of the budget each line gets: in proportion to its points, at least one.
+def line_budgets(counts: Mapping[str, int], budget: int) -> dict[str, int]:
+    """Number of points for each line, in proportion to its size, at least one.
 
     A line with points always shows; where all fit, all are drawn.
     """
@@ -37,8 +37,8 @@ def shares(counts: Mapping[str, int], budget: int) -> dict[str, int]:
     return {name: min(n, max(1, n * budget // total)) for name, n in counts.items()}
 
 
-def ranks(count: int) -> NDArray[np.float32]:
-    """A random place in line, from 0 to 1, for each of ``count`` points.
+def random_ranks(count: int) -> NDArray[np.float32]:
+    """Random ranks from 0 to 1 of ``count`` points.
 
     The same for the same number, so that before and after show the same points. At random rather
     than every n-th: a stride beats against the profiles of the scanner and draws stripes.
@@ -46,8 +46,8 @@ def ranks(count: int) -> NDArray[np.float32]:
     return np.random.default_rng(count).random(count, dtype=np.float32)
 
 
-def foremost(places: NDArray[np.float32], wanted: int) -> NDArray[np.int64]:
-    """Indices of the ``wanted`` lowest of ranks, ascending; those of any lower are among them."""
+def lowest_ranked(places: NDArray[np.float32], wanted: int) -> NDArray[np.int64]:
+    """Indices, ascending, of the ``wanted`` points of lowest rank; smaller sets are subsets."""
     count = len(places)
     if wanted >= count:
         return np.arange(count)
@@ -61,8 +61,8 @@ def foremost(places: NDArray[np.float32], wanted: int) -> NDArray[np.int64]:
     return few
 
 
-def in_view(points: Array, camera: Camera, size: Size) -> NDArray[np.int64]:
-    """Indices of the points (n, 3) inside the picture, with an edge of a tenth around it."""
+def points_in_view(points: Array, camera: Camera, size: Size) -> NDArray[np.int64]:
+    """Indices of the points (n, 3) in the picture, with a margin of a tenth."""
     half = 0.55 * np.array([size.width, size.height]) / size.pixels_per_tangent
     axes, shift = camera.axes.T, camera.axes @ camera.position
     found = []
@@ -74,8 +74,8 @@ def in_view(points: Array, camera: Camera, size: Size) -> NDArray[np.int64]:
     return np.concatenate(found) if found else np.empty(0, np.int64)
 
 
-def robust_sample(points: Array, percent: float = 0.05) -> Array:
-    """Points without the outermost ``percent`` on each side of each axis, which hold outliers.
+def trimmed_points(points: Array, percent: float = 0.05) -> Array:
+    """Points without the outermost ``percent`` on each side of each axis.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The sightings as they are drawn over the lines.
+"""Highlighted sightings, drawn over the lines.
 
 Knows no 3D library but by the functions of `actors`.
 """
@@ -8,15 +8,15 @@ from typing import Any
 
 from lispac.gui.viewport.actors import (
     EDGE,
-    confine,
-    dark,
-    paint,
+    clip_actors,
+    darker_colour,
     point_actor,
-    point_data,
+    point_polydata,
+    set_actor_colour,
+    set_point_pixels,
     shift_depth,
-    size_points,
 )
-from lispac.gui.viewport.base import Array, Highlight, emphasis
+from lispac.gui.viewport.base import Array, Highlight, highlight_emphasis
 from lispac.gui.viewport.camera import Camera
 from lispac.gui.viewport.clipping import Box
 
@@ -24,7 +24,7 @@ LIFT = 0.004
 """How far a sighting is moved towards the eye, as part of its distance, to lie over its line."""
 
 
-class Highlights:
+class HighlightLayer:
     """Sightings drawn by a renderer.
 
     Attributes
@@ -42,7 +42,7 @@ class Highlights:
     def put(
         self, highlights: Sequence[Highlight], origin: Array, box: Box | None, half: Any
     ) -> None:
-        """Draw sightings, and no longer those drawn so far.
+        """Draw sightings instead of those drawn so far.
 
         Parameters
         ----------
@@ -57,41 +57,43 @@ class Highlights:
             if box is not None:
                 inside = box.inside(points)
                 points, shades = points[inside], None if shades is None else shades[inside]
-            data = point_data(points - origin, shades)
+            data = point_polydata(points - origin, shades)
             actor = point_actor(data, highlight.colour, shaded=shades is not None)
             outline = point_actor(data, highlight.colour)
-            confine([actor, outline], half)
+            clip_actors([actor, outline], half)
             self._drawn.append((highlight, actor, outline))
             self._renderer.AddActor(outline)
             self._renderer.AddActor(actor)
 
     def style(self, pixels: int, scale: float, hidden: set[str]) -> None:
-        """Size and colour of the points by what is selected; those on hidden lines vanish."""
+        """Set size and colour of the points by the selection; hide those on hidden lines."""
         for highlight, actor, outline in self._drawn:
-            drawn = emphasis(highlight, self.selected)
+            drawn = highlight_emphasis(highlight, self.selected)
             size = pixels + drawn.larger
-            size_points([actor], size * scale)
-            size_points([outline], (size + 3) * scale)
-            paint(actor, drawn.colour)
-            paint(outline, dark(drawn.colour) if highlight.shades is None else EDGE)
+            set_point_pixels([actor], size * scale)
+            set_point_pixels([outline], (size + 3) * scale)
+            set_actor_colour(actor, drawn.colour)
+            set_actor_colour(
+                outline, darker_colour(drawn.colour) if highlight.shades is None else EDGE
+            )
             shown = highlight.key[1] not in hidden
             actor.SetVisibility(shown)
             outline.SetVisibility(shown and drawn.outlined)
 
     def move(self, camera: Camera, origin: Array) -> None:
-        """Keep the sightings before their lines."""
+        """Keep the sightings in front of their lines."""
         for highlight, actor, outline in self._drawn:
-            lift = LIFT * (2 if emphasis(highlight, self.selected).above else 1)
+            lift = LIFT * (2 if highlight_emphasis(highlight, self.selected).above else 1)
             shift_depth(actor, camera, origin, -lift)
             shift_depth(outline, camera, origin, 0.3 * LIFT - lift)
 
     def remove(self) -> None:
-        """Take what is drawn away."""
+        """Remove the drawn sightings."""
         for _, *actors in self._drawn:
             for actor in actors:
                 self._renderer.RemoveActor(actor)
         self._drawn = []
 
     def forget(self) -> None:
-        """Release everything, after the renderer has."""
+        """Drop all references, after the renderer was cleared."""
         self._drawn, self.highlights = [], ()

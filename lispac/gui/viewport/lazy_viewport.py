@@ -1,4 +1,4 @@
-"""A viewport that is made when there is first something to see.
+"""Viewport that is created when there is first something to show.
 
 Importing the 3D library takes longer than all else at the start of the program, and the start page
 needs none of it.
@@ -19,7 +19,7 @@ ANSWERED = {"hides", "drawn_near", "to_pixels", "picture"}
 
 
 class LazyViewport:
-    """`Viewport` that stores calls until it is shown, drawn on or queried.
+    """`Viewport` that stores calls until the real viewport is needed.
 
     Parameters
     ----------
@@ -30,8 +30,8 @@ class LazyViewport:
         self._make = make
         self._view: Viewport | None = None
         self._asked: dict[tuple[str, ...], Callable[[Viewport], None]] = {}
-        self._place = _Place(parent)
-        self._place.seen = self._made
+        self._place = _Placeholder(parent)
+        self._place.seen = self._real_viewport
         self.signals = ViewportSignals(self._place)
 
     @property
@@ -45,13 +45,13 @@ class LazyViewport:
         colours: Mapping[str, Colour],
         shading: Shading | None = None,
     ) -> None:
-        """Draw the lines; without any there is nothing to see yet."""
+        """Draw the lines; create the real viewport with the first of them."""
         if self._view is None and not clouds:
             return
-        self._made().show_clouds(clouds, colours, shading)
+        self._real_viewport().show_clouds(clouds, colours, shading)
 
-    def another(self) -> "LazyViewport":
-        """One more that makes its own when it is needed."""
+    def new_viewport(self) -> "LazyViewport":
+        """New empty viewport, which is also created when it is needed."""
         return LazyViewport(self._make)
 
     def close(self) -> None:
@@ -62,17 +62,17 @@ class LazyViewport:
 
     def __getattr__(self, name: str) -> Callable[..., object]:
         if self._view is not None or name in ANSWERED:
-            return getattr(self._made(), name)
+            return getattr(self._real_viewport(), name)
         if name.startswith("_") or not hasattr(Viewport, name):
             raise AttributeError(name)
-        return partial(self._remember, name)
+        return partial(self._store_call, name)
 
-    def _remember(self, name: str, *arguments: object, **named: object) -> None:
+    def _store_call(self, name: str, *arguments: object, **named: object) -> None:
         key = (name, str(arguments[0])) if name in PER_WHAT else (name,)
         self._asked.pop(key, None)  # in the order of the last calls
         self._asked[key] = lambda view: getattr(view, name)(*arguments, **named)
 
-    def _made(self) -> Viewport:
+    def _real_viewport(self) -> Viewport:
         if self._view is None:
             view = self._view = self._make()
             for name in ("seed_clicked", "missed", "pointed", "outlined", "hovered",
@@ -87,8 +87,8 @@ class LazyViewport:
         return self._view
 
 
-class _Place(QWidget):
-    """Where the view will be."""
+class _Placeholder(QWidget):
+    """Placeholder widget for the viewport."""
 
     seen: Callable[[], object] | None = None
 

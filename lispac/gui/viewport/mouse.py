@@ -1,4 +1,4 @@
-"""Mouse and keys over the viewport, turned into intents.
+"""Mouse and keys of the viewport, converted to signals.
 
 Left drag rotates, middle or Shift+left or right drag moves, the wheel zooms, Ctrl+click picks and a
 double click looks at a point. A Ctrl+drag does nothing, so that a slip of the hand picks nothing.
@@ -41,8 +41,8 @@ class _Drag(Enum):
     GRAB = auto()
 
 
-class Mouse(QObject):
-    """Watches a widget and emits the user's actions; positions are pixels of the widget."""
+class ViewportMouse(QObject):
+    """Converts mouse and key events of a widget to signals; positions are in its pixels."""
 
     drag_started = Signal(float, float)
     rotated = Signal(float, float)  # dx, dy since the last
@@ -72,12 +72,12 @@ class Mouse(QObject):
         widget.installEventFilter(self)
 
     def set_mode(self, mode: MouseMode) -> None:
-        """Set the function of the left button."""
+        """Set the mode of the left mouse button."""
         self.mode = mode
         self._show_cursor(False)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Take what concerns the viewport and leave everything else to the widget."""
+        """Handle the events of the viewport; leave others to the widget."""
         kind = event.type()
         if isinstance(event, QMouseEvent):
             if kind == QEvent.Type.MouseButtonPress:
@@ -102,7 +102,7 @@ class Mouse(QObject):
         ):
             if event.key() == Qt.Key.Key_Control:
                 self._show_cursor(kind == QEvent.Type.KeyPress)
-            elif kind == QEvent.Type.KeyPress and self._keyed(event):
+            elif kind == QEvent.Type.KeyPress and self._handle_key(event):
                 event.accept()
                 return True
             # VTK's own keys (q ends, w draws wires) would surprise; the window may have the key.
@@ -112,13 +112,13 @@ class Mouse(QObject):
             self.left.emit()
         if kind in (QEvent.Type.Enter, QEvent.Type.Leave, QEvent.Type.FocusOut):
             self._show_cursor(
-                kind == QEvent.Type.Enter and _control(QApplication.keyboardModifiers())
+                kind == QEvent.Type.Enter and _is_control_pressed(QApplication.keyboardModifiers())
             )
             return kind != QEvent.Type.FocusOut
         return False
 
-    def _keyed(self, event: QKeyEvent) -> bool:
-        """Move the view by a key, where it does and no button is down."""
+    def _handle_key(self, event: QKeyEvent) -> bool:
+        """Move the view with a key; return whether the key was used."""
         if self._drag is not _Drag.NONE:
             return False
         key = Qt.Key(event.key())
@@ -129,7 +129,7 @@ class Mouse(QObject):
         if key not in _ARROWS:
             return False
         right, down = _ARROWS[key]
-        if _control(event.modifiers()):
+        if _is_control_pressed(event.modifiers()):
             self.nudged.emit(right)
             return True
         self.drag_started.emit(x, y)
@@ -142,7 +142,7 @@ class Mouse(QObject):
         if self._drag is not _Drag.NONE:
             return  # a second button during a drag
         self._press = self._last = event.position()
-        self._drag = _intent(event)
+        self._drag = _drag_kind(event)
         x, y = self._press.x(), self._press.y()
         plain = event.button() == Qt.MouseButton.LeftButton and self._drag is _Drag.ROTATE
         if plain and self.grabs(x, y):
@@ -154,7 +154,7 @@ class Mouse(QObject):
             self.drag_started.emit(self._press.x(), self._press.y())
 
     def _moved(self, event: QMouseEvent) -> None:
-        self._show_cursor(_control(event.modifiers()))
+        self._show_cursor(_is_control_pressed(event.modifiers()))
         step = event.position() - self._last
         self._last = event.position()
         if self._drag is _Drag.ROTATE:
@@ -186,7 +186,9 @@ class Mouse(QObject):
                 self.pointed.emit(self._press.x(), self._press.y())
 
     def _double_clicked(self, event: QMouseEvent) -> None:
-        plain = event.button() == Qt.MouseButton.LeftButton and not _control(event.modifiers())
+        plain = event.button() == Qt.MouseButton.LeftButton and not _is_control_pressed(
+            event.modifiers()
+        )
         if plain and self.mode == "navigate":
             self.centred.emit(event.position().x(), event.position().y())
         else:
@@ -199,14 +201,14 @@ class Mouse(QObject):
             self._widget.setCursor(shape)
 
 
-def _control(modifiers: Qt.KeyboardModifier) -> bool:
+def _is_control_pressed(modifiers: Qt.KeyboardModifier) -> bool:
     return bool(modifiers & Qt.KeyboardModifier.ControlModifier)
 
 
-def _intent(event: QMouseEvent) -> _Drag:
+def _drag_kind(event: QMouseEvent) -> _Drag:
     button = event.button()
     if button == Qt.MouseButton.LeftButton:
-        if _control(event.modifiers()):
+        if _is_control_pressed(event.modifiers()):
             return _Drag.PICK
         shifted = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
         return _Drag.PAN if shifted else _Drag.ROTATE

@@ -1,4 +1,4 @@
-"""From mouse to camera: turning about what is under the cursor, fitting, standard views, picks."""
+"""Camera movements by the mouse: turn, pan, zoom, fit, standard views, picks."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -9,9 +9,9 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.gui.viewport.base import Array, PickedPoint
 from lispac.gui.viewport.camera import Camera, Size
-from lispac.gui.viewport.decimation import robust_sample
-from lispac.gui.viewport.mouse import Mouse
-from lispac.gui.viewport.point_picker import pick
+from lispac.gui.viewport.decimation import trimmed_points
+from lispac.gui.viewport.mouse import ViewportMouse
+from lispac.gui.viewport.point_picker import pick_point
 
 WHEEL_FACTOR = 0.85
 """Distance left after one notch."""
@@ -33,7 +33,7 @@ VIEWS_DEG = {
 
 
 class Navigator(QObject):
-    """The camera over a widget, moved by its mouse.
+    """Camera of a widget, moved by its mouse.
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ class Navigator(QObject):
         self._pivot: Array = np.zeros(3)
         self._kept_in_view: Array | None = None
         self._all: tuple[Mapping[str, Array], Array] | None = None
-        self.mouse = Mouse(widget)
+        self.mouse = ViewportMouse(widget)
         self.mouse.drag_started.connect(self._on_drag_started)
         self.mouse.rotated.connect(self._on_rotated)
         self.mouse.panned.connect(self._on_panned)
@@ -74,7 +74,7 @@ class Navigator(QObject):
 
     @property
     def size(self) -> Size:
-        """Size of the widget; one pixel where it has none yet."""
+        """Size of the widget; at least one pixel."""
         return Size(max(self._widget.width(), 1), max(self._widget.height(), 1))
 
     def fit(self, points: Array | None = None) -> None:
@@ -82,18 +82,18 @@ class Navigator(QObject):
 
         It stays in view when the widget changes its size, until the user moves the camera.
         """
-        target = self._everything() if points is None else np.asarray(points, dtype=np.float64)
+        target = self._extent_points() if points is None else np.asarray(points, dtype=np.float64)
         if len(target):
             self._kept_in_view = target
             self.refit()
 
     def refit(self) -> None:
-        """Bring what was fitted into view again; after a change of size."""
+        """Bring the fitted points into view again after a change of size."""
         if self._kept_in_view is not None:
             self.camera = self.camera.fitted(self._kept_in_view, self.size)
 
     def release(self) -> None:
-        """Keep nothing in view."""
+        """Stop keeping points in view."""
         self._kept_in_view = self._all = None
 
     def view(self, name: str) -> None:
@@ -114,23 +114,23 @@ class Navigator(QObject):
 
     def project_parallel(self, parallel: bool) -> None:
         """Change to a parallel projection, or back to perspective."""
-        self.camera = self.camera.projected(parallel=parallel)
+        self.camera = self.camera.with_projection(parallel=parallel)
         self.refit()
 
-    def _everything(self) -> Array:
-        """Sample of the drawn points for the extent of the scene, computed once."""
+    def _extent_points(self) -> Array:
+        """Sample of all drawn points, cached."""
         if self._all is None or self._all[0] is not self.coarse:
-            self._all = self.coarse, self._sample()
+            self._all = self.coarse, self._thinned_points()
         return self._all[1]
 
-    def _sample(self) -> Array:
+    def _thinned_points(self) -> Array:
         total = sum(map(len, self.coarse.values()))
         share = min(1.0, FITTED / total) if total else 1.0
         parts = [points[: int(np.ceil(share * len(points)))] for points in self.coarse.values()]
-        return robust_sample(np.concatenate(parts)) if parts else np.empty((0, 3))
+        return trimmed_points(np.concatenate(parts)) if parts else np.empty((0, 3))
 
     def _front_azimuth(self) -> float:
-        everything = self._everything()
+        everything = self._extent_points()
         if len(everything) == 0:
             return 0.0
         north, west, _ = np.median(everything, axis=0) - self.station
@@ -139,23 +139,23 @@ class Navigator(QObject):
     def _on_drag_started(self, x: float, y: float) -> None:
         self._pivot = self._surface_at(x, y)
         depth = self.camera.project(self._pivot, self.size)[0, 2]
-        self.camera = self.camera.refocused(float(depth))
+        self.camera = self.camera.with_focal_depth(float(depth))
 
     def _on_rotated(self, dx: float, dy: float) -> None:
-        self._move(self.camera.orbited(dx, dy, self._pivot))
+        self._set_camera(self.camera.orbited(dx, dy, self._pivot))
 
     def _on_panned(self, dx: float, dy: float) -> None:
-        self._move(self.camera.panned(dx, dy, self.camera.focal_depth, self.size))
+        self._set_camera(self.camera.panned(dx, dy, self.camera.focal_depth, self.size))
 
     def _on_zoomed(self, notches: float, x: float, y: float) -> None:
-        self._move(self.camera.zoomed(WHEEL_FACTOR**notches, self._surface_at(x, y)))
+        self._set_camera(self.camera.zoomed(WHEEL_FACTOR**notches, self._surface_at(x, y)))
         self.settled.emit()
 
     def _on_centred(self, x: float, y: float) -> None:
-        hit = pick(self.clouds, self.camera, x, y, self.size)
+        hit = pick_point(self.clouds, self.camera, x, y, self.size)
         if hit is not None:
             focal = self.clouds[hit.line][hit.index]
-            self._move(self.camera.centred(focal, 0.6, hit.depth))
+            self._set_camera(self.camera.centred(focal, 0.6, hit.depth))
             self.settled.emit()
 
     def _on_picked(self, x: float, y: float) -> None:
@@ -166,21 +166,21 @@ class Navigator(QObject):
             self.picked.emit(point)
 
     def _point_at(self, x: float, y: float) -> PickedPoint | None:
-        hit = pick(self.clouds, self.camera, x, y, self.size)
+        hit = pick_point(self.clouds, self.camera, x, y, self.size)
         if hit is None:
             return None
         north, west, up = (float(v) for v in self.clouds[hit.line][hit.index])
         return PickedPoint(hit.line, (north, west, up))
 
     def _surface_at(self, x: float, y: float) -> Array:
-        """Surface under a pixel, else the point behind it as deep as the focal point."""
-        hit = pick(self.coarse, self.camera, x, y, self.size, SNAP)
+        """Surface point at a pixel, or the point behind it at the focal depth."""
+        hit = pick_point(self.coarse, self.camera, x, y, self.size, SNAP)
         if hit is not None:
             surface: Array = self.coarse[hit.line][hit.index]
             return surface
         return self.camera.point_at(x, y, self.camera.focal_depth, self.size)
 
-    def _move(self, camera: Camera) -> None:
+    def _set_camera(self, camera: Camera) -> None:
         self.camera = camera
         self._kept_in_view = None
         self.moved.emit()

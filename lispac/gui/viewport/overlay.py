@@ -1,4 +1,4 @@
-"""What is written over the 3D picture: labels, the axes, a scale bar and the hint of an empty view.
+"""Overlay of the 3D picture: labels, axes, scale bar and hints.
 
 Painted by Qt rather than by the 3D library: the fonts are those of the window, sharp on every
 screen, and nothing in the scene can hide them.
@@ -21,7 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from lispac.gui import theme, units
-from lispac.gui.schemes import LIGHT
+from lispac.gui.colour_schemes import LIGHT
 from lispac.gui.viewport.base import Array, Marker, Shading
 from lispac.gui.viewport.camera import Camera, Size
 from lispac.language import N_, gettext
@@ -38,31 +38,31 @@ NEIGHBOURS = 40.0
 """Pixels within which the labels of two spots get into each other's way."""
 
 
-def scale_length(metres_per_pixel: float, longest: float = 150.0) -> float:
-    """Metres of the longest bar of at most ``longest`` pixels.
+def scale_bar_length(metres_per_pixel: float, longest: float = 150.0) -> float:
+    """Length, metres, of the longest scale bar of at most ``longest`` pixels.
 
     It is 1, 2 or 5 times a power of ten in the unit shown.
     """
-    factor = units.unit("m").factor
+    factor = units.shown_unit("m").factor
     limit = metres_per_pixel * longest * factor
     power = 10.0 ** np.floor(np.log10(limit))
     fitting = [step * power for step in (1.0, 2.0, 5.0) if step * power <= limit * 1.000001]
     return float(max(fitting)) / factor
 
 
-def legend_words(shading: Shading) -> tuple[str, str, str]:
-    """Title and ends of the scale of colours, in the unit shown just now."""
+def legend_texts(shading: Shading) -> tuple[str, str, str]:
+    """Title and end values of the colour scale, in the unit shown."""
     ends = (shading.low, shading.high)
-    if shading.metric is not None and not units.differs("m"):
+    if shading.metric is not None and not units.is_converted("m"):
         ends = shading.metric
-    return units.signs(shading.title, "mm", "m"), *ends
+    return units.convert_unit_signs(shading.title, "mm", "m"), *ends
 
 
 def length_text(metres: float) -> str:
-    """A round length with the unit it is read in."""
-    if units.differs("m"):
-        shown = units.localised(f"{metres * units.unit('m').factor:.6g}")
-        return f"{shown} {units.unit('m').sign}"
+    """Text of a round length in the unit shown."""
+    if units.is_converted("m"):
+        shown = units.localised(f"{metres * units.shown_unit('m').factor:.6g}")
+        return f"{shown} {units.shown_unit('m').sign}"
     factor, unit = next(
         (factor, unit)
         for least, factor, unit in (
@@ -74,7 +74,7 @@ def length_text(metres: float) -> str:
 
 
 class Overlay(QWidget):
-    """A see-through sheet over the picture; the mouse goes through it."""
+    """Transparent widget over the picture that ignores the mouse."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -97,7 +97,7 @@ class Overlay(QWidget):
         painter.end()
 
     def paint(self, painter: QPainter) -> None:
-        """Paint on anything of the size of this widget, the screen or a picture to be saved.
+        """Paint on any device of the size of this widget, such as a picture to save.
 
         What the mouse does is of use on the screen alone.
         """
@@ -119,11 +119,11 @@ class Overlay(QWidget):
     def _paint_hint(self, painter: QPainter) -> None:
         middle = QRectF(self.rect()).center()
         width = float(self.width())
-        painter.setFont(_scaled(self.font(), 1.5))
+        painter.setFont(_scaled_font(self.font(), 1.5))
         painter.setPen(QColor(theme.TEXT))
         flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
         painter.drawText(QRectF(0.0, middle.y() - 60.0, width, 56.0), flags, gettext(EMPTY_TITLE))
-        painter.setFont(_scaled(self.font(), 1.1))
+        painter.setFont(_scaled_font(self.font(), 1.1))
         painter.setPen(QColor(theme.MUTED))
         flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
         painter.drawText(QRectF(0.0, middle.y() + 4.0, width, 56.0), flags, gettext(EMPTY_HINT))
@@ -143,8 +143,10 @@ class Overlay(QWidget):
             x, y, depth = spots[k]
             if depth > 0.0 and abs(x) < 1e5 and abs(y) < 1e5:
                 spot = QPointF(x, y)
-                crowded = right_neighbour(spots[:, :2], k)
-                box = free_place(spot, metrics, self.markers[k].label, taken, leftwards=crowded)
+                crowded = has_right_neighbour(spots[:, :2], k)
+                box = free_label_place(
+                    spot, metrics, self.markers[k].label, taken, leftwards=crowded
+                )
                 taken.append(box)
                 placed.append((spot, box, self.markers[k]))
         for spot, box, marker in reversed(placed):
@@ -156,7 +158,7 @@ class Overlay(QWidget):
         painter.setBrush(theme.colour("paper", 0.8))
         painter.drawEllipse(centre, 44.0, 44.0)
         seen = camera.axes  # columns: how north, west and up look
-        font = _scaled(self.font(), 0.95)
+        font = _scaled_font(self.font(), 0.95)
         font.setBold(True)
         painter.setFont(font)
         for k in np.argsort(-seen[2]):  # those pointing away first
@@ -173,14 +175,14 @@ class Overlay(QWidget):
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, gettext(name))
 
     def _paint_scale(self, painter: QPainter, metres_per_pixel: float) -> None:
-        metres = scale_length(metres_per_pixel)
+        metres = scale_bar_length(metres_per_pixel)
         pixels = metres / metres_per_pixel
         right, base = self.width() - MARGIN - 4.0, self.height() - MARGIN - 6.0
         left = right - pixels
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.colour("paper", 0.85))
         painter.drawRoundedRect(QRectF(left - 10.0, base - 28.0, pixels + 20.0, 38.0), 8.0, 8.0)
-        painter.setFont(_scaled(self.font(), 0.95))
+        painter.setFont(_scaled_font(self.font(), 0.95))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(QPen(QColor(theme.TEXT), 1.6))
         painter.drawPolyline(
@@ -195,21 +197,21 @@ class Overlay(QWidget):
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, length_text(metres))
 
     def taken(self) -> list[QRectF]:
-        """Where no label of a target may stand."""
+        """Rectangles where no label of a target may be placed."""
         return [] if self.shading is None else [self.legend(self.shading)]
 
     def legend(self, shading: Shading) -> QRectF:
-        """Where the scale of the colours is painted."""
-        metrics = QFontMetricsF(_scaled(self.font(), 0.95))
-        title, low, high = legend_words(shading)
+        """Rectangle of the colour scale."""
+        metrics = QFontMetricsF(_scaled_font(self.font(), 0.95))
+        title, low, high = legend_texts(shading)
         ends = metrics.horizontalAdvance(low) + metrics.horizontalAdvance(high)
         width = max(180.0, metrics.horizontalAdvance(title), ends + 24.0)
         return QRectF(MARGIN, MARGIN, width + 24.0, 66.0)
 
     def _paint_legend(self, painter: QPainter, shading: Shading) -> None:
-        painter.setFont(_scaled(self.font(), 0.95))
+        painter.setFont(_scaled_font(self.font(), 0.95))
         box = self.legend(shading)
-        title, low, high = legend_words(shading)
+        title, low, high = legend_texts(shading)
         width = box.width() - 24.0
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme.colour("paper", 0.88))
@@ -228,7 +230,7 @@ class Overlay(QWidget):
         painter.drawText(text, Qt.AlignmentFlag.AlignRight, high)
 
     def _paint_help(self, painter: QPainter) -> None:
-        font = _scaled(self.font(), 0.9)
+        font = _scaled_font(self.font(), 0.9)
         painter.setFont(font)
         # Between the axes and the scale bar, left out where the window is too narrow for it; a hint
         # is written above, where nothing else is.
@@ -251,7 +253,7 @@ class Overlay(QWidget):
 
 
 class OverlaidView(QWidget):
-    """The picture with the overlay on top of it."""
+    """Widget with the picture and the overlay on top of it."""
 
     resized = Signal()
 
@@ -276,7 +278,7 @@ class OverlaidView(QWidget):
         self.resized.emit()
 
 
-def right_neighbour(spots: Array, k: int) -> bool:
+def has_right_neighbour(spots: Array, k: int) -> bool:
     """Whether another spot is close on the right, and none on the left.
 
     There a label stands on the left: else the lines to the labels of the two would cross.
@@ -291,7 +293,7 @@ def right_neighbour(spots: Array, k: int) -> bool:
     return bool((near & (right > 0.0)).any() and not (near & (right < 0.0)).any())
 
 
-def free_place(
+def free_label_place(
     spot: QPointF,
     metrics: QFontMetricsF,
     label: str,
@@ -299,7 +301,7 @@ def free_place(
     *,
     leftwards: bool = False,
 ) -> QRectF:
-    """Where a label stands beside its spot: at the upper right, unless another stands there.
+    """Rectangle of a label beside its point, preferably at the upper right.
 
     Parameters
     ----------
@@ -339,7 +341,7 @@ def _paint_marker(painter: QPainter, spot: QPointF, box: QRectF, marker: Marker)
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, marker.label)
 
 
-def _scaled(font: QFont, factor: float) -> QFont:
+def _scaled_font(font: QFont, factor: float) -> QFont:
     scaled = QFont(font)
     if font.pointSizeF() > 0.0:
         scaled.setPointSizeF(font.pointSizeF() * factor)

@@ -1,4 +1,4 @@
-"""The point under the cursor: the front-most one near it, among all and not only those drawn."""
+"""Picking of the front-most point near the cursor, among all points."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -23,14 +23,14 @@ CHUNK = 1 << 14
 
 @dataclass(frozen=True)
 class Hit:
-    """A point found: its line, its index there and its depth from the eye in metres."""
+    """Picked point: its line, its index there and its depth in metres."""
 
     line: str
     index: int
     depth: float
 
 
-def pick(
+def pick_point(
     clouds: Mapping[str, Array],
     camera: Camera,
     x: float,
@@ -46,7 +46,7 @@ def pick(
     x, y : pixels of the widget
     """
     names = list(clouds)
-    found = [_near(clouds[name], camera, x, y, size, radii[-1]) for name in names]
+    found = [_points_near_pixel(clouds[name], camera, x, y, size, radii[-1]) for name in names]
     line = np.repeat(np.arange(len(names)), [len(part[0]) for part in found])
     if len(line) == 0:
         return None
@@ -65,12 +65,12 @@ def pick(
     return None
 
 
-def _near(
+def _points_near_pixel(
     points: Array, camera: Camera, x: float, y: float, size: Size, radius: float
 ) -> tuple[NDArray[np.int64], Array, Array]:
     """Index, distance in pixels and depth of the points within ``radius`` pixels."""
     position, axes, focal = camera.position, camera.axes, size.pixels_per_tangent
-    right, up = camera.slopes(x, y, size)
+    right, up = camera.ray_slopes(x, y, size)
     # Signed offsets from the ray, each a linear function of the point: two products per point
     # discard nearly all of them.
     if camera.parallel:

@@ -1,4 +1,4 @@
-"""What tools draw over the picture and what the mouse does to it: sketches, handles, outlines."""
+"""Sketches, handles and outlines of tools over the picture."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,8 +11,8 @@ from lispac.gui import theme, units
 from lispac.gui.viewport.base import Array, Handle, PickedPoint, Sketch, ViewportSignals
 from lispac.gui.viewport.camera import Camera, Size
 from lispac.gui.viewport.navigation import SNAP, Navigator
-from lispac.gui.viewport.overlay import Overlay, right_neighbour
-from lispac.gui.viewport.point_picker import pick
+from lispac.gui.viewport.overlay import Overlay, has_right_neighbour
+from lispac.gui.viewport.point_picker import pick_point
 from lispac.language import gettext
 
 REACH = 9.0
@@ -29,7 +29,7 @@ END_ON = 0.25
 
 @dataclass(eq=False)
 class _HandleDrag:
-    """A handle in the hand: its axis through where it was, and how far along the mouse is."""
+    """Handle during a drag: its axis and the position of the mouse along it."""
 
     sketch: str
     handle: int
@@ -38,7 +38,7 @@ class _HandleDrag:
     at: float
 
 
-class Sketches(QObject):
+class SketchLayer(QObject):
     """Draws sketches and outlines on the overlay and moves handles.
 
     Attributes
@@ -61,37 +61,37 @@ class Sketches(QObject):
         self.share = 0.5
         self._dividing = self._divides = False
         self._still = QTimer(self, singleShot=True, interval=HOVER_MS)
-        self._still.timeout.connect(self._look)
+        self._still.timeout.connect(self._emit_hovered)
         mouse = navigator.mouse
-        mouse.grabs = self._grab
-        mouse.grabbed.connect(self._move)
-        mouse.let_go.connect(self._let_go)
-        mouse.outlining.connect(self._extend)
-        mouse.outlined.connect(self._close)
-        mouse.rested_at.connect(self._rest)
+        mouse.grabs = self._grab_handle
+        mouse.grabbed.connect(self._drag_handle)
+        mouse.let_go.connect(self._on_handle_released)
+        mouse.outlining.connect(self._extend_outline)
+        mouse.outlined.connect(self._finish_outline)
+        mouse.rested_at.connect(self._on_mouse_rest)
         mouse.left.connect(self.rest)
-        mouse.nudged.connect(self._nudge)
+        mouse.nudged.connect(self._shift_dividing_line)
         overlay.sheets.append(self._paint)
 
     def show(self, name: str, sketch: Sketch | None) -> None:
-        """Draw a sketch, or take it away."""
+        """Draw a sketch; None removes it."""
         self._sketches.pop(name, None)
         if sketch is not None:
             self._sketches[name] = sketch
         self._overlay.update()
 
     def clear(self) -> None:
-        """Draw nothing."""
+        """Remove all sketches."""
         self._sketches, self._outline, self._held = {}, [], None
         self.rest()
 
-    def divide(self, divides: bool) -> None:
-        """Show a line that divides the picture, or none."""
+    def show_dividing_line(self, divides: bool) -> None:
+        """Show or hide the line that divides the picture."""
         self._divides, self.share = divides, 0.5
         self._overlay.update()
 
     def rest(self) -> None:
-        """Stop watching."""
+        """Stop hovering."""
         self._still.stop()
         if self.hovering:
             self._signals.hovered.emit(None)
@@ -105,7 +105,7 @@ class Sketches(QObject):
             for k, handle in enumerate(sketch.handles)
         ]
 
-    def _grab(self, x: float, y: float) -> bool:
+    def _grab_handle(self, x: float, y: float) -> bool:
         width = self._navigator.size.width
         self._dividing = self._divides and abs(x - self.share * width) <= REACH
         if self._dividing:
@@ -123,31 +123,33 @@ class Sketches(QObject):
         nearest = int(np.argmin(np.where(np.isfinite(away), spots[:, 2], np.inf)))
         name, k, handle = handles[nearest]
         place, axis = np.array(handle.position), np.array(handle.axis)
-        self._held = _HandleDrag(name, k, place, axis, self._along(place, axis, x, y) or 0.0)
+        self._held = _HandleDrag(
+            name, k, place, axis, self._distance_along_axis(place, axis, x, y) or 0.0
+        )
         return True
 
-    def _move(self, x: float, y: float) -> None:
+    def _drag_handle(self, x: float, y: float) -> None:
         if self._dividing:
-            self._divide_at(x)
+            self._move_dividing_line(x)
             return
         held = self._held
         if held is None:
             return
-        now = self._along(held.place, held.axis, x, y)
+        now = self._distance_along_axis(held.place, held.axis, x, y)
         if now is not None:
             moved, held.at = now - held.at, now
             self._signals.handle_moved.emit(held.sketch, held.handle, moved)
 
-    def _divide_at(self, x: float) -> None:
+    def _move_dividing_line(self, x: float) -> None:
         self.share = min(max(x / self._navigator.size.width, 0.02), 0.98)
         self.divided.emit()
 
-    def _nudge(self, right: float) -> None:
+    def _shift_dividing_line(self, right: float) -> None:
         if self._divides:
-            self._divide_at(self.share * self._navigator.size.width + right)
+            self._move_dividing_line(self.share * self._navigator.size.width + right)
 
-    def _along(self, place: Array, axis: Array, x: float, y: float) -> float | None:
-        """Distance of the mouse along an axis through a place, metres; None if undetermined."""
+    def _distance_along_axis(self, place: Array, axis: Array, x: float, y: float) -> float | None:
+        """Position of the mouse along an axis, metres; None if the axis points at the camera."""
         camera, size = self._navigator.camera, self._navigator.size
         eye = camera.point_at(x, y, 0.0, size)
         ray = camera.point_at(x, y, 1.0, size) - eye
@@ -159,32 +161,32 @@ class Sketches(QObject):
         to_eye = eye - place
         return float(axis @ to_eye - slant * (ray @ to_eye)) / (1.0 - slant**2)
 
-    def _let_go(self) -> None:
+    def _on_handle_released(self) -> None:
         held, self._held, self._dividing = self._held, None, False
         if held is not None:
             self._signals.handle_let_go.emit(held.sketch)
 
-    def _extend(self, x: float, y: float) -> None:
+    def _extend_outline(self, x: float, y: float) -> None:
         self._outline.append(QPointF(x, y))
         self._overlay.update()
 
-    def _close(self) -> None:
+    def _finish_outline(self) -> None:
         corners = np.array([(spot.x(), spot.y()) for spot in self._outline])
         self._outline = []
         self._overlay.update()
         if len(corners) > 2:
             self._signals.outlined.emit(corners)
 
-    def _rest(self, x: float, y: float) -> None:
+    def _on_mouse_rest(self, x: float, y: float) -> None:
         if self.hovering:
             self._spot = (x, y)
             self._still.start()
 
-    def _look(self) -> None:
+    def _emit_hovered(self) -> None:
         drawn = self._navigator.drawn()
         step = -(-sum(map(len, drawn.values())) // LOOKED_AT) or 1
         clouds = {line: points[::step] for line, points in drawn.items()}
-        hit = pick(clouds, self._navigator.camera, *self._spot, self._navigator.size, SNAP)
+        hit = pick_point(clouds, self._navigator.camera, *self._spot, self._navigator.size, SNAP)
         if hit is None:
             self._signals.hovered.emit(None)
             return
@@ -199,14 +201,14 @@ class Sketches(QObject):
         # Words last: no line goes through them, and none lie on others
         _paint_labels(painter, list(self._sketches.values()), camera, size)
         if self._divides:
-            _paint_division(painter, self.share * size.width, size)
+            _paint_dividing_line(painter, self.share * size.width, size)
         if len(self._outline) > 1:
             painter.setBrush(QColor(*theme.CANDIDATE_COLOUR, 45))
             painter.setPen(QPen(QColor(theme.TEXT), 1.4, Qt.PenStyle.DashLine))
             painter.drawPolygon(QPolygonF(self._outline))
 
 
-def _paint_division(painter: QPainter, x: float, size: Size) -> None:
+def _paint_dividing_line(painter: QPainter, x: float, size: Size) -> None:
     painter.setPen(QPen(theme.colour("paper", 0.9), 5.0))
     painter.drawLine(QPointF(x, 0.0), QPointF(x, size.height))
     painter.setPen(QPen(QColor(theme.TEXT), 1.6))
@@ -224,9 +226,9 @@ def _paint_division(painter: QPainter, x: float, size: Size) -> None:
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def words_of(sketch: Sketch) -> str:
-    """Its words in the unit shown just now, which is the metre in a picture for a file."""
-    return sketch.metric if sketch.metric and not units.differs("m") else sketch.label
+def label_text(sketch: Sketch) -> str:
+    """Label in the unit shown; in metres in a picture for a file."""
+    return sketch.metric if sketch.metric and not units.is_converted("m") else sketch.label
 
 
 def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Size) -> None:
@@ -257,10 +259,10 @@ def _paint_labels(
     taken: list[QRectF] = []
     for k, sketch in enumerate(labelled):
         if np.isfinite(spots[k]).all():
-            leftwards = right_neighbour(spots, k)
+            leftwards = has_right_neighbour(spots, k)
             spot, colour = QPointF(*spots[k]), QColor(*sketch.colour)
-            box = _words_box(painter, words_of(sketch), spot, size, taken, leftwards=leftwards)
-            _paint_words(painter, words_of(sketch), box, colour)
+            box = _label_box(painter, label_text(sketch), spot, size, taken, leftwards=leftwards)
+            _paint_label(painter, label_text(sketch), box, colour)
             taken.append(box)
 
 
@@ -273,7 +275,7 @@ def _paint_dots(painter: QPainter, spots: Array, colour: QColor, radius: float) 
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def _words_box(
+def _label_box(
     painter: QPainter,
     words: str,
     spot: QPointF,
@@ -282,7 +284,7 @@ def _words_box(
     *,
     leftwards: bool,
 ) -> QRectF:
-    """Beside the spot, inside the picture, and where no other words are, if there is such a place.
+    """Rectangle of a label beside its point, inside the picture and without overlap if possible.
 
     Parameters
     ----------
@@ -303,7 +305,7 @@ def _words_box(
     return next(free, places[0])
 
 
-def _paint_words(painter: QPainter, words: str, box: QRectF, colour: QColor) -> None:
+def _paint_label(painter: QPainter, words: str, box: QRectF, colour: QColor) -> None:
     painter.setPen(QPen(colour.darker(115), 1.3))
     painter.setBrush(theme.colour("paper", 0.88))
     painter.drawRoundedRect(box, 4.0, 4.0)

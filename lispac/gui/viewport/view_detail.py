@@ -1,4 +1,4 @@
-"""Detail of a resting view: selected in several steps of the event loop, or at once."""
+"""Detail of a resting view, computed in several turns of the event loop or at once."""
 
 import time
 from collections.abc import Callable, Iterator
@@ -15,7 +15,7 @@ STEP_S = 0.04
 
 
 class ViewDetail:
-    """Selects the detail in steps, and then shows it.
+    """Computes the detail of a view in steps and then shows it.
 
     Parameters
     ----------
@@ -28,40 +28,40 @@ class ViewDetail:
     ) -> None:
         self._make, self._show = steps, show
         self._steps: Iterator[None] = iter(())
-        self._rest = IdleTask(self._begin, parent, REST_MS)
-        self._step = IdleTask(self._go_on, parent)
+        self._rest = IdleTask(self._start_steps, parent, REST_MS)
+        self._step = IdleTask(self._continue_steps, parent)
 
     @property
     def is_due(self) -> bool:
-        """Whether it follows."""
+        """Whether the detail is being computed or is scheduled."""
         return self._rest.isActive() or self._step.isActive()
 
-    def later(self) -> None:
-        """Select it once the view has rested for a moment."""
+    def schedule(self) -> None:
+        """Schedule the detail for when the view has rested for a moment."""
         self._step.stop()
         self._rest.start()
 
     def now(self, steps: Iterator[None]) -> None:
-        """Select it with other steps, and show it at once."""
+        """Compute the detail at once with other steps and show it."""
         self.stop()
         for _ in steps:
             pass
         self._show()
 
     def abandon(self) -> None:
-        """Stop the selection: the view has moved."""
+        """Abandon the steps in progress, as the view has moved."""
         self._step.stop()
 
     def stop(self) -> None:
-        """Neither begin nor go on."""
+        """Cancel the schedule and the steps in progress."""
         self._rest.stop()
         self._step.stop()
 
-    def _begin(self) -> None:
+    def _start_steps(self) -> None:
         self._steps = self._make()
-        self._go_on()
+        self._continue_steps()
 
-    def _go_on(self) -> None:
+    def _continue_steps(self) -> None:
         end = time.perf_counter() + STEP_S
         for _ in self._steps:
             if time.perf_counter() > end:

@@ -74,14 +74,14 @@ def nearest_axes(rotation: Array) -> Axes:
         for y in DIRECTIONS:
             if abs(np.dot(_DIRECTIONS[x], _DIRECTIONS[y])) > 0:
                 continue
-            axes = completed_axes(x, y)
+            axes = complete_axes(x, y)
             score = float(np.trace(axes_matrix(axes) @ rotation))
             if score > most + 1e-12:
                 best, most = axes, score
     return best
 
 
-def completed_axes(x: str, y: str) -> Axes:
+def complete_axes(x: str, y: str) -> Axes:
     """The right-handed axes whose first two are given.
 
     Raises
@@ -93,7 +93,9 @@ def completed_axes(x: str, y: str) -> Axes:
     for z in DIRECTIONS:
         if np.array_equal(_DIRECTIONS[z], across):
             return x, y, z
-    raise InputError(error("survey.axes_on_one_line", x=direction(x), y=direction(y)))
+    raise InputError(
+        error("survey.axes_on_one_line", x=direction_message(x), y=direction_message(y))
+    )
 
 
 DIRECTION_CODES = {
@@ -106,7 +108,7 @@ DIRECTION_CODES = {
 }
 
 
-def direction(word: str) -> Message:
+def direction_message(word: str) -> Message:
     """A direction on the vessel as part of a message."""
     return note(DIRECTION_CODES[word])
 

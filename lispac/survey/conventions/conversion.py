@@ -7,14 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.language import LazyText, gettext_lazy, sentences
+from lispac.language import LazyText, gettext_lazy, join_sentences
 from lispac.messages import Message, error, note
 from lispac.survey.conventions.axes import (
     FORWARD_PORT_UP,
     Axes,
     axes_matrix,
     axes_text,
-    direction,
+    direction_message,
     nearest_axes,
 )
 from lispac.survey.conventions.systems import LISPAC, SCANNER_WORDS, Convention, Scanner, Status
@@ -30,8 +30,8 @@ ORTHOGONAL = 5e-6
 
 
 @dataclass(frozen=True)
-class Setup:
-    """A system, and what it leaves to the installation.
+class ConventionSetup:
+    """A convention and its installation-dependent settings.
 
     Attributes
     ----------
@@ -57,15 +57,15 @@ class Setup:
         return self.scanner or self.convention.scanner
 
     @property
-    def as_documented(self) -> bool:
-        """Whether nothing was given that differs from the convention."""
+    def is_as_documented(self) -> bool:
+        """Whether no setting deviates from the documented convention."""
         axes_kept = self.convention.open_axes or self.axes == self.convention.axes
         return axes_kept and self.scanner_frame == self.convention.scanner
 
     @property
     def status(self) -> Status:
         """How sure the convention is, as it is used here."""
-        return self.convention.status if self.as_documented else "unverified"
+        return self.convention.status if self.is_as_documented else "unverified"
 
     @property
     def signs(self) -> LazyText:
@@ -94,7 +94,7 @@ class Setup:
         if self.scanner_frame == "turned":
             return self.permutation
         if np.linalg.det(self.permutation) < 0:
-            x, y, z = map(direction, self.axes)
+            x, y, z = map(direction_message, self.axes)
             raise InputError(
                 error("survey.axes_left_handed", system=self.convention.name, x=x, y=y, z=z)
             )
@@ -118,14 +118,14 @@ class Setup:
     def assumption(self) -> LazyText | None:
         """What is assumed about the system, to be shown with every number."""
         found = [gettext_lazy(self.convention.assumption)] if self.convention.assumption else []
-        if not self.as_documented:
+        if not self.is_as_documented:
             found.append(
                 gettext_lazy("The given axes differ from the documentation of the program.")
             )
         if self.convention.open_axes and self.body_axes is None:
             axes = axes_text(self.axes)
             found.append(gettext_lazy("No axes were given: {axes} is assumed.", axes=axes))
-        return sentences(found) if found else None
+        return join_sentences(found) if found else None
 
     def scanner_axes(self, rotation_body_lidar: Array) -> LazyText:
         """What is assumed about the scanner's axes.
@@ -138,12 +138,12 @@ class Setup:
         if self.scanner_frame == "mounted":
             axes = axes_text(self.nominal_axes(rotation_body_lidar))
             found.append(gettext_lazy("Mounting used: scanner axes {axes}.", axes=axes))
-        return sentences(found)
+        return join_sentences(found)
 
 
 @dataclass(frozen=True, eq=False)
 class MountingInSystem:
-    """A boresight and a lever arm as another system states them.
+    """A boresight and a lever arm in the convention of another system.
 
     Attributes
     ----------
@@ -159,7 +159,7 @@ class MountingInSystem:
     note : what the user has to know about the angles
     """
 
-    setup: Setup
+    setup: ConventionSetup
     angles: Array | None
     lever_arm: Array
     rotation: Array
@@ -168,7 +168,7 @@ class MountingInSystem:
     note: Message | None = None
 
 
-def rotation_of(convention: Convention, angles: Array) -> Array:
+def rotation_of_angles(convention: Convention, angles: Array) -> Array:
     """The matrix product of a system's angles, shape (3, 3).
 
     Parameters
@@ -178,12 +178,12 @@ def rotation_of(convention: Convention, angles: Array) -> Array:
     product = np.eye(3)
     for k in convention.order:
         turn = convention.turns[k]
-        product = product @ _about(turn.axis, turn.sign * float(angles[k]))
+        product = product @ _rotation_about_axis(turn.axis, turn.sign * float(angles[k]))
     return product
 
 
-def angles_from(convention: Convention, rotation: Array) -> tuple[Array, Message | None]:
-    """The angles whose product is ``rotation``, and what there is to know about them.
+def angles_of_rotation(convention: Convention, rotation: Array) -> tuple[Array, Message | None]:
+    """Angles whose product is ``rotation``, and a remark on them.
 
     Parameters
     ----------
@@ -215,7 +215,7 @@ def angles_from(convention: Convention, rotation: Array) -> tuple[Array, Message
             remark = note("convention.near_gimbal_lock", **names)
     # The others from what is left after the first turn: so the product is exact even where the
     # first angle itself is uncertain.
-    rest = _about(i, float(a)).T @ rotation
+    rest = _rotation_about_axis(i, float(a)).T @ rotation
     b = np.arctan2(even * rest[i, k], rest[k, k])
     c = np.arctan2(even * rest[j, i], rest[j, j]) if cosine >= LOCKED else 0.0
     angles = np.empty(3)
@@ -225,8 +225,10 @@ def angles_from(convention: Convention, rotation: Array) -> tuple[Array, Message
     return angles, remark
 
 
-def state(mounting: Mounting, setup: Setup, covariance: Array | None = None) -> MountingInSystem:
-    """A mounting of this program as another system states it.
+def convert_to_system(
+    mounting: Mounting, setup: ConventionSetup, covariance: Array | None = None
+) -> MountingInSystem:
+    """Convert a mounting of this program to the convention of another system.
 
     Parameters
     ----------
@@ -247,7 +249,7 @@ def state(mounting: Mounting, setup: Setup, covariance: Array | None = None) -> 
     stated = MountingInSystem(setup, None, lever_arm, product, transform)
     if not convention.has_angles:
         return stated
-    angles, remark = angles_from(convention, product)
+    angles, remark = angles_of_rotation(convention, product)
     sigmas = None
     if covariance is not None:
         jacobian = angle_jacobian(setup, np.asarray(mounting.boresight, dtype=float))
@@ -256,23 +258,23 @@ def state(mounting: Mounting, setup: Setup, covariance: Array | None = None) -> 
     return replace(stated, angles=angles, sigmas=sigmas, note=remark)
 
 
-def mounting_of(setup: Setup, rotation: Array, lever_arm: Array) -> Mounting:
-    """The mounting in this program of what another system states; the inverse of `state`.
+def convert_from_system(setup: ConventionSetup, rotation: Array, lever_arm: Array) -> Mounting:
+    """Convert from another system to a mounting of this program, inverse of `convert_to_system`.
 
     Parameters
     ----------
     rotation : ndarray of shape (3, 3)
-        What the system's angles multiply to (`rotation_of`); for a system without angles,
+        What the system's angles multiply to (`rotation_of_angles`); for a system without angles,
         scanner to body.
     lever_arm : ndarray of shape (3,), metres, body axes of the system
     """
     coordinates = rotation if setup.convention.direction == "lidar_to_body" else rotation.T
     body_lidar = setup.permutation.T @ coordinates @ setup.scanner_matrix()
-    boresight, _ = angles_from(LISPAC, body_lidar)
+    boresight, _ = angles_of_rotation(LISPAC, body_lidar)
     return Mounting(setup.permutation.T @ np.asarray(lever_arm, dtype=float), boresight)
 
 
-def mounting_of_angles(setup: Setup, angles: Array, lever_arm: Array) -> Mounting:
+def mounting_of_angles(setup: ConventionSetup, angles: Array, lever_arm: Array) -> Mounting:
     """The mounting in this program of angles and lever arm of another.
 
     Parameters
@@ -288,7 +290,7 @@ def mounting_of_angles(setup: Setup, angles: Array, lever_arm: Array) -> Mountin
         Where the system is not offered as angles.
     """
     require_angles(setup.convention)
-    return mounting_of(setup, rotation_of(setup.convention, angles), lever_arm)
+    return convert_from_system(setup, rotation_of_angles(setup.convention, angles), lever_arm)
 
 
 def require_angles(convention: Convention) -> None:
@@ -327,7 +329,7 @@ def require_rotation(matrix: Array) -> Array:
     return left @ right
 
 
-def angle_jacobian(setup: Setup, boresight: Array) -> Array | None:
+def angle_jacobian(setup: ConventionSetup, boresight: Array) -> Array | None:
     """Derivatives of a system's angles by roll, pitch and yaw of this program.
 
     Parameters
@@ -343,17 +345,21 @@ def angle_jacobian(setup: Setup, boresight: Array) -> Array | None:
     convention = setup.convention
     stated = setup.permutation @ rotation @ setup.scanner_matrix(rotation).T
     # A small turn of the body-side axes; a left-handed permutation also turns it round.
-    turn = np.linalg.det(setup.permutation) * setup.permutation @ small_turns(LISPAC, boresight)
+    turn = (
+        np.linalg.det(setup.permutation)
+        * setup.permutation
+        @ angle_to_turn_jacobian(LISPAC, boresight)
+    )
     if convention.direction == "body_to_lidar":
         stated, turn = stated.T, -stated.T @ turn
-    angles, _ = angles_from(convention, stated)
-    axes = small_turns(convention, angles)
+    angles, _ = angles_of_rotation(convention, stated)
+    axes = angle_to_turn_jacobian(convention, angles)
     if abs(np.linalg.det(axes)) < LOCKED:
         return None
     return np.linalg.solve(axes, turn)
 
 
-def small_turns(convention: Convention, angles: Array) -> Array:
+def angle_to_turn_jacobian(convention: Convention, angles: Array) -> Array:
     """The small turns, on the left of the product, that changes of the angles make.
 
     Parameters
@@ -369,11 +375,11 @@ def small_turns(convention: Convention, angles: Array) -> Array:
     for k in convention.order:
         turn = convention.turns[k]
         columns[:, k] = turn.sign * before[:, turn.axis]
-        before = before @ _about(turn.axis, turn.sign * float(angles[k]))
+        before = before @ _rotation_about_axis(turn.axis, turn.sign * float(angles[k]))
     return columns
 
 
-def _about(axis: int, angle: float) -> Array:
+def _rotation_about_axis(axis: int, angle: float) -> Array:
     """Right-handed rotation about one axis."""
     c, s = np.cos(angle), np.sin(angle)
     y, z = (axis + 1) % 3, (axis + 2) % 3

@@ -1,4 +1,4 @@
-"""Correction to the present settings of another program: a product, never a sum."""
+"""Correction to settings of another program: a product of rotations, not a sum."""
 
 from dataclasses import dataclass
 
@@ -7,12 +7,12 @@ from numpy.typing import NDArray
 
 from lispac.survey.conventions.axes import axes_matrix, nearest_axes
 from lispac.survey.conventions.conversion import (
-    Setup,
-    angles_from,
-    mounting_of,
+    ConventionSetup,
+    angle_to_turn_jacobian,
+    angles_of_rotation,
+    convert_from_system,
     require_angles,
-    rotation_of,
-    small_turns,
+    rotation_of_angles,
 )
 from lispac.survey.conventions.systems import LISPAC, Convention
 from lispac.survey.georeferencing import Mounting
@@ -24,8 +24,8 @@ SUM_MATTERS = float(np.radians(0.0005))
 
 
 @dataclass(frozen=True, eq=False)
-class Correction:
-    """What leads from the present settings to the new ones.
+class BoresightCorrection:
+    """Correction from the present to the new settings.
 
     Attributes
     ----------
@@ -49,8 +49,8 @@ class Correction:
     sum_error: float = 0.0
 
 
-def correct(convention: Convention, current: Array, wanted: Array) -> Correction:
-    """The correction that leads from the current settings to a wanted boresight.
+def correct_boresight(convention: Convention, current: Array, wanted: Array) -> BoresightCorrection:
+    """Compute the correction from the current settings to a wanted boresight.
 
     Parameters
     ----------
@@ -64,30 +64,30 @@ def correct(convention: Convention, current: Array, wanted: Array) -> Correction
     InputError
         Where the system is not offered as angles and these are given.
     """
-    present = _product(convention, current)
+    present = _angle_product(convention, current)
     rotation = wanted @ present.T
     if not convention.has_angles:
-        return Correction(present, rotation)
+        return BoresightCorrection(present, rotation)
     if current.ndim == 2:
-        current, _ = angles_from(convention, present)
-    new, _ = angles_from(convention, wanted)
-    correction, _ = angles_from(convention, rotation)
-    summed = rotation_of(convention, current + correction)
-    off = turn_between(summed, wanted)
-    return Correction(present, rotation, current, new, correction, off)
+        current, _ = angles_of_rotation(convention, present)
+    new, _ = angles_of_rotation(convention, wanted)
+    correction, _ = angles_of_rotation(convention, rotation)
+    summed = rotation_of_angles(convention, current + correction)
+    off = angle_between_rotations(summed, wanted)
+    return BoresightCorrection(present, rotation, current, new, correction, off)
 
 
-def _product(convention: Convention, current: Array) -> Array:
+def _angle_product(convention: Convention, current: Array) -> Array:
     if current.ndim == 2:
         return current
     require_angles(convention)
-    return rotation_of(convention, current)
+    return rotation_of_angles(convention, current)
 
 
-def on_top_of(
-    setup: Setup, current: Array, found: Mounting, covariance: Array | None = None
+def add_to_applied_boresight(
+    setup: ConventionSetup, current: Array, found: Mounting, covariance: Array | None = None
 ) -> tuple[Mounting, Array | None]:
-    """The whole boresight where the lines were already turned by the current settings.
+    """Whole boresight of lines already turned by the current settings.
 
     Such lines lie along the body's axes but for what the settings left, so the boresight found
     on them is that remainder and stands on the left of the old one.
@@ -107,21 +107,22 @@ def on_top_of(
     ndarray of shape (3, 3), or None
         Covariance of its boresight.
     """
-    present = _product(setup.convention, current)
-    old = mounting_of(setup, present, np.zeros(3)).rotation_body_lidar
+    present = _angle_product(setup.convention, current)
+    old = convert_from_system(setup, present, np.zeros(3)).rotation_body_lidar
     remainder = found.rotation_body_lidar
     # The exported lines may use any axes along the body's, such as forward, starboard, down.
     rotation = remainder @ axes_matrix(nearest_axes(remainder)) @ old
-    whole = found.with_boresight(angles_from(LISPAC, rotation)[0])
+    whole = found.with_boresight(angles_of_rotation(LISPAC, rotation)[0])
     if covariance is None:
         return whole, None
     jacobian = np.linalg.solve(
-        small_turns(LISPAC, whole.boresight), small_turns(LISPAC, found.boresight)
+        angle_to_turn_jacobian(LISPAC, whole.boresight),
+        angle_to_turn_jacobian(LISPAC, found.boresight),
     )
     return whole, jacobian @ covariance @ jacobian.T
 
 
-def turn_between(one: Array, other: Array) -> float:
+def angle_between_rotations(one: Array, other: Array) -> float:
     """The angle of the rotation that leads from one to the other, both of shape (3, 3), radians."""
     difference = one @ other.T
     # From the skew part, because the arc cosine loses half the digits of a small angle.

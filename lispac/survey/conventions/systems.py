@@ -1,4 +1,4 @@
-"""The programs whose conventions are known, and how well each is known.
+"""Conventions of known programs, and how well each is known.
 
 An angle is the turn about one axis of the system's own frame; the angles of a system are a
 product of three such turns. Whatever was not found in its documentation or code is written down
@@ -58,7 +58,7 @@ ANGLE_CODES = {
 
 @dataclass(frozen=True)
 class AxisRotation:
-    """One angle.
+    """Rotation about one axis.
 
     Attributes
     ----------
@@ -151,7 +151,9 @@ class Convention:
         return gettext_lazy("{first}; {second}; {third}", first=first, second=second, third=third)
 
 
-def _down_frame(heading: str = N_("heading")) -> tuple[AxisRotation, AxisRotation, AxisRotation]:
+def _z_down_rotations(
+    heading: str = N_("heading"),
+) -> tuple[AxisRotation, AxisRotation, AxisRotation]:
     # X forward, Y starboard, Z down: all three turns are right-handed.
     return (
         AxisRotation(N_("roll"), 0, 1, _WINGS_DOWN),
@@ -160,7 +162,9 @@ def _down_frame(heading: str = N_("heading")) -> tuple[AxisRotation, AxisRotatio
     )
 
 
-def _up_frame(heading: str = N_("heading")) -> tuple[AxisRotation, AxisRotation, AxisRotation]:
+def _z_up_rotations(
+    heading: str = N_("heading"),
+) -> tuple[AxisRotation, AxisRotation, AxisRotation]:
     # X starboard, Y forward, Z up: a right-handed turn about Z goes to port.
     return (
         AxisRotation(N_("roll"), 1, 1, _WINGS_DOWN),
@@ -169,7 +173,7 @@ def _up_frame(heading: str = N_("heading")) -> tuple[AxisRotation, AxisRotation,
     )
 
 
-def _plain_turns() -> tuple[AxisRotation, AxisRotation, AxisRotation]:
+def _rotations_about_axes() -> tuple[AxisRotation, AxisRotation, AxisRotation]:
     # Right-handed turns about axes that the user states.
     return (
         AxisRotation(N_("X rotation"), 0, 1, _RIGHT_HANDED),
@@ -202,7 +206,7 @@ SYSTEMS: tuple[Convention, ...] = (
         key="applanix",
         name="Applanix POS MV, LVX, POSPac",
         axes=FORWARD_STARBOARD_DOWN,
-        turns=_down_frame(),
+        turns=_z_down_rotations(),
         order=HEADING_PITCH_ROLL,
         status="verified",
         source=N_("POS MV and LVX manuals (Tait-Bryan sequence, mounting angles with examples)"),
@@ -211,7 +215,7 @@ SYSTEMS: tuple[Convention, ...] = (
         key="qinsy",
         name="Qinsy",
         axes=STARBOARD_FORWARD_UP,
-        turns=_up_frame(),
+        turns=_z_up_rotations(),
         order=HEADING_PITCH_ROLL,
         status="partly",
         source=N_("Qinsy manual, sign conventions"),
@@ -261,7 +265,7 @@ SYSTEMS: tuple[Convention, ...] = (
         key="opals",
         name="OPALS StripAdjust",
         axes=FORWARD_STARBOARD_DOWN,
-        turns=_down_frame(N_("yaw")),
+        turns=_z_down_rotations(N_("yaw")),
         order=HEADING_PITCH_ROLL,
         status="partly",
         source=N_("StripAdjust documentation (body axes, mounting permutation, degrees)"),
@@ -285,7 +289,7 @@ SYSTEMS: tuple[Convention, ...] = (
         key="stripalign",
         name="StripAlign (NED attitude, *)",
         axes=FORWARD_STARBOARD_DOWN,
-        turns=_down_frame(N_("yaw")),
+        turns=_z_down_rotations(N_("yaw")),
         order=HEADING_PITCH_ROLL,
         status="unverified",
         source=N_("StripAlign manual, for the columns of the trajectory only"),
@@ -299,7 +303,7 @@ SYSTEMS: tuple[Convention, ...] = (
         key="terrascan",
         name="TerraScan, TerraMatch",
         axes=STARBOARD_FORWARD_UP,
-        turns=_up_frame(),
+        turns=_z_up_rotations(),
         order=HEADING_PITCH_ROLL,
         status="partly",
         source=N_("TerraScan user guide, scanner systems (lever arm axes)"),
@@ -313,7 +317,7 @@ SYSTEMS: tuple[Convention, ...] = (
         key="phoenix",
         name=N_("Phoenix SpatialExplorer 6 and later"),
         axes=FORWARD_PORT_UP,
-        turns=_plain_turns(),
+        turns=_rotations_about_axes(),
         order=(2, 1, 0),
         status="partly",
         source=N_("Phoenix LiDAR user manual (rotations about fixed IMU X, Y, Z in that order)"),
@@ -328,7 +332,7 @@ SYSTEMS: tuple[Convention, ...] = (
         key="phoenix-1-5",
         name=N_("Phoenix SpatialExplorer 1 to 5"),
         axes=("starboard", "up", "aft"),
-        turns=_plain_turns(),
+        turns=_rotations_about_axes(),
         order=(2, 1, 0),
         status="partly",
         source=N_("Phoenix LiDAR user manual (vehicle frame X right, Y up, Z rear)"),
@@ -374,7 +378,7 @@ SYSTEMS: tuple[Convention, ...] = (
 )
 
 
-def system(key: str) -> Convention:
+def convention_of_key(key: str) -> Convention:
     """The system of that name.
 
     Raises

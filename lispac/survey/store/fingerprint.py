@@ -40,26 +40,26 @@ class RunningFingerprint:
     @property
     def fingerprint(self) -> str:
         """As `Scan.fingerprint` of all points so far."""
-        checksum = joined_crc32(self.coordinates, self.times, 8 * self.points)
+        checksum = combine_crc32(self.coordinates, self.times, 8 * self.points)
         return f"{self.points}-{checksum:08x}"
 
 
-def joined_crc32(first: int, second: int, length: int) -> int:
+def combine_crc32(first: int, second: int, length: int) -> int:
     """CRC-32 of two pieces one after the other, the second of ``length`` bytes.
 
     Appending a zero byte is a linear map of the checksum's bits; its powers come by squaring.
     """
     one_bit = [POLYNOMIAL] + [1 << k for k in range(31)]
-    power = _squared(_squared(_squared(one_bit)))  # one byte
+    power = _square_gf2(_square_gf2(_square_gf2(one_bit)))  # one byte
     while length:
         if length & 1:
-            first = _times(power, first)
-        power = _squared(power)
+            first = _multiply_gf2(power, first)
+        power = _square_gf2(power)
         length >>= 1
     return first ^ second
 
 
-def _times(matrix: list[int], vector: int) -> int:
+def _multiply_gf2(matrix: list[int], vector: int) -> int:
     total = 0
     for column in matrix:
         if vector & 1:
@@ -68,5 +68,5 @@ def _times(matrix: list[int], vector: int) -> int:
     return total
 
 
-def _squared(matrix: list[int]) -> list[int]:
-    return [_times(matrix, column) for column in matrix]
+def _square_gf2(matrix: list[int]) -> list[int]:
+    return [_multiply_gf2(matrix, column) for column in matrix]

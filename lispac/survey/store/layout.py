@@ -1,4 +1,4 @@
-"""What lies in the folder of a stored line, and the manifest that makes it count.
+"""Files in the folder of a stored line, and its manifest.
 
 A line is a folder: ``store.json``, the manifest, and ``columns-N``, a folder with one file in
 NumPy's own format for each column. The manifest is written last, by a rename: what it does not
@@ -22,8 +22,8 @@ from zlib import crc32
 import numpy as np
 
 from lispac.errors import ProjectError, system_reason
-from lispac.foreign_values import json_values
 from lispac.messages import Message, error
+from lispac.untrusted_values import json_values
 
 VERSION = 2
 OWN_FILES = {"xyz", "time", "number", "row", "octaves", "starts"} | {
@@ -37,7 +37,7 @@ COLUMNS_NAME = re.compile(rf"{COLUMNS}[0-9]{{1,9}}")
 HEADER, HEADER_SUM = "header.las", "header.sum"
 """Header of the imported file and its checksum, beside the columns."""
 UNFINISHED = rf"((\.[0-9a-f]{{16}})?{re.escape(PART)})"
-"""Pattern of what follows the name of a file that is being written, see `written_anew`."""
+"""Pattern of the suffix of a file that is being written, see `replace_file_when_complete`."""
 COLUMN_FILE = re.compile(
     rf"(({'|'.join(sorted(OWN_FILES))}|before|coarse_intensity|attribute-[0-9]{{2,}}-[A-Za-z0-9_]*)"
     rf"\.npy|{re.escape(HEADER)}|{re.escape(HEADER_SUM)}){UNFINISHED}?"
@@ -52,13 +52,13 @@ class DamagedStore(ProjectError):
     """The manifest of a stored line cannot be read; the line has to be imported again."""
 
 
-def import_again(reason: Message) -> Message:
+def import_again_message(reason: Message) -> Message:
     """A message that a line has to be imported again, with the reason as its parameter."""
     return error("store.import_again", reason=reason)
 
 
-def damage_of(failure: ProjectError) -> Message | str:
-    """What is wrong with an imported line, without the request to import it again."""
+def damage_reason(failure: ProjectError) -> Message | str:
+    """Reason why an imported line is damaged, without the request to import it again."""
     if failure.message is not None and failure.code == "store.import_again":
         reason = failure.message.params["reason"]
         assert isinstance(reason, Message)
@@ -89,7 +89,7 @@ def require_no_link(*paths: Path) -> None:
 
 
 @dataclass(frozen=True)
-class Column:
+class StoredColumn:
     """One column.
 
     Attributes
@@ -134,7 +134,7 @@ class SourceFile:
     size : int, bytes
     modified : int, nanoseconds
     fingerprint : str
-        Of all of its content, see `lispac.survey.store.original`.
+        Of all of its content, see `lispac.survey.store.original_file`.
     """
 
     path: str
@@ -156,9 +156,9 @@ class Manifest:
         Points of the file that are not in the store.
     folder : str
         Of the columns.
-    columns : tuple of Column
+    columns : tuple of StoredColumn
         The store's own.
-    attributes : tuple of Column
+    attributes : tuple of StoredColumn
         What the file has beyond place and time, under its own names.
     side : float, metres
         Of a cell.
@@ -187,8 +187,8 @@ class Manifest:
     points: int
     left_out: int
     folder: str
-    columns: tuple[Column, ...]
-    attributes: tuple[Column, ...]
+    columns: tuple[StoredColumn, ...]
+    attributes: tuple[StoredColumn, ...]
     side: float
     low: tuple[float, float, float]
     high: tuple[float, float, float]
@@ -203,7 +203,7 @@ class Manifest:
     audit: Mapping[str, Any] = field(default_factory=dict)
 
     @property
-    def files(self) -> tuple[Column, ...]:
+    def files(self) -> tuple[StoredColumn, ...]:
         """All columns that have a file."""
         return tuple(column for column in (*self.columns, *self.attributes) if column.file)
 
@@ -219,7 +219,7 @@ def write_manifest(folder: Path, manifest: Manifest) -> None:
     text = json.dumps(
         {"version": VERSION, "checksum": _checksum(content), "store": content}, indent=1
     )
-    write_text_whole(folder / MANIFEST, text + "\n")
+    write_text_atomically(folder / MANIFEST, text + "\n")
 
 
 def read_manifest(folder: Path) -> Manifest | None:
@@ -239,28 +239,30 @@ def read_manifest(folder: Path) -> Manifest | None:
             raise ProjectError(error("store.newer_version", file=str(path)))
         store = content["store"]
         if content["checksum"] != _checksum(store):
-            raise DamagedStore(import_again(error("store.manifest_checksum", file=str(path))))
+            raise DamagedStore(
+                import_again_message(error("store.manifest_checksum", file=str(path)))
+            )
         manifest = Manifest(
             **{
                 **store,
-                "columns": tuple(_column(column) for column in store["columns"]),
-                "attributes": tuple(_column(column) for column in store["attributes"]),
+                "columns": tuple(_column_from_json(column) for column in store["columns"]),
+                "attributes": tuple(_column_from_json(column) for column in store["attributes"]),
                 "original": SourceFile(**store["original"]),
                 "low": tuple(store["low"]),
                 "high": tuple(store["high"]),
                 "assumptions": tuple(store["assumptions"]),
             }
         )
-        _require_plain(manifest, path)
+        _require_valid_manifest(manifest, path)
         return manifest
     except FileNotFoundError:
         return None
     except (OSError, ValueError, KeyError, TypeError, OverflowError) as failure:
         damage = error("store.manifest_damaged", file=str(path), reason=str(failure))
-        raise DamagedStore(import_again(damage)) from failure
+        raise DamagedStore(import_again_message(damage)) from failure
 
 
-def _require_plain(manifest: Manifest, path: Path) -> None:
+def _require_valid_manifest(manifest: Manifest, path: Path) -> None:
     """Refuse what no import writes: other types, names that lead elsewhere, columns amiss.
 
     Raises
@@ -279,10 +281,10 @@ def _require_plain(manifest: Manifest, path: Path) -> None:
         words += [column.name, column.file]
         counts += [column.count, column.size, column.checksum, column.modified, *column.shape]
         if not isinstance(column.dtype, str) or len(column.dtype) > LONGEST_TYPE:
-            raise DamagedStore(import_again(values))
+            raise DamagedStore(import_again_message(values))
         if np.dtype(column.dtype).kind not in "biuf":
             damage = error("store.column_type", file=str(path), type=column.dtype)
-            raise DamagedStore(import_again(damage))
+            raise DamagedStore(import_again_message(damage))
         if not column.file:
             np.broadcast_to(np.array(column.value, column.dtype), column.shape)
     sound = (
@@ -301,7 +303,7 @@ def _require_plain(manifest: Manifest, path: Path) -> None:
         and isinstance(manifest.audit, dict)
     )
     if not sound:
-        raise DamagedStore(import_again(values))
+        raise DamagedStore(import_again_message(values))
 
 
 def _has_mounting_values(placed_with: Any) -> bool:
@@ -316,15 +318,15 @@ def _has_mounting_values(placed_with: Any) -> bool:
     )
 
 
-def _column(content: Mapping[str, Any]) -> Column:
-    return Column(**{**content, "shape": tuple(content["shape"])})
+def _column_from_json(content: Mapping[str, Any]) -> StoredColumn:
+    return StoredColumn(**{**content, "shape": tuple(content["shape"])})
 
 
 def _checksum(content: Mapping[str, Any]) -> int:
     return crc32(json.dumps(content, sort_keys=True).encode())
 
 
-def require_sizes(folder: Path, manifest: Manifest) -> None:
+def require_file_sizes(folder: Path, manifest: Manifest) -> None:
     """Refuse a store of which a file is missing or has another size than it was written with.
 
     Raises
@@ -341,16 +343,16 @@ def require_sizes(folder: Path, manifest: Manifest) -> None:
                 if size < 0
                 else error("store.part_size", file=file, line=line, size=size, expected=column.size)
             )
-            raise ProjectError(import_again(damage))
+            raise ProjectError(import_again_message(damage))
 
 
-def sealed(content: Any) -> str:
+def json_with_checksum(content: Any) -> str:
     """Plain values as JSON with a checksum."""
     return json.dumps({"checksum": _checksum(content), "content": content}, indent=1)
 
 
-def unsealed(text: str) -> Any:
-    """The inverse of `sealed`.
+def read_checked_json(text: str) -> Any:
+    """The inverse of `json_with_checksum`.
 
     Raises
     ------
@@ -365,16 +367,16 @@ def unsealed(text: str) -> Any:
     return whole["content"]
 
 
-def write_text_whole(path: Path, text: str) -> None:
+def write_text_atomically(path: Path, text: str) -> None:
     """Write a small file by a rename, on the disk before the rename counts."""
-    with written_anew(path) as file:
+    with replace_file_when_complete(path) as file:
         file.write(text.encode("utf-8"))
-        flushed(file)
+        flush_to_disk(file)
 
 
 @contextmanager
-def written_anew(path: Path) -> Iterator[BinaryIO]:
-    """Yield a new file beside ``path``, which gets its name when all is written.
+def replace_file_when_complete(path: Path) -> Iterator[BinaryIO]:
+    """Yield a new file beside ``path`` that is renamed to it when complete.
 
     Its name is random, and it is made only where nothing has this name: a link that somebody put
     there is never followed. A link with the name of ``path`` is replaced.
@@ -394,18 +396,18 @@ def written_anew(path: Path) -> Iterator[BinaryIO]:
         raise
 
 
-def flushed(file: Any) -> None:
+def flush_to_disk(file: Any) -> None:
     """Have what was written on the disk, not in a buffer."""
     file.flush()
     os.fsync(file.fileno())
 
 
-def is_import(folder: Path) -> bool:
+def has_import(folder: Path) -> bool:
     """Whether a line was imported into a folder, or an import into it was interrupted."""
     return (folder / MANIFEST).exists() or (folder / SPOOL).is_dir()
 
 
-def is_imported(folder: Path) -> bool:
+def has_complete_import(folder: Path) -> bool:
     """Whether a line was imported into a folder, to the end."""
     return (folder / MANIFEST).exists()
 
@@ -440,10 +442,10 @@ def remove_manifest_parts(folder: Path) -> None:
 
 
 @contextmanager
-def plainly_written(
+def writing_errors_as_project_errors(
     folder: Path, needed: Callable[[], int | None] = lambda: None
 ) -> Iterator[None]:
-    """Turn errors of the system while writing into `ProjectError`.
+    """Convert system errors during writing to `ProjectError`.
 
     Parameters
     ----------
@@ -457,10 +459,10 @@ def plainly_written(
     try:
         yield
     except OSError as failure:
-        raise ProjectError(_not_written(str(folder), failure, needed())) from failure
+        raise ProjectError(_cannot_write_error(str(folder), failure, needed())) from failure
 
 
-def _not_written(folder: str, failure: OSError, size: int | None) -> Message:
+def _cannot_write_error(folder: str, failure: OSError, size: int | None) -> Message:
     """Why a line cannot be written; ``size`` is the space that its import needs, bytes."""
     if failure.errno in (errno.ENOSPC, errno.EDQUOT):
         if size:

@@ -21,20 +21,26 @@ from numpy.typing import NDArray
 
 from lispac.errors import ProjectError
 from lispac.messages import error
-from lispac.survey.store.cells import Keys, choose_side, extent, order_keys, sorting
-from lispac.survey.store.columns import checksum_of
+from lispac.survey.store.column_files import file_checksum
 from lispac.survey.store.fingerprint import RunningFingerprint
 from lispac.survey.store.layout import (
     SPOOL,
     UNFINISHED,
-    Column,
+    StoredColumn,
     is_link,
-    sealed,
-    unsealed,
-    write_text_whole,
-    written_anew,
+    json_with_checksum,
+    read_checked_json,
+    replace_file_when_complete,
+    write_text_atomically,
 )
-from lispac.survey.store.pieces import BLOCK, OWN, Block, Place, Values, fields
+from lispac.survey.store.point_blocks import BLOCK, OWN, Place, PointBlock, Values, field_names
+from lispac.survey.store.spatial_cells import (
+    Keys,
+    choose_cell_side,
+    corners_and_reach,
+    order_keys,
+    stable_order,
+)
 
 DAMAGED = (OSError, ValueError, KeyError, TypeError, RecursionError)
 RECIPE, COMPLETE = "recipe.json", "complete.json"
@@ -46,8 +52,8 @@ SPOOLED_NAME = re.compile(
 
 
 @dataclass(frozen=True)
-class Spooled:
-    """What a block amounts to.
+class SpooledBlock:
+    """Summary of a spooled block.
 
     Attributes
     ----------
@@ -65,7 +71,7 @@ class Spooled:
     times : list of 2 floats, seconds
         First and last.
     reach : float, metres
-    columns : tuple of Column
+    columns : tuple of StoredColumn
         Attributes of the file; with the value where all points of the block share it.
     checksums : list of 2 int
         Of keys and columns.
@@ -80,13 +86,13 @@ class Spooled:
     high: list[float]
     times: list[float]
     reach: float
-    columns: tuple[Column, ...]
+    columns: tuple[StoredColumn, ...]
     checksums: list[int]
 
 
 @dataclass(frozen=True)
 class SpoolSummary:
-    """What is known once a file is read to its end.
+    """Summary of a file that is read to its end.
 
     Attributes
     ----------
@@ -127,7 +133,7 @@ class Spool:
 
     def __init__(self, folder: Path, recipe: Mapping[str, Any]) -> None:
         self.folder = folder / SPOOL
-        self.blocks: list[Spooled] = []
+        self.blocks: list[SpooledBlock] = []
         content = json.dumps({"version": VERSION, "block": BLOCK, **recipe}, indent=1)
         try:
             known = (self.folder / RECIPE).read_text(encoding="utf-8")
@@ -136,7 +142,7 @@ class Spool:
         if known != content:
             self.remove()
             self.folder.mkdir(parents=True, exist_ok=True)
-            write_text_whole(self.folder / RECIPE, content)
+            write_text_atomically(self.folder / RECIPE, content)
         self._find_blocks()
 
     @property
@@ -158,7 +164,7 @@ class Spool:
     def end(self) -> SpoolSummary | None:
         """What was known at the end of the file, None where it is not read to its end."""
         try:
-            content = unsealed((self.folder / COMPLETE).read_text(encoding="utf-8"))
+            content = read_checked_json((self.folder / COMPLETE).read_text(encoding="utf-8"))
             if content["points"] != self.points:
                 return None
             return SpoolSummary(
@@ -170,30 +176,31 @@ class Spool:
     def complete(self, end: SpoolSummary) -> None:
         """Record that the file is read to its end."""
         content = {"points": self.points, **asdict(end)}
-        write_text_whole(self.folder / COMPLETE, sealed(content))
+        write_text_atomically(self.folder / COMPLETE, json_with_checksum(content))
 
-    def add(self, block: Block, place: Place) -> None:
+    def add(self, block: PointBlock, place: Place) -> None:
         """Place, sort and write a block."""
         points_lidar, time = block.points_lidar[: block.count], block.time[: block.count]
         points_local = place(points_lidar, time)
-        side = self.blocks[0].side if self.blocks else choose_side(points_local)
-        low, high, reach = extent(points_lidar, points_local)
+        side = self.blocks[0].side if self.blocks else choose_cell_side(points_local)
+        low, high, reach = corners_and_reach(points_lidar, points_local)
         values = block.values
         keys = order_keys(points_local, values["number"], side)
-        order = sorting(keys)
+        order = stable_order(keys)
         number = len(self.blocks)
         columns = tuple(
-            _shared(column, values[field]) for field, column in fields(block.columns).items()
+            _column_with_constant(column, values[field])
+            for field, column in field_names(block.columns).items()
         )
         checksums = [
             self._write(number, "keys", [keys[order]]),
             self._write(
                 number,
                 "columns",
-                (values[field].take(order, axis=0) for field in _written(columns)),
+                (values[field].take(order, axis=0) for field in _columns_on_disk(columns)),
             ),
         ]
-        spooled = Spooled(
+        spooled = SpooledBlock(
             number,
             block.count,
             block.next_index,
@@ -206,7 +213,7 @@ class Spool:
             columns,
             checksums,
         )
-        write_text_whole(self._path(number, "json"), sealed(asdict(spooled)))
+        write_text_atomically(self._path(number, "json"), json_with_checksum(asdict(spooled)))
         self.blocks.append(spooled)
 
     def keys(self, number: int) -> Keys:
@@ -225,7 +232,7 @@ class Spool:
         keys = np.fromfile(self._path(number, "keys"), np.uint64, count, offset=8 * start)
         values, at = {}, 0
         with self._path(number, "columns").open("rb") as file:
-            for field, column in _written(block.columns).items():
+            for field, column in _columns_on_disk(block.columns).items():
                 kind = np.dtype((column.dtype, column.shape))
                 file.seek(at + start * kind.itemsize)
                 some = np.fromfile(file, column.dtype, count * prod(column.shape))
@@ -250,15 +257,17 @@ class Spool:
             if path.name not in kept and SPOOLED_NAME.fullmatch(path.name):
                 path.unlink()
 
-    def _sound(self, number: int) -> Spooled | None:
+    def _sound(self, number: int) -> SpooledBlock | None:
         """A block of an earlier import, if it is whole: read again, so that no part is missing."""
         try:
-            content = unsealed(self._path(number, "json").read_text(encoding="utf-8"))
-            sums = [checksum_of(self._path(number, kind)) for kind in ("keys", "columns")]
+            content = read_checked_json(self._path(number, "json").read_text(encoding="utf-8"))
+            sums = [file_checksum(self._path(number, kind)) for kind in ("keys", "columns")]
             if sums != content["checksums"]:
                 return None
-            columns = tuple(Column(**{**c, "shape": tuple(c["shape"])}) for c in content["columns"])
-            return Spooled(
+            columns = tuple(
+                StoredColumn(**{**c, "shape": tuple(c["shape"])}) for c in content["columns"]
+            )
+            return SpooledBlock(
                 **{
                     **content,
                     "running": RunningFingerprint(**content["running"]),
@@ -271,7 +280,7 @@ class Spool:
     def _write(self, number: int, kind: str, columns: Iterable[NDArray[Any]]) -> int:
         """Write a file of a block; gives its checksum."""
         path, checksum = self._path(number, kind), 0
-        with written_anew(path) as file:
+        with replace_file_when_complete(path) as file:
             for values in columns:
                 data = values.reshape(-1).view(np.uint8).data
                 file.write(data)
@@ -286,17 +295,17 @@ SOME = 1000
 KINDS = ("keys", "columns", "json")
 
 
-def _written(columns: tuple[Column, ...]) -> dict[str, Column]:
+def _columns_on_disk(columns: tuple[StoredColumn, ...]) -> dict[str, StoredColumn]:
     """Columns that a block has on disk, by field."""
     own = {column.name: column for column in OWN}
-    return own | {f: column for f, column in fields(columns).items() if column.value is None}
+    return own | {f: column for f, column in field_names(columns).items() if column.value is None}
 
 
-def _shared(column: Column, values: NDArray[Any]) -> Column:
+def _column_with_constant(column: StoredColumn, values: NDArray[Any]) -> StoredColumn:
     """The column, with its value where all points have the same one."""
     bits = values.view(f"u{values.itemsize}").reshape(len(values), -1)
     # By their bits, so that -0 stays -0; what is no number cannot stand in the manifest.
     for some in (bits[:SOME], bits):  # mostly the first ones differ
         if (some != bits[0]).any() or not np.isfinite(values[0]).all():
-            return Column(column.name, column.dtype, column.shape)
-    return Column(column.name, column.dtype, column.shape, value=values[0].tolist())
+            return StoredColumn(column.name, column.dtype, column.shape)
+    return StoredColumn(column.name, column.dtype, column.shape, value=values[0].tolist())

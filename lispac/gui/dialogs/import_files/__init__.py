@@ -1,1 +1,1 @@
-"""The import dialogue: files in, looked at, checked against each other, and a project made."""
+"""Import dialogue: survey files are added, examined and checked, and a project is made."""

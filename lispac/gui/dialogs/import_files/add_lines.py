@@ -6,7 +6,7 @@ from lispac.gui.dialogs.import_files.dialog import MOUNTING, ImportDialog
 from lispac.gui.settings import AppSettings
 from lispac.language import gettext
 from lispac.project import LineSource, Project
-from lispac.workflow.intake import Intake
+from lispac.workflow.input_files import InputFiles
 
 
 class AddLinesDialog(ImportDialog):
@@ -26,22 +26,22 @@ class AddLinesDialog(ImportDialog):
         self.ok.setText(gettext("Add to project"))
         self.place.hide()
         self.tabs.setTabVisible(MOUNTING, False)
-        self.work.begin(Intake.of_project(project))
+        self.work.begin(InputFiles.of_project(project))
 
     def sources(self) -> tuple[LineSource, ...]:
         """The lines to add."""
         return self.intake.sources()
 
-    def _problem(self) -> str:
+    def _problem_text(self) -> str:
         if self.intake.entries and not self.intake.lines and not self.work.busy:
             return gettext(
                 "No lines have been added yet. Drop the scan files of the lines here, or press "
                 "Add files."
             )
-        return self.intake.files_problem()
+        return self.intake.files_problem_text()
 
     def _hint(self) -> str:
-        if any(line.georeferenced for line in self.intake.lines):
+        if any(line.is_georeferenced for line in self.intake.lines):
             return gettext(
                 "Georeferenced lines are transformed back to the scanner frame with the lever arm "
                 "and prior boresight of the project. Add only lines that were georeferenced with "

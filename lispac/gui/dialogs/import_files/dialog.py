@@ -22,31 +22,31 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
-from lispac.gui.dialogs.error import describe
-from lispac.gui.dialogs.import_files.empty import EmptyState
+from lispac.gui.dialogs.error import error_text_and_details
+from lispac.gui.dialogs.import_files.drop_area import DropArea
 from lispac.gui.dialogs.import_files.file_page import FilePage
 from lispac.gui.dialogs.import_files.file_table import FileTable
+from lispac.gui.dialogs.import_files.import_worker import ImportWorker
 from lispac.gui.dialogs.import_files.mounting_page import MountingPage
 from lispac.gui.dialogs.import_files.quality_page import QualityPage
 from lispac.gui.dialogs.import_files.timeline_page import TimelinePage
-from lispac.gui.dialogs.import_files.work import ImportFiles
 from lispac.gui.dialogs.questions import Questions
-from lispac.gui.drops import FileDrops
+from lispac.gui.file_drops import FileDrops
 from lispac.gui.panels import widgets
 from lispac.gui.settings import AppSettings
 from lispac.identity import BLANK
-from lispac.installed import expanded
+from lispac.installation_paths import expand_user
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.language import Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Action
-from lispac.workflow.intake import ImportRequest, Intake, proposed_folder
-from lispac.workflow.sensors import library
+from lispac.workflow.input_files import ImportRequest, InputFiles, proposed_folder
+from lispac.workflow.sensors import read_library
 
 FILE, TIMELINE, QUALITY, MOUNTING = range(4)
 
 
-def survey_files() -> str:
+def survey_file_filters() -> str:
     """Filters of the file dialogue: the suffixes of all formats, or all files."""
     formats = (*POINTS, *TRAJECTORIES, *ACCURACIES)
     known = dict.fromkeys(f"*{ending}" for each in formats for ending in each.endings)
@@ -76,9 +76,9 @@ class ImportDialog(QDialog):
         self.setObjectName("import_dialog")
         self.setWindowTitle(gettext("New project"))
         self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
-        self.work = ImportFiles(settings.column_mappings(), self)
+        self.work = ImportWorker(settings.column_mappings(), self)
         self._build()
-        self._join()
+        self._connect_signals()
         self._show()
         screen = self.screen().availableGeometry()
         self.resize(min(1240, screen.width() - 40), min(840, screen.height() - 60))
@@ -86,7 +86,7 @@ class ImportDialog(QDialog):
         self._split.setSizes([table, self.height() - table])
 
     @property
-    def intake(self) -> Intake:
+    def intake(self) -> InputFiles:
         """The files and their settings."""
         return self.work.intake
 
@@ -97,7 +97,7 @@ class ImportDialog(QDialog):
 
     def request(self) -> ImportRequest:
         """The import as filled in."""
-        folder = expanded(Path(self.folder.text().strip()))
+        folder = expand_user(Path(self.folder.text().strip()))
         identity = BLANK.changed(**self.mounting.sensors.titles)
         return replace(self.intake.request(folder, self.mounting.settings()), identity=identity)
 
@@ -107,21 +107,21 @@ class ImportDialog(QDialog):
         outer = QVBoxLayout(self)
         outer.setSpacing(theme.SPACE)
         outer.setContentsMargins(14, 12, 14, 12)
-        self.empty = EmptyState()
+        self.empty = DropArea()
         self._stack = QStackedLayout()
         outer.addLayout(self._stack, 1)
         self._stack.addWidget(self.empty)
         # Built from the outside in, since Qt restyles all children with each new parent
         filled = QWidget(self)
         self._stack.addWidget(filled)
-        self._fill(filled)
-        outer.addLayout(self._bottom())
+        self._fill_layout(filled)
+        outer.addLayout(self._create_bottom())
 
-    def _fill(self, filled: QWidget) -> None:
+    def _fill_layout(self, filled: QWidget) -> None:
         layout = QVBoxLayout(filled)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(theme.SPACE)
-        layout.addLayout(self._bar())
+        layout.addLayout(self._create_bar())
         self._split = split = QSplitter(Qt.Orientation.Vertical, filled)
         layout.addWidget(split, 1)
         split.setChildrenCollapsible(False)
@@ -132,14 +132,17 @@ class ImportDialog(QDialog):
         split.addWidget(self.tabs)
         split.setStretchFactor(1, 1)
         self.file_page, self.timeline = FilePage(), TimelinePage()
-        self.quality, self.mounting = QualityPage(), MountingPage(library(self._settings.sensors))
+        self.quality, self.mounting = (
+            QualityPage(),
+            MountingPage(read_library(self._settings.sensors)),
+        )
         self.mounting.sensors.choose(*self._settings.usual_sensors)
         self.tabs.addTab(self.file_page, gettext("Selected file"))
         self.tabs.addTab(self.timeline, gettext("Timeline"))
         self.tabs.addTab(self.quality, gettext("Trajectory quality"))
         self.tabs.addTab(self.mounting, gettext("Mounting and accuracies"))
 
-    def _bar(self) -> QHBoxLayout:
+    def _create_bar(self) -> QHBoxLayout:
         row = QHBoxLayout()
         self.add_files = widgets.button(
             gettext("Add files…"), "import_add_files", icon="file-plus-outline"
@@ -174,7 +177,7 @@ class ImportDialog(QDialog):
             each.setAutoDefault(False)
         return row
 
-    def _bottom(self) -> QVBoxLayout:
+    def _create_bottom(self) -> QVBoxLayout:
         self.folder = QLineEdit()
         self.folder.setObjectName("new_folder")
         self.folder.setAccessibleName(gettext("Project folder"))
@@ -210,12 +213,12 @@ class ImportDialog(QDialog):
         bottom.addLayout(lower)
         return bottom
 
-    def _join(self) -> None:
+    def _connect_signals(self) -> None:
         work, edit = self.work, self.work.edit
         work.changed.connect(self._show)
         work.moved.connect(self._show_progress)
         work.runner.failed.connect(self._failed)
-        work.project_found.connect(self._open_instead)
+        work.project_found.connect(self._open_found_project)
         FileDrops(self).dropped.connect(self.add)
         for files in (self.empty.files_asked, self.add_files.clicked):
             files.connect(lambda *_: self._ask_files())
@@ -223,7 +226,7 @@ class ImportDialog(QDialog):
             folder.connect(lambda *_: self._ask_folder())
         self.remove.clicked.connect(self._remove)
         self.stop.clicked.connect(work.stop)
-        self.again.clicked.connect(work.look_again)
+        self.again.clicked.connect(work.read_skipped)
         delete = QShortcut(QKeySequence(Qt.Key.Key_Delete), self.table)
         delete.setContext(Qt.ShortcutContext.WidgetShortcut)
         delete.activated.connect(self._remove)
@@ -232,14 +235,14 @@ class ImportDialog(QDialog):
         table.role_chosen.connect(lambda path, role: edit(self.intake.with_role(path, role)))
         table.format_chosen.connect(lambda path, key: edit(self.intake.with_format(path, key)))
         page = self.file_page
-        page.remedy_chosen.connect(lambda remedy: self._mend(table.current, remedy))
+        page.remedy_chosen.connect(lambda remedy: self._apply_action(table.current, remedy))
         page.option_stated.connect(
             lambda name, value: edit(self.intake.with_option(table.current, name, value))
         )
         page.meaning_chosen.connect(
             lambda column, what: edit(self.intake.with_column(table.current, column, what))
         )
-        self.timeline.remedy_chosen.connect(self._mend)
+        self.timeline.remedy_chosen.connect(self._apply_action)
         self.timeline.file_selected.connect(table.select)
         self.timeline.shift_all_asked.connect(lambda: edit(self.intake.with_shift_for_all()))
         self.timeline.gap_changed.connect(lambda gap: edit(replace(self.intake, longest_gap=gap)))
@@ -247,7 +250,7 @@ class ImportDialog(QDialog):
         self.folder.textEdited.connect(self._folder_typed)
         self.browse.clicked.connect(self._ask_project_folder)
         self.buttons.accepted.connect(self.accept)
-        self.buttons.rejected.connect(self._drop)
+        self.buttons.rejected.connect(self._discard)
 
     # -- what is shown -----------------------------------------------------------------------
 
@@ -259,11 +262,11 @@ class ImportDialog(QDialog):
         self.quality.show_intake(intake)
         accuracy = intake.accuracy
         self.mounting.show_accuracy("" if accuracy is None else accuracy.path.name)
-        self.mounting.show_prior_needed(any(line.georeferenced for line in intake.lines))
+        self.mounting.show_prior_needed(any(line.is_georeferenced for line in intake.lines))
         if not self._own_folder:
             proposed = proposed_folder(intake)
             self.folder.setText("" if proposed is None else str(proposed))
-        count = sum(bool(intake.time_remarks(line)) for line in intake.lines)
+        count = sum(bool(intake.time_messages(line)) for line in intake.lines)
         title = (
             gettext(
                 Plural("Timeline ({count:n} line to check)", "Timeline ({count:n} lines to check)"),
@@ -294,7 +297,7 @@ class ImportDialog(QDialog):
             self._show_reason()
 
     def _show_reason(self) -> None:
-        problem = self._problem()
+        problem = self._problem_text()
         waiting = any(entry.pending for entry in self.intake.entries)
         self.reason.setText(problem or self._hint())
         wrong = bool(problem) and bool(self.intake.entries) and not waiting
@@ -302,7 +305,7 @@ class ImportDialog(QDialog):
         self.reason.style().polish(self.reason)
         self.ok.setEnabled(not problem)
 
-    def _problem(self) -> str:
+    def _problem_text(self) -> str:
         """Why the import is not complete; empty where it is."""
         return self.intake.problem(self.folder.text())
 
@@ -325,7 +328,7 @@ class ImportDialog(QDialog):
 
     # -- requests --------------------------------------------------------------------------
 
-    def _mend(self, path: Path, action: Action) -> None:
+    def _apply_action(self, path: Path, action: Action) -> None:
         self.work.edit(self.intake.with_action(path, action))
 
     def _remove(self) -> None:
@@ -335,13 +338,13 @@ class ImportDialog(QDialog):
 
     def _ask_files(self) -> None:
         names, _ = QFileDialog.getOpenFileNames(
-            self, gettext("Survey files"), self._start(), survey_files()
+            self, gettext("Survey files"), self._start_folder(), survey_file_filters()
         )
         self.add([Path(name) for name in names])
 
     def _ask_folder(self) -> None:
         name = QFileDialog.getExistingDirectory(
-            self, gettext("Folder with survey files"), self._start()
+            self, gettext("Folder with survey files"), self._start_folder()
         )
         self.add([Path(name)] if name else [])
 
@@ -351,7 +354,7 @@ class ImportDialog(QDialog):
             self.folder.setText(name)
             self._folder_typed(name)
 
-    def _start(self) -> str:
+    def _start_folder(self) -> str:
         entries = self.intake.entries
         return str(entries[-1].path.parent) if entries else ""
 
@@ -359,14 +362,14 @@ class ImportDialog(QDialog):
         self._own_folder = bool(text.strip())
         self._show_reason()
 
-    def _open_instead(self, project: Path) -> None:
+    def _open_found_project(self, project: Path) -> None:
         self.project = project
-        self._drop()
+        self._discard()
 
     def _failed(self, error: BaseException) -> None:
         """Show an error that belongs to no file: a folder that cannot be listed."""
         self._show()
-        self.reason.setText(describe(error)[0])
+        self.reason.setText(error_text_and_details(error)[0])
 
     # -- the end -----------------------------------------------------------------------------
 
@@ -382,14 +385,14 @@ class ImportDialog(QDialog):
     def reject(self) -> None:
         """Ask before files are discarded, on Escape or when the dialogue is closed."""
         if all(entry.given is not None for entry in self.intake.entries) or Questions.leave(self):
-            self._drop()
+            self._discard()
 
-    def _drop(self) -> None:
+    def _discard(self) -> None:
         self.done(QDialog.DialogCode.Rejected)
 
     def done(self, result: int) -> None:
         """Stop the worker, and store the meanings of columns where the project is made."""
         self.work.close()
         if result == QDialog.DialogCode.Accepted:
-            self._settings.keep_column_mappings(self.intake.mappings)
+            self._settings.keep_column_mappings(self.intake.column_mappings)
         super().done(result)

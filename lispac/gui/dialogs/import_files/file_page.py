@@ -13,20 +13,20 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files import file_texts
+from lispac.gui.dialogs.import_files.file_preview import FilePreview
 from lispac.gui.dialogs.import_files.options_form import OptionsForm
-from lispac.gui.dialogs.import_files.preview import Preview
 from lispac.gui.dialogs.import_files.remarks_view import RemarksView
 from lispac.gui.panels import widgets
 from lispac.language import gettext
 from lispac.message_texts import fact_text, message_text
 from lispac.messages import Action
-from lispac.workflow.intake import Intake
-from lispac.workflow.intake_entry import Entry
-from lispac.workflow.intake_remarks import option_to_choose
+from lispac.workflow.input_file import InputFile
+from lispac.workflow.input_file_messages import option_to_choose
+from lispac.workflow.input_files import InputFiles
 
 
 class FilePage(QWidget):
-    """Everything about one file."""
+    """Page with all details of one file."""
 
     remedy_chosen = Signal(object)
     option_stated = Signal(str, str)
@@ -36,7 +36,7 @@ class FilePage(QWidget):
         super().__init__()
         self._stack = QStackedLayout(self)
         none = QWidget()
-        widgets.column(none).addWidget(
+        widgets.vertical_layout(none).addWidget(
             widgets.label(gettext("Select a file above to see its contents."), "muted")
         )
         none.layout().addStretch(1)
@@ -47,7 +47,7 @@ class FilePage(QWidget):
         layout.setContentsMargins(10, 8, 10, 8)
         layout.setSpacing(theme.SPACE)
         self.remarks = RemarksView("import_remarks")
-        self.remarks.remedy_chosen.connect(self._remedy)
+        self.remarks.remedy_chosen.connect(self._on_action_chosen)
         layout.addWidget(self.remarks)
         split = QSplitter(Qt.Orientation.Horizontal)
         split.setChildrenCollapsible(False)
@@ -58,14 +58,14 @@ class FilePage(QWidget):
         self.facts.setVerticalSpacing(3)
         self.facts.setHorizontalSpacing(10)
         self.assumptions = widgets.label("", "muted", wrap=True, name="import_assumptions")
-        split.addWidget(self._left())
+        split.addWidget(self._create_left_side())
         right = QWidget()
         beside = QVBoxLayout(right)
         beside.setContentsMargins(6, 0, 0, 0)
         beside.setSpacing(4)
         self.preview_head = widgets.label(gettext("First rows"), "heading")
         beside.addWidget(self.preview_head)
-        self.preview = Preview()
+        self.preview = FilePreview()
         self.preview.meaning_chosen.connect(self.meaning_chosen)
         beside.addWidget(self.preview, 1)
         split.addWidget(right)
@@ -73,7 +73,7 @@ class FilePage(QWidget):
         split.setSizes([400, 700])
         layout.addWidget(split, 1)
 
-    def _left(self) -> QScrollArea:
+    def _create_left_side(self) -> QScrollArea:
         body = QWidget()
         rows = QVBoxLayout(body)
         rows.setContentsMargins(0, 0, 6, 0)
@@ -97,8 +97,8 @@ class FilePage(QWidget):
         body.setAutoFillBackground(False)
         return area
 
-    def show_entry(self, intake: Intake, entry: Entry | None) -> None:
-        """Show a file; None where none is selected."""
+    def show_entry(self, intake: InputFiles, entry: InputFile | None) -> None:
+        """Show a file; None if no file is selected."""
         self._stack.setCurrentIndex(0 if entry is None else 1)
         if entry is None:
             return
@@ -120,7 +120,7 @@ class FilePage(QWidget):
             else gettext("First rows")
         )
 
-    def _show_facts(self, entry: Entry) -> None:
+    def _show_facts(self, entry: InputFile) -> None:
         finding = entry.finding
         if self._facts_of == (entry.path, finding):
             return
@@ -144,7 +144,7 @@ class FilePage(QWidget):
         value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.facts.addRow(head, value)
 
-    def _remedy(self, action: Action, _place: int) -> None:
+    def _on_action_chosen(self, action: Action, _place: int) -> None:
         if option := option_to_choose(action):
             self.options.ask(option)
         else:

@@ -16,11 +16,11 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files import file_texts
 from lispac.gui.panels import widgets
-from lispac.io.registry import Kind
+from lispac.io.format_types import Kind
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.workflow.intake import Intake
-from lispac.workflow.intake_entry import Entry
+from lispac.workflow.input_file import InputFile
+from lispac.workflow.input_files import InputFiles
 
 FILE, ROLE, FORMAT, COUNT, SPAN, FRAME, STATE = range(7)
 _HEADS = (
@@ -90,24 +90,24 @@ class FileTable(QTableWidget):
         if path in self._paths:
             self.selectRow(self._paths.index(path))
 
-    def show_intake(self, intake: Intake) -> None:
+    def show_intake(self, intake: InputFiles) -> None:
         """Show the files; rows that exist already keep their widgets and the focus."""
-        self._keep([entry.path for entry in intake.entries])
+        self._update_rows([entry.path for entry in intake.entries])
         colours = theme.line_colours([str(entry.path) for entry in intake.lines])
         for row, entry in enumerate(intake.entries):
             name = self.item(row, FILE)
             colour = colours.get(str(entry.path))
-            name.setIcon(theme.swatch(colour) if colour else _no_swatch())
+            name.setIcon(theme.swatch(colour) if colour else _transparent_icon())
             self._fill_role(row, entry)
             self._fill_format(row, entry)
             for column, text in (
-                (COUNT, file_texts.count(entry)),
-                (SPAN, file_texts.span(entry)),
-                (FRAME, file_texts.frame(entry)),
+                (COUNT, file_texts.count_text(entry)),
+                (SPAN, file_texts.time_span_text(entry)),
+                (FRAME, file_texts.frame_text(entry)),
             ):
                 self.item(row, column).setText(text)
                 self.item(row, column).setToolTip(widgets.plain_tip(text))
-            state, colour = file_texts.state(intake, entry)
+            state, colour = file_texts.state_text(intake, entry)
             item = self.item(row, STATE)
             item.setText(state)
             item.setForeground(QColor(colour))
@@ -120,7 +120,7 @@ class FileTable(QTableWidget):
         if self.current is None and self._paths:
             self.selectRow(0)
 
-    def _keep(self, paths: Sequence[Path]) -> None:
+    def _update_rows(self, paths: Sequence[Path]) -> None:
         if self._paths == list(paths):
             return
         for row in reversed(range(len(self._paths))):
@@ -132,9 +132,9 @@ class FileTable(QTableWidget):
         for path in paths:
             if path not in self._paths:
                 self._paths.append(path)
-                self._add(path)
+                self._add_row(path)
 
-    def _add(self, path: Path) -> None:
+    def _add_row(self, path: Path) -> None:
         row = self.rowCount()
         self.insertRow(row)
         for column in range(len(_HEADS)):
@@ -142,17 +142,17 @@ class FileTable(QTableWidget):
             item.setToolTip(widgets.plain_tip(str(path)))
             if column in (COUNT, SPAN):
                 item.setTextAlignment(_RIGHT)
-                item.setFont(theme.tabular(self.font()))
+                item.setFont(theme.tabular_font(self.font()))
             self.setItem(row, column, item)
 
-    def _fill_role(self, row: int, entry: Entry) -> None:
+    def _fill_role(self, row: int, entry: InputFile) -> None:
         roles: tuple[Kind | None, ...] = (*entry.roles, None)
         if entry.given is not None:
             roles = (entry.role,)
         items = [(gettext(file_texts.ROLES[role]), role) for role in roles]
         self._fill_choice(row, ROLE, entry, items, entry.role, self.role_chosen)
 
-    def _fill_format(self, row: int, entry: Entry) -> None:
+    def _fill_format(self, row: int, entry: InputFile) -> None:
         formats = entry.formats if entry.given is None else (entry.format,)
         items: list[tuple[str, object]] = [
             (message_text(each.name), each.key) for each in formats if each
@@ -161,7 +161,7 @@ class FileTable(QTableWidget):
         items = items or [(file_texts.NO_VALUE, None)]
         self._fill_choice(row, FORMAT, entry, items, chosen, self.format_chosen)
 
-    def _fill_choice(self, row: int, column: int, entry: Entry, items, chosen, signal) -> None:
+    def _fill_choice(self, row: int, column: int, entry: InputFile, items, chosen, signal) -> None:
         """Show a list where there are several items, otherwise plain text."""
         path, item = entry.path, self.item(row, column)
         text = next((text for text, data in items if data == chosen), items[0][0])
@@ -179,7 +179,7 @@ class FileTable(QTableWidget):
                 ("role", N_("Role of {file}")) if column == ROLE else
                 ("format", N_("Format of {file}"))
             )  # fmt: skip
-            combo = widgets.Choice(
+            combo = widgets.ChoiceBox(
                 f"{name}_{path.name}", [file_texts.NO_VALUE], gettext(_TIPS[column])
             )
             combo.setAccessibleName(gettext(label, file=path.name))
@@ -189,17 +189,17 @@ class FileTable(QTableWidget):
             combo.activated.connect(lambda: self.select(path))
             combo.activated.connect(lambda: signal.emit(path, combo.currentData()))
             self.setCellWidget(row, column, combo)
-        _fill(combo, items, chosen)
+        _fill_combo(combo, items, chosen)
 
 
-def _no_swatch() -> QIcon:
+def _transparent_icon() -> QIcon:
     """Transparent icon, which aligns the names of files that are not lines."""
     pixmap = QPixmap(12, 12)
     pixmap.fill(Qt.GlobalColor.transparent)
     return QIcon(pixmap)
 
 
-def _fill(combo: QComboBox, items: Sequence[tuple[str, object]], chosen: object) -> None:
+def _fill_combo(combo: QComboBox, items: Sequence[tuple[str, object]], chosen: object) -> None:
     """Fill a list without emitting signals."""
     present = [(combo.itemText(k), combo.itemData(k)) for k in range(combo.count())]
     combo.blockSignals(True)

@@ -3,16 +3,16 @@
 from PySide6.QtGui import QIcon
 
 from lispac.gui import theme
+from lispac.io.format_types import Kind
 from lispac.io.line_times import LineTimes
-from lispac.io.registry import Kind
 from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import fact_text, message_text
 from lispac.messages import Level
-from lispac.survey.time_base import KEYS, TimeBase, base_of
-from lispac.survey.time_stated import base_message
+from lispac.survey.known_time_base import base_message
+from lispac.survey.time_base import KEYS, TimeBase, base_of_key
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
-from lispac.workflow.intake import Intake
-from lispac.workflow.intake_entry import Entry
+from lispac.workflow.input_file import InputFile
+from lispac.workflow.input_files import InputFiles
 
 ROLES: dict[Kind | None, str] = {
     "trajectory": N_("Trajectory"), "accuracy": N_("Accuracy"), "points": N_("Line"),
@@ -181,8 +181,8 @@ _VALUES = {
 NO_VALUE = "–"
 
 
-def count(entry: Entry) -> str:
-    """Number of points or states of a file."""
+def count_text(entry: InputFile) -> str:
+    """Text of the number of points or states of a file."""
     content = entry.content
     if isinstance(content, LineTimes) and content.count is not None:
         return number(content.count)
@@ -192,8 +192,8 @@ def count(entry: Entry) -> str:
     return next((fact_text(facts[name]) for name in _COUNTS if name in facts), NO_VALUE)
 
 
-def span(entry: Entry) -> str:
-    """First and last time of a file."""
+def time_span_text(entry: InputFile) -> str:
+    """Text of the first and last time of a file."""
     content = entry.content
     if isinstance(content, LineTimes):
         return f"{number(content.start, 1)} – {number(content.end, 1)}"
@@ -202,10 +202,10 @@ def span(entry: Entry) -> str:
     return NO_VALUE
 
 
-def frame(entry: Entry) -> str:
-    """Frame of the coordinates of a file."""
+def frame_text(entry: InputFile) -> str:
+    """Text of the frame of the coordinates of a file."""
     if entry.role == "points":
-        if not entry.georeferenced:
+        if not entry.is_georeferenced:
             return gettext("Scanner")
         place = entry.place
         return (
@@ -218,8 +218,8 @@ def frame(entry: Entry) -> str:
     return gettext("North, east, down") if entry.role == "accuracy" else NO_VALUE
 
 
-def state(intake: Intake, entry: Entry) -> tuple[str, str]:
-    """State of a file and its colour."""
+def state_text(intake: InputFiles, entry: InputFile) -> tuple[str, str]:
+    """Text and colour of the state of a file."""
     match intake.state(entry):
         case "pending":
             return gettext("Waiting to be read"), theme.MUTED
@@ -235,13 +235,13 @@ def state(intake: Intake, entry: Entry) -> tuple[str, str]:
     return gettext("Unknown") if is_unknown else gettext("Not imported"), theme.MUTED
 
 
-def state_icon(intake: Intake, entry: Entry) -> QIcon:
+def state_icon(intake: InputFiles, entry: InputFile) -> QIcon:
     """Icon of the state of a file."""
     name = {
         "pending": "timer-sand", "fine": "check-circle-outline", "doubt": "alert-outline",
         "error": "close-octagon-outline", "out": "minus-circle-outline",
     }[intake.state(entry)]  # fmt: skip
-    return theme.icon(name, state(intake, entry)[1])
+    return theme.icon(name, state_text(intake, entry)[1])
 
 
 def option_name(name: str) -> str:
@@ -255,17 +255,17 @@ def fact_name(name: str) -> str:
 
 
 def option_value(name: str, value: str) -> str:
-    """Text of a choice of an option."""
+    """Text of a value of an option."""
     if not value:
         return gettext(_AUTOMATIC[name]) if name in _AUTOMATIC else gettext("as in the file")
     if (name, value) in _OF_OPTION:
         return gettext(_OF_OPTION[name, value])
     if value in KEYS:
-        return message_text(base_message(base_of(value)))
+        return message_text(base_message(base_of_key(value)))
     return gettext(_VALUES[value]) if value in _VALUES else value
 
 
-def time_axis(base: TimeBase | None) -> str:
+def time_axis_title(base: TimeBase | None) -> str:
     """Title of an axis of time."""
     if base is None:
         return gettext("Time (s)")

@@ -7,12 +7,12 @@ from lispac.gui import theme
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.panels import widgets
 from lispac.gui.panels.mounting_sketch import MountingView
-from lispac.io.sensor_file import PosState, ScannerFigures
+from lispac.io.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.language import gettext
 from lispac.messages import Message
 from lispac.project import Settings
-from lispac.survey.lever_arm import lever_arm_doubts
-from lispac.workflow.sensors import Library
+from lispac.survey.lever_arm_warnings import lever_arm_warnings
+from lispac.workflow.sensors import SensorLibrary
 
 GEOGRAPHIC = ("new_latitude", "new_longitude")
 """Always in degrees, whatever the unit of angles."""
@@ -23,7 +23,7 @@ class MountingPage(QScrollArea):
 
     changed = Signal()
 
-    def __init__(self, library: Library) -> None:
+    def __init__(self, library: SensorLibrary) -> None:
         super().__init__()
         self.sensors = SensorChoice(library, "new")
         self.setAccessibleName(gettext("Mounting and accuracies"))
@@ -34,9 +34,9 @@ class MountingPage(QScrollArea):
         grid.setHorizontalSpacing(36)
         grid.setVerticalSpacing(theme.SPACE)
         grid.addWidget(widgets.label(gettext("Mounting"), "heading"), 0, 0)
-        grid.addLayout(self._mounting(), 1, 0, Qt.AlignmentFlag.AlignTop)
+        grid.addLayout(self._mounting_form(), 1, 0, Qt.AlignmentFlag.AlignTop)
         grid.addWidget(widgets.label(gettext("Uncertainties"), "heading"), 0, 1)
-        grid.addLayout(self._uncertainties(), 1, 1, Qt.AlignmentFlag.AlignTop)
+        grid.addLayout(self._uncertainty_form(), 1, 1, Qt.AlignmentFlag.AlignTop)
         grid.setColumnStretch(0, 1)
         grid.setColumnStretch(1, 1)
         grid.setRowStretch(2, 1)
@@ -44,7 +44,7 @@ class MountingPage(QScrollArea):
         body.setAutoFillBackground(False)
         for field in (*self.lever_arm.fields, *self.boresight.fields):
             field.valueChanged.connect(self.changed)
-            field.valueChanged.connect(self._draw)
+            field.valueChanged.connect(self._draw_mounting)
 
     def settings(self) -> Settings:
         """Settings of the project from the fields."""
@@ -61,11 +61,11 @@ class MountingPage(QScrollArea):
 
     @property
     def doubts(self) -> tuple[Message, ...]:
-        """What to check in the mounting."""
-        return lever_arm_doubts(self.lever_arm.value())
+        """Warnings about the mounting."""
+        return lever_arm_warnings(self.lever_arm.value())
 
     def show_accuracy(self, name: str) -> None:
-        """Show the accuracy file by its name, or that the fields apply where it is empty."""
+        """Show the name of the accuracy file; if empty, the fields apply."""
         self.position_sigma.setEnabled(not name)
         self.attitude_sigma.setEnabled(not name)
         self._source.setText(
@@ -78,11 +78,11 @@ class MountingPage(QScrollArea):
         )
 
     def show_prior_needed(self, needed: bool) -> None:
-        """Show which mounting georeferenced lines need."""
+        """Show or hide the text on the mounting of georeferenced lines."""
         self._prior.setVisible(needed)
 
-    def _mounting(self) -> QFormLayout:
-        form = _form()
+    def _mounting_form(self) -> QFormLayout:
+        form = _create_form()
         self.lever_arm = widgets.lever_arm_fields("new_lever_arm")
         self.boresight = widgets.boresight_fields("new_boresight")
         form.addRow(gettext("Lever arm"), self.lever_arm)
@@ -103,12 +103,12 @@ class MountingPage(QScrollArea):
         self.origin_given.setToolTip(
             gettext("If not ticked, the origin is the mean position of the trajectory")
         )
-        self.origin = widgets.Triple(
+        self.origin = widgets.TripleField(
             (gettext("Latitude"), gettext("Longitude"), gettext("Height")),
             [
-                _plain("new_latitude", " °", 8, -90, 90),
-                _plain("new_longitude", " °", 8, -180, 360),
-                _plain("new_height", " m", 3, -1000, 10000),
+                _number_field("new_latitude", " °", 8, -90, 90),
+                _number_field("new_longitude", " °", 8, -180, 360),
+                _number_field("new_height", " m", 3, -1000, 10000),
             ],
         )
         self.origin.setEnabled(False)
@@ -117,8 +117,8 @@ class MountingPage(QScrollArea):
         form.addRow(gettext("Origin"), self.origin)
         return form
 
-    def _uncertainties(self) -> QFormLayout:
-        form = _form()
+    def _uncertainty_form(self) -> QFormLayout:
+        form = _create_form()
         usual = Settings(lever_arm=(0.0, 0.0, 0.0))
         self.lidar_sigma = widgets.number(
             "new_lidar_sigma", suffix=" mm", decimals=1, low=0.1, high=1000, step=0.5,
@@ -126,17 +126,20 @@ class MountingPage(QScrollArea):
         )  # fmt: skip
         self.lidar_sigma.setValue(usual.lidar_sigma * 1000)
         self.lidar_sigma.setMaximumWidth(140)
-        self.position_sigma = widgets.Triple(
+        self.position_sigma = widgets.TripleField(
             (gettext("North"), gettext("East"), gettext("Down")),
-            [_plain(f"new_sigma_{axis}", " m", 4, 0, 100) for axis in ("n", "e", "d")],
+            [_number_field(f"new_sigma_{axis}", " m", 4, 0, 100) for axis in ("n", "e", "d")],
         )
         self.position_sigma.set_value(usual.position_sigma)
-        self.attitude_sigma = widgets.Triple(
+        self.attitude_sigma = widgets.TripleField(
             (gettext("Roll"), gettext("Pitch"), gettext("Heading")),
-            [_plain(f"new_sigma_{axis}", " °", 4, 0, 90) for axis in ("roll", "pitch", "heading")],
+            [
+                _number_field(f"new_sigma_{axis}", " °", 4, 0, 90)
+                for axis in ("roll", "pitch", "heading")
+            ],
         )
         self.attitude_sigma.set_value(usual.attitude_sigma_deg)
-        self.angle_sigma = _plain("new_angle_sigma", " °", 4, 0, 10)
+        self.angle_sigma = _number_field("new_angle_sigma", " °", 4, 0, 10)
         self.angle_sigma.setAccessibleName(gettext("Beam angular noise (1 σ)"))
         self.angle_sigma.setSpecialValueText(gettext("none given"))
         self.angle_sigma.setToolTip(
@@ -146,8 +149,8 @@ class MountingPage(QScrollArea):
             )
         )
         self.angle_sigma.setMaximumWidth(140)
-        self.sensors.scanner_chosen.connect(self._take_noise)
-        self.sensors.pos_chosen.connect(self._take_sigmas)
+        self.sensors.scanner_chosen.connect(self._set_lidar_noise)
+        self.sensors.pos_chosen.connect(self._set_pos_sigmas)
         form.addRow(gettext("Scanner"), self.sensors.scanner)
         form.addRow("", self.sensors.scanner_origin)
         form.addRow(gettext("LiDAR noise (1 σ)"), self.lidar_sigma)
@@ -160,19 +163,19 @@ class MountingPage(QScrollArea):
         form.addRow(gettext("Attitude (1 σ)"), self.attitude_sigma)
         return form
 
-    def _draw(self) -> None:
+    def _draw_mounting(self) -> None:
         self.view.show_mounting(self.lever_arm.value(), self.boresight.value())
 
-    def _take_noise(self, scanner: ScannerFigures) -> None:
+    def _set_lidar_noise(self, scanner: ScannerSpecification) -> None:
         self.lidar_sigma.setValue(scanner.range_sigma * 1000)
         self.angle_sigma.setValue(scanner.angle_sigma_deg)
 
-    def _take_sigmas(self, state: PosState) -> None:
+    def _set_pos_sigmas(self, state: PosAccuracy) -> None:
         self.position_sigma.set_value(state.position_sigma)
         self.attitude_sigma.set_value(state.attitude_sigma_deg)
 
 
-def _form() -> QFormLayout:
+def _create_form() -> QFormLayout:
     form = QFormLayout()
     form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
     form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
@@ -181,7 +184,7 @@ def _form() -> QFormLayout:
     return form
 
 
-def _plain(name: str, suffix: str, decimals: int, low: float, high: float):
+def _number_field(name: str, suffix: str, decimals: int, low: float, high: float):
     return widgets.number(
         name,
         suffix=suffix,

@@ -5,10 +5,10 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QWidget
 
 from lispac.gui.dialogs.import_files import file_texts
 from lispac.gui.panels import widgets
-from lispac.io.registry import Format, Option
+from lispac.io.format_types import FileFormat, FormatOption
 from lispac.language import gettext
 from lispac.message_texts import message_text
-from lispac.workflow.intake_entry import Entry
+from lispac.workflow.input_file import InputFile
 
 _GEOREFERENCED = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
 _SCANNER = ("unit",)
@@ -29,14 +29,14 @@ class OptionsForm(QWidget):
         self._form.setHorizontalSpacing(10)
         self._form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        self._shown: tuple[object, Format | None, tuple[str, ...]] = (None, None, ())
+        self._shown: tuple[object, FileFormat | None, tuple[str, ...]] = (None, None, ())
         self.fields: dict[str, QComboBox | QLineEdit] = {}
         self._labels: dict[str, QLabel] = {}
         self.system = widgets.label("", "muted", wrap=True, name="import_system")
 
-    def show_entry(self, entry: Entry) -> None:
+    def show_entry(self, entry: InputFile) -> None:
         """Show the options of a file."""
-        options = _shown(entry)
+        options = _visible_options(entry)
         which = (entry.path, entry.format, tuple(option.name for option in options))
         if which != self._shown:
             self._shown = which
@@ -67,7 +67,7 @@ class OptionsForm(QWidget):
         if name in self.fields:
             self.fields[name].setFocus(Qt.FocusReason.OtherFocusReason)
 
-    def _build(self, options: tuple[Option, ...]) -> None:
+    def _build(self, options: tuple[FormatOption, ...]) -> None:
         self.system.setParent(None)
         while self._form.rowCount():
             self._form.removeRow(0)
@@ -82,10 +82,10 @@ class OptionsForm(QWidget):
             if option.name == "crs":
                 self._form.addRow("", self.system)
 
-    def _field(self, option: Option) -> QComboBox | QLineEdit:
+    def _field(self, option: FormatOption) -> QComboBox | QLineEdit:
         name = option.name
         if option.choices:
-            combo = widgets.Choice(f"option_{name}", [""], gettext(option.meaning))
+            combo = widgets.ChoiceBox(f"option_{name}", [""], gettext(option.meaning))
             combo.clear()
             for value in option.choices:
                 combo.addItem(file_texts.option_value(name, value), value)
@@ -99,15 +99,15 @@ class OptionsForm(QWidget):
         line.setObjectName(f"option_{name}")
         if name == "crs":
             line.setPlaceholderText(gettext("for example {code}", code="EPSG:32619"))
-        line.editingFinished.connect(lambda: self._typed(name, line))
+        line.editingFinished.connect(lambda: self._on_typed(name, line))
         return line
 
-    def _typed(self, name: str, line: QLineEdit) -> None:
+    def _on_typed(self, name: str, line: QLineEdit) -> None:
         if line.isModified():
             line.setModified(False)
             self.option_stated.emit(name, line.text().strip())
 
-    def _show_system(self, entry: Entry) -> None:
+    def _show_system(self, entry: InputFile) -> None:
         if "crs" not in self.fields:
             return
         place = entry.place
@@ -125,10 +125,10 @@ class OptionsForm(QWidget):
         self.system.style().polish(self.system)
 
 
-def _shown(entry: Entry) -> tuple[Option, ...]:
+def _visible_options(entry: InputFile) -> tuple[FormatOption, ...]:
     if entry.format is None or entry.role is None:
         return ()
     hidden = {"columns"}
     if entry.role == "points":
-        hidden |= set(_SCANNER if entry.georeferenced else _GEOREFERENCED)
+        hidden |= set(_SCANNER if entry.is_georeferenced else _GEOREFERENCED)
     return tuple(option for option in entry.format.options if option.name not in hidden)

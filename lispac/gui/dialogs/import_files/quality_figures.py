@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 
 from lispac.gui import theme, units
 from lispac.gui.dialogs.import_files.envelope import envelope
-from lispac.gui.dialogs.import_files.file_texts import time_axis
-from lispac.gui.panels.ticks import in_units
+from lispac.gui.dialogs.import_files.file_texts import time_axis_title
+from lispac.gui.panels.ticks import convert_axis_units
 from lispac.io.line_times import LineTimes
 from lispac.io.trajectory_facts import motion_of
 from lispac.language import gettext
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
-from lispac.workflow.intake import Intake
+from lispac.workflow.input_files import InputFiles
 
 Array = NDArray[np.float64]
 STYLES = ("-", (0, (6, 3)), (0, (2, 2)))
@@ -30,8 +30,8 @@ LETTER = 0.0065
 
 
 @dataclass(frozen=True, eq=False)
-class Quality:
-    """Data of the figures.
+class TrajectoryQuality:
+    """Data of the figures of a trajectory.
 
     Attributes
     ----------
@@ -48,8 +48,8 @@ class Quality:
     axis: str
 
     @classmethod
-    def of(cls, intake: Intake) -> "Quality | None":
-        """Figures of an import; None before its trajectory is read."""
+    def of(cls, intake: InputFiles) -> "TrajectoryQuality | None":
+        """Collect the data of an import; None before its trajectory is read."""
         if intake.track is None:
             return None
         colours = theme.line_colours([str(line.path) for line in intake.lines])
@@ -63,12 +63,12 @@ class Quality:
             for line in intake.lines
             if isinstance(line.content, LineTimes)
         )
-        axis = time_axis(intake.time_base)
+        axis = time_axis_title(intake.time_base)
         return cls(intake.track, intake.sigmas, lines, intake.longest_gap, axis)
 
 
-def accuracies(quality: Quality, figure: Figure) -> None:
-    """Standard deviations of position and attitude over time (thesis figures 4.17 and 4.18)."""
+def draw_accuracies(quality: TrajectoryQuality, figure: Figure) -> None:
+    """Draw the standard deviations of position and attitude over time (thesis 4.17, 4.18)."""
     sigmas = quality.sigmas
     if sigmas is None:
         _show_text(
@@ -80,26 +80,26 @@ def accuracies(quality: Quality, figure: Figure) -> None:
             ),
         )
         return
-    upper, lower = _axes(quality, figure, 2)
+    upper, lower = _time_axes(quality, figure, 2)
     for k, name in enumerate((gettext("North"), gettext("East"), gettext("Down"))):
-        _draw(upper, quality, sigmas.time, sigmas.position[:, k], k, name)
+        _draw_series(upper, quality, sigmas.time, sigmas.position[:, k], k, name)
     for k, name in enumerate((gettext("Roll"), gettext("Pitch"), gettext("Heading"))):
         values = np.degrees(sigmas.attitude[:, k])
-        _draw(lower, quality, sigmas.time, values, k, name)
+        _draw_series(lower, quality, sigmas.time, values, k, name)
     upper.set_ylabel(gettext("Position\nσ (m)"), fontsize=TEXT)
     lower.set_ylabel(gettext("Attitude\nσ (°)"), fontsize=TEXT)
-    in_units(upper.yaxis, "m")
-    in_units(lower.yaxis, "°")
+    convert_axis_units(upper.yaxis, "m")
+    convert_axis_units(lower.yaxis, "°")
     for axes in (upper, lower):
         axes.set_ylim(0, 1.15 * axes.dataLim.y1 or 1.0)
-        _legend(axes)
+        _add_legend(axes)
 
 
-def track(quality: Quality, figure: Figure) -> None:
-    """Track of the vessel on a map, with the lines in their colours."""
+def draw_track(quality: TrajectoryQuality, figure: Figure) -> None:
+    """Draw the track of the vessel as a map, with the lines in their colours."""
     figure.clear()
     axes = figure.add_subplot()
-    _dress(axes)
+    _style_axes(axes)
     path = quality.track
     frame, step = path.mean_frame(), max(1, len(path.time) // MOST_STATES)
 
@@ -121,30 +121,30 @@ def track(quality: Quality, figure: Figure) -> None:
         if last > first:
             states = np.arange(first, last, max(1, (last - first) // MOST_STATES))
             plotted(states, color=colour, linewidth=width, solid_capstyle="butt",
-                    label=_plain(name))  # fmt: skip
+                    label=_escape_dollars(name))  # fmt: skip
     plotted(np.zeros(1, dtype=np.int64), marker="o", color=theme.TEXT, markersize=5,
             linestyle="none", label=gettext("Start"))  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
     axes.set_xlabel(gettext("East (m)"), fontsize=TEXT)
     axes.set_ylabel(gettext("North (m)"), fontsize=TEXT)
     for axis in (axes.xaxis, axes.yaxis):
-        in_units(axis, "m")
+        convert_axis_units(axis, "m")
     axes.grid(color=theme.GRID, linewidth=0.8)
     axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="center left",
                 bbox_to_anchor=(1.01, 0.5))  # fmt: skip
 
 
-def motion(quality: Quality, figure: Figure) -> None:
-    """Speed, roll and pitch, heading over time."""
+def draw_motion(quality: TrajectoryQuality, figure: Figure) -> None:
+    """Draw speed, roll and pitch, and heading over time."""
     path = quality.track
-    top, middle, bottom = _axes(quality, figure, 3)
+    top, middle, bottom = _time_axes(quality, figure, 3)
     moved = motion_of(path.time, path.latitude, path.longitude, path.height)
-    _draw(top, quality, path.time[moved.index], moved.speed, 0, "")
+    _draw_series(top, quality, path.time[moved.index], moved.speed, 0, "")
     for k, name in enumerate((gettext("Roll"), gettext("Pitch"))):
-        _draw(middle, quality, path.time, np.degrees(path.attitude[:, k]), k, name)
+        _draw_series(middle, quality, path.time, np.degrees(path.attitude[:, k]), k, name)
     # Unwrapped, so that no line crosses the figure at north.
     heading = np.degrees(np.unwrap(path.attitude[:, 2]))
-    _draw(bottom, quality, path.time, heading, 0, "")
+    _draw_series(bottom, quality, path.time, heading, 0, "")
     reach = float(np.ptp(heading))
     step = next((s for s in (1, 5, 10, 30, 45, 90, 180) if reach / s <= 5), 360)
     bottom.yaxis.set_major_locator(MultipleLocator(step))
@@ -154,21 +154,21 @@ def motion(quality: Quality, figure: Figure) -> None:
     top.set_ylabel(gettext("Speed\n(m/s)"), fontsize=TEXT)
     top.set_ylim(bottom=0)
     middle.set_ylabel(gettext("Roll, pitch\n(°)"), fontsize=TEXT)
-    in_units(middle.yaxis, "°")
-    _legend(middle)
+    convert_axis_units(middle.yaxis, "°")
+    _add_legend(middle)
     bottom.set_ylabel(gettext("Heading\n(°)"), fontsize=TEXT)
 
 
-FIGURES: dict[str, Callable[[Quality, Figure], None]] = {
-    "accuracies": accuracies, "track": track, "motion": motion,
+FIGURES: dict[str, Callable[[TrajectoryQuality, Figure], None]] = {
+    "accuracies": draw_accuracies, "track": draw_track, "motion": draw_motion,
 }  # fmt: skip
 
 
-def _axes(quality: Quality, figure: Figure, count: int) -> Sequence[Axes]:
+def _time_axes(quality: TrajectoryQuality, figure: Figure, count: int) -> Sequence[Axes]:
     figure.clear()
     all_axes = list(np.atleast_1d(figure.subplots(count, 1, sharex=True)))
     for axes in all_axes:
-        _dress(axes)
+        _style_axes(axes)
         axes.grid(axis="y", color=theme.GRID, linewidth=0.8)
         for _, start, end, colour in quality.lines:
             axes.axvspan(start, end, color=colour, alpha=0.16, linewidth=0)
@@ -187,18 +187,28 @@ def _axes(quality: Quality, figure: Figure, count: int) -> Sequence[Axes]:
         if start <= middle <= end and middle - half > free:
             free = middle + half
             first.annotate(
-                _plain(name), (middle, 1), xycoords=("data", "axes fraction"), xytext=(0, 2),
-                textcoords="offset points", ha="center", va="bottom", fontsize=SMALL,
+                _escape_dollars(name),
+                (middle, 1),
+                xycoords=("data", "axes fraction"),
+                xytext=(0, 2),
+                textcoords="offset points",
+                ha="center",
+                va="bottom",
+                fontsize=SMALL,
                 color=theme.MUTED,
-            )  # fmt: skip
+            )
     return all_axes
 
 
-def _draw(axes: Axes, quality: Quality, time: Array, values: Array, k: int, name: str) -> None:
+def _draw_series(
+    axes: Axes, quality: TrajectoryQuality, time: Array, values: Array, k: int, name: str
+) -> None:
     shown = envelope(time, values, longest_gap=max(quality.longest_gap, _usual_step(time)))
     # Dashes are invisible and slow to draw where each column has a vertical line.
     style = STYLES[k] if len(shown[0]) >= len(time) else "-"
-    axes.plot(*shown, color=theme.scheme().series[k], linestyle=style, linewidth=1.2, label=name)
+    axes.plot(
+        *shown, color=theme.current_scheme().series[k], linestyle=style, linewidth=1.2, label=name
+    )
 
 
 def _usual_step(time: Array) -> float:
@@ -211,11 +221,11 @@ def _show_text(figure: Figure, text: str) -> None:
     figure.text(0.5, 0.5, text, ha="center", va="center", fontsize=TEXT + 1, color=theme.MUTED)
 
 
-def _plain(name: str) -> str:
+def _escape_dollars(name: str) -> str:
     return name.replace("$", r"\$")
 
 
-def _dress(axes: Axes) -> None:
+def _style_axes(axes: Axes) -> None:
     axes.set_facecolor(theme.PAPER)
     axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
     axes.spines[["top", "right"]].set_visible(False)
@@ -224,6 +234,6 @@ def _dress(axes: Axes) -> None:
         label.set_color(theme.TEXT)
 
 
-def _legend(axes: Axes) -> None:
+def _add_legend(axes: Axes) -> None:
     axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="center left",
                 bbox_to_anchor=(1.005, 0.5), borderaxespad=0.1)  # fmt: skip

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QVBoxLayout, QWidget
 from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.language import N_, gettext
-from lispac.workflow.intake import Intake
+from lispac.workflow.input_files import InputFiles
 
 ACCURACIES, TRACK, MOTION = "accuracies", "track", "motion"
 NAMES = {
@@ -24,7 +24,7 @@ _TIPS = {
 
 
 class QualityPage(QWidget):
-    """Buttons for the figures, and the canvas."""
+    """Page with buttons for the figures and the canvas."""
 
     drawn = Signal()
 
@@ -61,12 +61,12 @@ class QualityPage(QWidget):
         layout.addWidget(self._empty)
         self._layout = layout
         self.canvas: QWidget | None = None
-        self._intake: Intake | None = None
+        self._intake: InputFiles | None = None
         self._stale = True
         self.choice.button(0).setChecked(True)
         self.choice.idClicked.connect(lambda _id: self._draw(anew=True))
 
-    def show_intake(self, intake: Intake) -> None:
+    def show_intake(self, intake: InputFiles) -> None:
         """Draw the trajectory, now or when the page is shown."""
         before = self._intake
         self._intake = intake
@@ -94,14 +94,14 @@ class QualityPage(QWidget):
         if not ready:
             return
         # Matplotlib is imported late, so that the dialogue starts without it.
-        from lispac.gui.dialogs.import_files.quality_figures import FIGURES, Quality
+        from lispac.gui.dialogs.import_files.quality_figures import FIGURES, TrajectoryQuality
         from lispac.gui.panels.chart import Chart
 
         if self.canvas is None:
             self.canvas = Chart(300, 180, theme.PAPER)
             self.canvas.setObjectName("quality_canvas")
             self._layout.addWidget(self.canvas, 1)
-        quality = Quality.of(self._intake)
+        quality = TrajectoryQuality.of(self._intake)
         assert quality is not None
         key = list(NAMES)[self.choice.checkedId()]
         self._hint.setText(
@@ -115,7 +115,7 @@ class QualityPage(QWidget):
         self.drawn.emit()
 
 
-def _drawn_data(intake: Intake) -> tuple[object, ...]:
+def _drawn_data(intake: InputFiles) -> tuple[object, ...]:
     """Data of the figures; entries are compared by identity."""
     lines = tuple((id(line.content), line.shift, intake.names[line.path]) for line in intake.lines)
     base = intake.time_base

@@ -1,4 +1,4 @@
-"""List of the remarks on files, each with buttons for the suggested actions."""
+"""List of the remarks on files, each with buttons for its suggested actions."""
 
 from collections.abc import Sequence
 
@@ -22,7 +22,7 @@ TALLEST = 150
 
 
 class RemarksView(QScrollArea):
-    """Shows remarks; as tall as they are up to a limit, beyond which it scrolls."""
+    """List that is as tall as its remarks up to a limit, beyond which it scrolls."""
 
     remedy_chosen = Signal(object, int)
     """An `Action`, and the index of its message."""
@@ -56,24 +56,24 @@ class RemarksView(QScrollArea):
                 row.hide()
                 row.deleteLater()
         if not remarks and fine:
-            self._put(_row("check-circle-outline", "done", N_("OK"), fine)[0])
+            self._add_row(_remark_row("check-circle-outline", "done", N_("OK"), fine)[0])
         for place, message in enumerate(remarks):
-            row, layout = _row(*_MARKS[message.level], message_text(message))
+            row, layout = _remark_row(*_MARKS[message.level], message_text(message))
             for action in message.actions:
-                button = self._button(action, message, place)
+                button = self._create_button(action, message, place)
                 layout.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
-            self._put(row)
+            self._add_row(row)
         self._rows.addStretch(1)
-        self._fit()
+        self._fit_height()
         # The heights of buttons are known only after their style is applied.
-        QTimer.singleShot(0, self, self._fit)
+        QTimer.singleShot(0, self, self._fit_height)
 
-    def _put(self, row: QWidget) -> None:
+    def _add_row(self, row: QWidget) -> None:
         self._rows.addWidget(row)
         # A row has no height until the layout shows it.
         row.show()
 
-    def _button(self, action: Action, message: Message, place: int) -> widgets.Button:
+    def _create_button(self, action: Action, message: Message, place: int) -> widgets.Button:
         name = f"remedy_{len(self.buttons)}"
         made = widgets.button(action_text(action), name, tip=action_tip(action))
         made.setAutoDefault(False)
@@ -85,14 +85,14 @@ class RemarksView(QScrollArea):
     def showEvent(self, event) -> None:
         """Fit the height once it is laid out."""
         super().showEvent(event)
-        QTimer.singleShot(0, self, self._fit)
+        QTimer.singleShot(0, self, self._fit_height)
 
     def resizeEvent(self, event) -> None:
         """Fit the height to the new width."""
         super().resizeEvent(event)
-        self._fit()
+        self._fit_height()
 
-    def _fit(self) -> None:
+    def _fit_height(self) -> None:
         self._rows.invalidate()
         needed = self._rows.totalHeightForWidth(self.viewport().width())
         self.setFixedHeight(min(max(needed, 26), TALLEST))
@@ -103,7 +103,7 @@ class RemarksView(QScrollArea):
         )
 
 
-def _row(icon: str, kind: str, label: str, text: str) -> tuple[QWidget, QHBoxLayout]:
+def _remark_row(icon: str, kind: str, label: str, text: str) -> tuple[QWidget, QHBoxLayout]:
     colour = theme.colour(kind).name()
     row = QWidget()
     layout = QHBoxLayout(row)

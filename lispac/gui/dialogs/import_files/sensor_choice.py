@@ -4,9 +4,9 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.panels import widgets
-from lispac.io.sensor_file import PosFigures, PosState, ScannerFigures
+from lispac.io.sensor_file import PosAccuracy, PosSpecification, ScannerSpecification
 from lispac.language import N_, gettext
-from lispac.workflow.sensors import Library, origin_of
+from lispac.workflow.sensors import SensorLibrary, source_text
 
 OTHER = N_("Other (enter specifications)")
 SOLUTIONS = {"rtk": "RTK", "ppk": "PPK", "degraded": N_("degraded GNSS")}
@@ -19,10 +19,10 @@ class SensorChoice(QWidget):
     scanner_chosen = Signal(object)
     pos_chosen = Signal(object)
 
-    def __init__(self, library: Library, prefix: str) -> None:
+    def __init__(self, library: SensorLibrary, prefix: str) -> None:
         super().__init__()
         self._scanners = [("", None), *((s.name, s.figures) for s in library.scanners)]
-        self._pos: list[tuple[str, tuple[PosFigures, PosState] | None]] = [
+        self._pos: list[tuple[str, tuple[PosSpecification, PosAccuracy] | None]] = [
             ("", None),
             *(
                 (f"{each.name}:{state.name}", (each.figures, state))
@@ -30,12 +30,12 @@ class SensorChoice(QWidget):
                 for state in each.figures.states
             ),
         ]
-        self.scanner = widgets.Choice(
+        self.scanner = widgets.ChoiceBox(
             f"{prefix}_scanner", [gettext(OTHER)],
             gettext("The LiDAR noise of the chosen scanner is filled in. Check it against your "
                     "instrument."),
         )  # fmt: skip
-        self.pos = widgets.Choice(
+        self.pos = widgets.ChoiceBox(
             f"{prefix}_pos", [gettext(OTHER)],
             gettext(
                 "The position and attitude standard deviations of the chosen INS/GNSS are filled "
@@ -49,13 +49,13 @@ class SensorChoice(QWidget):
         self.pos.setAccessibleName(gettext("INS/GNSS"))
         self.scanner_origin = widgets.label("", "muted", wrap=True, name=f"{prefix}_scanner_origin")
         self.pos_origin = widgets.label("", "muted", wrap=True, name=f"{prefix}_pos_origin")
-        self.scanner.currentIndexChanged.connect(lambda _index: self._tell_scanner())
-        self.pos.currentIndexChanged.connect(lambda _index: self._tell_pos())
-        self._tell_scanner()
-        self._tell_pos()
+        self.scanner.currentIndexChanged.connect(lambda _index: self._emit_scanner())
+        self.pos.currentIndexChanged.connect(lambda _index: self._emit_pos())
+        self._emit_scanner()
+        self._emit_pos()
 
     def choose(self, scanner: str, pos: str) -> None:
-        """Choose by name, as on the command line; unknown names choose nothing."""
+        """Choose sensors by name; unknown names choose nothing."""
         for box, known, name in (
             (self.scanner, [n for n, _ in self._scanners], scanner),
             (self.pos, [n for n, _ in self._pos], pos),
@@ -72,35 +72,35 @@ class SensorChoice(QWidget):
     @property
     def titles(self) -> dict[str, str]:
         """Titles of the chosen sensors, by the fields of the identity."""
-        scanner, pos = self._scanner(), self._pos[self.pos.currentIndex()][1]
+        scanner, pos = self._chosen_scanner(), self._pos[self.pos.currentIndex()][1]
         found = {} if scanner is None else {"scanner": scanner.title}
         return found if pos is None else found | {"pos": pos[0].title}
 
-    def _scanner(self) -> ScannerFigures | None:
+    def _chosen_scanner(self) -> ScannerSpecification | None:
         return self._scanners[self.scanner.currentIndex()][1]
 
-    def _tell_scanner(self) -> None:
-        figures = self._scanner()
-        _show(self.scanner_origin, figures)
+    def _emit_scanner(self) -> None:
+        figures = self._chosen_scanner()
+        _show_origin(self.scanner_origin, figures)
         if figures is not None:
             self.scanner_chosen.emit(figures)
 
-    def _tell_pos(self) -> None:
+    def _emit_pos(self) -> None:
         found = self._pos[self.pos.currentIndex()][1]
         state = None if found is None else found[1]
-        _show(self.pos_origin, state)
+        _show_origin(self.pos_origin, state)
         if state is not None:
             self.pos_chosen.emit(state)
 
 
-def _pos_title(entry: tuple[str, tuple[PosFigures, PosState] | None]) -> str:
+def _pos_title(entry: tuple[str, tuple[PosSpecification, PosAccuracy] | None]) -> str:
     assert entry[1] is not None
     figures, state = entry[1]
     return f"{figures.title}, {gettext(SOLUTIONS[state.name])}"
 
 
-def _show(label: QWidget, figures: ScannerFigures | PosState | None) -> None:
-    label.setText("" if figures is None else origin_of(figures))
+def _show_origin(label: QWidget, figures: ScannerSpecification | PosAccuracy | None) -> None:
+    label.setText("" if figures is None else source_text(figures))
     label.setVisible(figures is not None)
     label.setProperty("role", "hint" if figures is not None and figures.from_memory else "muted")
     label.style().polish(label)

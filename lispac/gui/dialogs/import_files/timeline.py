@@ -9,11 +9,11 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from lispac.gui import theme
-from lispac.gui.dialogs.import_files.file_texts import time_axis
+from lispac.gui.dialogs.import_files.file_texts import time_axis_title
 from lispac.io.line_times import LineTimes
 from lispac.language import Plural, gettext, number
 from lispac.survey.time_quality import Coverage
-from lispac.workflow.intake import Intake
+from lispac.workflow.input_files import InputFiles
 
 NAMES, WORDS, ROW, AXIS, TOP = 170, 190, 26, 44, 8
 """Pixels left and right of the bars, of a row, and below and above the bars."""
@@ -21,7 +21,7 @@ SHORTEST = 4.0
 
 
 @dataclass(frozen=True)
-class Bar:
+class TimelineBar:
     """A row of the timeline.
 
     Attributes
@@ -50,8 +50,8 @@ class Bar:
     is_line: bool
 
 
-def bars_of(intake: Intake) -> tuple[Bar, ...]:
-    """Rows of a timeline, the trajectory first."""
+def timeline_bars(intake: InputFiles) -> tuple[TimelineBar, ...]:
+    """Bars of a timeline, the trajectory first."""
     bars = []
     track, entry = intake.track, intake.trajectory
     if track is not None and entry is not None:
@@ -63,7 +63,7 @@ def bars_of(intake: Intake) -> tuple[Bar, ...]:
             if gaps
             else gettext("no gaps in time")
         )
-        bars.append(Bar(entry.path, gettext("Trajectory"), theme.MUTED, float(time[0]),
+        bars.append(TimelineBar(entry.path, gettext("Trajectory"), theme.MUTED, float(time[0]),
                         float(time[-1]), gaps, text, True, False))  # fmt: skip
     colours = theme.line_colours([str(line.path) for line in intake.lines])
     for line in intake.lines:
@@ -84,12 +84,12 @@ def bars_of(intake: Intake) -> tuple[Bar, ...]:
         text = _coverage_text(covered, line.shift if track is not None else 0.0)
         colour = QColor(*colours[str(line.path)]).name()
         name = intake.names[line.path]
-        bars.append(Bar(line.path, name, colour, start, end, holes, text, sound, True))
+        bars.append(TimelineBar(line.path, name, colour, start, end, holes, text, sound, True))
     return tuple(bars)
 
 
 def _coverage_text(covered: Coverage | None, shift: float) -> str:
-    """How much of a line the trajectory covers, and the shift of its times in seconds."""
+    """Text on the part of a line that the trajectory covers, and on the shift of its times."""
     if covered is None:
         return gettext("no trajectory")
     if covered.usable == covered.count:
@@ -108,7 +108,7 @@ def _coverage_text(covered: Coverage | None, shift: float) -> str:
     return gettext("{text} ({shift:s.0+} s)", text=text, shift=shift)
 
 
-def span_of(bars: tuple[Bar, ...]) -> tuple[float, float]:
+def axis_time_span(bars: tuple[TimelineBar, ...]) -> tuple[float, float]:
     """Time span of the axis: the trajectory and the lines near it, with a margin."""
     track = next((bar for bar in bars if not bar.is_line), None)
     if track is None:
@@ -121,8 +121,8 @@ def span_of(bars: tuple[Bar, ...]) -> tuple[float, float]:
     return start - margin, end + margin
 
 
-def ticks_of(start: float, end: float, most: int) -> list[float]:
-    """Round numbers between two times, at most ``most``."""
+def round_ticks(start: float, end: float, most: int) -> list[float]:
+    """Round values between two times, at most ``most``."""
     rough = (end - start) / max(most, 1)
     power = 10.0 ** np.floor(np.log10(rough))
     step = next(k * power for k in (1, 2, 5, 10) if k * power >= rough)
@@ -141,16 +141,16 @@ class TimelineView(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAccessibleName(gettext("Timeline of the lines and the trajectory"))
-        self.bars: tuple[Bar, ...] = ()
+        self.bars: tuple[TimelineBar, ...] = ()
         self._axis = ""
         self._current: Path | None = None
 
-    def show_intake(self, intake: Intake, current: Path | None) -> None:
+    def show_intake(self, intake: InputFiles, current: Path | None) -> None:
         """Draw the rows of an import."""
-        self.bars = bars_of(intake)
-        self._axis = time_axis(intake.time_base)
+        self.bars = timeline_bars(intake)
+        self._axis = time_axis_title(intake.time_base)
         self._current = current
-        self.setAccessibleDescription("\n".join(map(_description, self.bars)))
+        self.setAccessibleDescription("\n".join(map(_bar_description, self.bars)))
         self.setToolTip("" if self.bars else gettext("No file with times has been added yet"))
         self.updateGeometry()
         self.update()
@@ -199,7 +199,7 @@ class TimelineView(QWidget):
             text = gettext("Add the trajectory and the lines to see their times.")
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             return
-        start, end = span_of(self.bars)
+        start, end = axis_time_span(self.bars)
         width = max(self.width() - NAMES - WORDS, 50)
 
         def x(time: float) -> float:
@@ -217,9 +217,9 @@ class TimelineView(QWidget):
     def _draw_axis(self, painter: QPainter, start: float, end: float, x, bottom: int) -> None:
         metrics = self.fontMetrics()
         label = metrics.horizontalAdvance(number(end, 1)) + 24
-        ticks = ticks_of(start, end, max(int((self.width() - NAMES - WORDS) / label), 2))
+        ticks = round_ticks(start, end, max(int((self.width() - NAMES - WORDS) / label), 2))
         fine = len(ticks) > 1 and ticks[1] - ticks[0] < 1
-        painter.setFont(theme.tabular(self.font()))
+        painter.setFont(theme.tabular_font(self.font()))
         for tick in ticks:
             painter.setPen(QColor(theme.GRID))
             painter.drawLine(QPointF(x(tick), TOP), QPointF(x(tick), bottom + 4))
@@ -231,7 +231,7 @@ class TimelineView(QWidget):
         box = QRectF(NAMES, bottom + 22, self.width() - NAMES - WORDS, 18)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self._axis)
 
-    def _draw_bar(self, painter: QPainter, bar: Bar, top: int, x, width: int) -> None:
+    def _draw_bar(self, painter: QPainter, bar: TimelineBar, top: int, x, width: int) -> None:
         middle = Qt.AlignmentFlag.AlignVCenter
         if bar.path == self._current:
             painter.fillRect(QRectF(0, top, self.width(), ROW), QColor(theme.CURRENT))
@@ -244,7 +244,7 @@ class TimelineView(QWidget):
             bar.words, Qt.TextElideMode.ElideRight, WORDS - 16))  # fmt: skip
         left, right = x(bar.start), x(bar.end)
         if right < NAMES or left > NAMES + width:
-            self._draw_far(painter, bar, top, NAMES if right < NAMES else NAMES + width)
+            self._draw_distant_line(painter, bar, top, NAMES if right < NAMES else NAMES + width)
             return
         left, right = max(left, NAMES), min(max(right, left + SHORTEST), NAMES + width)
         whole = QRectF(left, top + 5, right - left, ROW - 10)
@@ -255,7 +255,7 @@ class TimelineView(QWidget):
                 continue
             hole = QRectF(a, top + 5, b - a, ROW - 10)
             painter.fillRect(hole, QColor(theme.PAPER))
-            painter.fillRect(hole, _hatch())
+            painter.fillRect(hole, _hatch_brush())
             painter.setPen(QPen(QColor(theme.ERROR), 1))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRect(hole)
@@ -264,7 +264,9 @@ class TimelineView(QWidget):
                 painter.fillRect(hole.adjusted(2, 2, -2, -2), QColor(theme.PAPER))
                 painter.drawText(hole, Qt.AlignmentFlag.AlignCenter, text)
 
-    def _draw_far(self, painter: QPainter, bar: Bar, top: int, edge: float) -> None:
+    def _draw_distant_line(
+        self, painter: QPainter, bar: TimelineBar, top: int, edge: float
+    ) -> None:
         """Draw an arrow for a line beyond the axis, and its distance in time."""
         before = edge == NAMES
         track = next(each for each in self.bars if not each.is_line)
@@ -287,12 +289,12 @@ class TimelineView(QWidget):
         painter.drawText(box, align | Qt.AlignmentFlag.AlignVCenter, text)
 
 
-def _description(bar: Bar) -> str:
+def _bar_description(bar: TimelineBar) -> str:
     return gettext(
         "{name}: {start:s.1} to {end:s.1} s, {text}",
         name=bar.name, start=bar.start, end=bar.end, text=bar.words,
     )  # fmt: skip
 
 
-def _hatch() -> QBrush:
+def _hatch_brush() -> QBrush:
     return QBrush(QColor(theme.HATCH), Qt.BrushStyle.BDiagPattern)

@@ -1,4 +1,4 @@
-"""Page with the timeline of the import, and remarks on times with suggested actions."""
+"""Page with the timeline of the import, remarks on times and their suggested actions."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -12,7 +12,7 @@ from lispac.gui.dialogs.import_files.timeline import TimelineView
 from lispac.gui.panels import widgets
 from lispac.language import Plural, gettext
 from lispac.messages import Action, Level, Message
-from lispac.workflow.intake import Intake
+from lispac.workflow.input_files import InputFiles
 
 
 class TimelinePage(QWidget):
@@ -30,7 +30,7 @@ class TimelinePage(QWidget):
         layout.setContentsMargins(10, 8, 10, 8)
         layout.setSpacing(theme.SPACE)
         self.remarks = RemarksView("import_time_remarks")
-        self.remarks.remedy_chosen.connect(self._remedy)
+        self.remarks.remedy_chosen.connect(self._on_action_chosen)
         layout.addWidget(self.remarks)
         self.view = TimelineView()
         self.view.file_selected.connect(self.file_selected)
@@ -66,7 +66,7 @@ class TimelinePage(QWidget):
         layout.addLayout(bottom)
         self._owners: list[Path] = []
 
-    def show_intake(self, intake: Intake, current: Path | None) -> None:
+    def show_intake(self, intake: InputFiles, current: Path | None) -> None:
         """Draw the bars and list the remarks."""
         self.view.show_intake(intake, current)
         self.gap.blockSignals(True)
@@ -75,7 +75,7 @@ class TimelinePage(QWidget):
         self.gap.setEnabled(intake.into is None)
         found: list[tuple[Path, Message]] = []
         for line in intake.lines:
-            for message in intake.time_remarks(line):
+            for message in intake.time_messages(line):
                 params = {**message.params, "file": intake.names[line.path]}
                 found.append((line.path, replace(message, params=params)))
         found.sort(key=lambda pair: pair[1].level is not Level.ERROR)
@@ -89,7 +89,7 @@ class TimelinePage(QWidget):
         self.remarks.setVisible(bool(found or fine))
         self.remarks.show_remarks([message for _, message in found], fine)
         self.lost.setText(_share_in_gaps(intake))
-        offered = intake.shifts_offered
+        offered = intake.proposed_shifts
         self.all.setVisible(len(offered) > 1)
         shifts = {shift for _, shift in offered}
         if len(shifts) == 1:
@@ -104,11 +104,11 @@ class TimelinePage(QWidget):
                 gettext("Shift the times of {count:n} uncovered lines", count=len(offered))
             )
 
-    def _remedy(self, action: Action, place: int) -> None:
+    def _on_action_chosen(self, action: Action, place: int) -> None:
         self.remedy_chosen.emit(self._owners[place], action)
 
 
-def _share_in_gaps(intake: Intake) -> str:
+def _share_in_gaps(intake: InputFiles) -> str:
     """Share of the points of all lines in gaps that are not interpolated."""
     found = [covered for line in intake.lines if (covered := intake.coverage(line)) is not None]
     count = sum(covered.count for covered in found)

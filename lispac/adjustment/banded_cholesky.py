@@ -1,0 +1,106 @@
+"""Cholesky factor and triangular solutions of a banded matrix with many right-hand sides.
+
+LAPACK solves them one by one, and SciPy keeps the interpreter meanwhile. Here a row of all of them
+is one step, so that it lies in the processor's cache and is calculated in vectors: some ten times
+the speed, and a window that works on the same plan goes on.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+import scipy.linalg
+from numpy.typing import NDArray
+
+from lispac.adjustment.parallel_chunks import kernel
+
+Array = NDArray[np.float64]
+
+
+def cholesky_factor(band: Array) -> Array:
+    """Cholesky factor ``L`` of a symmetric positive definite matrix.
+
+    Parameters
+    ----------
+    band : ndarray of shape (width, n)
+        Its lower diagonals, as LAPACK wants them.
+
+    Returns
+    -------
+    ndarray of shape (width, n)
+        In the same form.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        Where it is not positive definite.
+    ValueError
+        Where a number in it is not finite.
+    """
+    return np.asarray(scipy.linalg.cholesky_banded(band, lower=True))
+
+
+def forward_substitution(factor: Array, right: Array) -> Array:
+    """Forward substitution ``L^-1 right``.
+
+    Golub and Van Loan, *Matrix Computations*, algorithm 4.3.2, a row of all right-hand sides at
+    once.
+
+    Parameters
+    ----------
+    factor : ndarray of shape (width, n)
+        From `cholesky_factor`.
+    right : ndarray of shape (n,) or (n, m)
+
+    Returns
+    -------
+    ndarray of the same shape
+    """
+    return _apply_substitution(_forward_kernel, factor, right)
+
+
+def back_substitution(factor: Array, half: Array) -> Array:
+    """Back substitution ``L^-T half``, which completes `forward_substitution`.
+
+    Parameters
+    ----------
+    factor : ndarray of shape (width, n)
+        From `cholesky_factor`.
+    half : ndarray of shape (n,) or (n, m)
+
+    Returns
+    -------
+    ndarray of the same shape
+    """
+    return _apply_substitution(_backward_kernel, factor, half)
+
+
+def _apply_substitution(
+    sweep: Callable[[Array, Array], None], factor: Array, right: Array
+) -> Array:
+    found = np.array(right, dtype=np.float64, order="C")
+    sweep(factor, found.reshape(len(found), -1))
+    return found
+
+
+@kernel()
+def _forward_kernel(factor, found):  # type: ignore[no-untyped-def]
+    width, n = factor.shape
+    for i in range(n):
+        for j in range(max(0, i - width + 1), i):
+            share = factor[i - j, j]
+            for k in range(found.shape[1]):
+                found[i, k] -= share * found[j, k]
+        for k in range(found.shape[1]):
+            found[i, k] /= factor[0, i]
+
+
+@kernel()
+def _backward_kernel(factor, found):  # type: ignore[no-untyped-def]
+    width, n = factor.shape
+    for i in range(n - 1, -1, -1):
+        for j in range(i + 1, min(n, i + width)):
+            share = factor[j - i, i]
+            for k in range(found.shape[1]):
+                found[i, k] -= share * found[j, k]
+        for k in range(found.shape[1]):
+            found[i, k] /= factor[0, i]

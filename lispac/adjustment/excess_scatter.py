@@ -1,0 +1,225 @@
+"""Test whether parts of the data scatter more than predicted; raise the sigmas if so.
+
+The stochastic model knows noise, POS errors and uneven surfaces. It does not know beams that are
+calibrated unlike, times that are a little off within a turn of the scanner, or cloth and grass that
+two lines see differently; what these do to neighbouring points they do to many of them at once. So
+places of the scene are omitted one after the other, and sections of each line: the results
+scatter as much as the model predicts where it holds (the variance of a difference is the difference
+of the variances, Hausman 1978), and by more where it does not. What is more is added, by the
+jackknife (Tukey 1958).
+
+There are few picked targets: whole lines and whole targets are omitted, and what is
+more is added only where chance does not explain it.
+
+A part is omitted by subtracting its sums from the normal equations: one solution for each part.
+"""
+
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.adjustment_problem import LinearisedProblem
+from lispac.adjustment.blas_threads import single_blas_thread
+from lispac.adjustment.normal_equations import scaled_inverse
+from lispac.adjustment.result import AdjustmentResult
+from lispac.errors import AdjustmentError
+from lispac.language import gettext_lazy
+from lispac.progress import Progress, no_progress
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+PLACES = 12
+"""Parts of the scene along its greatest length, a surface each where there are no more."""
+STRETCHES = 4
+"""Parts of each line, of as many groups of points each."""
+FEWEST = 3
+"""Smallest number of parts for an estimate of their scatter."""
+CHANCE = 0.15
+"""Significance level of the test that raises sigmas. Sigmas that an undetected effect leaves too
+small are worse than some that are too large, so that a preliminary test of this kind has a level of
+0.1 to 0.25 (Bancroft 1964)."""
+LEVERAGE = 3.0
+"""Largest variance of the difference without a part, over that of the whole, at which the answer
+without it says something of the whole; a part with more carries the angle alone."""
+LOOSE = 10.0
+"""Metres and radians: sigma of a shape that no point may be left of."""
+
+
+def raise_sigmas_by_scatter(
+    result: AdjustmentResult,
+    here: LinearisedProblem,
+    origins: Array,
+    *,
+    progress: Progress = no_progress,
+) -> AdjustmentResult:
+    """Result with the sigmas of its angles raised by the scatter of parts of the scene.
+
+    Parameters
+    ----------
+    here, origins : as in `lispac.adjustment.solved_equations.SolvedEquations`
+    """
+    more = excess_variance(here, origins, progress=progress)
+    return with_raised_sigmas(result, np.sqrt(1.0 + more / np.diag(result.covariance)))
+
+
+def with_raised_sigmas(result: AdjustmentResult, factors: Array) -> AdjustmentResult:
+    """Result with the sigmas of its angles multiplied by factors (3,)."""
+    whole = np.ones(len(result.covariance_all))
+    whole[:3] = factors
+    return replace(
+        result,
+        covariance_all=result.covariance_all * np.outer(whole, whole),
+        raised=factors if result.raised is None else factors * result.raised,
+    )
+
+
+def excess_variance(
+    here: LinearisedProblem, origins: Array, *, progress: Progress = no_progress
+) -> Array:
+    """Variance of the angles that the model does not predict, shape (3,), square radians.
+
+    Parameters
+    ----------
+    here, origins : as in `lispac.adjustment.solved_equations.SolvedEquations`
+    """
+    more = np.zeros(3)
+    with single_blas_thread():
+        try:
+            whole = _change_without_groups(here, np.zeros(len(here.sums), dtype=bool))
+        except (AdjustmentError, np.linalg.LinAlgError):
+            return more  # without a whole to compare with, nothing is known
+        for parts in _place_and_stretch_groups(here, origins):
+            differences, predicted = _leave_out_differences(here, whole, parts, progress)
+            more += _variance_beyond_prediction(differences, predicted)
+    return more
+
+
+def leave_out_sigma_factors(here: LinearisedProblem) -> Array:
+    """Factors on the sigmas of the angles, shape (3,), by leaving out lines and targets.
+
+    Each is 1 where chance explains how the answers without one line, or one target, scatter.
+
+    Parameters
+    ----------
+    here : LinearisedProblem
+        Of the correlated model, at its solution, with the tangent weights.
+    """
+    with single_blas_thread():
+        try:
+            whole = _change_without_groups(here, np.zeros(len(here.sums), dtype=bool))
+        except (AdjustmentError, np.linalg.LinAlgError):
+            return np.ones(3)
+        more = np.zeros(3)
+        for parts in _line_and_target_groups(here):
+            differences, predicted = _leave_out_differences(here, whole, parts, no_progress)
+            checked = predicted <= LEVERAGE * whole[1]
+            differences, predicted = differences * checked, predicted * checked
+            enough = checked.sum(axis=0) >= FEWEST
+            more += (
+                enough
+                * _is_scatter_significant(differences, predicted)
+                * _variance_beyond_prediction(differences, predicted)
+            )
+    return np.asarray(np.sqrt(1.0 + more / whole[1]))
+
+
+def _line_and_target_groups(here: LinearisedProblem) -> Iterator[list[Flags]]:
+    """Groups of points to omit: whole lines, and whole targets."""
+    observations, sighting = here.problem.observations, here.problem.groups.sighting
+    target = observations.target_of_sighting[sighting]
+    line = np.array([observations.lines.index(s.line) for s in observations.sightings])[sighting]
+    yield [line == k for k in range(len(observations.lines))]
+    yield [target == k for k in range(len(observations.targets))]
+
+
+def _is_scatter_significant(differences: Array, predicted: Array) -> NDArray[np.bool_]:
+    """Whether the scatter of each angle is significant, shape (3,).
+
+    The sum of the squares over that of the variances has about a chi-square distribution, with as
+    the effective degrees of freedom of the parts (Satterthwaite 1946), minus one for their mean.
+    The largest difference is tested by itself as well (Bonferroni): one line may be wrong alone.
+    """
+    from scipy.special import chdtri
+
+    if len(differences) < FEWEST:
+        return np.zeros(3, dtype=bool)
+    total = predicted.sum(axis=0)
+    worth = total**2 / np.maximum((predicted**2).sum(axis=0), np.finfo(float).tiny)
+    freedom = np.maximum(worth - 1.0, 1.0)
+    together = (differences**2).sum(axis=0) > total * chdtri(freedom, CHANCE) / freedom
+    largest = (differences**2 > predicted * chdtri(1.0, CHANCE / len(differences))).any(axis=0)
+    return np.asarray(together | largest)
+
+
+def _place_and_stretch_groups(here: LinearisedProblem, origins: Array) -> Iterator[list[Flags]]:
+    """Groups of points to leave out: places of the scene, and sections of each line."""
+    problem = here.problem
+    groups, observations = problem.groups, problem.observations
+    assert groups.knots is not None
+    target = observations.target_of_sighting[groups.sighting]
+    along = np.linalg.svd(origins - origins.mean(axis=0), full_matrices=False)[2][0]
+    places = np.array_split(np.argsort(origins @ along), min(PLACES, len(origins)))
+    yield [np.isin(target, place) for place in places]
+    names = np.array([observations.lines.index(each.line) for each in observations.sightings])
+    line, time = names[groups.sighting], groups.knots.time[groups.knot]
+    for k in range(len(observations.lines)):
+        own = line == k
+        ends = np.quantile(time[own], np.arange(1, STRETCHES) / STRETCHES)
+        stretch = np.searchsorted(ends, time, side="right")
+        yield [own & (stretch == part) for part in range(STRETCHES)]
+
+
+def _leave_out_differences(
+    here: LinearisedProblem, whole: tuple[Array, Array], parts: list[Flags], progress: Progress
+) -> tuple[Array, Array]:
+    """Angles without a part less those of the whole, and their variances, (parts, 3) each.
+
+    Excludes parts that the result depends on: its sigma includes this already.
+    """
+    found = []
+    for part in parts:
+        progress(0.9, gettext_lazy("Repeating the adjustment with subsets of the data"))
+        with suppress(AdjustmentError, np.linalg.LinAlgError):
+            found.append(_change_without_groups(here, part))
+    differences = np.array([answer - whole[0] for answer, _ in found]).reshape(-1, 3)
+    predicted = np.array([np.maximum(variance - whole[1], 0.0) for _, variance in found])
+    return differences, predicted.reshape(-1, 3)
+
+
+def _variance_beyond_prediction(differences: Array, predicted: Array) -> Array:
+    """Variance of the parts beyond the prediction, shape (3,), square radians."""
+    if len(differences) < FEWEST:
+        return np.zeros(3)
+    share = (len(differences) - 1) / len(differences)
+    return np.asarray(share * np.maximum((differences**2 - predicted).sum(axis=0), 0.0))
+
+
+def sigmas_without(here: LinearisedProblem, sightings: Flags) -> Array | None:
+    """Sigmas of the angles without some sightings, shape (3,), radians; None where there are none.
+
+    Parameters
+    ----------
+    sightings : ndarray of shape (sightings,), bool
+        Omitted parts.
+    """
+    try:
+        return np.asarray(
+            np.sqrt(_change_without_groups(here, sightings[here.problem.groups.sighting])[1])
+        )
+    except (AdjustmentError, np.linalg.LinAlgError):
+        return None
+
+
+def _change_without_groups(here: LinearisedProblem, part: Flags) -> tuple[Array, Array]:
+    """Change of the angles without some groups of points, and their variances, (3,) each."""
+    normal = here.normal_without_groups(part).eliminate_surfaces
+    shapes = np.arange(len(normal.layout.active), len(normal.matrix))
+    matrix = normal.matrix.copy()
+    matrix[shapes, shapes] += LOOSE**-2
+    normal = replace(normal, matrix=matrix)
+    covariance = scaled_inverse(normal.reduced_matrix)
+    return (covariance @ normal.reduced_right_side)[:3], np.diag(covariance)[:3].copy()

@@ -1,0 +1,54 @@
+"""Alternative methods: their results beside that of the targets."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.messages import Message
+
+Array = NDArray[np.float64]
+
+Method = Literal["natural planes", "targetless", "patch test"]
+METHODS: tuple[Method, ...] = ("natural planes", "targetless", "patch test")
+"""In the order they are shown in."""
+
+
+@dataclass(frozen=True, eq=False)
+class AlternativeResult:
+    """Result of an alternative method, which does not use the project's targets.
+
+    Attributes
+    ----------
+    method : Method
+    boresight : ndarray of shape (3,), radians; roll, pitch, yaw
+    covariance : ndarray of shape (3, 3), radians^2
+        Each variance is positive.
+    lines : tuple of str
+        That the answer rests on.
+    surfaces : int
+        Planes, natural surfaces or objects that it rests on.
+    remarks : tuple of Message
+        What it is based on, and what limits it.
+    """
+
+    method: Method
+    boresight: Array
+    covariance: Array
+    lines: tuple[str, ...]
+    surfaces: int
+    remarks: tuple[Message, ...] = ()
+
+    @property
+    def sigma(self) -> Array:
+        """Standard deviations of roll, pitch, yaw, shape (3,), radians."""
+        return np.asarray(np.sqrt(np.diag(self.covariance)))
+
+    def is_sound(self) -> bool:
+        """True if the angles are finite and their covariance is positive definite."""
+        shapes = self.boresight.shape, self.covariance.shape
+        if shapes != ((3,), (3, 3)) or not np.isfinite(self.boresight).all():
+            return False
+        finite = np.isfinite(self.covariance).all()
+        return bool(finite and np.linalg.eigvalsh(self.covariance)[0] > 0.0)

@@ -1,0 +1,190 @@
+"""Types and common options of the command line arguments."""
+
+import argparse
+import math
+import re
+from collections.abc import Callable, Sequence
+from decimal import Decimal
+from pathlib import Path
+
+from lispac.untrusted_values import LARGEST_AMOUNT, LEAST_AMOUNT, is_possible_amount
+
+Commands = argparse._SubParsersAction  # the type argparse gives no public name
+
+
+def add_command(
+    commands: "Commands[argparse.ArgumentParser]", name: str, text: str
+) -> argparse.ArgumentParser:
+    """Add a command with its help text."""
+    return commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
+
+
+def without_exponents(words: Sequence[str]) -> list[str]:
+    """Replace ``-1e-3`` by ``-0.001``, which argparse does not take for an option."""
+    return [
+        f"{Decimal(word):f}" if re.fullmatch(r"-\d*\.?\d+[eE][+-]?\d{1,3}", word) else word
+        for word in words
+    ]
+
+
+def split_named_value(text: str) -> tuple[str, str]:
+    """Split ``NAME=VALUE``.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Where it is none.
+    """
+    name, separator, value = text.partition("=")
+    if not (name and separator):
+        raise argparse.ArgumentTypeError(f"{text!r} is not NAME=VALUE")
+    return name.strip(), value.strip()
+
+
+def surface_sigma(text: str) -> float | str:
+    """Sigma of a surface in metres, or ``auto``."""
+    return text if text == "auto" else non_negative_number(text)
+
+
+def picture_file(text: str) -> Path:
+    """Path of a picture with a supported ending.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Where it ends otherwise.
+    """
+    path = Path(text)
+    if path.suffix.lower() not in (".png", ".svg", ".pdf"):
+        raise argparse.ArgumentTypeError(f"{text!r} does not end in .png, .svg or .pdf")
+    return path
+
+
+def add_json_option(parser: argparse.ArgumentParser) -> None:
+    """Add the option ``--json``."""
+    parser.add_argument(
+        "--json", action="store_true", help="print the result as one JSON object on stdout"
+    )
+
+
+def add_triple_option(
+    parser: argparse.ArgumentParser,
+    name: str,
+    parts: tuple[str, str, str],
+    text: str,
+    *,
+    required: bool = False,
+) -> None:
+    """Add an option of three numbers."""
+    parser.add_argument(
+        name, type=finite_number, nargs=3, metavar=parts, help=text, required=required
+    )
+
+
+def add_crs_options(parser: argparse.ArgumentParser, default: str) -> None:
+    """Add the options for a coordinate system, heights, datum and epoch."""
+    parser.add_argument(
+        "--crs", default="", metavar="CODE",
+        help="coordinate system: EPSG code (EPSG:32619, EPSG:6347+5703) or WKT, or local for "
+        f"North, West, Up (default {default})",
+    )  # fmt: skip
+    parser.add_argument(
+        "--height", default="", metavar="WHAT",
+        help="height reference: ellipsoid, EPSG code of a vertical system, or path of a geoid "
+             "grid (default: from --crs, otherwise ellipsoid)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--trajectory-datum", metavar="CODE",
+        help="geographic coordinate system of the trajectory if it differs from that of --crs, "
+             "e.g. EPSG:7912 (default: as used when reading the lines; empty for no datum shift)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--epoch",
+        type=finite_number,
+        metavar="YEAR",
+        help="epoch of the survey as a decimal year, for time-dependent datums (default: as used "
+        "when reading the lines)",
+    )
+
+
+def finite_number(text: str) -> float:
+    """Finite number within the possible range.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Where it is none.
+    """
+    value = _parse_number(text)
+    if not is_possible_amount(value):
+        raise argparse.ArgumentTypeError(
+            f"{text} is outside the possible range, {LEAST_AMOUNT:g} to {LARGEST_AMOUNT:g}"
+        )
+    return value
+
+
+def _parse_number(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(f"{text} is not a number") from error
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text} is not a finite number")
+    return value
+
+
+def positive_number(text: str) -> float:
+    """A number over zero.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Where it is none.
+    """
+    value = finite_number(text)
+    if not value > 0:
+        raise argparse.ArgumentTypeError(f"{text} is not larger than zero")
+    return value
+
+
+def number_within(least: float, most: float) -> Callable[[str], float]:
+    """Function that reads a number from ``least`` to ``most``."""
+
+    def number(text: str) -> float:
+        value = _parse_number(text)
+        if not least <= value <= most:
+            raise argparse.ArgumentTypeError(
+                f"{text} is outside the possible range, {least:g} to {most:,.0f}"
+            )
+        return value
+
+    return number
+
+
+def whole_number_from(least: int) -> Callable[[str], int]:
+    """Function that reads a whole number, not less than ``least``."""
+
+    def number(text: str) -> int:
+        try:
+            value = int(text)
+        except ValueError as error:
+            raise argparse.ArgumentTypeError(f"{text} is not a whole number") from error
+        if value < least:
+            raise argparse.ArgumentTypeError(f"{text} is less than {least}")
+        return value
+
+    return number
+
+
+def non_negative_number(text: str) -> float:
+    """A number that is zero or more.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Where it is none.
+    """
+    value = finite_number(text)
+    if not value >= 0:
+        raise argparse.ArgumentTypeError(f"{text} is negative")
+    return value

@@ -1,0 +1,274 @@
+"""Advice on a further line over the same targets: its predicted effect on the sigmas."""
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.adjustment_problem import RELEASED, AdjustmentProblem
+from lispac.adjustment.blas_threads import single_blas_thread
+from lispac.adjustment.message_parts import mounting_value_name, mounting_value_names
+from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.adjustment.target_shapes import points_local
+from lispac.messages import Message, note
+from lispac.simulation.closed_form_survey import STEEPEST
+from lispac.survey.georeferencing import to_lidar
+from lispac.survey.trajectory import Poses
+
+Array = NDArray[np.float64]
+
+HEADINGS = np.radians(np.arange(0, 360, 15))
+SPEED = 1.0  # metres per second
+WORTH_IT = 0.85
+"""Share of the sigma: a line that does not reduce it below this share is not recommended."""
+
+
+@dataclass(frozen=True, eq=False)
+class FurtherLine:
+    """A line that could be sailed.
+
+    Attributes
+    ----------
+    heading : float, radians clockwise from north
+    sigma : ndarray of shape (3,), radians
+        Of roll, pitch, yaw with the line added.
+    distance : float, metres
+        From the middle of the targets, over ground.
+    to_starboard : bool
+        Whether they lie there, and not to port.
+    """
+
+    heading: float
+    sigma: Array
+    distance: float
+    to_starboard: bool
+
+
+def further_lines(observations: Observations, result: AdjustmentResult) -> tuple[FurtherLine, ...]:
+    """Every heading that sees a target, with the sigmas predicted with that line.
+
+    The line passes the targets at the distance and height of those there are, on the same side.
+    Sigmas follow from the geometry alone: the same model and Jacobians as in the adjustment. The
+    observations carry the sigmas that the result was found with (`AdjustmentResult.sigma_factors`).
+    """
+    found = []
+    with single_blas_thread():
+        for heading in HEADINGS:
+            added = _add_simulated_line(observations, result, float(heading))
+            if added is not None:
+                every, distance, to_starboard = added
+                sigma = _predicted_sigmas(every, result, _parameters_with_sigmas(result))
+                found.append(FurtherLine(float(heading), sigma, distance, to_starboard))
+    return tuple(found)
+
+
+def _parameters_with_sigmas(result: AdjustmentResult) -> tuple[Parameter, ...]:
+    """Parameters with their prior sigmas; values fixed without a sigma are left out."""
+    if not result.model.correlated:
+        return ()  # thesis mode estimates the angles alone
+    return tuple(
+        Parameter(each.name, each.prior_sigma)
+        for each in result.parameters
+        if each.value is not None or each.prior_sigma is not None
+    )
+
+
+def _predicted_sigmas(
+    observations: Observations, result: AdjustmentResult, parameters: tuple[Parameter, ...]
+) -> Array:
+    """Sigmas (radians) of roll, pitch, yaw that the observations would give, shape (3,)."""
+    shapes = np.stack([target.plane for target in result.targets])
+    suspects = set(result.suspects)
+    released = [k for k, s in enumerate(observations.sightings) if s in suspects]
+    problem = AdjustmentProblem.of(observations, result.mounting, result.model, parameters)
+    noise = np.array([target.noise for target in result.targets])
+    problem = replace(problem, noise=noise).with_surface_sigma(np.maximum(result.surfaces, 1e-5))
+    problem = problem.with_sighting_surface_sigma(released, slice(0, 3), RELEASED)
+    state = problem.start(result.mounting, shapes)
+    information = problem.linearised(state).normal.information(3)
+    return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
+
+
+def further_line_advice(
+    observations: Observations, result: AdjustmentResult
+) -> tuple[Message, ...]:
+    """The line that would lower the largest standard deviation most.
+
+    Angles whose standard deviation is mostly that of a given value are named first, since no line
+    lowers it; the line is for the next angle.
+    """
+    lines = further_lines(observations, result)
+    if not lines:
+        return ()
+    ruled = _limiting_parameters(observations, result)
+    found = []
+    for k in np.argsort(-result.sigma, kind="stable"):
+        best = min(lines, key=lambda line: float(line.sigma[k]))
+        helps = best.sigma[k] <= WORTH_IT * result.sigma[k]
+        if not helps and ruled[k]:
+            parameters = mounting_value_names(ruled[k])
+            found.append(
+                note(
+                    "further_line.prior",
+                    angle=mounting_value_name(ANGLES[k]),
+                    parameters=parameters,
+                )
+            )
+            continue
+        found.append(_advice_for_angle(result, best, int(k), helps=bool(helps)))
+        break
+    return tuple(found)
+
+
+def _advice_for_angle(
+    result: AdjustmentResult, best: FurtherLine, angle: int, *, helps: bool
+) -> Message:
+    now, then = float(result.sigma[angle]), float(best.sigma[angle])
+    common: dict[str, Any] = {
+        "angle": mounting_value_name(ANGLES[angle]), "distance": best.distance, "now": now,
+    }  # fmt: skip
+    if not helps:
+        return note("further_line.insufficient", limit=WORTH_IT * now, **common)
+    common |= {"heading": best.heading, "then": then}
+    if (face := _angle_to_upright_plane(result, best)) is None:
+        code = "further_line.starboard" if best.to_starboard else "further_line.port"
+        return note(code, **common)
+    target, off = face
+    starboard, port = "further_line.starboard_of_face", "further_line.port_of_face"
+    return note(starboard if best.to_starboard else port, target=target, off=off, **common)
+
+
+def _limiting_parameters(
+    observations: Observations, result: AdjustmentResult
+) -> tuple[list[str], ...]:
+    """Given values that are not determined and that limit the sigma of each angle.
+
+    They are found by what the sigmas would be if a value were known exactly.
+    """
+    everything = _parameters_with_sigmas(result)
+    values = {each.name: each.value for each in result.parameters}
+    held = [each.name for each in everything if values[each.name] is None]
+    if not held:
+        return [], [], []
+
+    def exactly(names: Collection[str]) -> Array:
+        others = tuple(each for each in everything if each.name not in names)
+        return _predicted_sigmas(observations, result, others)
+
+    with single_blas_thread():
+        now, known = exactly(()), exactly(held)
+        alone = {name: exactly([name]) for name in held}
+    floor = np.sqrt(np.maximum(now**2 - known**2, 0.0))
+    found: list[list[str]] = [[], [], []]
+    for k in np.flatnonzero(floor > WORTH_IT * now):
+        least = min(sigma[k] for sigma in alone.values())
+        found[k] = [
+            name
+            for name, sigma in alone.items()
+            if sigma[k] == least or sigma[k] < WORTH_IT * now[k]
+        ]
+    return found[0], found[1], found[2]
+
+
+def _angle_to_upright_plane(
+    result: AdjustmentResult, line: FurtherLine
+) -> tuple[str, float] | None:
+    """Name of the most upright plane, and angle (radians) between its face and the heading."""
+    planes = [target for target in result.targets if not target.sphere]
+    if not planes:
+        return None
+    upright = min(planes, key=lambda target: abs(float(target.plane[2])))
+    north, west = upright.plane[:2]
+    along = np.arctan2(north, west)  # heading along the face: at right angles to the normal
+    off = abs((line.heading - along + np.pi / 2) % np.pi - np.pi / 2)
+    return upright.target, float(off)
+
+
+def _add_simulated_line(
+    observations: Observations, result: AdjustmentResult, heading: float
+) -> tuple[Observations, float, bool] | None:
+    """Observations with a line added, distance to the targets, and whether to starboard."""
+    places = points_local(observations, result.mounting)
+    suspects = set(result.suspects)
+    seen = [_best_sighting(observations, k, suspects) for k in range(len(observations.targets))]
+    vessel = np.stack([observations.position[own].mean(axis=0) for own in seen])
+    centres = np.stack([places[own].mean(axis=0) for own in seen])
+    reach = float(np.median(np.linalg.norm((vessel - centres)[:, :2], axis=1)))
+    course = np.array([np.cos(heading), -np.sin(heading), 0.0])
+    aside = np.array([-course[1], course[0], 0.0])
+    middle = centres.mean(axis=0)
+    to_starboard = bool((vessel.mean(axis=0) - middle) @ aside >= 0)
+    if not to_starboard:
+        aside = -aside
+    start = middle + reach * aside
+    start[2] = float(vessel[:, 2].mean())
+    parts: list[Observations] = []
+    sightings: list[Sighting] = []
+    begin = float(observations.time.max()) + _usual_time_between_lines(observations)
+    for k, (own, target) in enumerate(zip(seen, result.targets, strict=True)):
+        points = places[own]
+        along = (points - start) @ course
+        position = start + along[:, None] * course
+        rays = centres[k] - position.mean(axis=0)
+        incidence = abs(float(rays @ target.plane[:3])) / float(np.linalg.norm(rays))
+        faces = rays @ target.plane[:3] * ((centres[k] - vessel[k]) @ target.plane[:3]) > 0
+        if not target.sphere and (incidence < STEEPEST or not faces):
+            continue
+        attitude = observations.attitude[own].copy()
+        attitude[:] = [0.0, 0.0, heading]
+        scan = to_lidar(points, Poses(position, attitude), result.mounting)
+        part = observations.reordered(own)
+        rate = np.broadcast_to([*(SPEED * course), 0.0, 0.0, 0.0], (len(own), 6))
+        parts.append(
+            replace(
+                part, points_lidar=scan, position=position, attitude=attitude,
+                pose_rate=None if part.pose_rate is None else rate.copy(),
+                time=begin + along / SPEED,
+                sighting=np.full(len(own), len(observations.sightings) + len(sightings)),
+            )
+        )  # fmt: skip
+        sightings.append(Sighting(target.target, "further line"))
+    if not parts:
+        return None
+    return _append_observations(observations, parts, sightings), reach, to_starboard
+
+
+def _append_observations(
+    observations: Observations, parts: Sequence[Observations], sightings: list[Sighting]
+) -> Observations:
+    columns = {
+        column.name: np.concatenate([values, *(getattr(part, column.name) for part in parts)])
+        for column in fields(observations)
+        if isinstance(values := getattr(observations, column.name), np.ndarray)
+    }
+    every = {"sightings": (*observations.sightings, *sightings)}
+    return Observations(
+        **{column.name: getattr(observations, column.name) for column in fields(observations)}
+        | columns
+        | every
+    )
+
+
+def _best_sighting(
+    observations: Observations, target: int, suspects: Collection[Sighting]
+) -> NDArray[np.intp]:
+    own = np.flatnonzero(observations.target_of_sighting == target)
+    good = [k for k in own if observations.sightings[k] not in suspects]
+    own = np.array(good) if good else own
+    most = own[int(np.argmax(observations.counts[own]))]
+    return np.flatnonzero(observations.sighting == most)
+
+
+def _usual_time_between_lines(observations: Observations) -> float:
+    """Usual time from one line to the next, seconds."""
+    times = observations.mean_by_sighting(observations.time)
+    lines = [s.line for s in observations.sightings]
+    middles = [
+        np.mean([t for t, name in zip(times, lines, strict=True) if name == line])
+        for line in observations.lines
+    ]
+    return float(np.median(np.diff(np.sort(middles)))) if len(middles) > 1 else 60.0

@@ -1,0 +1,165 @@
+"""All plans that a site allows, encoded as numbers for a search."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations, product
+from math import comb
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.observability import have_one_orientation
+from lispac.design.objective import BY_EYE, PlanObjective
+from lispac.design.plan import SIX, Line, Plan, line_pattern
+from lispac.design.site import Site, are_boards_apart
+from lispac.simulation.closed_form_survey import Ball, Board
+
+Array = NDArray[np.float64]
+
+NO_PLAN = 2 * BY_EYE
+"""Number of a plan whose boards hang over each other, whose lines come too near the wall, or whose
+targets all face one way, which the adjustment refuses: worse than any."""
+
+DIGITS = 9
+"""Of the number of a plan: plans that mirror each other are equal, whichever processor rounds."""
+
+
+def have_targets_one_orientation(plan: Plan) -> bool:
+    """Whether all targets are planes that face one way, which the adjustment refuses."""
+    normals = [t.facing if isinstance(t, Board) else np.zeros(3) for t in plan.targets]
+    balls = np.array([isinstance(t, Ball) for t in plan.targets])
+    return have_one_orientation(np.stack(normals), balls)
+
+
+@dataclass(frozen=True)
+class PlanChoice:
+    """Indices of the boards and of the lines of a plan among those that are allowed."""
+
+    boards: tuple[int, ...]
+    lines: tuple[int, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class DesignSpace:
+    """All plans that a site allows."""
+
+    site: Site
+    objective: PlanObjective
+
+    @cached_property
+    def places(self) -> tuple[tuple[float, float, float, int], ...]:
+        """Along, height, inclination and size of each board that is allowed."""
+        site = self.site
+        sizes = range(len(site.sizes))
+        return tuple(product(site.along, site.heights, site.inclinations_deg, sizes))
+
+    def board(self, name: str, place: int) -> Board:
+        """Create one of the allowed boards."""
+        along, up, lean, size = self.places[place]
+        return self.site.wall.board(name, along, up, lean, self.site.sizes[size])
+
+    @cached_property
+    def lines(self) -> tuple[Line, ...]:
+        """Each allowed line."""
+        return self.site.lines_allowed
+
+    @property
+    def size(self) -> int:
+        """Number of plans, those with overlapping boards included.
+
+        The order of the lines counts: what is sailed soon after each other shares its POS error.
+        """
+        boards = comb(len(self.places), self.site.boards) if self.site.boards else 1
+        return boards * int(len(self.lines) ** self.site.lines)
+
+    def all(self) -> Iterator[PlanChoice]:
+        """Every plan; a line may be sailed more than once."""
+        for boards in combinations(range(len(self.places)), self.site.boards):
+            for lines in product(range(len(self.lines)), repeat=self.site.lines):
+                yield PlanChoice(boards, lines)
+
+    def plan(self, choice: PlanChoice) -> Plan:
+        """The plan of a choice."""
+        boards = [self.board(f"T{n + 1}", k) for n, k in enumerate(choice.boards)]
+        return self.site.plan(boards, [self.lines[k] for k in choice.lines])
+
+    def value(self, choice: PlanChoice) -> float:
+        """Objective value of a choice, radians, to `DIGITS` digits."""
+        plan = self.plan(choice)
+        boards = [target for target in plan.targets if isinstance(target, Board)]
+        if (
+            not are_boards_apart(boards)
+            or have_targets_one_orientation(plan)
+            or not self.site.keeps_clear_of_wall(plan)
+        ):
+            return NO_PLAN
+        return float(f"{self.objective.of(plan):.{DIGITS}g}")
+
+    @cached_property
+    def gene_sizes(self) -> tuple[int, ...]:
+        """Number of values of each gene: four of a board, one of a line.
+
+        Numbers near each other stand for like boards and lines, which an evolution needs.
+        """
+        site = self.site
+        board = (
+            len(site.along), len(site.heights), len(site.inclinations_deg), len(site.sizes),
+        )  # fmt: skip
+        return board * site.boards + (len(self.lines),) * site.lines
+
+    def choice(self, genes: Sequence[float] | Array) -> PlanChoice:
+        """Decode genes (n,), as many as `gene_sizes`, into a choice."""
+        whole = [min(int(g), w - 1) for g, w in zip(genes, self.gene_sizes, strict=True)]
+        boards = whole[: 4 * self.site.boards]
+        shape = self.gene_sizes[:4] if self.site.boards else (1, 1, 1, 1)
+        places = [
+            int(np.ravel_multi_index(tuple(boards[k : k + 4]), shape))
+            for k in range(0, len(boards), 4)
+        ]
+        return PlanChoice(tuple(places), tuple(whole[4 * self.site.boards :]))
+
+    def genes(self, choice: PlanChoice) -> list[float]:
+        """Encode a choice as genes; the inverse of `choice`."""
+        shape = self.gene_sizes[:4] if self.site.boards else (1, 1, 1, 1)
+        boards = [float(g) for k in choice.boards for g in np.unravel_index(k, shape)]
+        return [*boards, *(float(k) for k in choice.lines)]
+
+    def nearest(self, plan: Plan) -> PlanChoice | None:
+        """The choice that is a plan, or None where the site does not allow it."""
+        hung = [t for t in plan.targets if t not in self.site.natural]
+        if len(hung) != self.site.boards or len(plan.lines) != self.site.lines:
+            return None
+        allowed = [self.board("", k) for k in range(len(self.places))]
+        boards = [
+            [k for k, other in enumerate(allowed) if _are_boards_equal(other, t)] for t in hung
+        ]
+        lines = [[k for k, other in enumerate(self.lines) if other == line] for line in plan.lines]
+        if not all(boards) or not all(lines):
+            return None
+        return PlanChoice(tuple(found[0] for found in boards), tuple(found[0] for found in lines))
+
+
+def _are_boards_equal(one: Board, other: Board | Ball) -> bool:
+    if isinstance(other, Ball):
+        return False
+    return bool(
+        np.allclose(one.centre, other.centre, atol=1e-6)
+        and np.allclose(one.facing, other.facing, atol=1e-6)
+        and (one.width, one.height) == (other.width, other.height)
+    )
+
+
+def thesis_plan(site: Site) -> Plan:
+    """Plan recommended by the thesis: two boards, upright and at 45 deg, and six lines.
+
+    The boards hang 1.6 m apart at 5 m above the vessel, and all lines pass them at 15 m
+    (thesis 4.4.1, figures 3.3 and 4.2); what is there anyway takes no part.
+    """
+    boards = [
+        site.wall.board("T1", -0.8, 5.0, 90.0, site.sizes[0]),
+        site.wall.board("T2", 0.8, 5.0, 45.0, site.sizes[0]),
+    ]
+    turned = [site.facing_deg - 270.0 + heading for heading in SIX]
+    lines = line_pattern(turned, 15.0, facing_deg=site.facing_deg)
+    return site.plan(boards, lines).with_targets(boards)

@@ -1,0 +1,294 @@
+"""Search for the best plan of a site: boards and lines.
+
+If there are few plans, all are evaluated. If there are many,
+differential evolution (Storn and Price 1997, as scipy has it) searches among them, and the best
+that it finds are improved by exchanging one board or line at a time for any other that is allowed
+(coordinate exchange: Meyer and Nachtsheim 1995), until no exchange helps.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.design.objective import PlanObjective
+from lispac.design.plan import Plan
+from lispac.design.plan_choices import (
+    NO_PLAN,
+    DesignSpace,
+    PlanChoice,
+    have_targets_one_orientation,
+)
+from lispac.design.prediction import Prediction, predict
+from lispac.design.site import Site
+from lispac.errors import RankDeficient
+from lispac.language import gettext_lazy
+from lispac.messages import error
+from lispac.progress import Progress, no_progress
+
+Array = NDArray[np.float64]
+Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
+"""Calls a function on each of many values, in whatever process; the answers in order."""
+
+EXACTLY = 20_000
+"""Number of plans up to which all are evaluated."""
+
+POPULATION = 8
+"""Plans a generation for each choice that is open."""
+
+IMPROVED = 2
+"""Plans of the last generation that are improved: each leads to the best one near it."""
+
+HARDLY = 1e-3
+"""Smallest relative gain for an exchange."""
+
+
+@dataclass(frozen=True)
+class InformationGain:
+    """Information gain of a target or line: objective value of the plan without it, radians.
+
+    Infinite where an angle would be left open.
+    """
+
+    name: str
+    without: float
+
+
+@dataclass(frozen=True, eq=False)
+class ReductionStep:
+    """A plan in the sequence from large to small effort.
+
+    Attributes
+    ----------
+    minutes : float
+    value : float, radians
+        Of the objective.
+    """
+
+    plan: Plan
+    minutes: float
+    value: float
+
+
+@dataclass(frozen=True, eq=False)
+class DesignResult:
+    """Result of the search.
+
+    Attributes
+    ----------
+    plan : Plan
+    prediction : Prediction
+    value : float, radians
+        Of the objective.
+    exact : bool
+        Whether all plans were evaluated, so that none is better.
+    looked_at : int
+        Plans.
+    worth : tuple of InformationGain
+        Of each target and each line, the most valuable first.
+    front : tuple of ReductionStep
+        The best plans found for less and less time; the first is the plan.
+    """
+
+    plan: Plan
+    prediction: Prediction
+    value: float
+    exact: bool
+    looked_at: int
+    worth: tuple[InformationGain, ...]
+    front: tuple[ReductionStep, ...]
+
+
+def search(
+    site: Site,
+    objective: PlanObjective | None = None,
+    *,
+    plans: int = 10_000,
+    seed: int = 2019,
+    start: Plan | None = None,
+    mapper: Mapper = map,
+    progress: Progress = no_progress,
+) -> DesignResult:
+    """Find the best plan that a site allows.
+
+    Parameters
+    ----------
+    plans : int
+        Approximate number of evaluations if there are too many plans.
+    seed : int
+        The same seed finds the same plan, with any mapper.
+    start : Plan, optional
+        One to begin with: the search never ends with a worse one, where the site allows it.
+    mapper : callable
+        `map`, or that of a pool of processes.
+
+    Raises
+    ------
+    RankDeficient
+        No plan that the site allows determines the boresight.
+    """
+    space = DesignSpace(site, objective or PlanObjective())
+    counted = _CountingMapper(mapper, progress, min(plans, space.size))
+    exact = space.size <= EXACTLY
+    if exact:
+        chosen = _best_of_all_choices(space, counted)
+    else:
+        evolved = _evolve_choices(space, counted, plans, seed, start)
+        chosen = min(
+            (_improve_by_exchange(space, each, counted) for each in evolved), key=space.value
+        )
+    plan = space.plan(chosen)
+    prediction = predict(plan)
+    if not prediction.determined or space.value(chosen) >= NO_PLAN:
+        raise RankDeficient(error("design.no_plan"))
+    progress(0.95, gettext_lazy("Computing the information gain"))
+    return DesignResult(
+        plan,
+        prediction,
+        space.objective.of(plan),
+        exact,
+        counted.count,
+        information_gains(plan, space.objective),
+        _reduce_effort(site, plan, space.objective),
+    )
+
+
+def information_gains(
+    plan: Plan, objective: PlanObjective, *, progress: Progress = no_progress
+) -> tuple[InformationGain, ...]:
+    """Information gain of each target and each line, the largest first."""
+    found: list[InformationGain] = []
+    every = len(plan.targets) + len(plan.lines)
+    for k, target in enumerate(plan.targets):
+        progress(len(found) / every)
+        others = plan.with_targets((*plan.targets[:k], *plan.targets[k + 1 :]))
+        found.append(InformationGain(target.name, objective.if_determined(others)))
+    for k, course in enumerate(plan.courses):
+        progress(len(found) / every)
+        others = plan.with_lines((*plan.lines[:k], *plan.lines[k + 1 :]))
+        found.append(InformationGain(course.name, objective.if_determined(others)))
+    return tuple(sorted(found, key=lambda each: -each.without))
+
+
+class _CountingMapper:
+    """Mapper that counts the evaluated plans and reports progress."""
+
+    def __init__(self, mapper: Mapper, progress: Progress, expected: int) -> None:
+        self.mapper, self.progress, self.expected = mapper, progress, expected
+        self.count, self.best = 0, float("inf")
+
+    def __call__(self, function: Callable[[Any], float], values: Iterable[Any]) -> list[float]:
+        found = []
+        for value in self.mapper(function, values):
+            found.append(value)
+            self.count += 1
+            self.best = min(self.best, value)
+            if self.count % 50 == 0:
+                done = min(self.count / self.expected, 1.0)
+                self.progress(
+                    0.9 * done,
+                    gettext_lazy(
+                        "Evaluated plans: {count:n}, best σ {best:deg.4}°",
+                        count=self.count,
+                        best=self.best,
+                    ),
+                )
+        return found
+
+
+def _best_of_all_choices(space: DesignSpace, mapper: Mapper) -> PlanChoice:
+    choices = list(space.all())
+    values = list(mapper(space.value, choices))
+    return choices[int(np.argmin(values))]
+
+
+@dataclass(frozen=True, eq=False)
+class _GeneObjective:
+    """Objective value of genes; it can be sent to processes."""
+
+    space: DesignSpace
+
+    def __call__(self, genes: Array) -> float:
+        return self.space.value(self.space.choice(genes))
+
+
+def _evolve_choices(
+    space: DesignSpace, mapper: Mapper, plans: int, seed: int, start: Plan | None
+) -> list[PlanChoice]:
+    """Best choices of the last generation, all different."""
+    from scipy.optimize import differential_evolution
+
+    known = None if start is None else space.nearest(start)
+    generations = max(plans // (POPULATION * len(space.gene_sizes)) - 1, 1)
+    result = differential_evolution(
+        _GeneObjective(space),
+        [(0, width - 1) for width in space.gene_sizes],
+        integrality=True,
+        popsize=POPULATION,
+        maxiter=generations,
+        init="sobol",
+        x0=None if known is None else np.array(space.genes(known)),
+        seed=seed,
+        polish=False,
+        updating="deferred",
+        workers=mapper,
+        tol=0.0,
+    )
+    best_first = np.argsort(result.population_energies, kind="stable")
+    choices = dict.fromkeys(space.choice(result.population[k]) for k in best_first)
+    return list(choices)[:IMPROVED]
+
+
+def _improve_by_exchange(space: DesignSpace, choice: PlanChoice, mapper: Mapper) -> PlanChoice:
+    """Improve a choice by exchanges of one board or line until none helps."""
+    value = space.value(choice)
+    improved = True
+    while improved:
+        improved = False
+        for which, count in (("lines", len(space.lines)), ("boards", len(space.places))):
+            for slot in range(len(getattr(choice, which))):
+                kept: tuple[int, ...] = getattr(choice, which)
+                others = [
+                    replace(choice, **{which: (*kept[:slot], k, *kept[slot + 1 :])})
+                    for k in range(count)
+                ]
+                values = list(mapper(space.value, others))
+                best = int(np.argmin(values))
+                if values[best] < (1 - HARDLY) * value:
+                    choice, value, improved = others[best], values[best], True
+    return choice
+
+
+def _reduce_effort(site: Site, plan: Plan, objective: PlanObjective) -> tuple[ReductionStep, ...]:
+    """Leave out targets and lines one by one, the least loss for the minutes saved first."""
+    steps = [ReductionStep(plan, site.minutes(plan), objective.of(plan))]
+    while True:
+        now = steps[-1]
+        fewer = [
+            now.plan.with_lines(lines)
+            for k in range(len(now.plan.lines))
+            for lines in [(*now.plan.lines[:k], *now.plan.lines[k + 1 :])]
+        ]
+        fewer += [
+            now.plan.with_targets(targets)
+            for k, target in enumerate(now.plan.targets)
+            if target not in site.natural
+            for targets in [(*now.plan.targets[:k], *now.plan.targets[k + 1 :])]
+        ]
+        found = [
+            ReductionStep(p, site.minutes(p), objective.of(p))
+            for p in fewer
+            if p.targets and p.lines
+        ]
+        found = [
+            s
+            for s in found
+            if predict(s.plan).determined and not have_targets_one_orientation(s.plan)
+        ]
+        if not found:
+            return tuple(steps)
+        steps.append(
+            min(found, key=lambda s: np.log(s.value / now.value) / (now.minutes - s.minutes))
+        )

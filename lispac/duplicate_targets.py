@@ -1,0 +1,257 @@
+"""Duplicate targets: targets that have points in common.
+
+Points that two targets of an adjustment share count twice, and a validation plane on a target's
+points checks nothing.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.cause_warnings import SAME_ON_LINES, point_displacement
+from lispac.adjustment.warnings import result_warnings
+from lispac.messages import Level, Message, Value, note, shortened_list, warning
+from lispac.picked_targets import PickedSighting, Target
+from lispac.project import Project
+from lispac.warning_causes import RESULT, Cause
+
+SHARED = 0.1
+"""Share of common points from which two targets are reported."""
+SAME = 0.3
+"""Share from which both are the same surface."""
+PROBED = 1000
+"""Points of a sighting that are checked for common points with another."""
+
+
+@dataclass(frozen=True)
+class TargetOverlap:
+    """Two targets that have points in common.
+
+    Attributes
+    ----------
+    one, other : str
+        Their names, as they were given.
+    line : str
+        Where they have most in common.
+    share : float
+        Of the points of the smaller one there.
+    smaller : str
+        Its name.
+    """
+
+    one: str
+    other: str
+    line: str
+    share: float
+    smaller: str
+
+    @property
+    def is_same_surface(self) -> bool:
+        """True if both targets are the same surface."""
+        return self.share > SAME
+
+
+def find_overlaps(targets: Iterable[Target]) -> tuple[TargetOverlap, ...]:
+    """Pairs of used targets that share a tenth of the smaller one's points on some line."""
+    used = [_TargetPoints.of(target, target.used_sightings) for target in targets]
+    found = (_largest_overlap(one, other) for one, other in combinations(used, 2))
+    return tuple(each for each in found if each is not None)
+
+
+def find_overlap(target: Target, others: Iterable[Target]) -> TargetOverlap | None:
+    """Largest overlap of a target with another one; None if there is none.
+
+    A target of its own name does not count: it is the one that is replaced.
+    """
+    own = _TargetPoints.of(target, target.sightings)
+    found = (
+        _largest_overlap(own, _TargetPoints.of(other, other.sightings))
+        for other in others
+        if other.name != target.name
+    )
+    told = [each for each in found if each is not None]
+    return max(told, key=lambda each: each.share, default=None)
+
+
+_OVERLAPS = {
+    (True, "twice"): "overlap.same_surface_twice",
+    (True, "unchecked"): "overlap.same_surface_unchecked",
+    (True, ""): "overlap.same_surface",
+    (False, "twice"): "overlap.points_shared_twice",
+    (False, "unchecked"): "overlap.points_shared_unchecked",
+    (False, ""): "overlap.points_shared",
+}
+"""Code of the warning by whether both are the same surface, and by what that means."""
+
+
+def overlap_warning(target: Target, others: Iterable[Target]) -> Message | None:
+    """Warning that a new target shares points with another one; None if it does not."""
+    others = tuple(others)
+    found = find_overlap(target, others)
+    if found is None:
+        return None
+    other = next(each for each in others if each.name == found.other)
+    effect = "twice" if target.role == other.role else "unchecked"
+    if target.role == other.role == "validation":
+        effect = ""
+    return warning(
+        _OVERLAPS[found.is_same_surface, effect], target=target.name, other=found.other,
+        share=found.share, smaller=found.smaller, line=found.line,
+    )  # fmt: skip
+
+
+def duplicate_warnings(project: Project) -> tuple[Message, ...]:
+    """Warnings about targets that share points, then notes."""
+    return _duplicate_warnings(project.targets)
+
+
+# The window asks for the same targets at every move of a progress bar.
+@lru_cache(maxsize=2)
+def _duplicate_warnings(targets: tuple[Target, ...]) -> tuple[Message, ...]:
+    role = {target.name: target.role for target in targets}
+    found = find_overlaps(targets)
+    twice = [each for each in found if role[each.one] == role[each.other] == "target"]
+    mixed = [each for each in found if role[each.one] != role[each.other]]
+    messages = []
+    if twice:
+        messages.append(
+            warning(
+                "targets.counted_twice",
+                count=len(twice), pairs=_overlap_items(twice), subject=_overlap_cause(twice[0]),
+            )
+        )  # fmt: skip
+    if mixed:
+        turned = [
+            each if role[each.one] == "validation" else _swapped_overlap(each) for each in mixed
+        ]
+        messages.append(
+            note(
+                "targets.no_independent_check",
+                count=len(mixed), pairs=_overlap_items(turned), subject=_overlap_cause(mixed[0]),
+            )
+        )  # fmt: skip
+    return tuple(messages)
+
+
+def all_warnings(project: Project, also: Iterable[Message] = ()) -> tuple[Message, ...]:
+    """All warnings about a project with a result or without one, then notes."""
+    also = (*project_warnings(project), *also)
+    return result_warnings(project.result, project.cross_checks, also) if project.result else also
+
+
+def project_warnings(project: Project) -> tuple[Message, ...]:
+    """Warnings that follow from picks and files, before any adjustment."""
+    return (
+        *duplicate_warnings(project),
+        *single_line_notes(project.targets),
+        *data_warnings(project),
+    )
+
+
+def single_line_notes(targets: Iterable[Target]) -> tuple[Message, ...]:
+    """Note on targets that are excluded because only one line shows them."""
+    alone = [
+        target
+        for target in targets
+        if target.role == "target" and target.used_sightings and not target.is_compared
+    ]
+    if not alone:
+        return ()
+    sightings = [
+        note("item.sighting", target=target.name, line=target.used_sightings[0].line)
+        for target in alone
+    ]
+    first = Cause.of_target(alone[0].name)
+    return (
+        note("targets.single_line_targets", sightings=shortened_list(sightings), subject=first),
+    )
+
+
+def data_warnings(project: Project) -> tuple[Message, ...]:
+    """Warnings about the imported files, which apply to every result computed from them.
+
+    Lines with the same warning are named after the first one.
+    """
+    groups: dict[str, list[Message]] = {}
+    for message in project.data_messages:
+        if message.level is not Level.NOTE:
+            groups.setdefault(message.code, []).append(message)
+    found = []
+    for first, *others in groups.values():
+        lines = [each.subject.name for each in others if each.subject is not None]
+        if not lines:
+            found.append(replace(first, subject=first.subject or RESULT))
+            continue
+        params: dict[str, Value] = {"reason": first, "lines": lines}
+        effects = [point_displacement(each) for each in (first, *others)]
+        known = [each for each in effects if each is not None]
+        if len(known) == len(effects):
+            params["effect"] = max(known)
+        found.append(Message(SAME_ON_LINES, first.level, params, first.subject or RESULT))
+    return tuple(found)
+
+
+def _overlap_cause(found: TargetOverlap) -> Cause:
+    return Cause.of_sighting(found.smaller, found.line)
+
+
+def _swapped_overlap(found: TargetOverlap) -> TargetOverlap:
+    return replace(found, one=found.other, other=found.one)
+
+
+def _overlap_items(found: Sequence[TargetOverlap]) -> tuple[str | Message, ...]:
+    """Pairs of targets for a message."""
+    return shortened_list(
+        [
+            note(
+                "item.points_in_common",
+                one=each.one, other=each.other, share=each.share, line=each.line,
+            )
+            for each in found
+        ]
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class _TargetPoints:
+    """The points of a target by line, their numbers in order."""
+
+    name: str
+    lines: dict[str, NDArray[np.int64]]
+
+    @classmethod
+    def of(cls, target: Target, sightings: Iterable[PickedSighting]) -> "_TargetPoints":
+        # In order already as a rule, and a stable sort is quick to see that.
+        return cls(target.name, {s.line: np.sort(s.indices, kind="stable") for s in sightings})
+
+
+def _largest_overlap(one: _TargetPoints, other: _TargetPoints) -> TargetOverlap | None:
+    """Largest overlap of two targets on a line; None if there is none."""
+    found = []
+    for line, first in one.lines.items():
+        second = other.lines.get(line)
+        share = 0.0 if second is None else _shared_fraction(first, second)
+        if second is not None and share >= SHARED:
+            smaller = one if len(first) <= len(second) else other
+            found.append(TargetOverlap(one.name, other.name, line, share, smaller.name))
+    return max(found, key=lambda each: each.share, default=None)
+
+
+def _shared_fraction(first: NDArray[np.int64], second: NDArray[np.int64]) -> float:
+    """Share of the smaller target's points that the other has, from 0 to 1; both sorted."""
+    small, large = sorted((first, second), key=len)
+    if not len(small):
+        return 0.0
+    # Most pairs have no common points, which some of the points show.
+    share = _fraction_among(small[:: 1 + len(small) // PROBED], large)
+    return share if share < SHARED / 2 else _fraction_among(small, large)
+
+
+def _fraction_among(numbers: NDArray[np.int64], among: NDArray[np.int64]) -> float:
+    """Share of the numbers that are in ``among``, which is sorted."""
+    places = np.minimum(np.searchsorted(among, numbers), len(among) - 1)
+    return float(np.mean(among[places] == numbers))

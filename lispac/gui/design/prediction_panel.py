@@ -1,0 +1,226 @@
+"""Panel of the predicted precision of the plan."""
+
+from html import escape
+
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
+
+from lispac.adjustment.result import ANGLES
+from lispac.design.plan_search import InformationGain
+from lispac.gui import theme, units
+from lispac.gui.design import predicted_precision
+from lispac.gui.design.background_prediction import BackgroundPrediction, SlowResults
+from lispac.gui.design.predicted_precision import PredictedPrecision
+from lispac.gui.design.workspace import Workspace
+from lispac.gui.panels import widgets
+from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
+from lispac.language import N_, current_language, gettext, number
+from lispac.message_texts import message_text
+from lispac.workflow.plan_checks import plan_warnings
+
+HEADS = ("plan", "thesis")
+TITLES = N_("this plan"), N_("thesis plan")
+ANGLE_NAMES = dict(zip(ANGLES, (N_("roll"), N_("pitch"), N_("yaw")), strict=True))
+PAIRS = (N_("roll–pitch"), N_("roll–yaw"), N_("pitch–yaw"))
+
+
+class PredictionPanel(QScrollArea):
+    """Standard deviations beside those of the thesis, correlations and information gain."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        super().__init__()
+        self.setObjectName("design_results")
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setMinimumWidth(330)
+        self._work = workspace
+        self.following = BackgroundPrediction(workspace, self)
+        self._told = PredictedPrecision(workspace.titled.plan, None, True)
+        body = QWidget()
+        layout = widgets.vertical_layout(body, 12)
+        unit = units.shown_unit("°").sign
+        layout.addWidget(
+            widgets.label(gettext("Predicted standard deviations ({unit})", unit=unit), "heading")
+        )
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(14)
+        grid.setVerticalSpacing(4)
+        for column, title in enumerate(map(gettext, TITLES), start=1):
+            grid.addWidget(widgets.label(title, "muted"), 0, column, Qt.AlignmentFlag.AlignRight)
+        self.sigma: dict[str, QLabel] = {}
+        self.thesis: dict[str, QLabel] = {}
+        for row, angle in enumerate(ANGLES, start=1):
+            named = gettext(ANGLE_NAMES[angle])
+            grid.addWidget(widgets.label(named), row, 0)
+            for column, (held, size) in enumerate(((self.sigma, 20), (self.thesis, 14)), start=1):
+                shown = widgets.label("", name=f"design_{HEADS[column - 1]}_{angle}")
+                font = theme.tabular_font(shown.font(), bold=column == 1)
+                font.setPixelSize(size)
+                shown.setFont(font)
+                # Keeps its width when the first numbers arrive.
+                shown.setMinimumWidth(QFontMetrics(font).horizontalAdvance("0.0000") + 4)
+                shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                shown.setAccessibleName(
+                    gettext(
+                        "Standard deviation of {angle} ({plan}), in {unit}",
+                        angle=named, plan=gettext(TITLES[column - 1]), unit=unit,
+                    )
+                )  # fmt: skip
+                grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
+                held[angle] = shown
+        grid.setColumnStretch(3, 1)
+        layout.addLayout(grid)
+        self.correlation = widgets.label("", "muted", wrap=True, name="design_correlation")
+        self.correlation.setToolTip(
+            gettext(
+                "Correlations between the angles. Two angles cannot be separated if their "
+                "correlation is close to 1 or −1."
+            )
+        )
+        layout.addWidget(self.correlation)
+        self.minutes = widgets.label("", "muted", wrap=True, name="design_minutes")
+        layout.addWidget(self.minutes)
+        self.cautions = widgets.label("", "warning", wrap=True, name="design_cautions")
+        layout.addWidget(self.cautions)
+        self.words = widgets.label("", "hint", wrap=True, name="design_words")
+        self.words.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
+        layout.addWidget(self.words)
+        layout.addWidget(widgets.label(gettext("Points per sighting"), "heading"))
+        self.points = widgets.label("", name="design_points", rich=True)
+        self.points.setAccessibleName(gettext("Points per sighting"))
+        self._beside = QScrollArea()
+        self._beside.setFrameShape(QFrame.Shape.NoFrame)
+        self._beside.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._beside.setWidgetResizable(True)
+        self._beside.setWidget(self.points)
+        layout.addWidget(self._beside)
+        layout.addWidget(widgets.label(gettext("Information gain"), "heading"))
+        self.worth = DiagnosticsTable(
+            "design_worth",
+            gettext("Information gain of each target and line"),
+            _information_gain_columns(),
+        )
+        self.worth.setMinimumHeight(170)
+        layout.addWidget(self.worth, 1)
+        self.setWidget(body)
+        self.following.foretold.connect(self._show_sigmas)
+        self.following.said.connect(self._show_remarks)
+        self.following.weighed.connect(self._show_information_gains)
+        self.following.late.connect(self._mark_out_of_date)
+        workspace.changed.connect(self._show)
+        self._show()
+        self.following.start()
+
+    def _show(self) -> None:
+        """Show the values that need no computation."""
+        titled = self._work.titled
+        self.minutes.setText(predicted_precision.time_on_site_text(titled))
+        found = plan_warnings(titled)
+        self.cautions.setText("\n".join(map(message_text, found)))
+        self.cautions.setVisible(bool(found))
+
+    def _mark_out_of_date(self) -> None:
+        """Mark the values of the former plan as out of date."""
+        if self.following.is_out_of_date:
+            for label in self.sigma.values():
+                label.setStyleSheet(f"color: {theme.MUTED};")
+        if not self.following.has_said:
+            self.words.setText(gettext("Computing…"))
+        self.worth.show_rows([])
+
+    def _show_sigmas(self, found: PredictedPrecision) -> None:
+        """Show standard deviations and correlations, also during a drag."""
+        self._told = found
+        for angle, sigma in zip(ANGLES, self._told.sigmas, strict=True):
+            self.sigma[angle].setText(sigma)
+            self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._told.refused else "")
+        pairs = zip(map(gettext, PAIRS), self._told.correlations, strict=True)
+        separator = ", " if current_language() == "en" else " ; "
+        self.correlation.setText(
+            gettext("Correlations: {pairs}", pairs=separator.join(f"{p} {c}" for p, c in pairs))
+        )
+        self._show_point_counts()
+
+    def _show_point_counts(self) -> None:
+        found, plan = self._told.prediction, self._told.plan
+        counts = {} if found is None else found.points
+        lines = [course.name for course in plan.courses] if plan.targets else []
+        names = [target.name for target in plan.targets]
+        # More targets than lines are rare: lines run down, as in the table of lines.
+        head = "".join(
+            f"<td align='right'>&nbsp;&nbsp;<b>{escape(name)}</b></td>" for name in names
+        )
+        rows = "".join(
+            f"<tr><td>{escape(line)}</td>"
+            + "".join(f"<td align='right'>&nbsp;&nbsp;{_point_count_text(counts, name, line)}</td>"
+                      for name in names)
+            + "</tr>"
+            for line in lines
+        )  # fmt: skip
+        self.points.setText(f"<table><tr><td></td>{head}</tr>{rows}</table>")
+        size = self.points.sizeHint()
+        bar = self._beside.horizontalScrollBar().sizeHint().height()
+        self._beside.setFixedHeight(size.height() + bar)
+
+    def _show_remarks(self, said: SlowResults) -> None:
+        refused = self._told.refused
+        self.words.setProperty("role", "warning" if refused else "hint")
+        self.words.style().unpolish(self.words)
+        self.words.style().polish(self.words)
+        self.words.setText("\n".join(map(message_text, said.remarks)))
+        for angle, sigma in zip(ANGLES, said.thesis.sigmas, strict=True):
+            self.thesis[angle].setText(sigma)
+
+    def _show_information_gains(self, worths: tuple[InformationGain, ...]) -> None:
+        known = self._told.prediction is not None and self._told.prediction.determined
+        largest = float(np.degrees(self._told.prediction.sigma.max())) if known else np.nan
+        rows = []
+        for each in worths:
+            without = float(np.degrees(each.without))
+            times = without / largest if known and np.isfinite(without) else None
+            cells = [
+                Cell(each.name), _sigma_cell(without),
+                Cell("" if times is None else number(times, 2), times),
+            ]  # fmt: skip
+            rows.append(Row(cells))
+        self.worth.show_rows(rows)
+
+    def stop(self) -> None:
+        """Stop all computations."""
+        self.following.stop()
+
+
+def _sigma_cell(degrees: float) -> Cell:
+    if not np.isfinite(degrees):
+        return Cell(gettext(predicted_precision.OPEN), degrees)
+    form = predicted_precision.sigma_format(degrees)
+    return Cell(f"{degrees:{form}}", degrees, figure=(form, 1.0))
+
+
+def _point_count_text(counts, target: str, line: str) -> str:
+    found = counts.get((target, line))
+    return number(found, 0) if found is not None else predicted_precision.UNKNOWN
+
+
+def _information_gain_columns() -> tuple[Column, Column, Column]:
+    return (
+        Column(
+            gettext("Omitted item"),
+            gettext("Target or line omitted from the survey plan"),
+            words=True,
+        ),
+        Column(
+            gettext("Largest σ (deg)"),
+            gettext("Largest of the three standard deviations if this target or line is omitted"),
+            base="°",
+        ),
+        Column(
+            gettext("Factor"),
+            gettext(
+                "Largest standard deviation if this target or line is omitted, divided by that of "
+                "the whole plan"
+            ),
+        ),
+    )

@@ -1,0 +1,357 @@
+"""All dialogues of the window behind one object, which tests replace."""
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+from PySide6.QtWidgets import QApplication, QDialog, QFileDialog
+
+from lispac.alternative_methods import Method
+from lispac.gui.dialogs.about import about_box, shortcuts_box
+from lispac.gui.dialogs.budget import BudgetDialog
+from lispac.gui.dialogs.check import CheckDialog, CheckRequest, CheckResultDialog
+from lispac.gui.dialogs.export import ExportDialog
+from lispac.gui.dialogs.find_again import FindAgainDialog
+from lispac.gui.dialogs.history import HistoryDialog
+from lispac.gui.dialogs.identity import IdentityDialog
+from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
+from lispac.gui.dialogs.import_files.dialog import ImportDialog
+from lispac.gui.dialogs.line_quality import LineQualityDialog
+from lispac.gui.dialogs.methods import MethodsDialog
+from lispac.gui.dialogs.preview import PreviewDialog
+from lispac.gui.dialogs.proposal import ProposalDialog
+from lispac.gui.dialogs.questions import Questions
+from lispac.gui.dialogs.script import ScriptDialog
+from lispac.gui.dialogs.seed_at import SeedDialog
+from lispac.gui.dialogs.seed_list import SeedListDialog, SeedsFoundDialog
+from lispac.gui.dialogs.sensors_of_plan import PlanSensorsDialog, Sensors
+from lispac.gui.dialogs.settings import SettingsDialog
+from lispac.gui.dialogs.subsampling import SubsamplingDialog
+from lispac.gui.dialogs.visibility import VisibilityDialog
+from lispac.gui.preferences import Preferences
+from lispac.gui.seed_options import SeedOptions
+from lispac.gui.settings import AppSettings
+from lispac.identity import Identity
+from lispac.language import N_, gettext
+from lispac.messages import Message
+from lispac.method_comparison import MethodResult
+from lispac.project import LineSource, Project, Target, Triple
+from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.report.budget_values import ErrorBudgetValues
+from lispac.simulation.visibility_study import VisibilityStudy
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.targets.finder_settings import FinderChoices
+from lispac.workflow.export_request import ExportRequest, What
+from lispac.workflow.georeferencing import Which
+from lispac.workflow.history import History
+from lispac.workflow.input_files import ImportRequest
+from lispac.workflow.line_quality import LineQuality
+from lispac.workflow.proposals import Proposal
+from lispac.workflow.seed_lists import ListedSeed, SeedOutcome
+from lispac.workflow.subsampling import SubsamplingResult
+
+if TYPE_CHECKING:
+    from lispac.workflow.script import Script
+
+DesignFile = Literal["open", "save", "page", "site"]
+DESIGN_FILES: dict[DesignFile, tuple[str, str, bool]] = {
+    "open": (N_("Open survey plan"), N_("Survey plan (*.toml)"), False),
+    "save": (N_("Save survey plan"), N_("Survey plan (*.toml)"), True),
+    "page": (N_("Save field plan"), "PDF (*.pdf)", True),
+    "site": (N_("Open site file"), N_("Site file (*.toml)"), False),
+}
+"""Title and filter of the file dialogue, and whether the file is written."""
+REPORT_FILTERS = (
+    "PDF (*.pdf)", "HTML (*.html)", N_("Results as JSON (*.json)"),
+    N_("Tables as CSV in a ZIP file (*.zip)"),
+)  # fmt: skip
+
+
+class Dialogs(Questions):
+    """Shows the dialogues and returns the answers of the user."""
+
+    def new_project(
+        self, settings: AppSettings, paths: Sequence[Path] = ()
+    ) -> ImportRequest | Path | None:
+        """The import of a new project, or an existing project that was dropped instead.
+
+        Parameters
+        ----------
+        paths : sequence of Path
+            Files and folders to start with.
+        """
+        dialog = ImportDialog(settings, self.parent)
+        dialog.add(paths)
+        accepted = dialog.exec() == QDialog.DialogCode.Accepted
+        answer = dialog.request() if accepted else dialog.project
+        dialog.deleteLater()
+        return answer
+
+    def add_lines(
+        self, settings: AppSettings, project: Project, paths: Sequence[Path] = ()
+    ) -> tuple[LineSource, ...] | Path | None:
+        """Lines to add to the open project, or the project that was dropped instead.
+
+        Parameters
+        ----------
+        paths : sequence of Path
+            Files and folders to start with.
+        """
+        dialog = AddLinesDialog(settings, project, self.parent)
+        dialog.add(paths)
+        accepted = dialog.exec() == QDialog.DialogCode.Accepted
+        answer = dialog.sources() if accepted else dialog.project
+        dialog.deleteLater()
+        return answer
+
+    def project_to_open(self, start: Path) -> Path | None:
+        """File of a project to open."""
+        name, _ = QFileDialog.getOpenFileName(
+            self.parent,
+            gettext("Open project"),
+            str(start),
+            gettext("LISPAC project (project.json *.lispac)"),
+        )
+        return Path(name) if name else None
+
+    def folder_to_save_in(self, start: Path) -> Path | None:
+        """Ask for a new folder for the project; ``start`` is proposed."""
+        name, _ = QFileDialog.getSaveFileName(
+            self.parent,
+            gettext("Save project as (name of the new folder)"),
+            str(start),
+            gettext("Folder (*)"),
+            # Nothing is overwritten: existing projects and files are refused
+            options=QFileDialog.Option.DontConfirmOverwrite,
+        )
+        return Path(name) if name else None
+
+    def folder_of_projects(self, start: Path) -> Path | None:
+        """A folder that contains projects."""
+        name = QFileDialog.getExistingDirectory(
+            self.parent, gettext("Folder that contains the calibration projects"), str(start)
+        )
+        return Path(name) if name else None
+
+    def check(self, project: Project, trajectory: LocalTrajectory) -> CheckRequest | None:
+        """Ask for the reference of a check of the lines; None if cancelled."""
+        dialog = CheckDialog(project, trajectory, self.parent)
+        answer = dialog.request if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def checked(self, found: AbsoluteCheckValues) -> None:
+        """Show the result of a check: distances of the lines from the reference."""
+        dialog = CheckResultDialog(found, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def budget(self, budget: ErrorBudgetValues) -> None:
+        """Show the error budget."""
+        dialog = BudgetDialog(budget, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def history(self, histories: Sequence[History], remarks: Sequence[Message]) -> None:
+        """Show the calibrations of each system."""
+        dialog = HistoryDialog(histories, remarks, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def subsampling(self, found: Sequence[SubsamplingResult], used: float) -> None:
+        """Show the results at several point spacings; ``used`` is that of the project."""
+        dialog = SubsamplingDialog(found, used, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def line_quality(self, found: LineQuality) -> None:
+        """Show the differences between the lines."""
+        dialog = LineQualityDialog(found, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def methods(
+        self,
+        found: Sequence[MethodResult],
+        absent: Sequence[Method],
+        refused: Mapping[str, Message],
+    ) -> bool:
+        """Show the results of all methods; return whether to run the missing ones."""
+        dialog = MethodsDialog(found, absent, refused, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+        return dialog.asks
+
+    def visibility(self, found: Sequence[VisibilityStudy]) -> None:
+        """Show the visibility of errors on each site."""
+        dialog = VisibilityDialog(found, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def design_file(self, what: DesignFile, start: Path) -> Path | None:
+        """A file of a plan, a site or a field plan, to read or to write."""
+        title, filter_, writes = DESIGN_FILES[what]
+        ask = QFileDialog.getSaveFileName if writes else QFileDialog.getOpenFileName
+        name, _ = ask(self.parent, gettext(title), str(start), gettext(filter_))
+        if not name:
+            return None
+        path = Path(name)
+        ending = start.suffix if writes else ""
+        return path if path.suffix or not ending else path.with_name(path.name + ending)
+
+    def report_file(self, start: Path) -> Path | None:
+        """File for the report; its suffix, or the chosen filter, sets the format."""
+        filters = ";;".join(map(gettext, REPORT_FILTERS))
+        name, kind = QFileDialog.getSaveFileName(
+            self.parent, gettext("Export report"), str(start), filters
+        )
+        if not name:
+            return None
+        path = Path(name)
+        ending = kind.rpartition("*")[2].rstrip(")")  # of "PDF (*.pdf)", in any language
+        return path if path.suffix else path.with_suffix(ending)
+
+    def pdf_file(self, start: Path) -> Path | None:
+        """PDF file for the report of the preview."""
+        name, _ = QFileDialog.getSaveFileName(
+            self.parent, gettext("Save the report as PDF"), str(start), "PDF (*.pdf)"
+        )
+        path = Path(name)
+        return (
+            path.with_name(f"{path.name}.pdf" if not path.suffix else path.name) if name else None
+        )
+
+    def preview(self, pages: Sequence[bytes], save: Callable[[], str]) -> None:
+        """Show the pages of the report; ``save`` saves them and returns a text about it."""
+        dialog = PreviewDialog(pages, save, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def script_file(self, start: Path) -> Path | None:
+        """File for the script of the project."""
+        name, _ = QFileDialog.getSaveFileName(
+            self.parent, gettext("Save the script"), str(start), "Python (*.py)"
+        )
+        return Path(name if Path(name).suffix else f"{name}.py") if name else None
+
+    def script(self, script: "Script", save: Callable[[], str]) -> None:
+        """Show the script of the project; ``save`` saves it and returns a text about it."""
+        dialog = ScriptDialog(script, save, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def report_template(self, start: Path) -> Path | None:
+        """Template of the reports of a company."""
+        name, _ = QFileDialog.getOpenFileName(
+            self.parent, gettext("Open report template"), str(start),
+            gettext("Report template (*.toml)"),
+        )  # fmt: skip
+        return Path(name) if name else None
+
+    def picture_file(self, start: Path, kinds: Sequence[str]) -> Path | None:
+        """File for a picture; its suffix, or the chosen filter, sets the format."""
+        filters = ";;".join(f"{kind} (*.{kind.lower()})" for kind in kinds)
+        name, chosen = QFileDialog.getSaveFileName(
+            self.parent, gettext("Save the picture"), str(start), filters
+        )
+        if not name:
+            return None
+        path, ending = Path(name), f".{chosen.split(' ')[0].lower()}"
+        known = path.suffix.lower() in {f".{kind.lower()}" for kind in kinds}
+        return path if known else path.with_name(path.name + ending)
+
+    def export(
+        self, what: What, which: Which, project: Project, trajectory: LocalTrajectory
+    ) -> ExportRequest | None:
+        """Ask for the options of an export; None if cancelled."""
+        dialog = ExportDialog(what, which, project, trajectory, self.parent)
+        answer = dialog.request() if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def identity(self, identity: Identity, dates: Callable[[], str]) -> Identity | None:
+        """Ask for the details of the report; ``dates`` returns the days of the lines."""
+        dialog = IdentityDialog(identity, dates, self.parent)
+        answer = dialog.identity if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def preferences(self, present: Preferences, settings: AppSettings) -> Preferences | None:
+        """Preferences for all projects; the dialogue also edits the sensor library."""
+        dialog = SettingsDialog(present, settings.sensors, self.parent)
+        answer = dialog.preferences if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def sensors_of_plan(self, settings: AppSettings) -> Sensors | None:
+        """Sensors of the library for a plan; None where the dialogue is cancelled."""
+        dialog = PlanSensorsDialog(settings.sensors, QApplication.activeWindow() or self.parent)
+        answer = dialog.sensors if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def proposal(self, proposal: Proposal) -> tuple[str, ...]:
+        """Names of the accepted targets of a proposal."""
+        dialog = ProposalDialog(proposal, self.parent)
+        answer = dialog.ticked_entries if dialog.exec() == QDialog.DialogCode.Accepted else ()
+        dialog.deleteLater()
+        return answer
+
+    def find_again(self, target: Target) -> tuple[float, float, FinderChoices] | None:
+        """Threshold and search radius (metres) and other settings to find a target again."""
+        dialog = FindAgainDialog(target, self.parent)
+        answer = dialog.settings if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def seed_at(
+        self, project: Project, trajectory: LocalTrajectory, seed_options: SeedOptions, name: str
+    ) -> tuple[str, Triple] | None:
+        """Name and place of a typed seed; ``name`` is proposed."""
+        dialog = SeedDialog(project, trajectory, seed_options, name, self.parent)
+        answer = dialog.seed if dialog.exec() == QDialog.DialogCode.Accepted else None
+        dialog.deleteLater()
+        return answer
+
+    def seed_list_file(self, start: Path) -> Path | None:
+        """A list of target coordinates."""
+        name, _ = QFileDialog.getOpenFileName(
+            self.parent, gettext("Open list of seeds"), str(start),
+            ";;".join(
+                [
+                    gettext(
+                        "Lists of coordinates ({patterns})",
+                        patterns="*.txt *.csv *.asc *.xyz *.pts *.dat",
+                    ),
+                    gettext("All files (*)"),
+                ]
+            ),
+        )  # fmt: skip
+        return Path(name) if name else None
+
+    def seed_list(
+        self, path: Path, project: Project, trajectory: LocalTrajectory, how: str
+    ) -> tuple[ListedSeed, ...]:
+        """Seeds of a list to pick; ``how`` describes the search."""
+        dialog = SeedListDialog(path, project, trajectory, how, self.parent)
+        answer = dialog.ticked_entries if dialog.exec() == QDialog.DialogCode.Accepted else ()
+        dialog.deleteLater()
+        return answer
+
+    def seeds_found(self, outcomes: Sequence[SeedOutcome], lines: int) -> None:
+        """Show which seeds of a list led to a target."""
+        dialog = SeedsFoundDialog(outcomes, lines, self.parent)
+        dialog.exec()
+        dialog.deleteLater()
+
+    def about(self) -> None:
+        """Show version, conventions and licence of the program."""
+        box = about_box(self.parent)
+        box.exec()
+        box.deleteLater()
+
+    def shortcuts(self) -> None:
+        """Show the mouse and keyboard commands."""
+        box = shortcuts_box(self.parent)
+        box.exec()
+        box.deleteLater()

@@ -1,0 +1,175 @@
+"""Worker of the import dialogue: reads files one after the other in the background."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from lispac.errors import Cancelled, LispacError
+from lispac.gui.dialogs.error import error_text_and_details
+from lispac.gui.tasks import TaskRunner
+from lispac.io.files import message_with_file_name
+from lispac.language import gettext
+from lispac.messages import Message, error
+from lispac.progress import Progress
+from lispac.survey.line_source import printable
+from lispac.workflow.input_file import InputFile, examine_file, examine_project_file, reexamine_file
+from lispac.workflow.input_files import InputFiles, collect_files, find_project
+
+STOPPED = "import.stopped"
+"""Code of the entries that were not read because the user stopped the reading."""
+
+
+class ImportWorker(QObject):
+    """Holds the files of an import and reads them in the background.
+
+    Parameters
+    ----------
+    mappings : dict of str to str
+        Columns of text files chosen earlier, by their layout.
+    """
+
+    changed = Signal()
+    """The files or their settings have changed."""
+    moved = Signal()
+    """The running work has progressed: see `words` and `fraction`."""
+    project_found = Signal(object)
+    """A project was dropped, to be opened."""
+
+    def __init__(self, mappings: dict[str, str], parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.intake = InputFiles()
+        self._mappings = mappings
+        self._queued: dict[Path, InputFile] = {}
+        self._done = 0
+        self.runner = TaskRunner(self)
+        self.runner.moved.connect(self.moved)
+
+    def begin(self, intake: InputFiles) -> None:
+        """Set the files of an open project."""
+        self.edit(intake)
+
+    def add(self, paths: Iterable[Path]) -> None:
+        """Add files and folders."""
+        paths = list(paths)
+
+        def work(progress: Progress) -> tuple[Path | None, tuple[Path, ...]]:
+            return find_project(paths), collect_files(paths)
+
+        def done(found: tuple[Path | None, tuple[Path, ...]]) -> None:
+            if found[0] is not None:
+                self.project_found.emit(found[0])
+            else:
+                self.edit(self.intake.with_files(found[1]))
+
+        self.runner.run(gettext("Listing the files"), work, done)
+
+    def edit(self, intake: InputFiles) -> None:
+        """Replace the import, and read the files that are pending."""
+        self.intake = intake
+        here = {entry.path for entry in intake.entries}
+        self._queued = {path: entry for path, entry in self._queued.items() if path in here}
+        for entry in intake.entries:
+            if entry.pending and self._queued.get(entry.path) is not entry:
+                self._examine_file(entry)
+        self.changed.emit()
+
+    def stop(self) -> None:
+        """Stop reading files."""
+        self.runner.cancel()
+        self._queued = {}
+        self._done = 0
+        entries = tuple(
+            replace(e, pending=False, error=_stopped_error(e)) if e.pending else e
+            for e in self.intake.entries
+        )
+        self.intake = replace(self.intake, entries=entries)
+        self.changed.emit()
+
+    @property
+    def was_stopped(self) -> bool:
+        """Whether some files were not read because the user stopped the reading."""
+        return any(_was_stopped(entry) for entry in self.intake.entries)
+
+    def read_skipped(self) -> None:
+        """Read the files that were skipped when the reading was stopped."""
+        entries = tuple(
+            replace(e, pending=True) if _was_stopped(e) else e for e in self.intake.entries
+        )
+        self.edit(replace(self.intake, entries=entries))
+
+    @property
+    def busy(self) -> bool:
+        """Whether a file is being read or is queued."""
+        return self.runner.active
+
+    @property
+    def words(self) -> str:
+        """Text of the running step in the language of the user."""
+        task = self.runner.current
+        if task is None:
+            return ""
+        total = self._done + sum(entry.pending for entry in self.intake.entries)
+        step = str(task.step or task.title)
+        if total <= 1:
+            return step
+        return gettext(
+            "{step} ({number:n} of {total:n})", step=step, number=self._done + 1, total=total
+        )
+
+    @property
+    def fraction(self) -> float:
+        """Share of the work that is done, from 0 to 1."""
+        task = self.runner.current
+        total = self._done + sum(entry.pending for entry in self.intake.entries)
+        return (self._done + (0.0 if task is None else task.fraction)) / max(total, 1)
+
+    def close(self) -> None:
+        """Stop the worker and wait for its end."""
+        self.runner.close()
+
+    def _examine_file(self, entry: InputFile) -> None:
+        self._queued[entry.path] = entry
+        mappings = self._mappings
+
+        def work(progress: Progress) -> InputFile:
+            try:
+                if entry.given is not None:
+                    return examine_project_file(entry, progress=progress)
+                if not entry.looks:
+                    return examine_file(entry.path, mappings, progress=progress)
+                return reexamine_file(entry, progress=progress)
+            except Cancelled:
+                raise
+            except Exception as failure:  # whatever one file does, the others are examined
+                return replace(entry, pending=False, error=_examination_error(entry, failure))
+
+        def done(found: InputFile) -> None:
+            if self._queued.get(entry.path) is not entry:
+                return
+            del self._queued[entry.path]
+            self._done = self._done + 1 if self._queued else 0
+            self.edit(self.intake.with_entry(found).with_resolved_role(found.path))
+
+        title = gettext("Reading {file}", file=entry.path.name)
+        self.runner.run(title, work, done, key=str(entry.path))
+
+
+def _stopped_error(entry: InputFile) -> Message:
+    return error(STOPPED, file=printable(entry.path.name))
+
+
+def _was_stopped(entry: InputFile) -> bool:
+    return entry.error is not None and entry.error.code == STOPPED
+
+
+def _examination_error(entry: InputFile, failure: Exception) -> Message:
+    """Error of a file that cannot be examined."""
+    if isinstance(failure, LispacError):
+        return message_with_file_name(failure, entry.path)
+    file, (sentence, details) = printable(entry.path.name), error_text_and_details(failure)
+    if not details:
+        return error("file.refused", file=file, reason=sentence)
+    kind = type(failure).__name__
+    return error("import.not_examined", file=file, kind=kind, reason=str(failure))

@@ -1,0 +1,91 @@
+"""Log file of the program, for messages and errors that nobody has seen.
+
+A program without a console has nowhere to print to. Notes, errors with their origin, exceptions of
+threads, warnings of libraries and of Qt, and where the process stood when it died all go there.
+"""
+
+import faulthandler
+import logging
+import sys
+import threading
+from collections.abc import Callable
+from logging.handlers import RotatingFileHandler
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
+
+LOG = logging.getLogger("lispac")
+NAME, CRASH_NAME = "lispac.log", "lispac-crash.log"
+LARGEST, KEPT = 1_000_000, 3
+"""Bytes of a file, and how many older ones stay."""
+_LEVELS = {
+    QtMsgType.QtDebugMsg: logging.DEBUG, QtMsgType.QtInfoMsg: logging.INFO,
+    QtMsgType.QtWarningMsg: logging.WARNING, QtMsgType.QtCriticalMsg: logging.ERROR,
+    QtMsgType.QtFatalMsg: logging.CRITICAL,
+}  # fmt: skip
+
+
+class LogFile:
+    """Writes the log file between `begin` and `end`.
+
+    Parameters
+    ----------
+    folder : where the files go
+    unforeseen : tells the user of an exception that nothing else has caught
+    """
+
+    def __init__(self, folder: Path, unforeseen: Callable[[BaseException], None]) -> None:
+        self.file = folder / NAME
+        self._unforeseen = unforeseen
+        self._handler: logging.Handler | None = None
+        self._crash: Any = None
+
+    def begin(self) -> None:
+        """Open the log file; without write access the program runs without it."""
+        try:
+            self.file.parent.mkdir(parents=True, exist_ok=True)
+            self._handler = RotatingFileHandler(
+                self.file, maxBytes=LARGEST, backupCount=KEPT, encoding="utf-8", delay=False
+            )
+            self._crash = (self.file.with_name(CRASH_NAME)).open("w", encoding="utf-8")
+        except OSError:
+            self._handler = logging.NullHandler()
+        self._handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(message)s"))
+        for logger in (LOG, logging.getLogger("py.warnings")):
+            logger.addHandler(self._handler)
+        LOG.setLevel(logging.INFO)
+        logging.captureWarnings(True)
+        if self._crash is not None:
+            faulthandler.enable(self._crash)
+        qInstallMessageHandler(_log_qt_message)
+        sys.excepthook = self._report_uncaught
+        threading.excepthook = lambda known: self._report_uncaught(
+            known.exc_type, known.exc_value, known.exc_traceback
+        )
+
+    def end(self) -> None:
+        """Close the log file and remove all handlers."""
+        sys.excepthook, threading.excepthook = sys.__excepthook__, threading.__excepthook__
+        qInstallMessageHandler(None)
+        logging.captureWarnings(False)
+        for logger in (LOG, logging.getLogger("py.warnings")):
+            logger.removeHandler(self._handler)
+        self._handler.close()
+        if self._crash is not None:
+            faulthandler.disable()
+            self._crash.close()
+
+    def _report_uncaught(
+        self,
+        _kind: type[BaseException],
+        error: BaseException | None,
+        _trace: TracebackType | None,
+    ) -> None:
+        if error is not None:
+            self._unforeseen(error)
+
+
+def _log_qt_message(kind: QtMsgType, _context: QMessageLogContext, text: str) -> None:
+    LOG.log(_LEVELS[kind], "Qt: %s", text)

@@ -1,0 +1,82 @@
+"""Long calculation of a library, run in slices between events of the window.
+
+For what neither has steps of its own nor can go to the worker, since the window uses the same
+objects: the thread it has runs only while its caller waits, so never two at a time.
+"""
+
+import threading
+import time
+from collections.abc import Callable
+
+SLICE_S = 0.03
+"""Seconds after which the calculation pauses where it allows it."""
+
+
+class _Abandoned(BaseException):
+    """Ends a calculation that was abandoned."""
+
+
+class SlicedCalculation:
+    """Calculation that pauses after each slice until the caller continues it."""
+
+    def __init__(self) -> None:
+        self._turn, self._back = threading.Semaphore(0), threading.Semaphore(0)
+        self._thread: threading.Thread | None = None
+        self._done = self._given_up = False
+        self._error: BaseException | None = None
+        self._until = 0.0
+
+    @property
+    def under_way(self) -> bool:
+        """Whether a calculation was begun and is not finished."""
+        return self._thread is not None
+
+    def begin(self, work: Callable[[], object]) -> None:
+        """Set a calculation, which calls `rest` where it may pause; `go_on` starts it."""
+        self.abandon()
+        self._done = self._given_up = False
+        self._error = None
+
+        def run() -> None:
+            self._turn.acquire()
+            self._until = time.perf_counter() + SLICE_S
+            try:
+                if not self._given_up:
+                    work()
+            except _Abandoned:
+                pass
+            except BaseException as error:
+                self._error = error
+            self._done = True
+            self._back.release()
+
+        self._thread = threading.Thread(target=run, daemon=True, name="slices")
+        self._thread.start()
+
+    def go_on(self) -> bool:
+        """Calculate for one slice; return True if finished. Raises errors of the calculation."""
+        if self._thread is None:
+            return True
+        self._turn.release()
+        self._back.acquire()
+        if self._done:
+            self._thread.join()
+            self._thread = None
+        if self._error is not None:
+            raise self._error
+        return self._done
+
+    def rest(self) -> None:
+        """Pause the calculation if its slice is over; called by the calculation."""
+        if threading.current_thread() is not self._thread or time.perf_counter() < self._until:
+            return
+        self._back.release()
+        self._turn.acquire()
+        if self._given_up:
+            raise _Abandoned
+        self._until = time.perf_counter() + SLICE_S
+
+    def abandon(self) -> None:
+        """Abandon the calculation."""
+        self._given_up = True
+        self.go_on()

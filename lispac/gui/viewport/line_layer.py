@@ -1,0 +1,238 @@
+"""Drawn lines of one placement: coarse during camera movements, detailed at rest.
+
+Knows no 3D library but by the functions of `actors`.
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.gui.viewport.actors import (
+    EDGE,
+    clip_actors,
+    darker_colour,
+    point_actor,
+    point_polydata,
+    set_point_pixels,
+    shift_depth,
+)
+from lispac.gui.viewport.base import Array, Colour, Shading
+from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.clipping import Box
+from lispac.gui.viewport.decimation import line_budgets, lowest_ranked, points_in_view, random_ranks
+from lispac.gui.viewport.frame_times import SLICES
+
+FAR = 1e4
+"""Coordinates beyond it (metres) have a common origin removed: float32 steps by a millimetre."""
+
+RIM_DEPTH = 0.006
+"""How far the rims of points stand behind them, as part of their distance."""
+
+
+class LineLayer:
+    """Lines drawn by a renderer.
+
+    Attributes
+    ----------
+    colours, shading : of each line, and of each point where that is not its line's
+    seen : all points (n, 3) of the lines that are shown, metres, local frame
+    sparse : those that are drawn while the camera moves
+    detail : those drawn when it rested last, of what is in view; empty while there is none
+    origin : ndarray of shape (3,), metres, local frame
+        What the coordinates that are drawn count from.
+    half : what is drawn, where that is only what lies in a half space
+    """
+
+    def __init__(self, renderer: Any) -> None:
+        self._renderer = renderer
+        self.colours: dict[str, Colour] = {}
+        self.shading: Shading | None = None
+        self._clouds: dict[str, Array] = {}
+        self._kept: dict[str, NDArray[np.int64] | None] = {}
+        self._kept_by: Box | None = None
+        self.half: Any = None
+        self._coarse: list[tuple[int, Any]] = []
+        self._ranks: dict[str, NDArray[np.float32]] = {}
+        self._orders: dict[str, tuple[int, NDArray[np.int64] | None, NDArray[np.int64]]] = {}
+        self._fine: list[Any] = []
+        self._rims: list[Any] = []
+        self._fine_of: tuple[Camera, int] | None = None
+        self.seen: dict[str, Array] = {}
+        self.sparse: dict[str, Array] = {}
+        self.detail: dict[str, Array] = {}
+        self.origin: Array = np.zeros(3)
+
+    @property
+    def clouds(self) -> Mapping[str, Array]:
+        """All lines, including hidden ones."""
+        return self._clouds
+
+    def put(
+        self,
+        clouds: Mapping[str, Array],
+        colours: Mapping[str, Colour],
+        shading: Shading | None = None,
+    ) -> None:
+        """Set the lines without drawing them."""
+        former = self._ranks
+        self._clouds = {line: points for line, points in clouds.items() if len(points)}
+        self.colours, self.shading = dict(colours), shading
+        self._ranks = {}
+        for line, points in self._clouds.items():
+            known = former.get(line)
+            same = known is not None and len(known) == len(points)  # placed otherwise
+            self._ranks[line] = known if same else random_ranks(len(points))
+        self._kept, self._kept_by = {}, None
+        self._orders = {
+            line: order for line, order in self._orders.items()
+            if order[1] is None and former[line] is self._ranks.get(line)
+        }  # fmt: skip
+
+    def draw(self, hidden: set[str], budget: int, box: Box | None = None) -> None:
+        """Draw the visible lines coarsely, within the box.
+
+        Parameters
+        ----------
+        budget : points drawn in all
+        """
+        self.remove()
+        shown = {line: p for line, p in self._clouds.items() if line not in hidden}
+        if box is not self._kept_by:
+            self._kept, self._kept_by = {}, box
+        for line, points in shown.items():
+            if line not in self._kept:
+                self._kept[line] = None if box is None else box.inside(points)
+        self.seen = {line: self._points_in_box(line, points) for line, points in shown.items()}
+        share = line_budgets({line: len(points) for line, points in self.seen.items()}, budget)
+        shaded = self.shading is not None
+        self.sparse, self._coarse = {}, []
+        for line, points in self.seen.items():
+            chosen = self._ordered_points(line, share[line])
+            sparse = self.sparse[line] = points.take(chosen, axis=0)
+            start = 0
+            for k, part in enumerate(SLICES):
+                end = -int(-part * len(chosen) // 1)
+                some, where = sparse[start:end], chosen[start:end]
+                start = end
+                if len(some):
+                    data = point_polydata(some - self.origin, self._point_colours(line, where))
+                    actor = point_actor(data, self.colours[line], shaded=shaded)
+                    self._coarse.append((k, actor))
+        actors = [actor for _, actor in self._coarse]
+        clip_actors(actors, self.half)
+        for actor in actors:
+            self._renderer.AddActor(actor)
+
+    def refinement_steps(self, camera: Camera, size: Size, budget: int) -> Iterator[None]:
+        """Draw the points in view with rims, at most ``budget`` in all, step by step.
+
+        Works from step to step, a line in each, and changes what is drawn in the last.
+        """
+        if self._fine_of is not None and self._fine_of[0] is camera and self._fine_of[1] == budget:
+            return
+        found = {}
+        for line, points in self.seen.items():
+            found[line] = points_in_view(points, camera, size)
+            yield
+        share = line_budgets({line: len(indices) for line, indices in found.items()}, budget)
+        shaded = self.shading is not None
+        detail: dict[str, Array] = {}
+        fine: list[Any] = []
+        rims: list[Any] = []
+        for line, indices in found.items():
+            if share[line] < len(indices):
+                indices = indices[lowest_ranked(self._point_ranks(line)[indices], share[line])]
+            chosen = indices
+            detail[line] = self.seen[line].take(chosen, axis=0)
+            data = point_polydata(detail[line] - self.origin, self._point_colours(line, chosen))
+            fine.append(point_actor(data, self.colours[line], shaded=shaded))
+            # The same points larger, darker and a little behind: they draw an edge where something
+            # near stands before something far, and vanish inside a surface.
+            rims.append(point_actor(data, EDGE if shaded else darker_colour(self.colours[line])))
+            yield
+        self._remove_detail()
+        self._fine_of = camera, budget
+        self.detail, self._fine, self._rims = detail, fine, rims
+        clip_actors([*fine, *rims], self.half)
+        for actor in (*fine, *rims):
+            self._renderer.AddActor(actor)
+
+    def show_detail(self, *, fine: bool, coarse: int | None) -> None:
+        """Show the detailed points, slices of the coarse points, or both.
+
+        Parameters
+        ----------
+        coarse : the last of `SLICES` that is shown; None for none
+        """
+        for k, actor in self._coarse:
+            actor.SetVisibility(coarse is not None and k <= coarse)
+        for actor in (*self._fine, *self._rims):
+            actor.SetVisibility(fine)
+
+    def style(self, pixels: int, scale: float) -> None:
+        """Set the size of the points; the coarse points are fewer and therefore larger."""
+        set_point_pixels(self._fine, pixels * scale)
+        set_point_pixels((actor for _, actor in self._coarse), (pixels + 1) * scale)
+        set_point_pixels(self._rims, (pixels + 2) * scale)
+
+    def move(self, camera: Camera) -> None:
+        """Keep the rims behind their points."""
+        for rim in self._rims:
+            shift_depth(rim, camera, self.origin, RIM_DEPTH)
+
+    def remove(self) -> None:
+        """Remove the drawn points."""
+        self._remove([actor for _, actor in self._coarse])
+        self._remove_detail()
+        self._coarse = []
+
+    def forget(self) -> None:
+        """Drop all references, after the renderer was cleared."""
+        self._coarse, self._fine, self._rims = [], [], []
+        self._clouds, self.seen, self.sparse, self.detail = {}, {}, {}, {}
+        self._ranks, self._orders, self._kept = {}, {}, {}
+
+    def _remove_detail(self) -> None:
+        self._remove(self._fine)
+        self._remove(self._rims)
+        self._fine, self._rims, self._fine_of, self.detail = [], [], None, {}
+
+    def _remove(self, actors: list[Any]) -> None:
+        for actor in actors:
+            self._renderer.RemoveActor(actor)
+
+    def _ordered_points(self, line: str, wanted: int) -> NDArray[np.int64]:
+        """Indices of the points of a line to draw, ordered by rank."""
+        order = self._orders.get(line)
+        if order is None or order[0] != wanted or order[1] is not self._kept[line]:
+            places = self._point_ranks(line)
+            chosen = lowest_ranked(places, wanted)
+            order = wanted, self._kept[line], chosen[np.argsort(places[chosen])]
+            self._orders[line] = order
+        return order[2]
+
+    def _point_ranks(self, line: str) -> NDArray[np.float32]:
+        """Ranks of the points of a line within the box."""
+        kept = self._kept[line]
+        return self._ranks[line] if kept is None else self._ranks[line].take(kept)
+
+    def _points_in_box(self, line: str, points: Array) -> Array:
+        kept = self._kept[line]
+        return points if kept is None else points.take(kept, axis=0)
+
+    def _point_colours(self, line: str, chosen: NDArray[np.int64]) -> NDArray[np.uint8] | None:
+        if self.shading is None:
+            return None
+        kept = self._kept[line]
+        return self.shading.colours[line][chosen if kept is None else kept[chosen]]
+
+
+def common_origin(clouds: Mapping[str, Array]) -> Array:
+    """Zero, or a round point near the clouds if they are far from the frame's origin."""
+    if not clouds:
+        return np.zeros(3)
+    middle = np.median([np.median(points[:: max(1, len(points) // 1000)], axis=0)
+                        for points in clouds.values()], axis=0)  # fmt: skip
+    return np.round(middle, -2) if np.abs(middle).max() > FAR else np.zeros(3)

@@ -1,0 +1,217 @@
+"""Viewport without graphics that records its calls, for tests of the window."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QWidget
+
+from lispac.gui.viewport.base import (
+    Array,
+    Colour,
+    Emphasis,
+    Highlight,
+    Marker,
+    MouseMode,
+    PickedPoint,
+    Shading,
+    Sketch,
+    ViewportSignals,
+    highlight_emphasis,
+)
+from lispac.gui.viewport.clipping import Box
+
+
+class RecordingViewport:
+    """`Viewport` on a plain widget that records all calls.
+
+    Attributes
+    ----------
+    calls : list of (method name, arguments)
+        All calls, in order.
+    clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station,
+    mouse_mode, hint, hovering, sketches, box, beside
+        What a real viewport would show now.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        self._widget = QWidget(parent)
+        self.signals = ViewportSignals(self._widget)
+        self.calls: list[tuple[str, tuple[object, ...]]] = []
+        self.clouds: dict[str, Array] = {}
+        self.colours: dict[str, Colour] = {}
+        self.shading: Shading | None = None
+        self.hidden: set[str] = set()
+        self.highlights: list[Highlight] = []
+        self.markers: list[Marker] = []
+        self.selected: tuple[str, str] | None = None
+        self.point_size = 2
+        self.parallel = False
+        self.mouse_mode: MouseMode = "navigate"
+        self.hint = ""
+        self.hovering = False
+        self.box: Box | None = None
+        self.beside: dict[str, Array] | None = None
+        self.sketches: dict[str, Sketch] = {}
+        self.station: tuple[float, float, float] = (0.0, 0.0, 0.0)
+        self.closed = False
+
+    @property
+    def widget(self) -> QWidget:
+        """A plain widget."""
+        return self._widget
+
+    def click(self, line: str, index: int) -> None:
+        """Simulate a Ctrl+click on a point of a line."""
+        if line in self.hidden:
+            raise KeyError(f"line {line} is hidden and cannot be clicked")
+        x, y, z = (float(v) for v in self.clouds[line][index])
+        self.signals.seed_clicked.emit(PickedPoint(line, (x, y, z)))
+
+    def click_empty(self) -> None:
+        """Simulate a Ctrl+click into empty space."""
+        self.signals.missed.emit()
+
+    def show_clouds(
+        self,
+        clouds: Mapping[str, Array],
+        colours: Mapping[str, Colour],
+        shading: Shading | None = None,
+    ) -> None:
+        """Remember the lines."""
+        self._record("show_clouds", clouds, colours, shading)
+        self.clouds, self.colours, self.shading = dict(clouds), dict(colours), shading
+
+    def set_line_visible(self, line: str, visible: bool) -> None:
+        """Remember which lines are hidden."""
+        self._record("set_line_visible", line, visible)
+        if visible:
+            self.hidden.discard(line)
+        else:
+            self.hidden.add(line)
+
+    def hides(self, line: str) -> bool:
+        """Whether a line is hidden."""
+        return line in self.hidden
+
+    def show_highlights(self, highlights: Sequence[Highlight]) -> None:
+        """Remember the sightings."""
+        self._record("show_highlights", highlights)
+        self.highlights = list(highlights)
+
+    def show_markers(self, markers: Sequence[Marker]) -> None:
+        """Remember the markers."""
+        self._record("show_markers", markers)
+        self.markers = list(markers)
+
+    def select(self, key: tuple[str, str] | None) -> None:
+        """Remember the selection."""
+        self._record("select", key)
+        self.selected = key
+
+    def clip(self, box: Box | None) -> None:
+        """Remember the box."""
+        self._record("clip", box)
+        self.box = box
+
+    def show_beside(self, clouds: Mapping[str, Array] | None) -> None:
+        """Remember the other placement."""
+        self._record("show_beside", clouds)
+        self.beside = None if clouds is None else dict(clouds)
+
+    def set_station(self, position: tuple[float, float, float]) -> None:
+        """Remember where the standard views look from."""
+        self._record("set_station", position)
+        self.station = position
+
+    def fit(self, points: Array | None = None) -> None:
+        """Remember the call."""
+        self._record("fit", points)
+
+    def view(self, name: str) -> None:
+        """Remember the call."""
+        self._record("view", name)
+
+    def look_along(self, direction: Array, points: Array) -> None:
+        """Remember the call."""
+        self._record("look_along", direction, points)
+
+    def set_parallel(self, parallel: bool) -> None:
+        """Remember the projection."""
+        self._record("set_parallel", parallel)
+        self.parallel = parallel
+
+    def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
+        """Remember what the left button does."""
+        self._record("set_mouse", mode, hint)
+        self.mouse_mode, self.hint = mode, hint
+
+    def set_hovering(self, hovering: bool) -> None:
+        """Remember the call."""
+        self._record("set_hovering", hovering)
+        self.hovering = hovering
+
+    def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
+        """Points of a line within a sphere."""
+        points = self.clouds[line]
+        return points[np.linalg.norm(points - centre, axis=1) <= radius]
+
+    def show_sketch(self, name: str, sketch: Sketch | None) -> None:
+        """Remember the sketches."""
+        self._record("show_sketch", name, sketch)
+        self.sketches.pop(name, None)
+        if sketch is not None:
+            self.sketches[name] = sketch
+
+    def to_pixels(self, points: Array) -> Array:
+        """Pixels as seen from above: a metre is a pixel, north is up."""
+        return np.column_stack([-points[:, 1], -points[:, 0]])
+
+    def point_at(self, line: str, index: int) -> None:
+        """Simulate a click on a point of a line in pointing mode."""
+        if self.mouse_mode != "point":
+            raise RuntimeError("the mouse does not point now")
+        x, y, z = (float(v) for v in self.clouds[line][index])
+        self.signals.pointed.emit(PickedPoint(line, (x, y, z)))
+
+    def set_point_size(self, pixels: int) -> None:
+        """Remember the size."""
+        self._record("set_point_size", pixels)
+        self.point_size = pixels
+
+    def set_point_budget(self, points: int) -> None:
+        """Remember how many."""
+        self._record("set_point_budget", points)
+        self.point_budget = points
+
+    def prepare(self) -> None:
+        """Do nothing, as there is no detail."""
+
+    def picture(self) -> QImage:
+        """Picture of the plain widget."""
+        self._record("picture")
+        return self._widget.grab().toImage()
+
+    def clear(self) -> None:
+        """Clear what is shown."""
+        self._record("clear")
+        self.clouds, self.colours, self.hidden = {}, {}, set()
+        self.highlights, self.markers, self.selected = [], [], None
+        self.sketches, self.box, self.beside = {}, None, None
+
+    def new_viewport(self) -> "RecordingViewport":
+        """New empty viewport."""
+        return RecordingViewport()
+
+    def close(self) -> None:
+        """Remember that the graphics are released."""
+        self._record("close")
+        self.closed = True
+
+    @property
+    def highlight_styles(self) -> dict[tuple[str, str], Emphasis]:
+        """How each sighting is drawn."""
+        return {each.key: highlight_emphasis(each, self.selected) for each in self.highlights}
+
+    def _record(self, name: str, *arguments: object) -> None:
+        self.calls.append((name, arguments))

@@ -1,0 +1,384 @@
+"""Viewport drawn with OpenGL by VTK.
+
+Every change of the scene requests a repaint (`VtkCanvas.redraw`), never a rendering of VTK: Qt
+combines requests and paints when the event loop is free.
+"""
+
+import time
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+import numpy as np
+from PySide6.QtGui import QImage, QPainter
+from PySide6.QtWidgets import QWidget
+
+from lispac.gui import theme
+from lispac.gui.viewport.actors import half_space, set_half_space, set_renderer_camera
+from lispac.gui.viewport.base import (
+    Array,
+    Colour,
+    Highlight,
+    Marker,
+    MouseMode,
+    Shading,
+    Sketch,
+    ViewportSignals,
+)
+from lispac.gui.viewport.camera import Camera
+from lispac.gui.viewport.canvas import VtkCanvas
+from lispac.gui.viewport.clipping import Box, dividing_plane
+from lispac.gui.viewport.decimation import Budget
+from lispac.gui.viewport.frame_times import SLICES, FrameTimes
+from lispac.gui.viewport.highlights import HighlightLayer
+from lispac.gui.viewport.line_layer import LineLayer, common_origin
+from lispac.gui.viewport.navigation import Navigator
+from lispac.gui.viewport.overlay import OverlaidView
+from lispac.gui.viewport.sketches import SketchLayer
+from lispac.gui.viewport.view_detail import ViewDetail
+from lispac.language import gettext
+
+QUICK_S = 0.03
+"""A rendering of all the detail in less than this is shown while the camera moves, too."""
+
+
+class VtkViewport:
+    """`Viewport` on a `VtkCanvas`.
+
+    Attributes
+    ----------
+    canvas : the widget that is drawn on; mouse events go to it
+    """
+
+    def __init__(self, parent: QWidget | None = None, budget: Budget | None = None) -> None:
+        self._budget = budget or Budget()
+        self._pace = FrameTimes(self._budget)
+        self._stage = OverlaidView(parent)
+        # Goes with the widget, and with it what a window has joined: it would hold the window.
+        self.signals = ViewportSignals(self._stage)
+        self.canvas = VtkCanvas(self._stage)
+        self.canvas.setAcceptDrops(False)  # the window opens what is dropped, not the 3D library
+        self.canvas.setAccessibleName(gettext("Lines in 3D"))
+        self._stage.put(self.canvas)
+        self._overlay = self._stage.overlay
+        self._renderer = self.canvas.renderer
+        self._renderer.SetBackground(*theme.colour("ground").getRgbF()[:3])
+        self._renderer.SetBackground2(*theme.colour("sky").getRgbF()[:3])
+        self._renderer.GradientBackgroundOn()
+
+        self._layer = LineLayer(self._renderer)
+        self._beside: LineLayer | None = None
+        self._box: Box | None = None
+        self._hidden: set[str] = set()
+        self._highlight_layer = HighlightLayer(self._renderer)
+        self._point_size = 2
+        self._closed = False
+        self._detailed = False
+        self._detail_s = np.inf
+        self._began = 0.0
+
+        self._observers = [
+            self.canvas.ren_win.AddObserver(event, slot)
+            for event, slot in (
+                ("StartEvent", self._on_frame_start),
+                ("EndEvent", self._on_frame_end),
+            )
+        ]
+        self._view_detail = ViewDetail(
+            self._stage, lambda: self._refinement_steps(self._pace.resting), self._show_detail
+        )
+        self._stage.resized.connect(self._on_resized)
+        self._navigator = Navigator(self.canvas)
+        self._navigator.moved.connect(self._on_moved)
+        self._navigator.settled.connect(self._view_detail.schedule)
+        self._navigator.picked.connect(self.signals.seed_clicked)
+        self._navigator.missed.connect(self.signals.missed)
+        self._navigator.pointed.connect(self.signals.pointed)
+        self._sketch_layer = SketchLayer(self._navigator, self._overlay, self.signals)
+        self._navigator.drawn = lambda: self._layer.detail or self._layer.sparse
+        self._sketch_layer.divided.connect(self._camera_moved)
+
+    # What the window asks
+
+    @property
+    def widget(self) -> QWidget:
+        """The widget to put into the window."""
+        return self._stage
+
+    @property
+    def camera(self) -> Camera:
+        """Camera of the view."""
+        return self._navigator.camera
+
+    def to_pixels(self, points: Array) -> Array:
+        """Pixels (x, y) of the canvas where points (n, 3) of the local frame are drawn."""
+        return self.camera.project(points, self._navigator.size)[:, :2]
+
+    def show_clouds(
+        self,
+        clouds: Mapping[str, Array],
+        colours: Mapping[str, Colour],
+        shading: Shading | None = None,
+    ) -> None:
+        """Draw the lines, each in its colour or shaded; replaces those shown, keeps the camera."""
+        first = not self._layer.clouds
+        self._overlay.shading = shading
+        self._layer.put(clouds, colours, shading)
+        if first:
+            self._layer.origin = common_origin(self._layer.clouds)
+        self._draw_clouds()
+        if first:
+            self.show_highlights(self._highlight_layer.highlights)  # from the new origin
+            self.view("isometric")
+
+    def set_line_visible(self, line: str, visible: bool) -> None:
+        """Show or hide one line; the lines left share the budget."""
+        if visible == (line not in self._hidden):
+            return
+        (self._hidden.discard if visible else self._hidden.add)(line)
+        self._draw_clouds()
+
+    def hides(self, line: str) -> bool:
+        """Whether a line is hidden."""
+        return line in self._hidden
+
+    def show_highlights(self, highlights: Sequence[Highlight]) -> None:
+        """Draw sightings over the clouds; replaces those shown."""
+        layer = self._layer
+        self._highlight_layer.put(highlights, layer.origin, self._box, layer.half)
+        self._style_points()
+
+    def show_markers(self, markers: Sequence[Marker]) -> None:
+        """Draw seeds and labels; replaces those shown."""
+        self._overlay.markers = tuple(markers)
+        self._overlay.update()
+
+    def clip(self, box: Box | None) -> None:
+        """Draw only the points in a box; None for all points."""
+        self._box = box
+        self._draw_clouds()
+        self.show_highlights(self._highlight_layer.highlights)
+
+    def show_beside(self, clouds: Mapping[str, Array] | None) -> None:
+        """Draw the lines placed otherwise on the left of a movable dividing line; None ends it.
+
+        They are the same points in the same order, and have the same colours; None ends it.
+        """
+        if self._beside is None and clouds is None:
+            return
+        if self._beside is not None:
+            self._beside.remove()
+        self._beside = None
+        self._layer.half = None
+        self._sketch_layer.show_dividing_line(clouds is not None)
+        if clouds is not None:
+            self._beside = LineLayer(self._renderer)
+            self._beside.origin = self._layer.origin
+            self._layer.half, self._beside.half = half_space(), half_space()
+            self._beside.put(clouds, self._layer.colours, self._layer.shading)
+        self._draw_clouds()
+        self.show_highlights(self._highlight_layer.highlights)
+
+    def select(self, key: tuple[str, str] | None) -> None:
+        """Emphasise one sighting, (target, line), and grey the others of its target."""
+        self._highlight_layer.selected = key
+        self._style_points()
+
+    def set_station(self, position: tuple[float, float, float]) -> None:
+        """Set the position from which the standard views look."""
+        self._navigator.station = np.asarray(position, dtype=np.float64)
+
+    def fit(self, points: Array | None = None) -> None:
+        """Bring everything, or the given points of shape (n, 3), into view."""
+        self._navigator.fit(points)
+        self._refine_later()
+
+    def view(self, name: str) -> None:
+        """Show a standard view: "top", "front", "back", "left", "right" or "isometric"."""
+        self._navigator.view(name)
+        self._refine_later()
+
+    def look_along(self, direction: Array, points: Array) -> None:
+        """Look at points (n, 3) along a direction (3,), from the station's side of them."""
+        self._navigator.look_along(direction, points)
+        self._refine_later()
+
+    def set_parallel(self, parallel: bool) -> None:
+        """Draw in parallel (orthographic) projection, or in perspective."""
+        self._navigator.project_parallel(parallel)
+        self._refine_later()
+
+    def set_mouse(self, mode: MouseMode, hint: str = "") -> None:
+        """Set the mode of the left mouse button and the hint above the picture."""
+        self._navigator.mouse.set_mode(mode)
+        self._overlay.hint = hint
+        self._overlay.update()
+
+    def set_hovering(self, hovering: bool) -> None:
+        """Emit what is under the resting mouse, or stop doing so."""
+        if not hovering:
+            self._sketch_layer.rest()
+        self._sketch_layer.hovering = hovering
+
+    def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
+        """Drawn points of a line within a sphere, shape (n, 3)."""
+        points = self._navigator.drawn().get(line, np.empty((0, 3)))
+        off = points - centre  # few, and nothing that would first be compiled while the mouse waits
+        return points[np.einsum("ij,ij->i", off, off) <= radius**2]
+
+    def show_sketch(self, name: str, sketch: Sketch | None) -> None:
+        """Draw a sketch over the picture; None removes it."""
+        self._sketch_layer.show(name, sketch)
+
+    def set_point_size(self, pixels: int) -> None:
+        """Set the size of the drawn points."""
+        self._point_size = pixels
+        self._style_points()
+
+    def set_point_budget(self, points: int) -> None:
+        """Set the largest number of points drawn at rest; a part is drawn during movements."""
+        budget = Budget(points, min(Budget().moving, points))
+        if budget != self._budget:
+            self._budget = budget
+            self._pace = FrameTimes(budget)
+            self._draw_clouds()
+
+    def prepare(self) -> None:
+        """Load all detail of a picture, so that it only needs to be drawn."""
+        self._view_detail.now(self._refinement_steps(self._pace.picture))
+
+    def picture(self) -> QImage:
+        """Picture of the view with all detail and labels, without the help on the mouse."""
+        self.prepare()
+        image: QImage = self.canvas.grabFramebuffer()
+        painter = QPainter(image)
+        self._overlay.paint(painter)
+        painter.end()
+        self._view_detail.schedule()  # with as many points as can be drawn again and again
+        return image
+
+    def clear(self) -> None:
+        """Remove all content."""
+        self._navigator.release()
+        self._sketch_layer.clear()
+        self._box = None
+        self.show_beside(None)
+        self._hidden.clear()
+        self._highlight_layer.selected = None
+        self._overlay.markers = ()
+        self._overlay.shading = None
+        self._layer.put({}, {})
+        self.show_highlights([])
+        self._draw_clouds()
+
+    def new_viewport(self) -> "VtkViewport":
+        """New empty viewport."""
+        return VtkViewport()
+
+    def close(self) -> None:
+        """Release the graphics; called before the window closes, and harmless when repeated."""
+        if self._closed:
+            return
+        self._closed = True
+        for observer in self._observers:
+            self.canvas.ren_win.RemoveObserver(observer)
+        self._view_detail.stop()
+        self._sketch_layer.clear()
+        self.canvas.removeEventFilter(self._navigator.mouse)
+        self._renderer.RemoveAllViewProps()
+        for layer in self._layers:
+            layer.forget()
+        self._highlight_layer.forget()
+        self.canvas.close()
+
+    # Drawing
+
+    def _draw_clouds(self) -> None:
+        """Draw the visible lines coarsely; their detail follows."""
+        for layer in self._layers:
+            layer.draw(self._hidden, self._budget.moving // len(self._layers), self._box)
+            layer.show_detail(fine=False, coarse=self._pace.slice)
+        self._navigator.clouds, self._navigator.coarse = self._layer.seen, self._layer.sparse
+        self._detailed = False
+        self._style_points()
+        self._view_detail.schedule()
+
+    def _style_points(self) -> None:
+        scale = self.canvas.devicePixelRatioF()
+        for layer in self._layers:
+            layer.style(self._point_size, scale)
+        self._highlight_layer.style(self._point_size, scale, self._hidden)
+        self._camera_moved()
+
+    def _camera_moved(self) -> None:
+        camera, origin = self.camera, self._layer.origin
+        self._highlight_layer.move(camera, origin)
+        for layer in self._layers:
+            layer.move(camera)
+        self._place_dividing_plane()
+        set_renderer_camera(self._renderer, camera, origin)
+        self._update()
+
+    def _update(self) -> None:
+        self._overlay.camera = self.camera if self._layer.clouds else None
+        self.canvas.redraw()
+        self._overlay.update()
+
+    def _on_frame_start(self, *_: object) -> None:
+        self._began = time.perf_counter()
+
+    def _on_frame_end(self, *_: object) -> None:
+        """Record the time of a complete frame, including software rendering."""
+        took = time.perf_counter() - self._began
+        if self._detailed:
+            self._detail_s = took
+            self._pace.took("resting", _count_points(layer.detail for layer in self._layers), took)
+        else:
+            whole = _count_points(layer.sparse for layer in self._layers)
+            drawn = int(SLICES[self._pace.slice] * whole)
+            self._pace.took("moving", drawn, took, whole)
+
+    def _refinement_steps(self, points: int) -> Iterator[None]:
+        camera, size, budget = self.camera, self._navigator.size, points // len(self._layers)
+        for layer in self._layers:
+            yield from layer.refinement_steps(camera, size, budget)
+
+    def _show_detail(self) -> None:
+        self._detailed = True
+        for layer in self._layers:
+            layer.show_detail(fine=True, coarse=None)
+        self._style_points()
+
+    def _on_moved(self) -> None:
+        self._view_detail.abandon()
+        if self._detail_s > QUICK_S:
+            self._detailed = False
+        for layer in self._layers:
+            # The detail is only that of where the camera rested.
+            layer.show_detail(fine=self._detailed, coarse=self._pace.slice)
+        self._camera_moved()
+
+    @property
+    def _layers(self) -> list[LineLayer]:
+        return [self._layer] if self._beside is None else [self._layer, self._beside]
+
+    def _place_dividing_plane(self) -> None:
+        """Place the clipping planes of both placements at the dividing line."""
+        if self._beside is None:
+            return
+        size = self._navigator.size
+        point, normal = dividing_plane(self.camera, self._sketch_layer.share * size.width, size)
+        set_half_space(self._layer.half, point - self._layer.origin, normal)
+        set_half_space(self._beside.half, point - self._layer.origin, -normal)
+
+    def _on_resized(self) -> None:
+        if not self._closed:
+            self._navigator.refit()
+            self._refine_later()
+
+    def _refine_later(self) -> None:
+        """Show a coarse picture at once and the detail in a moment."""
+        self._on_moved()
+        self._view_detail.schedule()
+
+
+def _count_points(drawn: Iterable[Mapping[str, Array]]) -> int:
+    return sum(len(points) for lines in drawn for points in lines.values())

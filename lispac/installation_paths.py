@@ -1,0 +1,92 @@
+"""Paths of resources, of the program, and of the user's own files."""
+
+import os
+import stat
+import sys
+import tempfile
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+
+import lispac
+from lispac.errors import InputError
+from lispac.messages import error
+
+
+def resource_path(name: str) -> Path:
+    """A file or folder of the resources.
+
+    Raises
+    ------
+    InputError
+        Where the installation lacks it.
+    """
+    package = Path(lispac.__file__).parent
+    # A wheel has the resources in the package, a checkout beside it.
+    for folder in (package, package.parent):
+        path = folder / "resources" / name
+        if path.exists():
+            return path
+    raise InputError(error("installation.file_missing", name=name))
+
+
+def window_command() -> list[str]:
+    """Command that starts the program with the window, without further arguments."""
+    program = Path(sys.executable)
+    # The bundle without Python has it beside the command line; elsewhere Python knows it.
+    if getattr(sys, "frozen", False):
+        return [str(program.with_name(f"lispac-gui{program.suffix}"))]
+    return [sys.executable, "-m", "lispac.gui"]
+
+
+def home_folder() -> Path:
+    """The user's home directory as the system names it, there or not.
+
+    An account without one, as in a container, has `temporary_folder` instead.
+    """
+    try:
+        return Path.home()
+    except RuntimeError:
+        return temporary_folder()
+
+
+def expand_user(path: Path) -> Path:
+    """A path with ``~`` replaced; as it is where there is no such user."""
+    with suppress(RuntimeError):
+        return path.expanduser()
+    return path
+
+
+@cache
+def temporary_folder() -> Path:
+    """A folder among the temporary files that only this user can write to.
+
+    It is the same in every run, unless another user has taken its name: compiled code is read from
+    it, so a folder that others can write to is not used.
+    """
+    user = f"-{os.getuid()}" if hasattr(os, "getuid") else ""
+    folder = Path(tempfile.gettempdir()) / f"lispac{user}"
+    with suppress(FileExistsError):
+        folder.mkdir(mode=0o700)
+    return folder if _is_private(folder) else Path(tempfile.mkdtemp(prefix="lispac-"))
+
+
+def _is_private(folder: Path) -> bool:
+    found = folder.lstat()
+    if not stat.S_ISDIR(found.st_mode):
+        return False
+    if not hasattr(os, "getuid"):  # Windows: the temporary files are the user's own
+        return True
+    return found.st_uid == os.getuid() and not found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+
+
+def user_folder() -> Path:
+    """Folder of the user's files for all projects, such as sensors; it need not exist."""
+    home = home_folder()
+    if sys.platform == "win32":
+        place = Path(os.environ.get("LOCALAPPDATA", home / "AppData" / "Local"))
+    elif sys.platform == "darwin":
+        place = home / "Library" / "Preferences"
+    else:
+        place = Path(os.environ.get("XDG_CONFIG_HOME") or home / ".config")
+    return place / "lispac"

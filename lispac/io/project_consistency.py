@@ -1,0 +1,91 @@
+"""Consistency checks of a project after reading."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from lispac.message_texts import has_text
+from lispac.messages import Message, error
+from lispac.project import ROLES, SHAPES, Project, require_valid_target
+from lispac.targets.finder_settings import is_possible_search
+from lispac.untrusted_values import LARGEST_INTEGER, InvalidContentError
+
+FARTHEST, LARGEST_RMS, FULL_TURN = 1e8, 1e6, 360.0
+"""Metres from the origin of a local frame, metres of a sighting about its plane, degrees."""
+
+
+def require_consistent(project: Project) -> None:
+    """Refuse values that the program cannot have written itself.
+
+    Raises
+    ------
+    InvalidContentError
+    """
+    project.settings.require_sound()
+    project.identity.require_sound()
+    lines = {line.name for line in project.lines}
+    require_unique_names(project)
+    if project.truth_deg is not None and not np.abs(project.truth_deg).max() <= FULL_TURN:
+        raise InvalidContentError(error("content.invalid_truth"))
+    for target in project.targets:
+        if target.role not in ROLES:
+            raise InvalidContentError(
+                error("content.unknown_role", target=target.name, role=str(target.role))
+            )
+        if target.shape not in SHAPES:
+            raise InvalidContentError(
+                error("content.unknown_shape", target=target.name, shape=str(target.shape))
+            )
+        require_valid_target(target)
+        is_near = np.abs(target.seed).max() <= FARTHEST
+        if not (is_near and is_possible_search(target.threshold, target.radius)):
+            raise InvalidContentError(error("content.invalid_search", target=target.name))
+        for sighting in target.sightings:
+            if sighting.line not in lines:
+                raise InvalidContentError(
+                    error("content.unknown_line", target=target.name, line=sighting.line)
+                )
+            if not (0 <= sighting.rms <= LARGEST_RMS and 1 <= sighting.one_in < LARGEST_INTEGER):
+                raise InvalidContentError(
+                    error("content.invalid_sighting", target=target.name, line=sighting.line)
+                )
+    for opinion in project.opinions:
+        if not opinion.is_sound():
+            raise InvalidContentError(error("content.invalid_angles", method=opinion.method))
+    for message in _stored_messages(project):
+        if not has_text(message):
+            raise InvalidContentError(error("content.unknown_message", code=message.code))
+
+
+def _stored_messages(project: Project) -> Iterator[Message]:
+    """Messages stored with the targets and results of a project."""
+    for target in project.targets:
+        yield from target.missing.values()
+    yield from project.not_compared.values()
+    result, checks = project.result, project.cross_checks
+    reasons: list[Message | None] = []
+    if result is not None:
+        reasons += [each.reason for each in result.parameters]
+        yield from () if result.observability is None else result.observability.remarks
+    if checks is not None:
+        reasons += [part.reason for part in checks.parts]
+    yield from (reason for reason in reasons if reason is not None)
+    yield from () if project.absolute is None else project.absolute.not_compared
+    for opinion in project.opinions:
+        yield from opinion.remarks
+
+
+def require_unique_names(project: Project) -> None:
+    """Refuse two targets or two lines of one name.
+
+    Raises
+    ------
+    InvalidContentError
+    """
+    lines, targets = ([each.name for each in some] for some in (project.lines, project.targets))
+    for line in lines:
+        if lines.count(line) > 1:
+            raise InvalidContentError(error("content.duplicate_line", line=line))
+    for target in targets:
+        if targets.count(target) > 1:
+            raise InvalidContentError(error("content.duplicate_target", target=target))

@@ -1,0 +1,164 @@
+"""Upgrade of project files of older versions, one version after the other."""
+
+from collections.abc import Callable
+from typing import Any
+
+from lispac.messages import error
+from lispac.untrusted_values import InvalidContentError
+
+Content = dict[str, Any]
+
+SCHEMA_VERSION = 9
+
+
+def upgrade_content(content: Content) -> Content:
+    """Content of a project file in the form of this version."""
+    for version in range(content["schema_version"], SCHEMA_VERSION):
+        content = _UPGRADES[version](dict(content))
+    return content
+
+
+def _upgrade_from_1(content: Content) -> Content:
+    """Upgrade to version 2; an adjustment of version 1 has to be repeated.
+
+    The given model is kept: a project that was set to thesis mode stays so.
+    """
+    targets = [target | {"shape": "plane", "sphere_radius": None} for target in content["targets"]]
+    return content | {
+        "schema_version": 2,
+        "targets": targets,
+        "result": None,
+        "cross_checks": None,
+        "validation": [],
+        "not_compared": {},
+    }
+
+
+def _upgrade_from_2(content: Content) -> Content:
+    """Upgrade to version 3, which holds how each file is read."""
+    usual = {"format": "", "options": [], "time_shift": 0.0}
+    return content | {
+        "schema_version": 3,
+        "trajectory_reading": usual,
+        "accuracy_reading": usual,
+        "lines": [line | {"reading": usual} for line in content["lines"]],
+    }
+
+
+def _upgrade_from_3(content: Content) -> Content:
+    """Upgrade to version 4, which holds the finder options of each target."""
+    targets = [target | {"choices": None} for target in content["targets"]]
+    return content | {"schema_version": 4, "targets": targets}
+
+
+def _upgrade_from_4(content: Content) -> Content:
+    """Upgrade to version 5, which holds more of a comparison of lines."""
+
+    def state(distances: Content) -> Content:
+        return {"distances": distances, "signed": None, "planes": None}
+
+    usual = {"kind": "plane", "neighbours": 6, "radius": None}
+    validation = [
+        plane
+        | {"model": usual, "by_height": None, "by_range": None}
+        | {
+            "pairs": [
+                pair | {when: state(pair[when]) for when in ("before", "after")}
+                for pair in plane["pairs"]
+            ]
+        }
+        for plane in content["validation"]
+    ]
+    return content | {"schema_version": 5, "validation": validation}
+
+
+def _upgrade_from_5(content: Content) -> Content:
+    """Upgrade to version 6, which holds the identity of the calibration."""
+    return content | {"schema_version": 6, "identity": {}}
+
+
+def _upgrade_from_6(content: Content) -> Content:
+    """Upgrade to version 7, which holds the second surfaces of a check against a reference.
+
+    Before, the mean of both was taken, and nobody knows where. Surveyed points have an interval.
+    """
+    absolute = content.get("absolute")
+    if absolute:
+        points = [point | {"interval_95": None} for point in absolute["points"]]
+        absolute = absolute | {"others": None, "points": points}
+    return content | {"schema_version": 7, "absolute": absolute}
+
+
+def _upgrade_from_7(content: Content) -> Content:
+    """Upgrade to version 8, which holds the results of alternative methods."""
+    return content | {"schema_version": 8, "opinions": []}
+
+
+def _upgrade_from_8(content: Content) -> Content:
+    """Upgrade to version 9, which holds reasons and remarks as messages."""
+    targets = [
+        target | {"missing": {line: _former_text(why) for line, why in target["missing"].items()}}
+        for target in content["targets"]
+    ]
+    not_compared = {name: _former_text(why) for name, why in content["not_compared"].items()}
+    return content | {
+        "schema_version": 9,
+        "targets": targets,
+        "not_compared": not_compared,
+        "result": _upgrade_result_from_8(content["result"]),
+        "cross_checks": _upgrade_checks_from_8(content["cross_checks"]),
+        "absolute": _upgrade_absolute_from_8(content.get("absolute")),
+        "opinions": [
+            each | {"remarks": _former_texts(each["remarks"])} for each in content["opinions"]
+        ],
+    }
+
+
+def _upgrade_result_from_8(result: Any) -> Any:
+    if not result:
+        return result
+    seen = dict(result["observability"] or {})
+    if seen:
+        seen["remarks"] = _former_texts(seen.pop("sentences"))
+    return result | {
+        "observability": seen or None,
+        "parameters": [_upgrade_reason_from_8(each) for each in result["parameters"]],
+    }
+
+
+def _upgrade_checks_from_8(checks: Any) -> Any:
+    return checks and checks | {"parts": [_upgrade_reason_from_8(each) for each in checks["parts"]]}
+
+
+def _upgrade_absolute_from_8(check: Any) -> Any:
+    if not check:
+        return check
+    check = dict(check)
+    return check | {"not_compared": _former_texts(check.pop("unseen"))}
+
+
+def _upgrade_reason_from_8(found: Content) -> Content:
+    """An estimate, or a part of the data: an empty reason is none."""
+    return found | {"reason": _former_text(found["reason"]) if found["reason"] else None}
+
+
+def _former_texts(texts: Any) -> list[Content]:
+    return [_former_text(each) for each in texts]
+
+
+def _former_text(text: Any) -> Content:
+    if not isinstance(text, str):
+        raise InvalidContentError(error("content.value_not_text"))
+    return {"code": "project.former_text", "level": "note", "params": {"reason": text}}
+
+
+_UPGRADES: dict[int, Callable[[Content], Content]] = {
+    1: _upgrade_from_1,
+    2: _upgrade_from_2,
+    3: _upgrade_from_3,
+    4: _upgrade_from_4,
+    5: _upgrade_from_5,
+    6: _upgrade_from_6,
+    7: _upgrade_from_7,
+    8: _upgrade_from_8,
+}

@@ -1,0 +1,99 @@
+"""Comparison of the results of several methods (table 4.4 of the thesis)."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from lispac.adjustment.message_parts import mounting_value_names
+from lispac.adjustment.result import ANGLES
+from lispac.alternative_methods import METHODS, Method
+from lispac.messages import Message, note
+from lispac.project import Project
+from lispac.validation.repeatability import Calibration, CalibrationDifference, compare_calibrations
+
+TARGETS = "targets"
+FAR = 50.0
+"""Distances, metres, at which the effect of a difference on a point is given."""
+
+NAMES: Mapping[str, str] = {
+    TARGETS: "method.targets",
+    "natural planes": "method.natural_planes",
+    "targetless": "method.targetless",
+    "patch test": "method.patch_test",
+}
+"""Code of each method's name as part of a message."""
+
+
+@dataclass(frozen=True, eq=False)
+class MethodResult:
+    """Result of one method, compared with the first.
+
+    Attributes
+    ----------
+    calibration : Calibration
+        Named after its method.
+    lines, surfaces : int
+        That the answer rests on.
+    against : CalibrationDifference or None
+        From the first answer to this one; None for the first.
+    remarks : tuple of Message
+    """
+
+    calibration: Calibration
+    lines: int
+    surfaces: int
+    against: CalibrationDifference | None
+    remarks: tuple[Message, ...]
+
+    @property
+    def method(self) -> str:
+        """Name of the method."""
+        return self.calibration.name
+
+
+def method_results(project: Project) -> tuple[MethodResult, ...]:
+    """Results of all methods, that of the targets first; each is compared with the first."""
+    found: list[MethodResult] = []
+
+    def add(said: Calibration, lines: int, surfaces: int, remarks: tuple[Message, ...]) -> None:
+        against = compare_calibrations(found[0].calibration, said) if found else None
+        found.append(MethodResult(said, lines, surfaces, against, remarks))
+
+    result = project.result
+    if result is not None:
+        seen = [each.sighting for each in result.sightings]
+        add(
+            Calibration(TARGETS, result.boresight, result.covariance),
+            len({each.line for each in seen}), len({each.target for each in seen}), (),
+        )  # fmt: skip
+    for each in project.opinions:
+        add(
+            Calibration(each.method, each.boresight, each.covariance),
+            len(each.lines), each.surfaces, each.remarks,
+        )  # fmt: skip
+    return tuple(found)
+
+
+def missing_methods(project: Project) -> tuple[Method, ...]:
+    """Methods without a result."""
+    return tuple(method for method in METHODS if project.alternative_result(method) is None)
+
+
+def comparison_remarks(found: tuple[MethodResult, ...]) -> tuple[Message, ...]:
+    """Remarks on the agreement of each method with the first, and on its limits."""
+    if len(found) < 2:
+        return ()
+    compared = [_agreement_note(each.against) for each in found if each.against is not None]
+    return (*compared, note("methods.same_lines"))
+
+
+def _agreement_note(against: CalibrationDifference) -> Message:
+    angles = [name for name, yes in zip(ANGLES, against.significant, strict=True) if yes]
+    code = "methods.differ" if angles else "methods.differ_together"
+    return note(
+        code if against.differ else "methods.agree",
+        method=note(NAMES[against.second]),
+        other=note(NAMES[against.first]),
+        angles=mounting_value_names(angles),
+        distance=FAR,
+        displacement=against.largest_displacement(FAR),
+    )

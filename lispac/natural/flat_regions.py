@@ -1,0 +1,111 @@
+"""Regions: the flat surfaces of a scene, each cut into pieces of some metres.
+
+A surface that all lines see is one piece of knowledge, not many: what a window pane or the paint of
+a roof does to a line it does to all of its square metres. So what is flat is first grown as far as
+it goes, and parted only where a surface is so large that its ends have little to do with each
+other.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.planes import plane_axes
+from lispac.geometry.radius_search import finite_bounds
+from lispac.targets.flat_patches import find_flat_patches, voxel_side
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+BLOCK = 4.0
+"""Metres: side of the squares that a large surface is parted into."""
+FINEST = 0.08
+"""Least side of the voxels, metres."""
+SMALLEST = 0.2
+"""Least area of a surface, square metres."""
+BITS = 21
+
+
+@dataclass(frozen=True, eq=False)
+class Regions:
+    """Assignment of the voxels of the scene to regions.
+
+    Attributes
+    ----------
+    low : ndarray of shape (3,), metres, local frame
+    voxel : float, metres
+    keys : ndarray of shape (m,), int
+        Of the voxels that belong to a region, ascending.
+    region : ndarray of shape (m,), int
+    count : int
+        Of the regions.
+    """
+
+    low: Array
+    voxel: float
+    keys: Indices
+    region: Indices
+    count: int
+
+    @classmethod
+    def of(cls, points: Array, threshold: float) -> "Regions":
+        """Find the regions of a scene.
+
+        Parameters
+        ----------
+        points : ndarray of shape (n, 3), metres, local frame
+            Finite, of all lines.
+        threshold : float, metres
+            Farthest a point may lie from its surface.
+        """
+        low, voxel = finite_bounds(points)[0], max(FINEST, voxel_side(threshold))
+        flat = find_flat_patches(points, threshold, voxel=voxel)
+        region = np.full(len(flat.thinned), -1, dtype=np.int64)
+        count = 0
+        for k, patch in enumerate(flat.patches):
+            if patch.area < SMALLEST:
+                break
+            own = np.flatnonzero(flat.label == k)
+            along = flat.thinned[own] @ plane_axes(patch.plane.normal).T
+            region[own] = count + _split_into_pieces(along)
+            count = int(region.max()) + 1
+        found = np.flatnonzero(region >= 0)
+        keys = _voxel_keys(flat.thinned[found], low, voxel)
+        keys, first = np.unique(keys, return_index=True)
+        return cls(low, voxel, keys, region[found][first], count)
+
+    def at(self, points: Array) -> Indices:
+        """The region of each point, shape (n,); -1 for none.
+
+        Parameters
+        ----------
+        points : ndarray of shape (n, 3), metres, local frame
+        """
+        if not len(self.keys):
+            return np.full(len(points), -1, dtype=np.int64)
+        keys = _voxel_keys(points, self.low, self.voxel)
+        place = np.minimum(np.searchsorted(self.keys, keys), len(self.keys) - 1)
+        return np.where(self.keys[place] == keys, self.region[place], -1)
+
+
+def _split_into_pieces(along: Array) -> Indices:
+    """Number of the piece of each point of a surface, by its place (n, 2), from 0.
+
+    As many pieces on each side as make them no longer than a block, all of the same length.
+    """
+    start, span = along.min(axis=0), np.ptp(along, axis=0)
+    pieces = np.maximum(1, np.ceil(span / BLOCK)).astype(np.int64)
+    cell = np.minimum(
+        ((along - start) / np.maximum(span, 1e-9) * pieces).astype(np.int64), pieces - 1
+    )
+    return np.unique(cell[:, 0] * pieces[1] + cell[:, 1], return_inverse=True)[1].reshape(-1)
+
+
+def _voxel_keys(points: Array, low: Array, voxel: float) -> Indices:
+    """Key of the voxel of each point; points outside match no voxel."""
+    place = np.floor((points - low) / voxel)
+    with np.errstate(invalid="ignore"):
+        inside = ((place >= 0) & (place < 2**BITS)).all(axis=1)
+    x, y, z = np.where(inside[:, None], place, 0).astype(np.int64).T
+    return np.where(inside, (x << 2 * BITS) | (y << BITS) | z, -1)

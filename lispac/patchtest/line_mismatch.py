@@ -1,0 +1,366 @@
+"""Mismatch of two lines at an object as a function of the boresight.
+
+Every point of one line is compared with the plane through its nearest points on the other, and the
+other way round (point to plane: Chen and Medioni 1992). Distances are squared up to a scale and
+flattened beyond it (Geman and McClure 1987), so that the background of a pole, which the other
+line observes elsewhere, or a passing car does not dominate. Points for which the other line has
+no neighbours are not used, unless they are the majority.
+"""
+
+from collections.abc import Sequence
+from copy import copy
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.nearest_neighbours import build_tree, local_planes
+from lispac.patchtest.line_pairs import LinePair
+from lispac.patchtest.object_sample import ObjectPoints, ObjectSample
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Neighbours = NDArray[np.intp]
+
+SCALE = 0.10
+"""Metres beyond which a distance counts little more: POS errors of a few centimetres are inside,
+and with half of it the angles of simulated surveys were by a fifth worse."""
+NEIGHBOURS = 9
+"""Points whose plane is a point's own."""
+ROUGH = 0.35
+"""Most that these depart from the plane, of their spacing."""
+BESIDE = 2.0
+"""Farthest beside the nearest point that a point may lie, of the spacing."""
+LONG, SLICE = 0.5, 4
+"""Slices of a pole: metres along it, and points of either line that one needs."""
+ALIKE = np.cos(np.radians(25.0))
+"""Least cosine between the views of lines that see the same side of a pole."""
+FACING = np.cos(np.radians(30.0))
+"""Least cosine between the normals of points that belong together."""
+DIP = 1.05
+"""By so much a curve rises to both sides of a minimum; a ripple of its level part rises by less."""
+FEWEST, SHARE = 20, 0.1
+"""Points that must meet the other line, and their share: below, two lines see different things."""
+
+
+@dataclass(frozen=True, eq=False)
+class ObjectSurface:
+    """Surface of one object in one line at one boresight.
+
+    Attributes
+    ----------
+    points, centre, normal : ndarray of shape (n, 3), metres and unit vectors, local frame
+        Each point, and the plane through its neighbours.
+    flat : ndarray of shape (n,), bool
+        Whether they lie on one.
+    inside : ndarray of shape (n,), bool
+        Whether the point is in the object's box; what is beside it is there to be met alone.
+    """
+
+    points: Array
+    centre: Array
+    normal: Array
+    flat: NDArray[np.bool_]
+    inside: NDArray[np.bool_]
+    tree: "cKDTree"
+
+
+def neighbour_indices(tree: "cKDTree") -> Neighbours:
+    """The points about each point of a tree, itself among them: (n, k)."""
+    return np.asarray(tree.query(tree.data, min(NEIGHBOURS, tree.n))[1], dtype=np.intp)
+
+
+def fit_object_surface(
+    seen: ObjectPoints, placed: Array, near: Neighbours | None = None
+) -> ObjectSurface:
+    """The planes about the points of a line.
+
+    Parameters
+    ----------
+    placed : ndarray of shape (n, 3), metres, local frame
+    near : ndarray of shape (n, k), int, optional
+        From `neighbour_indices`: a line's own points move together, so that they stay neighbours.
+    """
+    tree = build_tree(placed)
+    near = neighbour_indices(tree) if near is None else near
+    centre, normal = local_planes(placed, near)
+    off = np.einsum("nkj,nj->nk", placed[near] - centre[:, None], normal)
+    rough = np.sqrt((off**2).mean(axis=1))
+    with np.errstate(invalid="ignore"):
+        flat = rough <= ROUGH * seen.spacing
+    return ObjectSurface(placed, centre, normal, flat, seen.inside, tree)
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceDistances:
+    """Distances from the points of one line to the surface of another.
+
+    Attributes
+    ----------
+    point, met : ndarray of shape (m,), int
+        Points of the first line that meet the second, and which of its points they meet.
+    off : ndarray of shape (m,), metres
+        Along ``normal``.
+    normal : ndarray of shape (m, 3), unit vectors, local frame
+    asked : int
+        Points of the first in the box.
+    weight : ndarray of shape (m,)
+        How many points each stands for.
+    """
+
+    point: Indices
+    met: Indices
+    off: Array
+    normal: Array
+    asked: int
+    weight: Array
+
+    @property
+    def matched_points(self) -> float:
+        """Number of points with a distance."""
+        return float(self.weight.sum())
+
+
+NOTHING = SurfaceDistances(
+    np.empty(0, np.int64), np.empty(0, np.int64), np.empty(0), np.empty((0, 3)), 0, np.empty(0)
+)
+
+
+def distances_to_surface(
+    first: ObjectSurface, second: ObjectSurface, spacing: float
+) -> SurfaceDistances:
+    """Distances from the points of the first line to the surface of the second.
+
+    Parameters
+    ----------
+    spacing : float, metres
+        Of the points.
+    """
+    point = np.flatnonzero(first.inside)
+    _, met = second.tree.query(first.points[point])
+    normal = second.normal[met]
+    off = ((first.points[point] - second.centre[met]) * normal).sum(axis=1)
+    apart = first.points[point] - second.points[met]
+    beside = apart - (apart * normal).sum(axis=1)[:, None] * normal
+    with np.errstate(invalid="ignore"):
+        alike = np.abs((first.normal[point] * normal).sum(axis=1)) >= FACING
+        near = (beside**2).sum(axis=1) <= (BESIDE * spacing) ** 2
+        good = second.flat[met] & first.flat[point] & alike & near
+    return SurfaceDistances(
+        point[good], met[good], off[good], normal[good], len(point), np.ones(len(off[good]))
+    )
+
+
+def pole_distances(
+    first: ObjectSurface, second: ObjectSurface, seen: ObjectPoints, other: ObjectPoints
+) -> SurfaceDistances:
+    """Distances across the beams between the middles of a pole, in slices along it.
+
+    Its front, which both lines see, tells little of where it is along their courses; what a yaw
+    moves is its outline. The middle of the front is nearer to the vessel than the pole's axis, so
+    it is compared across the beams alone, and between lines that look the same way.
+    """
+    assert seen.axis is not None
+    across = np.cross(seen.view + other.view, seen.axis)
+    across /= max(float(np.linalg.norm(across)), 1e-9)
+    if seen.view @ other.view < ALIKE or np.linalg.norm(across) < 0.5:
+        return NOTHING
+    rows = []
+    sides = [_pole_slices(surface, each) for surface, each in ((first, seen), (second, other))]
+    for k in sorted(set(sides[0]) & set(sides[1])):
+        a, b = sides[0][k], sides[1][k]
+        if min(len(a), len(b)) < SLICE:
+            continue
+        middles = first.points[a].mean(axis=0), second.points[b].mean(axis=0)
+        nearest = [
+            group[np.argmin(((surface.points[group] - middle) ** 2).sum(axis=1))]
+            for surface, group, middle in zip((first, second), (a, b), middles, strict=True)
+        ]
+        rows.append((*nearest, (middles[0] - middles[1]) @ across, min(len(a), len(b))))
+    if not rows:
+        return NOTHING
+    point, met, off, weight = (np.array(column) for column in zip(*rows, strict=True))
+    return SurfaceDistances(
+        point, met, off, np.repeat(across[None], len(off), axis=0), 0, weight.astype(float)
+    )
+
+
+def _pole_slices(surface: ObjectSurface, seen: ObjectPoints) -> dict[int, Indices]:
+    """The points of a pole in each slice along it."""
+    assert seen.axis is not None
+    rows = np.flatnonzero(surface.inside)
+    along = (surface.points[rows] - seen.object.box.centre) @ seen.axis
+    number = np.floor(along / LONG).astype(np.int64)
+    return {int(k): rows[number == k] for k in np.unique(number)}
+
+
+def has_enough_overlap(both: Sequence[SurfaceDistances]) -> bool:
+    """Whether two lines overlap enough to be compared."""
+    met = sum(each.matched_points for each in both)
+    return met >= max(FEWEST, SHARE * sum(each.asked for each in both))
+
+
+def robust_mean_square(both: Sequence[SurfaceDistances], scale: float) -> float:
+    """Mean of the flattened squares of some distances, square metres; NaN of too few."""
+    if not has_enough_overlap(both):
+        return float("nan")
+    off, weight = (np.concatenate([getattr(d, n) for d in both]) for n in ("off", "weight"))
+    return float((weight * off**2 / (1.0 + (off / scale) ** 2)).sum() / weight.sum())
+
+
+@dataclass(frozen=True, eq=False)
+class PairBlock:
+    """One pair of lines about one object.
+
+    Attributes
+    ----------
+    first, second : ObjectPoints
+    pair : LinePair
+    """
+
+    first: ObjectPoints
+    second: ObjectPoints
+    pair: LinePair
+
+
+def pair_blocks(sample: ObjectSample, pairs: Sequence[LinePair]) -> list[PairBlock]:
+    """All pairs of lines that see the same object, by object."""
+    chosen = {frozenset(pair.lines): pair for pair in pairs}
+    found = []
+    for k, first in enumerate(sample.seen):
+        for second in sample.seen[k + 1 :]:
+            if second.object is not first.object:
+                break
+            pair = chosen.get(frozenset((first.line, second.line)))
+            if pair is not None:
+                found.append(PairBlock(first, second, pair))
+    return found
+
+
+def block_weights(blocks: Sequence[PairBlock]) -> Array:
+    """Weight of each block, shape (b,): number of lines that see the object, less one.
+
+    Six pairs of four lines are three pieces of knowledge, not six; two pairs of two are two.
+    """
+    groups: dict[str, list[set[str]]] = {}
+    many: dict[str, int] = {}
+    for block in blocks:
+        name, lines = block.first.object.name, {block.first.line, block.second.line}
+        apart = groups.setdefault(name, [])
+        joined = [group for group in apart if group & lines]
+        groups[name] = [g for g in apart if not g & lines] + [lines.union(*joined)]
+        many[name] = many.get(name, 0) + 1
+    told = {name: sum(len(group) - 1 for group in apart) for name, apart in groups.items()}
+    return np.array([told[n] / many[n] for n in (b.first.object.name for b in blocks)])
+
+
+class Mismatch:
+    """Mismatch of blocks as a function of the boresight.
+
+    Parameters
+    ----------
+    sample : ObjectSample
+    blocks : sequence of PairBlock
+    scale : float, metres
+    """
+
+    def __init__(
+        self, sample: ObjectSample, blocks: Sequence[PairBlock], scale: float = SCALE
+    ) -> None:
+        self.sample, self.blocks, self.scale = sample, tuple(blocks), scale
+        self.weights = block_weights(blocks)
+        self._needed = {id(each): each for b in blocks for each in (b.first, b.second)}
+        self._near: dict[int, Neighbours] = {}
+
+    def with_scale(self, scale: float) -> "Mismatch":
+        """Mismatch of the same blocks with another scale."""
+        other = copy(self)
+        other.scale = scale
+        return other
+
+    def met(self, boresight: Array) -> list[tuple[SurfaceDistances, ...]]:
+        """Distances of each block: first to second, second to first, and of a pole's middle.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        """
+        placed = self.sample.placed(boresight)
+        if not self._near:
+            for k, each in self._needed.items():
+                self._near[k] = neighbour_indices(build_tree(placed[each.points]))
+        surface = {
+            k: fit_object_surface(each, placed[each.points], self._near[k])
+            for k, each in self._needed.items()
+        }
+        found: list[tuple[SurfaceDistances, ...]] = []
+        for block in self.blocks:
+            a, b = surface[id(block.first)], surface[id(block.second)]
+            spacing = block.first.spacing
+            both = [distances_to_surface(a, b, spacing), distances_to_surface(b, a, spacing)]
+            if block.first.axis is not None:
+                both.append(pole_distances(a, b, block.first, block.second))
+            found.append(tuple(both))
+        return found
+
+    def mean_squares(self, boresight: Array) -> Array:
+        """Mean square distance of each block, shape (b,), square metres.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        """
+        return np.array([robust_mean_square(both, self.scale) for both in self.met(boresight)])
+
+    def __call__(self, boresight: Array) -> float:
+        """Robust RMS distance of all blocks, metres; NaN where none has points.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        """
+        squares = self.mean_squares(boresight)
+        good = np.isfinite(squares)
+        if not good.any():
+            return float("nan")
+        return float(np.sqrt((self.weights * squares)[good].sum() / self.weights[good].sum()))
+
+    def curve(self, boresight: Array, angle: int, values: Array) -> Array:
+        """Mismatch for other values of one angle, shape (k,), metres.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        angle : int
+            0 roll, 1 pitch, 2 yaw.
+        values : ndarray of shape (k,), radians
+        """
+        turned = np.repeat(np.asarray(boresight, dtype=float)[None], len(values), axis=0)
+        turned[:, angle] = values
+        return np.array([self(each) for each in turned])
+
+
+def curve_minimum(values: Array, mismatch: Array) -> float | None:
+    """Minimum of a curve, radians; None where it has no clear minimum.
+
+    Far from the minimum lines are farther apart than the mismatch shows, and the curve is level.
+
+    Parameters
+    ----------
+    values : ndarray of shape (n,), radians, at equal steps
+    mismatch : ndarray of shape (n,), metres
+    """
+    if len(values) < 3 or not np.isfinite(mismatch).all():
+        return None
+    k = int(mismatch.argmin())
+    rise = min(mismatch[:k].max(initial=0.0), mismatch[k:].max()) / mismatch[k]
+    if k in (0, len(values) - 1) or rise < DIP:
+        return None
+    before, at, after = mismatch[k - 1 : k + 2]
+    bend = before - 2 * at + after
+    step = values[k + 1] - values[k]
+    return float(values[k] + (0.5 * step * (before - after) / bend if bend else 0.0))

@@ -1,0 +1,70 @@
+"""Pairs of lines: what the patch test compares."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Literal
+
+import numpy as np
+
+Kind = Literal["reciprocal", "crossing", "same direction", "oblique"]
+
+RECIPROCAL, SAME = np.radians(20.0), np.radians(20.0)
+"""Farthest from opposite, and from alike, that the headings of such a pair are, radians."""
+CROSSING = (np.radians(60.0), np.radians(120.0))
+"""Between the headings of lines that cross, radians."""
+
+
+@dataclass(frozen=True)
+class LinePair:
+    """Two lines, by name.
+
+    Attributes
+    ----------
+    first, second : str
+    kind : {"reciprocal", "crossing", "same direction", "oblique"}
+    """
+
+    first: str
+    second: str
+    kind: Kind
+
+    @property
+    def lines(self) -> tuple[str, str]:
+        """Both names."""
+        return self.first, self.second
+
+    @property
+    def name(self) -> str:
+        """Name as displayed."""
+        return f"{self.first} - {self.second}"
+
+
+def pair_kind(first: float, second: float) -> Kind:
+    """Relation of two lines by their headings.
+
+    Parameters
+    ----------
+    first, second : float, radians
+        Headings of the vessel while it scanned the same object.
+    """
+    between = abs((first - second + np.pi) % (2 * np.pi) - np.pi)
+    if between >= np.pi - RECIPROCAL:
+        return "reciprocal"
+    if between <= SAME:
+        return "same direction"
+    if CROSSING[0] <= between <= CROSSING[1]:
+        return "crossing"
+    return "oblique"
+
+
+def pairs_of_lines(heading: Mapping[str, float]) -> tuple[LinePair, ...]:
+    """All pairs of lines, reciprocal ones first.
+
+    Parameters
+    ----------
+    heading : mapping of line name to radians
+    """
+    order = ("reciprocal", "crossing", "oblique", "same direction")
+    found = [LinePair(a, b, pair_kind(heading[a], heading[b])) for a, b in combinations(heading, 2)]
+    return tuple(sorted(found, key=lambda pair: order.index(pair.kind)))

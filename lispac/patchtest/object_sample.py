@@ -1,0 +1,281 @@
+"""Points of the lines at the objects, prepared for repeated placement.
+
+Only these are placed when an angle is turned, a few hundred of each line and object, so that a
+picture follows a slider.
+"""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.nearest_neighbours import build_tree
+from lispac.patchtest.object_boxes import PatchObject
+from lispac.progress import Progress, no_progress
+from lispac.survey.cloud import Cloud, Line
+from lispac.survey.georeferencing import Mounting, place_points
+from lispac.survey.trajectory import Poses
+from lispac.targets.thinning import thin_points
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+MOST_POINTS = 400
+"""Approximate points of a line on an object: more add little, since they share one POS error."""
+FINEST = 0.03
+"""Least spacing of these points, metres."""
+FEWEST = 30
+"""Points below which a line does not see an object."""
+MARGIN = 0.3
+"""Metres beside a box that are examined, too."""
+EVEN = 2.2
+"""Farthest that the sixth neighbour is, of the spacing, in the median: a profiler's points lie
+close along its lines and far from one to the next, and no plane follows from a row of them."""
+SLENDER, THICK = 0.15, 0.4
+"""Most that a pole's points deviate across it: a share of what they do along it, and metres."""
+READ = 30
+"""Points of a line near an object that are examined, for each of which one may be taken."""
+STEP = 1e-4
+"""Radians by which angles are turned to see how points move."""
+
+
+@dataclass(frozen=True, eq=False)
+class ObjectPoints:
+    """Points of one object in one line.
+
+    Attributes
+    ----------
+    object : PatchObject
+    line : str
+    begin, end : int
+        Where its points stand in the sample.
+    spacing : float, metres
+        Of the points.
+    inside : ndarray of shape (end - begin,), bool
+        Which of them are in the object's box; the others are there to be met alone.
+    time : float, seconds
+        When it was passed, in the mean.
+    heading : float, radians
+        Of the vessel at that time.
+    view : ndarray of shape (3,), unit vector, local frame
+        From the vessel to the object.
+    axis : ndarray of shape (3,), unit vector, local frame, or None
+        Along the object where it is slender, a pole; None of anything else.
+    """
+
+    object: PatchObject
+    line: str
+    begin: int
+    end: int
+    spacing: float
+    inside: Flags
+    time: float
+    heading: float
+    view: Array
+    axis: Array | None = None
+
+    @property
+    def points(self) -> slice:
+        """Its points in the sample."""
+        return slice(self.begin, self.end)
+
+
+@dataclass(frozen=True, eq=False)
+class ObjectSample:
+    """Points about objects.
+
+    Attributes
+    ----------
+    seen : tuple of ObjectPoints
+        Sorted by object.
+    points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
+    poses : Poses of n points
+    mounting : Mounting
+        Lever arm and offsets; the boresight is that with which points were taken.
+    """
+
+    seen: tuple[ObjectPoints, ...]
+    points_lidar: Array
+    poses: Poses
+    mounting: Mounting
+
+    @classmethod
+    def of(
+        cls,
+        objects: Sequence[PatchObject],
+        clouds: Mapping[str, Cloud],
+        lines: Mapping[str, Line],
+        *,
+        margin: float = MARGIN,
+        most: int = MOST_POINTS,
+        progress: Progress = no_progress,
+    ) -> "ObjectSample":
+        """Take the points about objects.
+
+        What belongs to an object is decided here, once: its points are those in the box as the
+        lines are placed now, and they move as angles are turned.
+
+        Parameters
+        ----------
+        clouds : mapping of line name to Cloud
+            Placed so that the objects' boxes hold what they are meant to.
+        lines : mapping of line name to Line
+            Their readings.
+        margin : float, metres
+            How far beside a box points are taken that others may meet.
+        most : int
+            Points of a line about an object, about.
+        """
+        seen: list[ObjectPoints] = []
+        lidar: list[Array] = []
+        position: list[Array] = []
+        attitude: list[Array] = []
+        begin = 0
+        for k, each in enumerate(objects):
+            progress(k / len(objects))
+            near, radius = {}, each.box.reach + 2 * margin
+            for line, cloud in clouds.items():
+                region = cloud.within(each.box.centre, radius, most=READ * most)
+                own = each.box.inside(region.points, margin)
+                if np.count_nonzero(own) >= FEWEST:
+                    near[line] = (region.numbers[own], region.points[own])
+            if len(near) < 2:
+                continue
+            groups = [points for _, points in near.values()]
+            axis = _pole_axis([points[each.box.inside(points)] for points in groups])
+            spacing = _choose_point_spacing(groups, most, even=axis is None)
+            for line, (numbers, points) in near.items():
+                rows = thin_points(points, spacing)
+                kept, inside = numbers[rows], each.box.inside(points[rows])
+                where = clouds[line].place
+                points_lidar, time = lines[line].take(kept)
+                poses = where.trajectory.at(time + where.mounting.latency)
+                middle = float(np.median(time))
+                heading = float(np.median(poses.attitude[:, 2]))
+                end = begin + len(kept)
+                view = each.box.centre - poses.position.mean(axis=0)
+                view /= np.linalg.norm(view)
+                seen.append(
+                    ObjectPoints(
+                        each, line, begin, end, spacing, inside, middle, heading, view, axis
+                    )
+                )
+                lidar.append(points_lidar)
+                position.append(poses.position)
+                attitude.append(poses.attitude)
+                begin = end
+        nothing = np.empty((0, 3))
+        return cls(
+            tuple(seen),
+            np.concatenate([nothing, *lidar]),
+            Poses(np.concatenate([nothing, *position]), np.concatenate([nothing, *attitude])),
+            next(iter(clouds.values())).place.mounting,
+        )
+
+    def placed(self, boresight: Array) -> Array:
+        """All points with a boresight, shape (n, 3), metres, local frame.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        """
+        return place_points(self.points_lidar, self.poses, self.mounting.with_boresight(boresight))
+
+    def moves(self, boresight: Array) -> Array:
+        """Derivatives of the points by each angle, shape (3, n, 3), metres per radian, local frame.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        """
+        placed = self.placed(boresight)
+        return np.stack([(self.placed(boresight + STEP * k) - placed) / STEP for k in np.eye(3)])
+
+    def sways(self, boresight: Array) -> Array:
+        """Derivatives of the points by the POS's roll, pitch and heading, as `moves`.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        """
+        mounting, poses = self.mounting.with_boresight(boresight), self.poses
+        placed = place_points(self.points_lidar, poses, mounting)
+        return np.stack(
+            [
+                (
+                    place_points(
+                        self.points_lidar,
+                        Poses(poses.position, poses.attitude + STEP * k),
+                        mounting,
+                    )
+                    - placed
+                )
+                / STEP
+                for k in np.eye(3)
+            ]
+        )
+
+    def joined(self, other: "ObjectSample") -> "ObjectSample":
+        """Join with the points of other objects."""
+        begin = len(self.points_lidar)
+        moved = [replace(e, begin=e.begin + begin, end=e.end + begin) for e in other.seen]
+        poses = Poses(
+            np.concatenate([self.poses.position, other.poses.position]),
+            np.concatenate([self.poses.attitude, other.poses.attitude]),
+        )
+        points = np.concatenate([self.points_lidar, other.points_lidar])
+        return ObjectSample((*self.seen, *moved), points, poses, self.mounting)
+
+    def of_objects(self, names: Collection[str]) -> "ObjectSample":
+        """The part of some objects alone."""
+        kept = [each for each in self.seen if each.object.name in names]
+        rows = np.concatenate([np.arange(e.begin, e.end) for e in kept] or [np.empty(0, int)])
+        moved, begin = [], 0
+        for each in kept:
+            end = begin + each.end - each.begin
+            moved.append(replace(each, begin=begin, end=end))
+            begin = end
+        poses = Poses(self.poses.position[rows], self.poses.attitude[rows])
+        return ObjectSample(tuple(moved), self.points_lidar[rows], poses, self.mounting)
+
+
+def _pole_axis(groups: Sequence[Array]) -> Array | None:
+    """Axis of a pole as most lines show it; None for any other object."""
+    axes = []
+    for points in groups:
+        if len(points) < FEWEST:
+            continue
+        variances, directions = np.linalg.eigh(np.cov(points.T))
+        long, wide = np.sqrt(variances[2]), np.sqrt(max(variances[1], 0.0))
+        if wide <= min(SLENDER * long, THICK):
+            axes.append(directions[:, 2])
+    if 2 * len(axes) <= len(groups):
+        return None
+    _, directions = np.linalg.eigh(np.transpose(axes) @ np.array(axes))
+    return np.asarray(directions[:, 2])
+
+
+def _choose_point_spacing(groups: Sequence[Array], most: int, *, even: bool) -> float:
+    """Point spacing that is even in all directions and leaves about ``most`` points.
+
+    Never so wide that a line keeps too few, and on a pole not to make it even.
+    """
+    spacing = FINEST
+    kept = [points[thin_points(points, spacing)] for points in groups]
+    while True:
+        many = max(len(points) for points in kept)
+        uneven = even and max(_sixth_neighbour_distance(points) for points in kept) > EVEN * spacing
+        wider = spacing * max(1.25 if uneven else 1.1, np.sqrt(many / most))
+        if many <= most and not uneven:
+            return float(spacing)
+        thinned = [points[thin_points(points, wider)] for points in groups]
+        if min(len(points) for points in thinned) < FEWEST:
+            return float(spacing)
+        spacing, kept = wider, thinned
+
+
+def _sixth_neighbour_distance(points: Array) -> float:
+    if len(points) < 8:
+        return 0.0
+    return float(np.median(build_tree(points).query(points, [7])[0]))

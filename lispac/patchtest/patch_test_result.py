@@ -1,0 +1,98 @@
+"""Result of a patch test."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.message_parts import mounting_value_name
+from lispac.messages import Message, note
+from lispac.patchtest.line_mismatch import SCALE
+from lispac.patchtest.minimum_precision import FEWEST, ObjectAgreement
+from lispac.patchtest.mismatch_minimisation import ANGLES
+
+Array = NDArray[np.float64]
+
+FAR = np.radians(0.01)
+"""By how much the two ways of turning the angles may differ without a word, radians."""
+
+
+@dataclass(frozen=True, eq=False)
+class PatchTestResult:
+    """Result of a patch test.
+
+    Attributes
+    ----------
+    boresight : ndarray of shape (3,), radians
+        Roll, pitch, yaw, found together.
+    one_by_one : ndarray of shape (3,), radians
+        The same, turned one after another.
+    covariance : ndarray of shape (3, 3), square radians, or None
+        None where there are too few objects for one.
+    curvature : ndarray of shape (3,), metres per radian
+        By how much lines part when each angle is turned, in the root mean square.
+    mismatch_before, mismatch : float, metres
+        Robust RMS distance between the lines, with the prior boresight and with the answer; NaN
+        before where the lines do not meet at the objects.
+    lines : tuple of str
+    objects : tuple of ObjectAgreement
+    rounds : int
+        Of turning one angle after another.
+    settled : bool
+        Whether angles stayed where they were in the end, both ways.
+    unmet : tuple of str
+        Objects that were asked for and at which no pair of lines meets.
+    """
+
+    boresight: Array
+    one_by_one: Array
+    covariance: Array | None
+    curvature: Array
+    mismatch_before: float
+    mismatch: float
+    lines: tuple[str, ...]
+    objects: tuple[ObjectAgreement, ...]
+    rounds: int
+    settled: bool
+    unmet: tuple[str, ...] = ()
+
+    @property
+    def sigma(self) -> Array | None:
+        """Sigmas of roll, pitch and yaw, shape (3,), radians; None where undetermined."""
+        return None if self.covariance is None else np.sqrt(np.diag(self.covariance))
+
+    @property
+    def disagreeing(self) -> tuple[ObjectAgreement, ...]:
+        """Objects whose own minimum deviates by more than is allowed."""
+        return tuple(each for each in self.objects if each.disagrees)
+
+    @property
+    def remarks(self) -> tuple[Message, ...]:
+        """Remarks on the data and the limits of the result."""
+        count = len(self.objects)
+        found = [
+            note("patch_test.basis", count=count, lines=len(self.lines)),
+            self._mismatch_remark,
+        ]
+        if self.covariance is None:
+            found.append(note("patch_test.no_sigma", count=count, needed=FEWEST))
+        if not self.settled:
+            found.append(note("patch_test.not_converged"))
+        apart = np.abs(self.one_by_one - self.boresight)
+        if apart.max() > FAR:
+            k = int(apart.argmax())
+            angle = mounting_value_name(ANGLES[k])
+            found.append(note("patch_test.order_matters", angle=angle, difference=apart[k]))
+        found.extend(each.disagreement_remark for each in self.disagreeing)
+        if self.unmet:
+            found.append(note("patch_test.not_met", objects=self.unmet))
+        return tuple(found)
+
+    @property
+    def _mismatch_remark(self) -> Message:
+        if not np.isfinite(self.mismatch_before):
+            return note("patch_test.mismatch", limit=SCALE, after=self.mismatch)
+        return note(
+            "patch_test.mismatch_reduced",
+            limit=SCALE, before=self.mismatch_before, after=self.mismatch,
+        )  # fmt: skip

@@ -1,9 +1,0 @@
-"""Names of the stochastic models in figures and forms of the survey design."""
-
-from lispac.adjustment.stochastic import PosErrors
-from lispac.language import N_
-
-NAMES: dict[PosErrors, str] = {
-    "correlated": N_("correlated POS errors"),
-    "independent": N_("uncorrelated POS errors (classical)"),
-}

@@ -1,0 +1,208 @@
+"""Maps of the distances between two lines on a plane, before and after."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from lispac.language import N_, gettext
+from lispac.report.figures import (
+    INK,
+    SMALL,
+    TEXT,
+    LocalisedFormatter,
+    blank_figure,
+    short_name,
+    style_axes,
+)
+from lispac.report.text_width import cut_to_width, fitted_font_size
+from lispac.report.validation_values import DistanceMapValues, ValidationPlane
+from lispac.validation.comparison_results import PlaneComparison
+
+Array = NDArray[np.float64]
+
+STATES = N_("before"), N_("after"), N_("after, separate scale")
+COLOURS = "RdBu_r"
+"""Red where the first line is nearer to the vessel, white where the two coincide."""
+WITHIN = 98.0
+"""Percentile of the distances at the end of the colour scale."""
+LEAST = 1e-4
+PIXELS = 10
+"""Pixels along the side of a cell; viewers blur single pixels of an image."""
+WIDTH, TALLEST, LOWEST = 6.3, 3.2, 0.5
+"""Width of the figure, largest and smallest height of a picture; inches."""
+LEFT, RIGHT, BETWEEN = 0.8, 0.12, 0.34
+TOP, TOP_TALL, BELOW, BOTTOM = 0.4, 0.8, 0.26, 0.85
+"""Inches around and between the pictures."""
+CLEAR = 0.95
+"""Largest share of the distance between panels that a text may fill."""
+BESIDE = 1.4
+"""Height over width of a plane beyond which its pairs are drawn beside each other."""
+
+
+def map_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
+    """Signed distances over the plane for each pair mapped.
+
+    Before and after on one scale, and after on its own.
+    """
+    return _draw_maps(
+        figure, comparison.name, [DistanceMapValues.of(each) for each in comparison.maps]
+    )
+
+
+def map_figure_of(plane: ValidationPlane) -> Figure:
+    """`map_figure` of a report's content."""
+    return _draw_maps(None, plane.name, plane.maps)
+
+
+def _draw_maps(figure: Figure | None, name: str, maps: Sequence[DistanceMapValues]) -> Figure:
+    if not maps:
+        figure = blank_figure(figure, (WIDTH, 1.0))
+        axes = figure.add_subplot()
+        axes.set_axis_off()
+        missing = gettext(
+            "{plane}: this result contains no map. Run the validation again.",
+            plane=short_name(name),
+        )
+        axes.text(
+            0.5, 0.5, missing, ha="center", va="center", fontsize=TEXT, color=INK,
+            transform=axes.transAxes,
+        )  # fmt: skip
+        return figure
+    sides = np.max([_map_size(each) for each in maps], axis=0)
+    tall = bool(sides[1] > BESIDE * sides[0])
+    figure, places = _map_panels(figure, len(maps), sides, tall)
+    common = max(_colour_limit(each.before_m + each.after_m) for each in maps)
+    own = max(_colour_limit(each.after_m) for each in maps)
+    named, size = _fitted_pair_names(maps, tall, figure, places[0][0])
+    across, up = gettext("Horizontal (m)"), gettext("Up (m)")
+    for k, (pair, row) in enumerate(zip(maps, places, strict=True)):
+        before, after = _cell_grids(pair)
+        for axes, values, end, state in zip(
+            row, (before, after, after), (common, common, own), STATES, strict=True
+        ):
+            _draw_map(axes, values, end, pair.cell_m)
+            last, first = tall or k == len(maps) - 1, axes is row[0] and not (tall and k)
+            style_axes(axes, across if last else "", up if first else "")
+            axes.grid(False)
+            title = gettext(state) if not k else ""
+            if tall:
+                title = f"{_break_after_commas(gettext(state))}\n{named[k]}"
+            elif first:
+                axes.set_ylabel(f"{named[k]}\n{up}", fontsize=size, color=INK)
+            axes.set_title(title, fontsize=size if tall else SMALL, color=INK)
+    for columns in ((0, 1), (2,)):
+        _draw_colour_bar(figure, [row[k] for row in places for k in columns])
+    figure.suptitle(
+        short_name(name), x=0.01, y=0.99, ha="left", va="top", fontsize=TEXT + 1, color=INK
+    )
+    return figure
+
+
+def _fitted_pair_names(
+    maps: Sequence[DistanceMapValues], tall: bool, figure: Figure, panel: Axes
+) -> tuple[list[str], float]:
+    """Name of each pair, and the size of the letters, so that none meets its neighbour."""
+    box, inches = panel.get_position(original=True), figure.get_size_inches()
+    room = box.width * inches[0] + BETWEEN if tall else box.height * inches[1] + BELOW
+    room *= CLEAR
+    others = [_break_after_commas(gettext(s)) for s in STATES] if tall else [gettext("Up (m)")]
+    for template in (N_("{line}\n− {other}"), N_("{line}\n−\n{other}")):
+        named = [
+            gettext(
+                template,
+                line=cut_to_width(short_name(each.line_a), room),
+                other=cut_to_width(short_name(each.line_b), room),
+            )
+            for each in maps
+        ]
+        if (size := fitted_font_size(named, room, SMALL)) == SMALL:
+            break
+    return named, min(size, fitted_font_size(others, room, SMALL))
+
+
+def _break_after_commas(text: str) -> str:
+    return text.replace(", ", ",\n")
+
+
+def _map_panels(
+    figure: Figure | None, pairs: int, sides: Array, tall: bool
+) -> tuple[Figure, list[list[Axes]]]:
+    """Three panels a pair: in a row of their own, or, where the plane is tall, all in one row."""
+    down, along = (1, 3 * pairs) if tall else (pairs, 3)
+    wide = (WIDTH - LEFT - RIGHT - (along - 1) * BETWEEN) / along
+    high = float(np.clip(sides[1] / sides[0] * wide, LOWEST, TALLEST))
+    top = TOP_TALL if tall else TOP
+    size = WIDTH, top + down * high + (down - 1) * BELOW + BOTTOM
+    figure = blank_figure(figure, size)
+    # Placed by hand: to measure every text of so many panels takes a second a figure
+    figure.set_layout_engine("none")
+
+    def panel(row: int, column: int) -> Axes:
+        left = LEFT + column * (wide + BETWEEN)
+        low = size[1] - top - high - row * (high + BELOW)
+        return figure.add_axes((left / WIDTH, low / size[1], wide / WIDTH, high / size[1]))
+
+    panels = [[panel(row, column) for column in range(along)] for row in range(down)]
+    if not tall:
+        return figure, panels
+    # Those on one scale beside each other, so that its bar belongs to them
+    (one,) = panels
+    return figure, [[one[2 * k], one[2 * k + 1], one[2 * pairs + k]] for k in range(pairs)]
+
+
+def _draw_colour_bar(figure: Figure, panels: Sequence[Axes]) -> None:
+    """Colour scale of some panels below them, in millimetres."""
+    boxes = [axes.get_position(original=True) for axes in panels]
+    left, right = min(box.x0 for box in boxes), max(box.x1 for box in boxes)
+    inch = 1 / figure.get_size_inches()[1]
+    spare = 0.08 * (right - left)
+    place = (left + spare, min(box.y0 for box in boxes) - 0.52 * inch, right - left - 2 * spare)
+    bar = figure.colorbar(
+        panels[0].images[0], cax=figure.add_axes((*place, 0.09 * inch)), orientation="horizontal",
+        extend="both", format=LocalisedFormatter(),
+    )  # fmt: skip
+    bar.set_label("mm", fontsize=SMALL, color=INK)
+    bar.locator = MaxNLocator(5)
+    bar.update_ticks()
+    bar.ax.tick_params(labelsize=SMALL, colors=INK)
+
+
+def _draw_map(axes: Axes, values: Array, end: float, cell: float) -> None:
+    rows, columns = values.shape
+    sharp = np.repeat(np.repeat(1000 * values, PIXELS, axis=0), PIXELS, axis=1)
+    axes.imshow(
+        sharp, cmap=COLOURS, vmin=-1000 * end, vmax=1000 * end, origin="lower",
+        extent=(0.0, columns * cell, 0.0, rows * cell), aspect="equal", interpolation="none",
+    )  # fmt: skip
+    axes.set_facecolor("#eeeeee")
+    axes.locator_params(axis="x", nbins=4)
+
+
+def _cell_grids(pair: DistanceMapValues) -> tuple[Array, Array]:
+    """The cells before and after as pictures (up, across), NaN where there is no distance."""
+    columns, rows = (
+        np.floor(np.array(v) / pair.cell_m).astype(int) for v in _cell_coordinates(pair)
+    )
+    grids = []
+    for values in (pair.before_m, pair.after_m):
+        grid = np.full((rows.max() + 1, columns.max() + 1), np.nan)
+        grid[rows, columns] = values
+        grids.append(grid)
+    return grids[0], grids[1]
+
+
+def _cell_coordinates(pair: DistanceMapValues) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    return pair.across_m, pair.up_m
+
+
+def _map_size(pair: DistanceMapValues) -> Array:
+    """Width and height of what is drawn, metres."""
+    return np.array([max(values) + pair.cell_m / 2 for values in _cell_coordinates(pair)])
+
+
+def _colour_limit(values: Sequence[float]) -> float:
+    return max(float(np.percentile(np.abs(values), WITHIN)), LEAST)

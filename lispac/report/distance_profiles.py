@@ -1,0 +1,88 @@
+"""Distances between lines against height and range, before and after."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from lispac.language import N_, gettext
+from lispac.report.figures import (
+    AFTER,
+    BEFORE,
+    INK,
+    SMALL,
+    TEXT,
+    blank_figure,
+    short_name,
+    style_axes,
+)
+from lispac.report.validation_values import DistancesBySteps, ValidationPlane
+from lispac.validation.comparison_results import PlaneComparison
+
+CURVES: Mapping[tuple[str, str], str] = {
+    ("median", "before"): N_("median before"),
+    ("p95", "before"): N_("95 % before"),
+    ("median", "after"): N_("median after"),
+    ("p95", "after"): N_("95 % after"),
+}
+"""Text of the legend by statistic and state."""
+COLOURS = {"before": BEFORE, "after": AFTER}
+STYLES = {"median": "-", "p95": "--"}
+
+
+def profile_figure(comparison: PlaneComparison, figure: Figure | None = None) -> Figure:
+    """Median (full) and 95th percentile (dashed) of the distances, before and after."""
+    profiles = [
+        None if each is None else DistancesBySteps.of(each)
+        for each in (comparison.by_height, comparison.by_range)
+    ]
+    return _draw_profiles(figure, comparison.name, profiles)
+
+
+def profile_figure_of(plane: ValidationPlane) -> Figure:
+    """`profile_figure` of a report's content."""
+    return _draw_profiles(None, plane.name, (plane.by_height, plane.by_range))
+
+
+def _draw_profiles(
+    figure: Figure | None, name: str, profiles: Sequence[DistancesBySteps | None]
+) -> Figure:
+    figure = blank_figure(figure, (6.3, 2.3))
+    drawn = [
+        (each, across)
+        for each, across in zip(
+            profiles, (gettext("Height (m)"), gettext("Range (m)")), strict=True
+        )
+        if each is not None
+    ]
+    places = figure.subplots(1, max(len(drawn), 1), sharey=True, squeeze=False)[0]
+    for axes, (profile, across) in zip(places, drawn, strict=False):
+        _draw_profile(axes, profile)
+        style_axes(axes, across, gettext("Distance (mm)") if axes is places[0] else "")
+        axes.set_ylim(bottom=0.0)
+    if drawn:
+        figure.legend(
+            *places[0].get_legend_handles_labels(), loc="outside upper right", ncols=4,
+            fontsize=SMALL, frameon=False, labelcolor=INK,
+        )  # fmt: skip
+    else:
+        places[0].set_axis_off()
+        places[0].text(
+            0.5, 0.5,
+            gettext("This result is from an earlier version. Run the validation again."),
+            ha="center", va="center", fontsize=TEXT, color=INK, transform=places[0].transAxes,
+        )  # fmt: skip
+    figure.suptitle(short_name(name), x=0.01, ha="left", fontsize=TEXT + 1, color=INK)
+    return figure
+
+
+def _draw_profile(axes: Axes, profile: DistancesBySteps) -> None:
+    edges = np.array(profile.edges_m)
+    middles = 0.5 * (edges[:-1] + edges[1:])
+    for (statistic, state), label in CURVES.items():
+        values = np.array(getattr(profile, f"{statistic}_{state}_m"), dtype=float)
+        axes.plot(
+            middles, 1000 * values, STYLES[statistic], color=COLOURS[state], linewidth=1.2,
+            marker="o", markersize=2.5, label=gettext(label),
+        )  # fmt: skip

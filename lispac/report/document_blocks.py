@@ -1,0 +1,167 @@
+"""Parts of a report: sections with paragraphs, lists, tables and pictures."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+from lispac.report.options import Page
+
+Status = Literal["bad", "fair", "good"]
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    """Running text."""
+
+    text: str
+    kind: str = "paragraph"
+
+
+@dataclass(frozen=True)
+class Bullets:
+    """A list of short texts."""
+
+    items: tuple[str, ...]
+    kind: str = "bullets"
+
+
+@dataclass(frozen=True)
+class Column:
+    """Title and alignment of a column; a ``wide`` one holds running text."""
+
+    title: str
+    align: Literal["left", "right"] = "right"
+    wide: bool = False
+    code: bool = False
+
+
+@dataclass(frozen=True)
+class Table:
+    """Table of texts with titled columns.
+
+    A ``form`` has names and values, two beside each other; where there is no value, there is a line
+    to be filled in by hand.
+    """
+
+    title: str
+    columns: tuple[Column, ...]
+    rows: tuple[tuple[str, ...], ...]
+    kind: str = "table"
+    form: bool = False
+
+
+def as_rows(cells: Iterable[Sequence[str]]) -> tuple[tuple[str, ...], ...]:
+    """Rows as a table holds them."""
+    return tuple(tuple(row) for row in cells)
+
+
+def facts_table(title: str, values: Iterable[tuple[str, str]]) -> Table:
+    """A table of names and values without titles of columns."""
+    return Table(title, (Column("", "left"), Column("", "left", wide=True)), tuple(values))
+
+
+def form_table(title: str, values: Iterable[tuple[str, str]]) -> Table:
+    """Names and values, with lines to fill in by hand where a value is blank."""
+    return replace(facts_table(title, values), form=True)
+
+
+@dataclass(frozen=True)
+class Picture:
+    """An image with its caption.
+
+    Attributes
+    ----------
+    caption, data, suffix
+    width : share of the text's width
+    tallest : millimetres, the most of the page's height that it takes
+    """
+
+    caption: str
+    data: bytes
+    suffix: str
+    width: float = 1.0
+    tallest: float = 215.0
+    kind: str = "picture"
+
+
+@dataclass(frozen=True)
+class Signature:
+    """Lines to be filled in by hand, except those whose ``values`` are known already."""
+
+    fields: tuple[str, ...]
+    values: tuple[str, ...]
+    kind: str = "signature"
+
+
+@dataclass(frozen=True)
+class UndrawnPictures:
+    """Pictures that ``draw`` makes of ``values`` later, in the language in use.
+
+    Attributes
+    ----------
+    width : share of the text's width
+    """
+
+    caption: str
+    draw: Callable[..., Any]
+    values: tuple[object, ...]
+    width: float = 1.0
+    kind: str = "drawing"
+
+
+Block = Paragraph | Bullets | Table | Picture | UndrawnPictures | Signature
+
+
+@dataclass(frozen=True)
+class PageTexts:
+    """Texts on every page, and titles that belong to no section."""
+
+    made: str = "Made {when} by {program}"
+    page: str = "Page {page} of {pages}"
+    warnings: str = "Serious warnings"
+    remarks: str = "Other warnings"
+    contents: str = "Contents"
+
+
+@dataclass(frozen=True)
+class Section:
+    """A numbered part of the report."""
+
+    title: str
+    blocks: tuple[Block, ...]
+
+
+@dataclass(frozen=True)
+class Letterhead:
+    """Letterhead of a company on page one: logo and name above the title, a text below it."""
+
+    logo: Picture | None = None
+    company: str = ""
+    heading: str = ""
+
+
+NO_LETTERHEAD = Letterhead()
+
+
+@dataclass(frozen=True)
+class Document:
+    """The whole report.
+
+    ``identity`` and ``summary`` stand on page one, above and below the warnings.
+    """
+
+    title: str
+    project: str
+    program: str
+    generated: str
+    status: Status
+    verdict: str
+    identity: Table
+    serious: tuple[str, ...]
+    cautions: tuple[str, ...]
+    summary: tuple[Block, ...]
+    sections: tuple[Section, ...]
+    page: Page = "a4"
+    letterhead: Letterhead = NO_LETTERHEAD
+    language: str = "en"
+    furniture: PageTexts = PageTexts()

@@ -1,0 +1,56 @@
+"""Values of a report from alternative methods."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.messages import Message
+from lispac.method_comparison import MethodResult
+
+Three = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class MethodValues:
+    """Result of a method; the differences are from the first method, which has none.
+
+    Attributes
+    ----------
+    boresight_deg, sigma_deg, difference_deg : roll, pitch, yaw
+    over_sigma : differences over their sigmas
+    probability : chance of differences as large where both are right
+    """
+
+    method: str
+    lines: int
+    surfaces: int
+    boresight_deg: Three
+    sigma_deg: Three
+    difference_deg: Three | None
+    over_sigma: Three | None
+    probability: float | None
+    differ: bool | None
+    remarks: tuple[Message, ...]
+
+    @classmethod
+    def of(cls, answer: MethodResult) -> "MethodValues":
+        """Values of the result of a method."""
+        calibration, against = answer.calibration, answer.against
+        return cls(
+            answer.method,
+            answer.lines,
+            answer.surfaces,
+            _triple(np.degrees(calibration.boresight)),
+            _triple(np.degrees(calibration.sigma)),
+            None if against is None else _triple(np.degrees(against.angles)),
+            None if against is None else _triple(against.significance),
+            None if against is None else against.probability,
+            None if against is None else against.differ,
+            answer.remarks,
+        )
+
+
+def _triple(values: NDArray[np.float64]) -> Three:
+    roll, pitch, yaw = (float(value) for value in values)
+    return roll, pitch, yaw

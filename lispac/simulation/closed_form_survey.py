@@ -1,0 +1,401 @@
+"""Surveys of boards and balls in closed form, computed in a few milliseconds.
+
+No beam is traced: the points lie on a grid over each target, and each gets the instant at which the
+profile of the passing vessel meets it. That is all an adjustment sees of a survey, so thousands of
+them can be made where the port scene takes a minute for one.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from lispac.adjustment.observations import Observations, Sighting
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
+from lispac.survey.georeferencing import Mounting, to_lidar
+from lispac.survey.trajectory import Poses
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Board:
+    """A flat rectangular target.
+
+    Attributes
+    ----------
+    centre, normal : tuple of float, metres, local; the normal looks to the vessel
+    width, height : float, metres
+    flatness : float or None, metres
+        How far a line may see it off its plane, where that is not as the others of a plan.
+    """
+
+    name: str
+    centre: tuple[float, float, float]
+    normal: tuple[float, float, float]
+    width: float = 1.23
+    height: float = 1.22
+    flatness: float | None = None
+
+    def points(
+        self, spacing: float, generator: np.random.Generator, scanner: Array | None = None
+    ) -> Array:
+        """A grid of points with a random origin, shape (n, 3), metres, local.
+
+        Parameters
+        ----------
+        spacing : float, metres
+            Between the points.
+        scanner : ndarray of shape (3,), metres, local, optional
+            Not needed: all of a board is seen from wherever it faces.
+        """
+        u, v = (
+            np.arange(-side / 2 + start, side / 2, spacing)
+            for side, start in zip(
+                (self.width, self.height), generator.uniform(0, spacing, 2), strict=True
+            )
+        )
+        u, v = np.meshgrid(u, v)
+        return self.placed(u.ravel(), v.ravel())
+
+    def grid(self, k: int) -> Array:
+        """``k`` x ``k`` points, with the centre and the second moments of the whole board.
+
+        They determine the plane as all points of the board do.
+
+        Returns
+        -------
+        ndarray of shape (k * k, 3), metres, local
+        """
+        middles = (np.arange(k) + 0.5) / k - 0.5
+        middles /= np.sqrt(1 - 1 / k**2)  # middles of equal parts lie a little close together
+        u, v = np.meshgrid(self.width * middles, self.height * middles)
+        return self.placed(u.ravel(), v.ravel())
+
+    @property
+    def facing(self) -> Array:
+        """Unit normal, shape (3,), local."""
+        return np.asarray(np.array(self.normal) / np.linalg.norm(self.normal))
+
+    @property
+    def across(self) -> Array:
+        """Unit vector along the width, shape (3,), local; level."""
+        normal = self.facing
+        # A level board has no horizontal edge of its own: north and west will do.
+        across = np.cross([1.0, 0.0, 0.0] if abs(normal[2]) > 0.999 else [0.0, 0.0, 1.0], normal)
+        return np.asarray(across / np.linalg.norm(across))
+
+    def placed(self, u: Array, v: Array) -> Array:
+        """Points ``u`` across and ``v`` up (n,) from its centre, shape (n, 3), metres, local."""
+        across = self.across
+        up = np.cross(self.facing, across)
+        return np.asarray(np.array(self.centre) + u[:, None] * across + v[:, None] * up)
+
+
+STEEPEST = np.cos(np.radians(75.0))
+"""A board seen more obliquely than this gives few points and poor ones."""
+
+VISIBLE = np.radians(80.0)
+"""Beyond this angle of incidence the beam only grazes a ball."""
+
+
+@dataclass(frozen=True)
+class Ball:
+    """A spherical target.
+
+    Attributes
+    ----------
+    centre : tuple of float, metres, local
+    radius : float, metres
+    radius_known : bool
+        Whether the radius is given to the adjustment.
+    flatness : float or None, metres
+        As of a board.
+    """
+
+    name: str
+    centre: tuple[float, float, float]
+    radius: float = 0.1
+    radius_known: bool = True
+    flatness: float | None = None
+
+    def points(self, spacing: float, generator: np.random.Generator, scanner: Array) -> Array:
+        """Points of the cap that faces the scanner, shape (n, 3), metres, local.
+
+        They lie on a grid across the view, with a random origin, as beams would meet them: sparser
+        on the surface towards the rim.
+
+        Parameters
+        ----------
+        spacing : float, metres
+            Between the points.
+        scanner : ndarray of shape (3,), metres, local
+            Where it is seen from.
+        """
+        rim = self.visible_radius
+        u, v = (np.arange(-rim + start, rim, spacing) for start in generator.uniform(0, spacing, 2))
+        u, v = np.meshgrid(u, v)
+        return self.cap(u.ravel(), v.ravel(), scanner)
+
+    def grid(self, k: int, scanner: Array) -> Array:
+        """Points as of `points`, but on a grid of ``k`` x ``k``: those that meet the ball."""
+        middles = self.visible_radius * (2 * (np.arange(k) + 0.5) / k - 1)
+        u, v = np.meshgrid(middles, middles)
+        return self.cap(u.ravel(), v.ravel(), scanner)
+
+    @property
+    def visible_radius(self) -> float:
+        """Radius of what is seen of it, across the view, metres."""
+        return float(self.radius * np.sin(VISIBLE))
+
+    def cap(self, u: Array, v: Array, scanner: Array) -> Array:
+        """Points so far across and up in the view from the scanner, those that meet the ball.
+
+        Parameters
+        ----------
+        u, v : ndarray of shape (n,), metres
+        scanner : ndarray of shape (3,), metres, local
+            Where it is seen from.
+
+        Returns
+        -------
+        ndarray of shape (m, 3), metres, local
+        """
+        towards = scanner - np.array(self.centre)
+        towards /= np.linalg.norm(towards)
+        across = np.cross([0.0, 0.0, 1.0], towards)
+        across /= np.linalg.norm(across)
+        up = np.cross(towards, across)
+        seen = u**2 + v**2 <= self.visible_radius**2
+        u, v = u[seen, None], v[seen, None]
+        depth = np.sqrt(self.radius**2 - u**2 - v**2)
+        return np.asarray(np.array(self.centre) + u * across + v * up + depth * towards)
+
+
+@dataclass(frozen=True)
+class Course:
+    """A straight pass at constant speed.
+
+    Attributes
+    ----------
+    heading : float, radians clockwise from north
+    abeam : tuple of float, metres, local
+        Where the vessel is at ``time``.
+    time : float, seconds
+    speed : float, metres per second
+    """
+
+    name: str
+    heading: float
+    abeam: tuple[float, float]
+    time: float
+    speed: float = 1.0
+
+    @property
+    def direction(self) -> Array:
+        """Unit vector ahead, shape (3,), local."""
+        return np.array([np.cos(self.heading), -np.sin(self.heading), 0.0])
+
+
+BOARDS = (
+    Board("T1", (0.8, 15.0, 5.0), (0.0, -1.0, 0.0)),
+    Board("T2", (-0.8, 15.0, 5.0), (0.0, -1.0, 1.0)),
+)
+"""An upright and a leaning board 15 m from the vessel and 5 m above it (thesis 4.4)."""
+
+
+def six_courses(interval: float = 90.0, speed: float = 0.8) -> tuple[Course, ...]:
+    """The six-fold pattern of the thesis (figure 3.3) through the local origin.
+
+    One line every ``interval`` seconds, at a speed in metres per second.
+    """
+    return tuple(
+        Course(f"L{k + 1}", float(np.radians(heading_deg)), (0.0, 0.0), 50.0 + k * interval, speed)
+        for k, heading_deg in enumerate((0, 180, 45, 225, 315, 135))
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class SeaMotion:
+    """The vessel's motion on top of its course: sines of random period and phase.
+
+    Attributes
+    ----------
+    sigma : ndarray of shape (6,), metres and radians
+        Of the drift north, west, the heave, and of roll, pitch, yaw.
+    frequency : ndarray of shape (6, sines), radians per second
+    phase : ndarray of shape (6, sines), radians
+    """
+
+    sigma: Array
+    frequency: Array
+    phase: Array
+
+    @classmethod
+    def draw(cls, generator: np.random.Generator, sines: int = 3) -> "SeaMotion":
+        """Motion of a small vessel in a harbour."""
+        sigma = np.array([0.03, 0.03, 0.05, *np.radians([0.9, 0.35, 0.3])])
+        period = generator.uniform(4.0, 9.0, (6, sines))
+        return cls(sigma, 2 * np.pi / period, generator.uniform(0, 2 * np.pi, (6, sines)))
+
+    def at(self, time: Array) -> Array:
+        """Motion at ``time`` (n,), seconds; shape (n, 6), metres and radians."""
+        waves = np.sin(time[:, None, None] * self.frequency + self.phase)
+        return np.asarray(self.sigma * waves.sum(axis=2) * np.sqrt(2 / self.phase.shape[1]))
+
+    def rate(self, time: Array) -> Array:
+        """Its derivative by ``time`` (n,), shape (n, 6), metres and radians per second."""
+        waves = self.frequency * np.cos(time[:, None, None] * self.frequency + self.phase)
+        return np.asarray(self.sigma * waves.sum(axis=2) * np.sqrt(2 / self.phase.shape[1]))
+
+
+def error_free_survey(
+    mounting: Mounting,
+    targets: Sequence[Board | Ball],
+    courses: Sequence[Course],
+    spacing: float,
+    generator: np.random.Generator,
+    *,
+    pos: PosErrorModel = HYDROGRAPHIC_INS,
+    lidar_sigma: float = 0.003,
+) -> Observations:
+    """Simulate error-free observations.
+
+    Parameters
+    ----------
+    mounting : Mounting
+        The true one.
+    spacing : float, metres
+        Between the points of a target.
+    pos : PosErrorModel
+        Its standard deviations are those the observations state.
+    lidar_sigma : float, metres
+        Given of each axis.
+    """
+    sea = SeaMotion.draw(generator)
+    rows, sightings = [], []
+    for target in targets:
+        for course in courses:
+            points = target.points(
+                spacing, generator, scanner_position_abeam(mounting, target, course)
+            )
+            rows.append(error_free_record(mounting, course, sea, points))
+            sightings.append(Sighting(target.name, course.name))
+    return observations_of_records(rows, sightings, targets, pos, lidar_sigma)
+
+
+def error_free_record(mounting: Mounting, course: Course, sea: SeaMotion, points: Array) -> Array:
+    """Error-free record of scanner and POS for points (n, 3), local, along a course.
+
+    Returns
+    -------
+    ndarray of shape (n, 16)
+        Point in the LiDAR frame, position, attitude, their rates (6), time.
+    """
+    # The profile stands across the course and meets a point when the scanner is abeam.
+    along = (points - [*course.abeam, 0.0]) @ course.direction - mounting.lever_arm[0]
+    time = course.time + along / course.speed
+    scan = to_lidar(points, _vessel_poses(course, sea, time + mounting.latency), mounting)
+    poses = _vessel_poses(course, sea, time)
+    rate = sea.rate(time)
+    rate[:, :3] += course.speed * course.direction
+    return np.column_stack([scan, poses.position, poses.attitude, rate, time])
+
+
+def observations_of_records(
+    rows: Sequence[Array],
+    sightings: Sequence[Sighting],
+    targets: Sequence[Board | Ball],
+    pos: PosErrorModel,
+    lidar_sigma: float,
+) -> Observations:
+    """The sightings of `error_free_record` as observations; arguments as of `error_free_survey`."""
+    table = np.concatenate(rows)
+    count, seen = len(table), {sighting.target for sighting in sightings}
+    return Observations(
+        points_lidar=np.ascontiguousarray(table[:, :3]),
+        position=np.ascontiguousarray(table[:, 3:6]),
+        attitude=np.ascontiguousarray(table[:, 6:9]),
+        pose_rate=np.ascontiguousarray(table[:, 9:15]),
+        sigma_lidar=np.full((count, 3), lidar_sigma),
+        sigma_position=np.tile(pos.sigma_position, (count, 1)),
+        sigma_attitude=np.tile(pos.sigma_attitude, (count, 1)),
+        time=table[:, 15].copy(),
+        sighting=np.repeat(np.arange(len(sightings)), [len(part) for part in rows]),
+        sightings=tuple(sightings),
+        radii={
+            target.name: target.radius if target.radius_known else None
+            for target in targets
+            if isinstance(target, Ball) and target.name in seen
+        },
+    )
+
+
+def scanner_position_abeam(mounting: Mounting, target: Board | Ball, course: Course) -> Array:
+    """Where the scanner is when the middle of a target is abeam, on a calm sea, shape (3,)."""
+    foot, centre = np.array([*course.abeam, 0.0]), np.array(target.centre)
+    left = np.array([np.sin(course.heading), np.cos(course.heading), 0.0])
+    _, aside, above = mounting.lever_arm
+    along = ((centre - foot) @ course.direction) * course.direction
+    return np.asarray(foot + along + aside * left + [0.0, 0.0, above])
+
+
+def _vessel_poses(course: Course, sea: SeaMotion, time: Array) -> Poses:
+    motion = sea.at(time)
+    position = (time - course.time)[:, None] * course.speed * course.direction + motion[:, :3]
+    position[:, :2] += course.abeam
+    return Poses(position, motion[:, 3:] + [0.0, 0.0, course.heading])
+
+
+def add_errors(
+    exact: Observations, pos: PosErrorModel, generator: np.random.Generator
+) -> Observations:
+    """Add white LiDAR noise and drifting POS errors to a survey."""
+    return replace(
+        exact,
+        points_lidar=exact.points_lidar + _lidar_noise(exact, generator),
+        position=exact.position
+        + exact.sigma_position * gauss_markov_drift(exact.time, pos.time_position, generator),
+        attitude=exact.attitude
+        + exact.sigma_attitude * gauss_markov_drift(exact.time, pos.time_attitude, generator),
+    )
+
+
+def _lidar_noise(exact: Observations, generator: np.random.Generator) -> Array:
+    draws = generator.standard_normal(exact.points_lidar.shape)
+    if not exact.beam_sigmas:
+        return np.asarray(draws * exact.sigma_lidar)
+    beam = exact.points_lidar / np.linalg.norm(exact.points_lidar, axis=1)[:, None]
+    noise = draws * exact.sigma_lidar[:, 1:2]
+    wanted = generator.standard_normal((len(beam), 1)) * exact.sigma_lidar[:, :1]
+    along = np.einsum("ni,ni->n", noise, beam)[:, None]
+    return np.asarray(noise + (wanted - along) * beam)
+
+
+def gauss_markov_drift(
+    time: Array, correlation_time: float, generator: np.random.Generator
+) -> Array:
+    """Three unit first-order Gauss-Markov processes at any instants, shape (n, 3).
+
+    Parameters
+    ----------
+    time : ndarray of shape (n,), seconds, in any order
+    correlation_time : float, seconds
+    """
+    order = np.argsort(time, kind="stable")
+    draws = generator.standard_normal((len(time), 3))
+    _filter_gauss_markov(np.diff(time[order]) / correlation_time, draws)
+    drifting = np.empty_like(draws)
+    drifting[order] = draws
+    return drifting
+
+
+@njit(nogil=True, cache=True)
+def _filter_gauss_markov(steps, draws):  # type: ignore[no-untyped-def]
+    for i in range(len(steps)):
+        kept = np.exp(-steps[i])
+        fresh = np.sqrt(-np.expm1(-2 * steps[i]))
+        for k in range(draws.shape[1]):
+            draws[i + 1, k] = kept * draws[i, k] + fresh * draws[i + 1, k]

@@ -1,0 +1,318 @@
+"""Simulate a whole survey from one seed: voyage, scene, POS and scanner with errors."""
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame
+from lispac.geometry.rotations import rotation_angles, rotation_matrix
+from lispac.language import gettext_lazy
+from lispac.messages import error
+from lispac.progress import Progress, no_progress
+from lispac.simulation.port_scene import ORIGIN, TARGETS, VALIDATION, port_scene, six_passes
+from lispac.simulation.pos_error_models import PosErrors
+from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
+from lispac.simulation.scanner import Echoes, Scanner, scan_scene
+from lispac.simulation.scene import Rectangle, Scene, Sphere
+from lispac.simulation.vessel_motion import VesselMotion
+from lispac.simulation.voyage import RecordedTrajectory, SailedTrajectory, Voyage
+from lispac.survey.georeferencing import Mounting
+
+Array = NDArray[np.float64]
+
+POS_HEIGHT = 1.1  # metres above the water
+LEVER_ARM = (-0.242, 0.061, 2.173)  # metres, body
+BORESIGHT_DEG = (0.27, -1.14, 0.36)  # roll, pitch, yaw
+POINTS_PER_SECOND = 150_000.0
+
+
+@dataclass(frozen=True, eq=False)
+class SimulatedLine:
+    """One pass as the scanner recorded it.
+
+    Attributes
+    ----------
+    name : str
+    heading_deg : float
+    time : ndarray of shape (n,), GPS seconds of week
+    points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
+    intensity : ndarray of shape (n,)
+    label : ndarray of shape (n,)
+        Index into the survey's surface names; -1 for an echo mixed from two surfaces.
+    true_points_local : ndarray of shape (n, 3), metres, local
+        Where the beam met the surface.
+    """
+
+    name: str
+    heading_deg: float
+    time: Array
+    points_lidar: Array
+    true_points_local: Array
+    intensity: NDArray[np.uint16]
+    label: NDArray[np.int16]
+
+
+@dataclass(frozen=True, eq=False)
+class SimulatedTrajectory:
+    """What the POS reports, and the truth beside it.
+
+    Attributes
+    ----------
+    time : ndarray of shape (n,), GPS seconds of week
+    latitude, longitude : ndarray of shape (n,), radians
+    height : ndarray of shape (n,), metres above the ellipsoid
+    roll, pitch, heading : ndarray of shape (n,), radians
+        Against North-West-Up at the vessel, in the program's convention; heading in (-pi, pi].
+    sigma_position : ndarray of shape (n, 3), metres; north, east, up
+    sigma_attitude : ndarray of shape (n, 3), radians; roll, pitch, heading
+        What the POS takes its errors for.
+    interval : float, seconds
+        Between two states.
+    true_position_local : ndarray of shape (n, 3), metres, local
+    true_attitude : ndarray of shape (n, 3), radians
+        Roll, pitch, heading against the axes of the local frame, without jumps.
+    """
+
+    time: Array
+    latitude: Array
+    longitude: Array
+    height: Array
+    roll: Array
+    pitch: Array
+    heading: Array
+    sigma_position: Array
+    sigma_attitude: Array
+    interval: float
+    true_position_local: Array
+    true_attitude: Array
+
+
+@dataclass(frozen=True, eq=False)
+class SurveySetup:
+    """All inputs of a survey besides its seed.
+
+    Attributes
+    ----------
+    origin : tuple of float
+        Latitude and longitude (radians) and ellipsoidal height (metres) of the local frame.
+    scene : Scene
+    targets, validation : tuple of str
+        Names of the rectangles and balls of the scene used as targets.
+    voyage : Voyage
+    pos : PosErrors
+    scanner : Scanner
+    mounting : Mounting
+        The true one.
+    """
+
+    origin: tuple[float, float, float]
+    scene: Scene
+    targets: tuple[str, ...]
+    validation: tuple[str, ...]
+    voyage: Voyage
+    pos: PosErrors
+    scanner: Scanner
+    mounting: Mounting
+
+
+@dataclass(frozen=True, eq=False)
+class SimulatedSurvey:
+    """A whole survey with its truth.
+
+    Attributes
+    ----------
+    origin : tuple of float
+        Latitude and longitude (radians) and ellipsoidal height (metres) of the local frame.
+    mounting : Mounting
+        The true one.
+    targets, validation : dict of name to ndarray of shape (3,), metres, local
+        A seed on each: the middle of a plane, the point of a ball that faces the vessel.
+    """
+
+    origin: tuple[float, float, float]
+    mounting: Mounting
+    trajectory: SimulatedTrajectory
+    lines: tuple[SimulatedLine, ...]
+    targets: dict[str, Array]
+    validation: dict[str, Array]
+    scene: Scene
+
+    @property
+    def lever_arm(self) -> Array:
+        """The true one, shape (3,), metres, body."""
+        return self.mounting.lever_arm
+
+    @property
+    def boresight(self) -> Array:
+        """True roll, pitch, yaw, shape (3,), radians."""
+        return self.mounting.boresight
+
+    @property
+    def surface_names(self) -> tuple[str, ...]:
+        """Names the labels of the points stand for."""
+        return self.scene.names
+
+
+def port_survey(
+    *,
+    seed: int = 2019,
+    points_per_second: float = POINTS_PER_SECOND,
+    boresight_deg: tuple[float, float, float] = BORESIGHT_DEG,
+    noise: bool = True,
+    pos_errors: bool = True,
+    progress: Progress = no_progress,
+) -> SimulatedSurvey:
+    """Simulate the six passes of the built-in survey of a small port.
+
+    Parameters
+    ----------
+    points_per_second : float
+        Pulses per second of the profiler over its whole turn; the window toward the quay
+        takes a fifth of them.
+    boresight_deg : tuple of float
+        True roll, pitch, yaw.
+    seed, noise, pos_errors, progress
+        As for `simulate_survey`.
+    """
+    setup = SurveySetup(
+        ORIGIN, port_scene(), TARGETS, VALIDATION, SailedTrajectory(six_passes(), POS_HEIGHT),
+        HYDROGRAPHIC_INS, Scanner(points_per_second),
+        Mounting(np.array(LEVER_ARM), np.radians(boresight_deg)),
+    )  # fmt: skip
+    return simulate_survey(setup, seed=seed, noise=noise, pos_errors=pos_errors, progress=progress)
+
+
+def simulate_survey(
+    setup: SurveySetup,
+    *,
+    seed: int,
+    noise: bool = True,
+    pos_errors: bool = True,
+    progress: Progress = no_progress,
+) -> SimulatedSurvey:
+    """Simulate a survey.
+
+    The same arguments give the same arrays. The vessel's motion depends on the seed alone, so
+    surveys with and without noise or POS errors can be compared point by point.
+
+    Parameters
+    ----------
+    noise : bool
+        Whether the scanner has range and angle noise and mixed echoes at edges.
+    pos_errors : bool
+        Whether the POS errs. Without noise and POS errors, georeferencing with the true
+        mounting puts every point onto its surface.
+
+    Raises
+    ------
+    InputError
+        Where the trajectory does not cover the lines.
+    """
+    voyage, scene = setup.voyage, setup.scene
+    if isinstance(voyage, RecordedTrajectory):
+        voyage.require_stretches_covered(setup.mounting.latency)
+    legs = voyage.legs
+    sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + len(legs))
+    motion = voyage.motion(sea)
+    _require_trajectory_covers(motion, setup.mounting.latency)
+    trajectory = _reported_trajectory(setup, motion, errors if pos_errors else None)
+    states = (trajectory.time, motion.position, motion.attitude)
+    if scene.meshes is not None:
+        progress(0.0)  # made once, before the threads
+
+    def record(i: int) -> Echoes:
+        start, stop = motion.recorded[i]
+        recorded = (voyage.start + start, voyage.start + stop)
+        generator = scanners[i] if noise else None
+        side = legs[i].starboard
+        return scan_scene(setup.scanner, scene, states, recorded, side, setup.mounting, generator)
+
+    lines = []
+    with ThreadPoolExecutor(min(os.cpu_count() or 1, len(legs))) as pool:
+        for i, echoes in enumerate(pool.map(record, range(len(legs)))):
+            lines.append(SimulatedLine(legs[i].name, legs[i].heading_deg, *vars(echoes).values()))
+            progress(
+                (i + 1) / len(legs),
+                gettext_lazy(
+                    "Simulated lines: {count:n} of {total:n}", count=i + 1, total=len(legs)
+                ),
+            )
+    return SimulatedSurvey(
+        setup.origin,
+        setup.mounting,
+        trajectory,
+        tuple(lines),
+        _surface_seeds(setup, setup.targets, motion),
+        _surface_seeds(setup, setup.validation, motion),
+        scene,
+    )
+
+
+def _require_trajectory_covers(motion: VesselMotion, latency: float) -> None:
+    first = min(start for start, _ in motion.recorded) + latency
+    last = max(stop for _, stop in motion.recorded) + latency
+    if first < motion.time[0] or last > motion.time[-1]:
+        raise InputError(error("simulation.latency", latency=latency))
+
+
+def _surface_seeds(
+    setup: SurveySetup, names: tuple[str, ...], motion: VesselMotion
+) -> dict[str, Array]:
+    """Middles of rectangles, and of balls the point that faces the vessel's mean place."""
+    seeds = {}
+    for name in names:
+        surface = setup.scene[name]
+        if isinstance(surface, Rectangle):
+            seeds[name] = surface.centre.copy()
+        elif isinstance(surface, Sphere):
+            towards = motion.position.mean(axis=0) - surface.centre
+            seeds[name] = surface.centre + surface.radius * towards / np.linalg.norm(towards)
+    return seeds
+
+
+def _nearest_rows(time: Array, even: Array, values: Array) -> Array:
+    """Rows of evenly spaced values nearest to any times, shape (n, k)."""
+    if len(time) == len(even):
+        return values
+    # The nearest and not between two: a mean of white noise would be smaller than given.
+    return values[np.rint(time / (even[1] - even[0])).astype(np.intp)]
+
+
+def _reported_trajectory(
+    setup: SurveySetup, motion: VesselMotion, generator: np.random.Generator | None
+) -> SimulatedTrajectory:
+    """Convert true states to POS output: geodetic, relative to the level at the vessel."""
+    time, interval = motion.time, motion.interval
+    # A recorded trajectory may have gaps: its errors are those of a whole one at its times.
+    even = np.arange(round((time[-1] - time[0]) / interval) + 1) * interval
+    position_error, attitude_error = np.zeros((2, len(time), 3))
+    if generator is not None:
+        errors = setup.pos.draw(len(even), interval, generator)
+        position_error, attitude_error = (
+            _nearest_rows(time - time[0], even, each) for each in errors
+        )
+    sigma = np.sqrt(_nearest_rows(time - time[0], even, setup.pos.variance(len(even), interval)))
+    frame = LocalFrame(*setup.origin)
+    latitude, longitude, _ = frame.to_geodetic(motion.position)
+    rotation_level_local = np.swapaxes(frame.rotation_local_level(latitude, longitude), -1, -2)
+    attitude = rotation_angles(rotation_level_local @ rotation_matrix(*motion.attitude.T))
+    roll, pitch, heading = (attitude + attitude_error).T
+    latitude, longitude, height = frame.to_geodetic(motion.position + position_error)
+    return SimulatedTrajectory(
+        setup.voyage.start + motion.time,
+        latitude,
+        longitude,
+        height,
+        roll,
+        pitch,
+        np.pi - (np.pi - heading) % (2 * np.pi),
+        sigma[:, :3],
+        sigma[:, 3:],
+        interval,
+        motion.position,
+        motion.attitude,
+    )

@@ -1,0 +1,130 @@
+"""Values that the thesis chose by eye, compared with the same rule here.
+
+Tables 3.2 and 3.3 and appendix C for the terrestrial site, sections 3.9 and 4.4.1.1 for the marine.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from lispac.messages import Message, note
+from lispac.simulation.visibility_study import (
+    BestConfiguration,
+    VisibilityStudy,
+    fewest_sufficient_lines,
+)
+
+
+@dataclass(frozen=True)
+class ThesisValue:
+    """Value of the thesis for one error.
+
+    Attributes
+    ----------
+    lines : tuple of int, degrees
+        Headings; none where it finds the error not to be seen.
+    inclination_deg : tuple of int
+        Lowest and highest.
+    kept_deg : tuple of int
+        Lowest and highest inclination that it keeps by Type I.
+    """
+
+    lines: tuple[int, ...]
+    inclination_deg: tuple[int, int] | None
+    kept_deg: tuple[int, int]
+
+
+STATED: Mapping[str, Mapping[str, ThesisValue]] = {
+    "terrestrial": {
+        "roll": ThesisValue((0, 180, 45, 225), (-40, -40), (-60, 30)),
+        "pitch": ThesisValue((0, 45, 225), (0, 0), (-90, 20)),
+        "yaw": ThesisValue((0, 45, 315), (0, 0), (-60, 30)),
+        "lever_x": ThesisValue((0, 45, 225), (0, 0), (-90, 30)),
+        "lever_y": ThesisValue((0, 180, 45, 225), (0, 0), (-90, 30)),
+        "lever_z": ThesisValue((), None, (-90, 30)),
+        "range_offset": ThesisValue((180, 225), (-60, -60), (-40, 10)),
+        "scan_angle_offset": ThesisValue((0, 180, 45, 225), (-50, -50), (-50, 10)),
+    },
+    # Vertical or near it; of the three pairs of 4.4.1.1 the one that shows the angle.
+    "marine": {
+        "roll": ThesisValue((0, 180), (-10, 10), (0, 90)),
+        "pitch": ThesisValue((45, 225), (-10, 10), (0, 90)),
+        "yaw": ThesisValue((45, 135), (-10, 10), (0, 90)),
+    },
+}
+
+ALL_ERRORS = frozenset(frozenset((0, 180, *side)) for side in combinations((45, 225, 315, 135), 3))
+"""Table 3.3: headings (deg) of the lines that show every error."""
+
+REASONS: Mapping[tuple[str, str], str] = {
+    ("terrestrial", "roll"): "visibility.roll_facing",
+    ("terrestrial", "scan_angle_offset"): "visibility.offset_as_roll",
+    ("terrestrial", "range_offset"): "visibility.offset_not_kept",
+    ("marine", "roll"): "visibility.leaning_back",
+}
+"""Code of the message why an error has another best configuration than in the thesis."""
+
+
+@dataclass(frozen=True)
+class ThesisComparison:
+    """One error in the thesis and here.
+
+    Attributes
+    ----------
+    lines_agree : bool
+        The thesis's lines are one of each group that is needed here (marine: of different groups).
+    reason : Message or None
+        Where they do not agree.
+    """
+
+    best: BestConfiguration
+    stated: ThesisValue
+    lines_agree: bool
+    inclination_agrees: bool
+    reason: Message | None
+
+
+def compare_with_thesis(found: VisibilityStudy) -> tuple[ThesisComparison, ...]:
+    """Every error of a site beside what the thesis chose for it."""
+    rows = []
+    for error in found.site.errors:
+        best, stated = found.best(error), STATED[found.site.name][error]
+        if stated.inclination_deg is None or best.inclination is None:
+            lines = inclination = stated.inclination_deg is None and best.inclination is None
+        else:
+            met = [sum(heading in group for heading in stated.lines) for group in best.groups]
+            pair = found.site.name == "marine"
+            lines = max(met) == 1 and (pair or min(met) == 1)
+            low, high = stated.inclination_deg
+            inclination = low <= round(float(np.degrees(best.inclination))) <= high
+        reason = None if lines and inclination else _disagreement_reason(found, best, stated)
+        rows.append(ThesisComparison(best, stated, lines, inclination, reason))
+    return tuple(rows)
+
+
+def do_fewest_lines_agree(found: VisibilityStudy) -> bool:
+    """Whether the fewest lines that show all errors are those of table 3.3."""
+    sets = fewest_sufficient_lines([found.best(error) for error in found.site.errors])
+    return {frozenset(lines) for lines in sets} == ALL_ERRORS
+
+
+def _disagreement_reason(
+    found: VisibilityStudy, best: BestConfiguration, stated: ThesisValue
+) -> Message:
+    """What there is to see at both inclinations, and why they differ where that is known."""
+    degrees = np.round(np.degrees(found.site.inclinations)).astype(int)
+    places = []
+    if best.inclination is not None:
+        places.append(int(np.round(np.degrees(best.inclination))))
+    if stated.inclination_deg is not None:
+        places.append(int(np.mean(stated.inclination_deg)))
+    rows = [int(np.argmax(degrees == place)) for place in places]
+    apart = [spread[rows] for spread in found.spread(best.error)]
+    differences = tuple(
+        note("item.apart", distance=float(metres), angle=float(turn), inclination=np.radians(place))
+        for place, metres, turn in zip(places, *apart, strict=True)
+    )
+    code = REASONS.get((found.site.name, best.error), "visibility.unknown_reason")
+    return note("visibility.differs", reason=note(code), differences=differences)

@@ -1,0 +1,211 @@
+"""Motion of the vessel: straight passes, turns between them, and sea motion."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+RATE = 200.0  # trajectory samples per second
+SINES = 4
+
+
+@dataclass(frozen=True)
+class VesselHandling:
+    """Speeds, turns and sea motion of a vessel.
+
+    Attributes
+    ----------
+    speed, speed_abeam : float, metres per second
+        On the run, and in front of the boards, where a helmsman slows down.
+    slow_time : float, seconds
+        Half-width of the slow stretch.
+    ramp : float, seconds
+        To come up to speed before a pass, and to stop after it.
+    transit : float, seconds
+        From one stop to the start of the next run-up, turning on the way.
+    wait : float, seconds
+        Of standing still at both ends of the survey.
+    roll, pitch, yaw : float, radians, 1 sigma
+    heave, drift : float, metres, 1 sigma
+    periods : pair of float, seconds
+        Shortest and longest of the sea.
+    """
+
+    speed: float = 2.2
+    speed_abeam: float = 0.6
+    slow_time: float = 4.5
+    ramp: float = 6.0
+    transit: float = 48.0
+    wait: float = 15.0
+    roll: float = np.radians(0.9)
+    pitch: float = np.radians(0.35)
+    yaw: float = np.radians(0.3)
+    heave: float = 0.05
+    drift: float = 0.03
+    periods: tuple[float, float] = (4.0, 9.0)
+
+
+LAUNCH = VesselHandling()
+"""The small vessel of the built-in survey."""
+
+
+@dataclass(frozen=True)
+class StraightPass:
+    """A straight pass; the scanner records from ``run_in`` before abeam to ``run_out`` after it.
+
+    Attributes
+    ----------
+    heading : float, radians clockwise from north
+    abeam : pair of float, metres, local
+        North and west of the vessel when the boards are abeam.
+    run_in, run_out : float, metres along the course
+    starboard : bool
+        Whether the boards pass to starboard.
+    handling : VesselHandling
+    """
+
+    heading: float
+    abeam: tuple[float, float]
+    run_in: float
+    run_out: float
+    starboard: bool
+    handling: VesselHandling = LAUNCH
+
+    @cached_property
+    def times(self) -> tuple[float, float]:
+        """Start and stop of recording relative to abeam, on the trajectory's samples, seconds."""
+        before, after = (
+            (run + self._lost) / self.handling.speed for run in (self.run_in, self.run_out)
+        )
+        return -float(np.ceil(before * RATE)) / RATE, float(np.ceil(after * RATE)) / RATE
+
+    @property
+    def _lost(self) -> float:
+        """Way that is not made for going slowly, on either side of abeam."""
+        own = self.handling
+        return float((own.speed - own.speed_abeam) * own.slow_time * np.sqrt(np.pi) / 2)
+
+    def _speed(self, time: float) -> float:
+        own = self.handling
+        slow = np.exp(-((time / own.slow_time) ** 2))
+        return float(own.speed - (own.speed - own.speed_abeam) * slow)
+
+    def _along(self, time: Array) -> Array:
+        from scipy.special import erf
+
+        own = self.handling
+        return np.asarray(own.speed * time - self._lost * erf(time / own.slow_time))
+
+    def course(self) -> Array:
+        """Positions from standstill over the recorded stretch to standstill, shape (n, 2)."""
+        start, stop = self.times
+        ramp = self.handling.ramp
+        time = np.arange(round((start - ramp) * RATE), round((stop + ramp) * RATE) + 1) / RATE
+        along = self._along(np.clip(time, start, stop))
+        along -= self._speed(start) * _ramp_distance(np.clip(start - time, 0, ramp), ramp)
+        along += self._speed(stop) * _ramp_distance(np.clip(time - stop, 0, ramp), ramp)
+        direction = np.array([np.cos(self.heading), -np.sin(self.heading)])
+        return np.asarray(self.abeam + along[:, None] * direction)
+
+
+def _ramp_distance(time: Array, ramp: float) -> Array:
+    """Way made in ``time`` at unit speed that fades out smoothly over ``ramp`` seconds."""
+    u = time / ramp
+    return np.asarray(ramp * (u - u**3 + u**4 / 2))
+
+
+def _smooth_step(count: int) -> Array:
+    """From 0 to 1, at rest and without acceleration at both ends (ends left out)."""
+    u = np.arange(1, count) / count
+    return np.asarray(u**3 * (10 - 15 * u + 6 * u**2))
+
+
+@dataclass(frozen=True, eq=False)
+class VesselMotion:
+    """The vessel's true states, sampled.
+
+    Attributes
+    ----------
+    time : ndarray of shape (n,), seconds from the start of the survey
+    position : ndarray of shape (n, 3), metres, local
+    attitude : ndarray of shape (n, 3), radians
+        Roll, pitch, heading against the axes of the local frame, without jumps.
+    recorded : tuple of pairs of float, seconds
+        Start and stop of recording of each pass.
+    interval : float, seconds
+        Between two samples.
+    """
+
+    time: Array
+    position: Array
+    attitude: Array
+    recorded: tuple[tuple[float, float], ...]
+    interval: float = 1 / RATE
+
+
+def sail_passes(
+    passes: Sequence[StraightPass], height: float, generator: np.random.Generator
+) -> VesselMotion:
+    """Sail the passes one after the other in one unbroken motion.
+
+    Between two passes the vessel stops, turns the short way while it moves over, and starts
+    again; straight starboard where it must turn about.
+
+    Parameters
+    ----------
+    passes : sequence of StraightPass
+        All of them handled alike.
+    height : float, metres
+        Mean height of the POS in the local frame.
+    """
+    own = passes[0].handling
+    wait = round(own.wait * RATE)
+    blend = _smooth_step(round(own.transit * RATE))
+    courses = [each.course() for each in passes]
+    heading = passes[0].heading
+    stretches = [np.repeat(courses[0][:1], wait, axis=0)]
+    headings = [np.full(wait, heading)]
+    recorded = []
+    for i, (each, course) in enumerate(zip(passes, courses, strict=True)):
+        if i > 0:
+            stop = stretches[-1][-1]
+            stretches.append(stop + blend[:, None] * (course[0] - stop))
+            turn = -((heading - each.heading + np.pi) % (2 * np.pi) - np.pi)
+            headings.append(heading + blend * turn)
+            heading += turn
+        start = sum(map(len, stretches)) / RATE + own.ramp
+        recorded.append((start, start + each.times[1] - each.times[0]))
+        stretches.append(course)
+        headings.append(np.full(len(course), heading))
+    stretches.append(np.repeat(courses[-1][-1:], wait, axis=0))
+    headings.append(np.full(wait, heading))
+
+    level = np.concatenate(stretches)
+    time = np.arange(len(level)) / RATE
+    drift_n, drift_w, heave, roll, pitch, yaw = (
+        _sea_motion(time, sigma, own.periods, stream)
+        for sigma, stream in zip(
+            (own.drift, own.drift, own.heave, own.roll, own.pitch, own.yaw),
+            generator.spawn(6),
+            strict=True,
+        )
+    )
+    position = np.stack([level[:, 0] + drift_n, level[:, 1] + drift_w, height + heave], axis=1)
+    attitude = np.stack([roll, pitch, np.concatenate(headings) + yaw], axis=1)
+    return VesselMotion(time, position, attitude, tuple(recorded))
+
+
+def _sea_motion(
+    time: Array, sigma: float, range_of: tuple[float, float], generator: np.random.Generator
+) -> Array:
+    """A smooth motion: a few sines with random periods and phases."""
+    periods = generator.uniform(*range_of, SINES)
+    phases = generator.uniform(0, 2 * np.pi, SINES)
+    weights = generator.uniform(0.5, 1.0, SINES)
+    weights *= sigma * np.sqrt(2) / np.linalg.norm(weights)
+    waves = np.sin(2 * np.pi * time / periods[:, None] + phases[:, None])
+    return np.asarray(weights @ waves)

@@ -1,0 +1,108 @@
+"""How visible a systematic error is on a board: the criteria of the thesis (section 3.4.4).
+
+Type I, planarity and centroidal distance, shows whether the points still form a board near its
+place: a first selection. Type II, angular deviation and signed orthogonal distance, shows how far
+their plane is turned and shifted: what can be seen of the error.
+
+Where the thesis leaves something open or is misprinted:
+
+- Planarity is that of West et al. (2004), whom it cites: (l2 - l3) / l1, eigenvalues descending.
+- Figure 3.8, how the two become one number, is a picture. Planarity times one less the normalised
+  distance is 1 only where both are as good as they can be, and 0 where either is as bad.
+- Figure 3.10 divides the orthogonal distance by the length of the simulated plane's normal, which
+  is 1, and leaves out the d of the reference plane: right only where that goes through the origin.
+- Figure 3.10 wants an angle in 0 to 90 deg of an arc tangent that gives one up to 180 deg: two
+  normals of one plane may point to opposite sides.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.planes import Plane, fit_plane
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class PointsShape:
+    """Shape of the points on a board by algorithm 1 (figure 3.7).
+
+    Attributes
+    ----------
+    centroid : ndarray of shape (3,), metres, local
+    eigenvalues : ndarray of shape (3,), square metres
+        Of the covariance of the points, the largest first.
+    plane : Plane, local
+    """
+
+    centroid: Array
+    eigenvalues: Array
+    plane: Plane
+
+    @property
+    def planarity(self) -> float:
+        """1 for a square board, 0 for points on a straight line or in a ball."""
+        largest, middle, smallest = self.eigenvalues
+        return float((middle - smallest) / largest)
+
+
+def points_shape(points: Array) -> PointsShape:
+    """Centroid, eigenvalues and plane of points of shape (n, 3), metres, local.
+
+    Raises
+    ------
+    PlaneNotFound
+        Fewer than three points, or all on one straight line.
+    """
+    plane = fit_plane(points)
+    spread = np.linalg.eigvalsh(np.cov(points.T))[::-1]
+    return PointsShape(points.mean(axis=0), np.maximum(spread, 0.0), plane)
+
+
+def centroidal_distance(shape: PointsShape, centre: Array) -> float:
+    """From the board's centre, shape (3,), local, to the centroid of its points, metres."""
+    return float(np.linalg.norm(shape.centroid - centre))
+
+
+def normalise_distances(distances: Array) -> Array:
+    """Equation 3.4: the least of these distances becomes 0, the largest 1.
+
+    Parameters
+    ----------
+    distances : ndarray of any shape, metres
+        What is compared with each other; NaN where there are no points.
+
+    Returns
+    -------
+    ndarray of the same shape, no unit
+    """
+    least, largest = np.nanmin(distances), np.nanmax(distances)
+    if largest == least:
+        return np.asarray(distances - least)  # nothing is farther off than anything else
+    return np.asarray((distances - least) / (largest - least))
+
+
+def type_one_criterion(planarity: Array, normalised_distance: Array) -> Array:
+    """Near 1 where the points are flat and near the board; 0 where there are none (NaN).
+
+    Parameters
+    ----------
+    planarity, normalised_distance : ndarray of any shape, no unit
+
+    Returns
+    -------
+    ndarray of the same shape
+    """
+    return np.nan_to_num(planarity * (1.0 - normalised_distance), nan=0.0)
+
+
+def angular_deviation(shape: PointsShape, reference: Plane) -> float:
+    """Between the plane of the points and the board's, radians in [0, pi/2]."""
+    return shape.plane.tilt_to(reference)
+
+
+def orthogonal_distance(shape: PointsShape, reference: Plane) -> float:
+    """Of the centroid from the board's plane, metres; positive on the side its normal points to."""
+    return float(reference.distances(shape.centroid))

@@ -1,0 +1,154 @@
+"""Orientation and position of a scanner as texts."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.rotations import rotation_matrix
+from lispac.language import N_, LazyText, gettext_lazy
+from lispac.messages import Message, note, warning
+from lispac.survey.conventions.axes import axes_matrix, axes_text, nearest_axes
+from lispac.survey.georeferencing import Mounting, is_steep
+
+Array = NDArray[np.float64]
+Amounts = Callable[[Sequence[float]], Sequence[LazyText | str]]
+"""Sizes of three angles (radians) or lengths (metres) with their units; empty where one is zero."""
+
+CHECK_FIRST = note("convention.check_first")
+THESIS_MODE = warning("convention.uncorrelated")
+_DEGREES = {3: N_("{value:deg.3} deg"), 4: N_("{value:deg.4} deg")}
+_METRES = {3: N_("{value:m.3} m"), 4: N_("{value:m.4} m")}
+"""Texts of an amount by its decimals."""
+LARGE = np.radians(10.0)
+"""Angle in radians from which the order of the rotations matters and is named."""
+
+
+def angle_amounts(values: Sequence[float]) -> list[LazyText | str]:
+    """Sizes of angles (radians) in degrees, with as many decimals as they need."""
+    return _formatted_amounts(values, float(np.degrees(1.0)), _DEGREES)
+
+
+def length_amounts(values: Sequence[float]) -> list[LazyText | str]:
+    """Sizes of lengths in metres, with as many decimals as they need."""
+    return _formatted_amounts(values, 1.0, _METRES)
+
+
+def orientation_text(boresight: Array, amounts: Amounts = angle_amounts) -> LazyText:
+    """Orientation of the scanner; by its axes where the pitch is steep.
+
+    Parameters
+    ----------
+    boresight : ndarray of shape (3,), radians; roll, pitch, yaw of this program
+    """
+    if is_steep(boresight):
+        return _axes_pointing(rotation_matrix(*boresight), amounts)
+    roll, pitch, yaw = (float(value) for value in boresight)
+    leans, looks, turned = amounts((roll, pitch, yaw))
+    parts = []
+    if looks:
+        template = (
+            N_("is pitched {angle} bow down") if pitch > 0 else N_("is pitched {angle} bow up")
+        )
+        parts.append(gettext_lazy(template, angle=looks))
+    if turned:
+        template = (
+            N_("is yawed {angle} to starboard") if yaw > 0 else N_("is yawed {angle} to port")
+        )
+        parts.append(gettext_lazy(template, angle=turned))
+    if leans:
+        template = (
+            N_("is rolled {angle} left side up")
+            if roll > 0
+            else N_("is rolled {angle} right side up")
+        )
+        parts.append(gettext_lazy(template, angle=leans))
+    if not parts:
+        return gettext_lazy("The scanner is parallel to the body.")
+    if len(parts) > 1 and max(abs(roll), abs(pitch), abs(yaw)) > LARGE:
+        # The body's axes are carried onto the scanner's by yaw, then pitch, then roll.
+        return gettext_lazy(
+            "The scanner {parts:names} (order of rotations: yaw, pitch, roll).", parts=parts
+        )
+    return gettext_lazy("The scanner {parts:names}.", parts=parts)
+
+
+def _axes_pointing(rotation: Array, amounts: Amounts) -> LazyText:
+    """Directions of the axes of the scanner, to the nearest direction of the vessel.
+
+    Parameters
+    ----------
+    rotation : ndarray of shape (3, 3)
+        From the LiDAR to the body frame.
+    """
+    axes = nearest_axes(rotation)
+    cosines = np.einsum("ij,ij->i", axes_matrix(axes), rotation.T)
+    off = float(np.arccos(np.clip(cosines.min(), -1.0, 1.0)))
+    apart = amounts((off, 0.0, 0.0))[0]
+    if not apart:
+        return gettext_lazy("Directions of the scanner axes: {axes}.", axes=axes_text(axes))
+    return gettext_lazy(
+        "Directions of the scanner axes: {axes}, with deviations up to {angle}.",
+        axes=axes_text(axes), angle=apart,
+    )  # fmt: skip
+
+
+def lever_arm_text(
+    lever_arm: Sequence[float] | Array, amounts: Amounts = length_amounts
+) -> LazyText:
+    """Position of the optical centre.
+
+    Parameters
+    ----------
+    lever_arm : three numbers, metres, body (forward, left, up)
+    """
+    forward, left, up = (float(value) for value in lever_arm)
+    parts = [
+        gettext_lazy(ahead if value > 0 else behind, distance=amount)
+        for value, amount, (ahead, behind) in zip(
+            (forward, left, up), amounts((forward, left, up)), _SIDES, strict=True
+        )
+        if amount
+    ]
+    if not parts:
+        return gettext_lazy("The scanner's optical centre is at the POS centre.")
+    return gettext_lazy(
+        "The scanner's optical centre is {parts:names} the POS centre.", parts=parts
+    )
+
+
+_SIDES = (
+    (N_("{distance} forward of"), N_("{distance} aft of")),
+    (N_("{distance} to port of"), N_("{distance} to starboard of")),
+    (N_("{distance} above"), N_("{distance} below")),
+)
+
+
+def offsets_note(mounting: Mounting) -> Message | None:
+    """Other values that the other program must apply for the boresight to be valid."""
+    offsets = (
+        ("item.range_offset", mounting.range_offset, 1.0),
+        ("item.scan_angle_offset", mounting.scan_angle_offset, float(np.degrees(1.0))),
+        ("item.latency", mounting.latency, 1000.0),
+    )
+    parts = tuple(
+        note(code, value=float(value)) for code, value, scale in offsets if round(value * scale, 4)
+    )
+    return note("convention.offsets", offsets=parts) if parts else None
+
+
+def decimals_of(size: float) -> int:
+    """Decimals of a size in degrees or metres: four where it is small."""
+    return 4 if size < 0.1 else 3
+
+
+def _formatted_amounts(
+    values: Sequence[float], factor: float, templates: Mapping[int, str]
+) -> list[LazyText | str]:
+    sizes = [(abs(value), abs(value) * factor) for value in values]
+    return [
+        gettext_lazy(templates[decimals_of(size)], value=value)
+        if round(size, decimals_of(size))
+        else ""
+        for value, size in sizes
+    ]

@@ -1,0 +1,192 @@
+"""Time conversion of a line where the time bases are given."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.messages import Message, error, note
+from lispac.survey.time_base import (
+    LEAP_SECONDS_NOW,
+    TimeBase,
+    TimeMatch,
+    equally_good_matches,
+    find_time_matches,
+    plausible_bases,
+)
+
+Array = NDArray[np.float64]
+
+CLEARLY_MORE = 0.05
+"""Part of a line's points that a shift has to bring inside besides those that are, before it is
+offered."""
+
+
+BASES = {
+    "gps-week": "time_base.gps_week",
+    "gps-day": "time_base.gps_day",
+    "utc-day": "time_base.utc_day",
+    "utc-week": "time_base.utc_week",
+    "gps-adjusted": "time_base.gps_adjusted",
+    "gps-full": "time_base.gps_full",
+    "unix": "time_base.unix",
+    "tai": "time_base.tai",
+    "utc-hour": "time_base.utc_hour",
+}
+"""Code of the message that names a time base, by the key of the base."""
+
+
+def base_message(base: TimeBase) -> Message:
+    """Name of a time base, as a part of other messages."""
+    return note(BASES[base.key])
+
+
+@dataclass(frozen=True)
+class KnownTimeBase:
+    """Known time base of a file, and its source.
+
+    Attributes
+    ----------
+    base : TimeBase or None
+    stated : bool
+        Whether the user gives it; otherwise it comes from the file or its format.
+    suggested : bool
+        Whether it is detected from the values, not given in the file.
+    """
+
+    base: TimeBase | None = None
+    stated: bool = False
+    suggested: bool = False
+
+    def fits(self, times: Array) -> bool:
+        """Whether there is a base that ``times`` (n,), seconds, can be in by their values."""
+        return self.base is not None and self.base in plausible_bases(times)
+
+    @property
+    def message(self) -> Message:
+        """Its name and where it is from, as a part of other messages."""
+        if self.base is None:
+            return note("time_base.unknown")
+        name = base_message(self.base)
+        if self.stated:
+            return note("time_base.given", base=name)
+        if self.suggested:
+            return note("time_base.suggested", base=name)
+        return note("time_base.of_file", base=name)
+
+
+def time_base_error(times: Array, own: KnownTimeBase, file: str) -> Message | None:
+    """Error that ``times`` are impossible in the given base; None where possible.
+
+    Parameters
+    ----------
+    times : ndarray of shape (n,), seconds
+        Of a line, as its file has them.
+    file : str
+        Name or path of the file.
+    """
+    if not own.stated or own.base is None or own.fits(times):
+        return None
+    first, last, base = float(times.min()), float(times.max()), base_message(own.base)
+    fitting = [each.key for each in plausible_bases(times)]
+    if not fitting:
+        return error("time_base.no_base_possible", file=file, first=first, last=last, base=base)
+    return error(
+        "time_base.not_possible", file=file, first=first, last=last, base=base, keys=fitting
+    )
+
+
+def matches_of_known_bases(
+    times: Array, track: Array, own: KnownTimeBase, other: KnownTimeBase
+) -> tuple[TimeMatch, ...] | None:
+    """Conversions from the line's base to the trajectory's, best first, where given.
+
+    Parameters
+    ----------
+    times : ndarray of shape (n,), seconds
+        Of a line, as its file has them.
+    track : ndarray of shape (m,), seconds, increasing
+        Of the trajectory.
+    own, other : KnownTimeBase
+        Of the line and of the trajectory.
+
+    Returns
+    -------
+    tuple of Match or None
+        None if nothing is given, or one of the two is unknown or contradicted by the times; empty
+        if the given bases bring no point inside.
+    """
+    if own.base is None or other.base is None or not (own.stated or other.stated):
+        return None
+    if not own.fits(times) or not other.fits(track):
+        return None  # what the times deny is not known
+    found = find_time_matches(times, track, point_bases=(own.base,), trajectory_bases=(other.base,))
+    # A header that brings nothing inside is no reason to refuse.
+    return found if found or own.stated else None
+
+
+def known_base_notes(
+    found: tuple[TimeMatch, ...], own: KnownTimeBase, other: KnownTimeBase, file: str
+) -> tuple[Message, ...]:
+    """Notes on the time shift that follows from the time bases of line and trajectory.
+
+    Parameters
+    ----------
+    file : str
+        Name of the file of the line.
+    """
+    best = found[0]
+    messages = [
+        note(
+            "import.shift_follows", file=file, shift=best.shift, base=own.message,
+            trajectory_base=other.message,
+        )
+    ]  # fmt: skip
+    if best.leap_assumed:
+        messages.append(note("import.leap_seconds_assumed", file=file, leap=LEAP_SECONDS_NOW))
+    if rivals := equally_good_matches(found):
+        shifts = tuple(note("import.shift", shift=match.shift) for match in rivals)
+        messages.append(note("import.other_shifts_fit", file=file, shifts=shifts))
+    return tuple(messages)
+
+
+def no_overlap_error(
+    own: KnownTimeBase, other: KnownTimeBase, times: Array, track: Array, file: str
+) -> Message:
+    """Error that no point lies within the trajectory in the given time bases.
+
+    Parameters
+    ----------
+    times, track : ndarray of shape (n,), seconds
+        Of the line and of the trajectory.
+    file : str
+        Path of the file of the line.
+    """
+    others = [] if other.stated or own.base is None else [
+        base for base in plausible_bases(track)
+        if base is not other.base
+        and find_time_matches(times, track, point_bases=(own.base,), trajectory_bases=(base,))
+    ]  # fmt: skip
+    if others:
+        options = [f"--trajectory-option time={base.key}" for base in others]
+        return error(
+            "time_base.other_trajectory_base", file=file, base=own.message,
+            trajectory_base=other.message, options=options,
+        )  # fmt: skip
+    return error("time_base.no_overlap", file=file, base=own.message, trajectory_base=other.message)
+
+
+def clearly_better_match(found: tuple[TimeMatch, ...], share: float) -> TimeMatch | None:
+    """Best of ``found`` if clearly more points lie inside than the part ``share``."""
+    return found[0] if found and found[0].share >= share + CLEARLY_MORE else None
+
+
+def shift_note(found: tuple[TimeMatch, ...], share: float, file: str) -> Message | None:
+    """The note on the shift that brings in clearly more than ``share``; None without one."""
+    best = clearly_better_match(found, share)
+    if best is None:
+        return None
+    return note(
+        "import.shift_possible", file=file, shift=best.shift, share=best.share,
+        points=base_message(best.points), trajectory=base_message(best.trajectory),
+    )  # fmt: skip

@@ -1,0 +1,75 @@
+"""The files of a survey: where they are and how they are read."""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.survey.time_rollover import resolve_rollover, restore_rollover
+
+RESTART = "restart"
+"""Option of every format of points: where the times of a line start again."""
+OTHER_SURROGATES = re.compile(r"[\ud800-\udc7f\udd00-\udfff]")
+"""Halves of pairs of characters by which Python keeps no byte of a file name."""
+
+
+def printable(name: str) -> str:
+    """A file name as text that can be shown and stored: bytes that are not UTF-8 are replaced."""
+    whole = OTHER_SURROGATES.sub("\ufffd", name)
+    return whole.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+
+
+@dataclass(frozen=True)
+class Reading:
+    """How a file is read.
+
+    Attributes
+    ----------
+    format : str
+        Key of its format; empty for the program's own ways: SBET, smrmsg, LAS or LAZ in the LiDAR
+        frame, text with named columns.
+    options : tuple of (str, str)
+        Options that the file does not contain, determined when the project was created.
+    time_shift : float, seconds
+        Added to the times of a line to bring them into the trajectory's time base.
+    """
+
+    format: str = ""
+    options: tuple[tuple[str, str], ...] = ()
+    time_shift: float = 0.0
+
+    @property
+    def restart(self) -> str:
+        """Where a line's times start again; empty where they do not."""
+        return dict(self.options).get(RESTART, "")
+
+    def moved(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
+        """A line's times (n,), seconds as its file has them, in the trajectory's time base."""
+        counted = resolve_rollover(times, self.restart)
+        return counted + self.time_shift if self.time_shift else counted
+
+    def to_file_time(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The inverse of `moved`, to the last digit of a double."""
+        return restore_rollover(times - self.time_shift if self.time_shift else times, self.restart)
+
+
+USUAL = Reading()
+"""The program's own way."""
+
+
+@dataclass(frozen=True)
+class LineSource:
+    """A raw scan file.
+
+    Attributes
+    ----------
+    columns : tuple of str
+        Names of the columns of a text file; empty for LAS and LAZ.
+    """
+
+    name: str
+    path: Path
+    columns: tuple[str, ...] = ()
+    reading: Reading = USUAL

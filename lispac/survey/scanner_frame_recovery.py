@@ -1,0 +1,207 @@
+"""Scanner-frame points recovered from a georeferenced cloud.
+
+Most software gives out points on the map, not as the scanner saw them. With the trajectory, lever
+arm and boresight that made the cloud, the exact inverse of `lispac.survey.georeferencing` brings
+the scanner's vectors back; a calibration then starts as from raw lines. What the cloud's making
+left out or added (its stored resolution, a strip adjustment, a smoothed or another trajectory)
+stays in the vectors.
+"""
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any, ClassVar, Protocol, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.messages import Message, error, note
+from lispac.survey.crs import CoordinateSystem
+from lispac.survey.georeferencing import Mounting
+from lispac.survey.point_mapping import PointMapper
+from lispac.survey.trajectory import LocalTrajectory
+
+Array = NDArray[np.float64]
+
+FARTHEST = 5000.0
+"""Metres from the scanner beyond which a point is not believed."""
+
+
+class MapPointChunk(Protocol):
+    """Points of a file as a reader gives them: a dataclass with these and other fields."""
+
+    __dataclass_fields__: ClassVar[dict[str, Any]]
+
+    @property
+    def xyz(self) -> Array:
+        """Shape (n, 3), in the frame and unit of the file."""
+
+    @property
+    def time(self) -> Array:
+        """Shape (n,), seconds, in the trajectory's time base."""
+
+    @property
+    def extra(self) -> Any:
+        """Other attributes of each point in the file."""
+
+
+C = TypeVar("C", bound=MapPointChunk)
+
+
+@dataclass(frozen=True, eq=False)
+class RecoverySetup:
+    """Trajectory, mounting and system from which the cloud was made.
+
+    Attributes
+    ----------
+    system : CoordinateSystem
+        Of the cloud.
+    trajectory : LocalTrajectory
+        The one the cloud was made with, not a better one computed later.
+    mounting : Mounting
+        Lever arm, boresight and offsets applied when the cloud was made.
+    path : Path, optional
+        Of the cloud, for messages.
+    """
+
+    system: CoordinateSystem
+    trajectory: LocalTrajectory
+    mounting: Mounting
+    path: Path | None = None
+
+    @property
+    def assumptions(self) -> tuple[Message, ...]:
+        """Assumptions under which the points are those of the scanner."""
+        return (*self.system.assumptions, note("assumed.cloud_made_with"))
+
+    @cached_property
+    def mapping(self) -> PointMapper:
+        """The way between scanner and map, there and back."""
+        return PointMapper(self.system, self.trajectory, self.mounting)
+
+    def usable(self, time: Array) -> NDArray[np.bool_]:
+        """Which points have a pose, shape (n,): inside the trajectory and not in a gap of it.
+
+        Parameters
+        ----------
+        time : ndarray of shape (n,), seconds, in the trajectory's time base
+        """
+        return self.trajectory.covers(time + self.mounting.latency)
+
+    def points_lidar(self, points_crs: Array, time: Array, *, threads: int | None = None) -> Array:
+        """Recover points in the LiDAR frame, shape (n, 3), metres.
+
+        Single points outside the coordinate system are not finite.
+
+        Parameters
+        ----------
+        points_crs : ndarray of shape (n, 3), in the unit and axes of ``system``
+        time : ndarray of shape (n,), seconds, in the trajectory's time base
+
+        Raises
+        ------
+        InputError
+            Where a time lies outside the trajectory, most points lie outside the coordinate
+            system, or half come out farther from the scanner than any reaches.
+        """
+        points_lidar = self.mapping.to_scanner(points_crs, time, threads=threads, strict=False)
+        if 2 * np.count_nonzero(np.isfinite(points_lidar[:, 0])) < len(points_lidar):
+            self.mapping.to_scanner(points_crs, time, threads=threads)
+        require_within_reach(points_lidar, self)
+        return points_lidar
+
+
+def recover_chunks(chunks: Iterable[C], recovery: RecoverySetup) -> Iterator[tuple[C, int]]:
+    """Recover points chunk by chunk; memory holds one chunk.
+
+    Yields
+    ------
+    chunk
+        The same with ``xyz`` in the LiDAR frame in metres, and only the points that have a pose.
+    lost : int
+        Points of the chunk left out because they have none.
+
+    Raises
+    ------
+    InputError
+        Where points come out farther from the scanner than any reaches: the coordinate system,
+        the height reference or the time base is another one.
+    """
+    for chunk in chunks:
+        usable = recovery.usable(chunk.time)
+        lost = int(np.count_nonzero(~usable))
+        if lost:
+            chunk = _select_rows(chunk, usable)
+        points_lidar = recovery.points_lidar(chunk.xyz, chunk.time)
+        yield replace(chunk, xyz=points_lidar), lost
+
+
+def require_within_reach(points_lidar: Array, recovery: RecoverySetup) -> None:
+    """Refuse points of which half are farther from the scanner than any scanner sees.
+
+    Parameters
+    ----------
+    points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
+
+    Raises
+    ------
+    InputError
+    """
+    if not len(points_lidar):
+        return
+    near = np.einsum("ij,ij->i", points_lidar, points_lidar) <= FARTHEST**2
+    if 2 * np.count_nonzero(near) < len(near):
+        if recovery.path is None:
+            raise InputError(
+                error("survey.points_too_far", limit=FARTHEST, system=recovery.system.name)
+            )
+        raise InputError(
+            error(
+                "survey.points_of_file_too_far",
+                file=str(recovery.path),
+                limit=FARTHEST,
+                system=recovery.system.name,
+            )
+        )
+
+
+LOOKED_AT = 10_000
+"""Points of a chunk that stand for it."""
+
+
+def require_scanner_frame(points_lidar: Array, path: Path) -> None:
+    """Refuse points, taken to be in the LiDAR frame, of which half are farther than a scanner sees.
+
+    Parameters
+    ----------
+    points_lidar : ndarray of shape (n, 3), metres
+    path : Path
+        Of the line, for messages.
+
+    Raises
+    ------
+    InputError
+    """
+    some = points_lidar[:: max(1, len(points_lidar) // LOOKED_AT)]
+    near = np.einsum("ij,ij->i", some, some) <= FARTHEST**2
+    if 2 * np.count_nonzero(near) < len(near):
+        raise InputError(
+            error(
+                "survey.not_scanner_frame",
+                file=str(path),
+                limit=FARTHEST,
+                farthest=float(np.sqrt((some**2).sum(axis=1).max())),
+            )
+        )
+
+
+def _select_rows(chunk: C, chosen: NDArray[np.bool_]) -> C:
+    kept: Callable[[Any], Any] = lambda values: values[chosen]  # noqa: E731
+    return replace(
+        chunk,
+        xyz=kept(chunk.xyz),
+        time=kept(chunk.time),
+        extra={name: kept(values) for name, values in chunk.extra.items()},
+    )

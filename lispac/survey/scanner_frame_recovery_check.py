@@ -1,0 +1,360 @@
+"""Check whether recovered points lie where the scanner can measure.
+
+That is a plane or a cone for a profiler, and one cone a laser for a spinning scanner. A wrong
+height reference, time, lever arm or attitude moves the recovered points off it. Where they are off,
+each of these causes is tried, and the one that brings the points back is named with its value.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import LispacError
+from lispac.messages import Action, Level, Message, Value, note
+from lispac.survey.beam_geometry import (
+    BeamCone,
+    beam_direction_spread,
+    fit_cone,
+    fit_cones,
+    fit_plane,
+)
+from lispac.survey.scanner_frame_recovery import RecoverySetup
+from lispac.warning_causes import Cause
+
+Array = NDArray[np.float64]
+
+MOST_POINTS = 4000
+"""Points of the sample that a cause is tried with."""
+FEWEST_POINTS = 200
+"""Smallest number of points for a result."""
+MISFIT_ALLOWED = 0.005
+"""Metres: smoothing of the trajectory, rounding and jitter of the times leave as much."""
+MISFIT_ANGLE = 0.0005
+"""Radians of beam direction, allowed besides."""
+SMALLEST_ARC = 0.35
+"""Radians: beams of a smaller arc do not distinguish a cone from a wrong recovery."""
+PROFILER = 0.1
+"""Misfit over range up to which a scanner may be a profiler although no cause explains it."""
+LARGEST_TURN = np.radians(2.0)
+"""Between the scan plane and the axes of the scanner, which a profiler has along it."""
+TURN_MISFIT = 0.01
+"""Misfit over the extent of the points up to which the direction of the plane is certain."""
+BETTER = 3.0
+"""Factor by which a cause has to reduce the misfit to explain it."""
+CLEARLY = 1.5
+"""Factor between the misfits of the best cause and the next from which only the best is named."""
+HEIGHTS = np.arange(-120.0, 121.0, 2.0)
+"""Metres: the geoid lies between 107 m below and 86 m above the ellipsoid."""
+TIMES = (-37.0, -19.0, -18.0, -2.0, -1.0, -0.5, -0.2, -0.1, -0.05, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0,
+         18.0, 19.0, 37.0)  # fmt: skip
+"""Seconds: leap seconds between time bases, and what latencies come to."""
+LEVERS = np.linspace(-3.0, 3.0, 25)
+"""Metres: errors of a lever arm that are tried."""
+RINGS = ("ring", "ring_number", "laser_id", "laser_number", "laser", "beam_id", "channel")
+"""Attributes that number the lasers of a spinning scanner."""
+MOST_RINGS = 256
+
+
+@dataclass(frozen=True, eq=False)
+class LineSample:
+    """Some points of a georeferenced line.
+
+    Attributes
+    ----------
+    points_map : ndarray of shape (n, 3), in the unit and axes of the coordinate system
+    time : ndarray of shape (n,), seconds, in the trajectory's time base
+    ring : ndarray of shape (n,), int, or None
+        Number of the laser of a spinning scanner, where the file has it.
+    """
+
+    points_map: Array
+    time: Array
+    ring: NDArray[np.int64] | None = None
+
+    @classmethod
+    def joined(cls, parts: Sequence["LineSample"]) -> "LineSample":
+        """One sample of several parts of a line; their lasers numbered from 0."""
+        points = np.concatenate([each.points_map for each in parts])
+        time = np.concatenate([each.time for each in parts])
+        rings = [each.ring for each in parts if each.ring is not None]
+        if len(rings) < len(parts):
+            return cls(points, time)
+        values, ring = np.unique(np.concatenate(rings), return_inverse=True)
+        if not 1 < len(values) <= MOST_RINGS:
+            return cls(points, time)
+        return cls(points, time, ring.astype(np.int64))
+
+    def where(self, chosen: NDArray[np.bool_] | slice) -> "LineSample":
+        """Some of the points.
+
+        Parameters
+        ----------
+        chosen : ndarray of shape (n,), bool, or slice
+        """
+        ring = None if self.ring is None else self.ring[chosen]
+        return LineSample(self.points_map[chosen], self.time[chosen], ring)
+
+    def thinned(self, most: int) -> "LineSample":
+        """At most ``most`` of the points, spread evenly."""
+        return self.where(slice(None, None, max(1, -(-len(self.time) // most))))
+
+
+def ring_numbers(attributes: Mapping[str, NDArray[Any]]) -> NDArray[np.int64] | None:
+    """Number of each point's laser, shape (n,), where the attributes of a file have it."""
+    for name in RINGS:
+        if name in attributes and np.issubdtype(attributes[name].dtype, np.integer):
+            return np.asarray(attributes[name], dtype=np.int64)
+    return None
+
+
+@dataclass(frozen=True)
+class MisfitExplanation:
+    """A cause with the value that fits best.
+
+    Attributes
+    ----------
+    cause : str
+    value : float
+        Metres or seconds to be added; 0 where the cause has none.
+    misfit : float, metres
+        That is left with it.
+    """
+
+    cause: str
+    value: float
+    misfit: float
+
+
+def recovery_messages(
+    name: str, sample: LineSample, recovery: RecoverySetup
+) -> tuple[Message, ...]:
+    """Messages about a line whose recovered points do not lie where a profiler measures.
+
+    Parameters
+    ----------
+    name : str
+        Of the line.
+    sample : LineSample
+        Points all over the line.
+    recovery : RecoverySetup
+        As the line is recovered.
+    """
+    sample = sample.thinned(MOST_POINTS)
+    if len(sample.time) < FEWEST_POINTS:
+        return ()
+    found = _recover_sample(sample, recovery)
+    if found is None:
+        return ()
+    points = found.points
+    shapes = tuple(_possible_beam_shapes(found))
+    fitted = [shape(found) for shape in shapes]
+    distance = float(np.median(np.linalg.norm(points, axis=1)))
+    allowed = MISFIT_ALLOWED + MISFIT_ANGLE * distance
+    first = fitted[0]
+    if found.ring is None and first.misfit <= allowed:
+        turn = float(np.arccos(min(1.0, np.abs(first.axis).max())))
+        if (
+            turn < LARGEST_TURN
+            or first.misfit > TURN_MISFIT * beam_direction_spread(points) * distance
+        ):
+            return ()
+        return (
+            Message(
+                "recovery.boresight_used", Level.NOTE, {"line": name, "turn": turn},
+                Cause.of_line(name),
+            ),
+        )  # fmt: skip
+    if any(each.misfit <= allowed for each in fitted):
+        return ()
+    tried = [
+        sorted(_evaluate_causes(sample, recovery, found, shape), key=lambda each: each.misfit)
+        for shape in shapes
+    ]
+    for cone, explanations in zip(fitted, tried, strict=True):
+        if fitting := _sufficient_explanations(cone, explanations, allowed):
+            return (_causes_message(name, cone if np.isfinite(cone.misfit) else first, fitting),)
+    # Two errors at once, or a rough trajectory, leave more; but not so for a scanner of any shape.
+    if len(shapes) == 1 or first.misfit <= PROFILER * distance:
+        most = max(allowed, CLEARLY * tried[0][0].misfit)
+        if fitting := _sufficient_explanations(first, tried[0], most):
+            return (_causes_message(name, first, fitting),)
+    if found.ring is None and first.misfit > PROFILER * distance:
+        return ()  # a scanner of another kind
+    return (_misfit_warning(name, "recovery.unexplained", first, None),)
+
+
+def _sufficient_explanations(
+    cone: BeamCone, tried: list[MisfitExplanation], most: float
+) -> list[MisfitExplanation]:
+    """Explanations that reduce the misfit enough, and to at most ``most``."""
+    return [each for each in tried if each.misfit <= min(cone.misfit / BETTER, most)]
+
+
+def _causes_message(name: str, cone: BeamCone, fitting: list[MisfitExplanation]) -> Message:
+    """The message that names the causes that fit, the best first."""
+    best = fitting[0]
+    rivals = [each for each in fitting[1:] if each.misfit < CLEARLY * best.misfit]
+    if rivals:
+        causes = tuple(TITLES[each.cause] for each in (best, *rivals))
+        return _misfit_warning(name, "recovery.several_causes", cone, best, {"causes": causes})
+    return _misfit_warning(name, f"recovery.{best.cause}", cone, best)
+
+
+@dataclass(frozen=True, eq=False)
+class _RecoveredPoints:
+    """Points of a sample in the LiDAR frame.
+
+    Attributes
+    ----------
+    points : ndarray of shape (n, 3), metres
+    ring : ndarray of shape (n,), int, or None
+    """
+
+    points: Array
+    ring: NDArray[np.int64] | None
+
+
+Shape = Callable[[_RecoveredPoints], BeamCone]
+
+
+def _fit_beam_plane(found: _RecoveredPoints) -> BeamCone:
+    return fit_plane(found.points)
+
+
+def _fit_beam_cone(found: _RecoveredPoints) -> BeamCone:
+    """A cone, if the beams distinguish it from a plane or a point."""
+    cone = fit_cone(found.points)
+    return (
+        cone if beam_direction_spread(found.points) > SMALLEST_ARC else replace(cone, misfit=np.inf)
+    )
+
+
+def _fit_beam_cones(found: _RecoveredPoints) -> BeamCone:
+    assert found.ring is not None
+    return fit_cones(found.points, found.ring)
+
+
+def _possible_beam_shapes(found: _RecoveredPoints) -> Iterator[Shape]:
+    """Shapes that the beams can have."""
+    if found.ring is not None:
+        yield _fit_beam_cones
+        return
+    yield _fit_beam_plane
+    yield _fit_beam_cone
+
+
+TITLES = {
+    "height_offset": note("suspect.heights"),
+    "time_offset": note("suspect.time"),
+    "lever_arm_x": note("quantity.lever_x"),
+    "lever_arm_y": note("quantity.lever_y"),
+    "lever_arm_z": note("quantity.lever_z"),
+    "roll_sign": note("suspect.roll_sign"),
+    "pitch_sign": note("suspect.pitch_sign"),
+    "roll_pitch_signs": note("suspect.attitude_signs"),
+}
+"""Names of the causes, as parts of messages."""
+
+
+def _misfit_warning(
+    name: str, code: str, cone: BeamCone, best: MisfitExplanation | None,
+    more: dict[str, Value] | None = None,
+) -> Message:  # fmt: skip
+    params: dict[str, Value] = {"line": name, "misfit": cone.misfit, **(more or {})}
+    actions: tuple[Action, ...] = ()
+    if best is not None:
+        params |= {"value": best.value, "left": best.misfit}
+    if best is not None and code == "recovery.height_offset":
+        params["offset"] = -best.value
+        value = f"{best.value:+.1f}"
+        actions = (Action("set_option", {"name": "height", "value": value}),)
+    return Message(code, Level.WARNING, params, Cause.of_line(name), actions)
+
+
+def _evaluate_causes(
+    sample: LineSample, recovery: RecoverySetup, found: _RecoveredPoints, shape: Shape
+) -> Iterator[MisfitExplanation]:
+    """Each cause with its best value."""
+    points = found.points
+    metre = recovery.system.metres[2]
+    raised = replace(sample, points_map=sample.points_map + np.array([0.0, 0.0, 1.0 / metre]))
+    up = _recover_sample(raised, recovery)
+    if up is not None and len(up.points) == len(points):
+        # A shift of the map moves recovered points in proportion.
+        per_metre = up.points - points
+        yield _best_explanation(
+            "height_offset", HEIGHTS,
+            lambda value: replace(found, points=points + value * per_metre), shape,
+        )  # fmt: skip
+    # An error of the lever arm moves all points of the LiDAR frame alike.
+    for axis, title in enumerate("xyz"):
+        along = recovery.mounting.rotation_body_lidar[axis]  # in the LiDAR frame
+        yield _best_explanation(
+            f"lever_arm_{title}", LEVERS, partial(_shift_points, found, along), shape
+        )
+    yield _best_explanation(
+        "time_offset", np.array(TIMES),
+        lambda value: _recover_sample(replace(sample, time=sample.time + value), recovery), shape,
+    )  # fmt: skip
+    for cause, signs in (
+        ("roll_sign", (-1, 1, 1)), ("pitch_sign", (1, -1, 1)), ("roll_pitch_signs", (-1, -1, 1)),
+    ):  # fmt: skip
+        trajectory = recovery.trajectory
+        turned = replace(trajectory, attitude=trajectory.attitude * np.array(signs))
+        other = replace(recovery, trajectory=turned)
+        moved = _recover_sample(sample, other)
+        if moved is not None:
+            yield MisfitExplanation(cause, 0.0, shape(moved).misfit)
+
+
+def _shift_points(found: _RecoveredPoints, along: Array, value: float) -> _RecoveredPoints:
+    return replace(found, points=found.points - value * along)
+
+
+def _best_explanation(
+    cause: str, values: Array, moved: Callable[[float], _RecoveredPoints | None], shape: Shape
+) -> MisfitExplanation:
+    """The value with the smallest misfit, refined about the best of some."""
+
+    def misfit(value: float) -> float:
+        found = moved(value)
+        return np.inf if found is None else shape(found).misfit
+
+    found = np.array([misfit(float(value)) for value in values])
+    k = int(found.argmin())
+    low = float(values[max(0, k - 1)])
+    high = float(values[min(len(values) - 1, k + 1)])
+    value, least = float(values[k]), float(found[k])
+    for _ in range(REFINEMENTS):
+        third = (high - low) / 3
+        left, right = misfit(low + third), misfit(high - third)
+        low, high = (low, high - third) if left < right else (low + third, high)
+        nearest = low + third if left < right else high - third
+        if min(left, right) < least:
+            value, least = nearest, min(left, right)
+    return MisfitExplanation(cause, value, least)
+
+
+REFINEMENTS = 16
+"""Steps of the refinement, each of which narrows the interval to two thirds."""
+
+
+def _recover_sample(sample: LineSample, recovery: RecoverySetup) -> _RecoveredPoints | None:
+    """Points with a pose in the LiDAR frame; None where there are few."""
+    usable = recovery.usable(sample.time)
+    if np.count_nonzero(usable) < FEWEST_POINTS:
+        return None
+    sample = sample.where(usable)
+    try:
+        points = recovery.mapping.to_scanner(
+            sample.points_map, sample.time, threads=1, strict=False
+        )
+    except LispacError:
+        return None
+    ranges = np.linalg.norm(points, axis=1)
+    kept = np.isfinite(ranges) & (ranges > 0)
+    return _RecoveredPoints(points[kept], None if sample.ring is None else sample.ring[kept])

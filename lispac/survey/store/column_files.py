@@ -1,0 +1,161 @@
+"""Columns as files in NumPy's own format, written piece by piece and read by mapping."""
+
+import os
+import tokenize
+from io import BytesIO
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+from zlib import crc32
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import ProjectError
+from lispac.messages import error
+from lispac.survey.store.fingerprint import combine_crc32
+from lispac.survey.store.layout import StoredColumn, flush_to_disk, import_again_message
+
+HEADER = 128
+"""Bytes before the numbers, the same whatever their count: it is written last."""
+PIECE = 1 << 24  # bytes read or filled at once
+WINDOW = 1 << 24  # values mapped at once for writing
+
+
+class ColumnFile:
+    """A column being written; how many points it gets is known at the end.
+
+    Used in a ``with`` statement: what is not finished stays without a header and is no column.
+    """
+
+    def __init__(self, folder: Path, file: str, name: str, dtype: str, shape: Any = ()) -> None:
+        self._path, self._name = folder / file, name
+        self._dtype, self._shape = np.dtype(dtype), tuple(shape)
+        self._file = self._path.open("xb")
+        self._file.write(bytes(HEADER))
+        self._count = self._checksum = self._bytes = 0
+
+    def append(self, values: NDArray[Any]) -> None:
+        """Write the values of the next points, shape (n, ...)."""
+        data = np.ascontiguousarray(values, dtype=self._dtype).reshape(-1).view(np.uint8).data
+        self._file.write(data)
+        self._checksum = crc32(data, self._checksum)
+        self._bytes += len(data)
+        self._count += len(values)
+
+    def finish(self) -> StoredColumn:
+        """Write the header and bring all of it on the disk."""
+        header = npy_header(self._dtype, (self._count, *self._shape))
+        self._file.seek(0)
+        self._file.write(header)
+        flush_to_disk(self._file)
+        # The header comes before the rest, whose checksum is known already.
+        checksum = combine_crc32(crc32(header), self._checksum, self._bytes)
+        size = HEADER + self._bytes
+        return StoredColumn(
+            self._name, self._dtype.str, self._shape, self._path.name, self._count, size, checksum
+        )  # fmt: skip
+
+    def __enter__(self) -> "ColumnFile":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self._file.close()
+
+
+class ScatteredColumn:
+    """A column whose values come in any order; the space for all is reserved at the start.
+
+    Space that is reserved only while a mapped file is filled would end the program, not raise an
+    error, where the disk is full.
+    """
+
+    def __init__(self, folder: Path, file: str, name: str, dtype: str, count: int) -> None:
+        self._path, self._name, self._dtype = folder / file, name, np.dtype(dtype)
+        self._count = count
+        with self._path.open("xb") as column:
+            column.write(npy_header(self._dtype, (count,)))
+            left = count * self._dtype.itemsize
+            while left > 0:
+                left -= column.write(bytes(min(left, PIECE)))
+
+    def put(self, places: NDArray[Any], values: NDArray[Any]) -> None:
+        """Write ``values`` at ``places``, both of shape (n,)."""
+        # Mapped anew each time and in windows: what is mapped counts as memory once touched.
+        windows = places // WINDOW
+        for window in np.unique(windows).tolist():
+            start = window * WINDOW
+            length = min(WINDOW, self._count - start)
+            offset = HEADER + start * self._dtype.itemsize
+            mapped = np.memmap(self._path, self._dtype, "r+", offset, length)
+            inside = windows == window
+            mapped[places[inside] - start] = values[inside]
+
+    def finish(self) -> StoredColumn:
+        """Bring all of it on the disk."""
+        with self._path.open("r+b") as column:
+            os.fsync(column.fileno())
+        size = self._path.stat().st_size
+        return StoredColumn(
+            self._name, self._dtype.str, (), self._path.name, self._count, size,
+            file_checksum(self._path),
+        )  # fmt: skip
+
+
+def npy_header(dtype: np.dtype[Any], shape: tuple[int, ...]) -> bytes:
+    """The beginning of a file in NumPy's format."""
+    header = BytesIO()
+    description = {
+        "descr": np.lib.format.dtype_to_descr(dtype), "fortran_order": False, "shape": shape,
+    }  # fmt: skip
+    np.lib.format.write_array_header_1_0(header, description)
+    content = header.getvalue()
+    assert len(content) == HEADER, "a column of numbers has a header of one fixed size"
+    return content
+
+
+def file_checksum(path: Path) -> int:
+    """CRC-32 of a file."""
+    checksum = 0
+    with path.open("rb") as file:
+        while piece := file.read(PIECE):
+            checksum = crc32(piece, checksum)
+    return checksum
+
+
+def map_column(folder: Path, column: StoredColumn, count: int) -> NDArray[Any]:
+    """A column's values, shape (count, ...), mapped: read where they are examined.
+
+    Raises
+    ------
+    ProjectError
+        Where the file differs from the manifest.
+    """
+    shape = (count, *column.shape)
+    if not column.file:
+        value = np.array(column.value, dtype=column.dtype)
+        return np.broadcast_to(value, shape)
+    path = folder / column.file
+    try:
+        # Not `np.load`, which also opens archives and pickles.
+        values: NDArray[Any] = np.lib.format.open_memmap(path, mode="r")
+        is_right = values.shape == shape and values.dtype == np.dtype(column.dtype)
+    except (
+        OSError, ValueError, EOFError, MemoryError, OverflowError, SyntaxError, tokenize.TokenError,
+    ) as failure:  # fmt: skip
+        said = str(failure).split("\n")[0]
+        raise ProjectError(
+            import_again_message(error("store.part_damaged", file=str(path), reason=said))
+        ) from failure
+    if not is_right:
+        found = error(
+            "store.part_type", file=str(path), type=str(values.dtype), shape=str(values.shape)
+        )
+        raise ProjectError(import_again_message(found))
+    # A plain array over the same memory: the subclass costs in every slice.
+    return np.asarray(values)

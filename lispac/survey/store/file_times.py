@@ -1,0 +1,46 @@
+"""Modification times of the files of a store, to detect changes without reading.
+
+A file that was written to has another time than the manifest says, whatever its size; so has a
+copy. Only such a store is read and compared by its checksums on opening, and only once: where they
+hold, the times are remembered.
+"""
+
+from dataclasses import replace
+from pathlib import Path
+
+from lispac.errors import ProjectError
+from lispac.survey.store.import_lock import lock_folder
+from lispac.survey.store.layout import (
+    Manifest,
+    StoredColumn,
+    read_manifest,
+    require_no_link,
+    write_manifest,
+)
+
+
+def with_file_times(folder: Path, manifest: Manifest) -> Manifest:
+    """Manifest with the present modification times of its files (`OSError`)."""
+
+    def with_time(column: StoredColumn) -> StoredColumn:
+        if not column.file:
+            return column
+        path = folder / manifest.folder / column.file
+        return replace(column, modified=path.stat().st_mtime_ns)
+
+    return replace(
+        manifest,
+        columns=tuple(with_time(column) for column in manifest.columns),
+        attributes=tuple(with_time(column) for column in manifest.attributes),
+    )
+
+
+def replace_manifest(folder: Path, old: Manifest, new: Manifest) -> None:
+    """Replace the manifest ``old`` by ``new`` unless the line was imported again meanwhile."""
+    try:
+        require_no_link(folder, folder.parent)
+        with lock_folder(folder):
+            if read_manifest(folder) == old:
+                write_manifest(folder, new)
+    except (OSError, ProjectError):
+        return  # a folder that may only be read is checked whenever it is opened

@@ -1,0 +1,298 @@
+"""Importing a line: read and spooled block by block, then written in order, then declared.
+
+At no time is more in memory than a few blocks. Whatever interrupts the work, the folder holds
+either the store that was there before, or the new one, or none; blocks that are complete are used
+again by the next import of the same file.
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from lispac.errors import LispacError, ProjectError
+from lispac.language import gettext_lazy
+from lispac.messages import error
+from lispac.progress import PointRate, Progress, no_progress, sub_progress
+from lispac.survey.store.column_writer import write_columns
+from lispac.survey.store.file_times import with_file_times
+from lispac.survey.store.import_lock import LOCK, lock_folder
+from lispac.survey.store.layout import (
+    COLUMNS,
+    MANIFEST,
+    SPOOL,
+    DamagedStore,
+    Manifest,
+    SourceFile,
+    StoredColumn,
+    columns_folders,
+    is_link,
+    read_manifest,
+    remove_columns,
+    remove_leftovers,
+    require_no_link,
+    write_manifest,
+    writing_errors_as_project_errors,
+)
+from lispac.survey.store.point_blocks import Place, PointPiece, gather_blocks
+from lispac.survey.store.read_ahead import read_ahead
+from lispac.survey.store.spool import Spool, SpoolSummary, remove_spool
+
+READING_SHARE = 0.6
+"""Part of the time that reading takes, for the progress."""
+BYTES_PER_POINT = 100
+"""Bytes of an imported LAS point with all its attributes: block and columns together."""
+
+Pieces = Callable[[int], Iterator[PointPiece]]
+"""Gives the points of a file from an index on."""
+Findings = Callable[[], tuple[tuple[dict[str, Any], ...], dict[str, Any]]]
+"""Gives the assumptions and the audit as plain values, once a file is read."""
+
+
+@dataclass(frozen=True)
+class ImportRecipe:
+    """All inputs that determine a stored line.
+
+    Attributes
+    ----------
+    line : str
+        Name of the line.
+    original : SourceFile
+        The file.
+    made_with, placed_with : dict of plain values
+        See `Manifest`.
+    """
+
+    line: str
+    original: SourceFile
+    made_with: dict[str, Any]
+    placed_with: dict[str, Any]
+
+
+def write_store(
+    folder: Path,
+    recipe: ImportRecipe,
+    pieces: Pieces,
+    place: Place,
+    findings: Findings = lambda: ((), {}),
+    *,
+    beside: Callable[[Path], None] = lambda folder: None,
+    progress: Progress = no_progress,
+) -> Manifest:
+    """Import a line into its folder; an earlier import of it stays until this one is complete.
+
+    Parameters
+    ----------
+    folder : Path
+        Of the line.
+    pieces : callable
+        Gives the points of the file from an index on. It has to give the same points every time.
+    place : callable
+        Puts points into the local frame for the order in space.
+    findings : callable
+        Gives, once the file is read, what was assumptions, in words, and the audit of its
+        points, as plain values.
+    beside : callable
+        Puts into the folder of the columns what is to be kept besides them.
+
+    Raises
+    ------
+    ProjectError
+        Where the folder cannot be written, the disk is full, or another import of the line runs.
+    InputError
+        Where the file cannot be read.
+    LispacError
+        What ``pieces``, ``place`` and ``beside`` raise.
+    """
+    require_no_link(folder.parent, folder, folder / SPOOL)
+    made = _missing_folders(folder)
+    try:
+        with writing_errors_as_project_errors(folder):
+            folder.mkdir(parents=True, exist_ok=True)
+            require_no_link(*columns_folders(folder))
+            with lock_folder(folder):
+                current = _current_columns_folder(folder)
+                remove_leftovers(folder, keep=current)
+                return _import_line(
+                    folder, recipe, pieces, place, findings, beside, current, progress
+                )
+    except LispacError:
+        _remove_empty_folders(made)
+        raise
+
+
+def _import_line(
+    folder: Path,
+    recipe: ImportRecipe,
+    pieces: Pieces,
+    place: Place,
+    findings: Findings,
+    beside: Callable[[Path], None],
+    current: str,
+    progress: Progress,
+) -> Manifest:
+    spool: Spool | None = None
+    new: Path | None = None
+    expected = _ExpectedSize()
+    try:
+        with writing_errors_as_project_errors(folder, expected.bytes):
+            spool = Spool(folder, asdict(recipe))
+            reading = sub_progress(progress, 0.0, READING_SHARE)
+            end = _fill_spool(spool, recipe, pieces, place, findings, expected, reading)
+            new = _make_columns_folder(folder, current)
+            own, attributes = write_columns(
+                spool, new, place, recipe.line, progress=sub_progress(progress, READING_SHARE, 1.0)
+            )
+            manifest = _build_manifest(spool, recipe, new.name, own, attributes, end)
+            beside(new)
+            manifest = with_file_times(folder, manifest)
+            write_manifest(folder, manifest)
+    except BaseException as failure:
+        # Where it stopped after the manifest, the line is imported
+        if new is not None and _current_columns_folder(folder) != new.name:
+            remove_columns(new)
+        # A file that cannot be read and a disk that is full get nothing from a half kept for later.
+        if spool is not None and isinstance(failure, LispacError):
+            spool.remove()
+        raise
+    spool.remove()
+    remove_leftovers(folder, keep=new.name)
+    return manifest
+
+
+def _make_columns_folder(folder: Path, current: str) -> Path:
+    """Make the folder of new columns, with the next number that nothing there has."""
+    number = int(current.removeprefix(COLUMNS) or 0) + 1
+    while True:
+        new = folder / f"{COLUMNS}{number}"
+        try:
+            new.mkdir()
+        except FileExistsError:
+            number += 1
+        else:
+            return new
+
+
+def _build_manifest(
+    spool: Spool,
+    recipe: ImportRecipe,
+    folder: str,
+    own: tuple[StoredColumn, ...],
+    attributes: tuple[StoredColumn, ...],
+    end: SpoolSummary,
+) -> Manifest:
+    blocks = spool.blocks
+    low = np.min([block.low for block in blocks], axis=0).tolist()
+    high = np.max([block.high for block in blocks], axis=0).tolist()
+    return Manifest(
+        line=recipe.line,
+        points=spool.points,
+        left_out=end.read - spool.points,
+        folder=folder,
+        columns=own,
+        attributes=attributes,
+        side=blocks[0].side,
+        low=(low[0], low[1], low[2]),
+        high=(high[0], high[1], high[2]),
+        first_time=min(block.times[0] for block in blocks),
+        last_time=max(block.times[1] for block in blocks),
+        reach=max(block.reach for block in blocks),
+        fingerprint=spool.running.fingerprint,
+        original=recipe.original,
+        made_with=recipe.made_with,
+        placed_with=recipe.placed_with,
+        assumptions=end.assumptions,
+        audit=end.audit,
+    )
+
+
+def _fill_spool(
+    spool: Spool,
+    recipe: ImportRecipe,
+    pieces: Pieces,
+    place: Place,
+    findings: Findings,
+    expected: "_ExpectedSize",
+    progress: Progress,
+) -> SpoolSummary:
+    """Spool what is not spooled yet, and give what is known of the whole file.
+
+    Raises
+    ------
+    ProjectError
+        Where there is no point in it.
+    """
+    known = spool.end
+    if known is not None:
+        return known
+    read, pace = spool.next_index, None
+    source = pieces(spool.next_index)
+    gathered = gather_blocks(source, spool.points, spool.running, recipe.original.path)
+    with closing(read_ahead(gathered)) as ahead:
+        for block, piece in ahead:
+            if pace is None:
+                pace = PointRate(
+                    gettext_lazy("Reading {line}", line=recipe.line), piece.total, spool.next_index
+                )
+                expected.points = piece.total
+            read = piece.read
+            progress(read / piece.total if piece.total else 0.0, pace.step(read))
+            if block is not None:
+                spool.add(block, place)
+    if not spool.points:
+        raise ProjectError(error("store.no_points", file=recipe.original.path))
+    assumptions, audit = findings()
+    end = SpoolSummary(read, assumptions, audit)
+    spool.complete(end)
+    return end
+
+
+def remove_incomplete_parts(folder: Path, manifest: Manifest) -> None:
+    """Remove incomplete parts of a store unless the line is being imported."""
+    parts = {MANIFEST, LOCK, manifest.folder}
+    if is_link(folder.parent) or is_link(folder):
+        return
+    try:
+        if all(path.name in parts for path in folder.iterdir()):
+            return
+        with lock_folder(folder):
+            remove_leftovers(folder, keep=manifest.folder)
+            remove_spool(folder)
+    except (OSError, ProjectError):
+        return  # it may be read without being written
+
+
+class _ExpectedSize:
+    """Disk space of an import, once the number of points is known."""
+
+    points: int | None = None
+
+    def bytes(self) -> int | None:
+        """None where it has not."""
+        return None if self.points is None else self.points * BYTES_PER_POINT
+
+
+def _current_columns_folder(folder: Path) -> str:
+    """Folder of the columns that count; one that is damaged does not."""
+    try:
+        manifest = read_manifest(folder)
+    except DamagedStore:
+        (folder / MANIFEST).unlink(missing_ok=True)
+        return ""
+    return "" if manifest is None else manifest.folder
+
+
+def _missing_folders(folder: Path) -> list[Path]:
+    """Those of the folder and the one above that are not there yet."""
+    return [path for path in (folder, folder.parent) if not path.exists()]
+
+
+def _remove_empty_folders(folders: list[Path]) -> None:
+    for path in folders:
+        try:
+            path.rmdir()
+        except OSError:  # it holds something, or was never made
+            return

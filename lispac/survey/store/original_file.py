@@ -1,0 +1,32 @@
+"""Whether the file a line was imported from is still the same."""
+
+import os
+from hashlib import file_digest
+from pathlib import Path
+
+from lispac.survey.store.layout import SourceFile
+
+
+def source_file_of(path: Path) -> SourceFile:
+    """Size, time and fingerprint of a file (`OSError` where it cannot be read)."""
+    status = path.stat()
+    return SourceFile(str(path), status.st_size, status.st_mtime_ns, _file_fingerprint(path))
+
+
+def is_original_unchanged(original: SourceFile, path: Path) -> bool:
+    """Whether the file at ``path`` is what was imported; it may have been moved or copied.
+
+    Size and time as they were are believed. With another time, as after a copy, all of the content
+    is compared: what was mended in place has the same size and most of the same bytes.
+    """
+    status = os.stat(path)
+    if status.st_size != original.size:
+        return False
+    return (
+        status.st_mtime_ns == original.modified or _file_fingerprint(path) == original.fingerprint
+    )
+
+
+def _file_fingerprint(path: Path) -> str:
+    with path.open("rb") as file:
+        return file_digest(file, "sha256").hexdigest()[:32]

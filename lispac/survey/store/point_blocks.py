@@ -1,0 +1,210 @@
+"""Points as read from a file, and blocks of fixed size into which they are gathered."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, ProjectError
+from lispac.messages import error
+from lispac.survey.store.fingerprint import RunningFingerprint
+from lispac.survey.store.layout import StoredColumn
+
+Array = NDArray[np.float64]
+Place = Callable[[Array, Array], Array]
+"""Points in the LiDAR frame, shape (n, 3), metres, and their times to points in the local frame."""
+
+BLOCK = 1_000_000
+"""Points: so many are placed, sorted and spooled at once, however the file's reader parts them."""
+MOST = 2**32 - 1
+"""Points of a line: their numbers take 32 bits."""
+OWN = (
+    StoredColumn("xyz", "<f4", (3,)),
+    StoredColumn("time", "<f8"),
+    StoredColumn("number", "<u4"),
+    StoredColumn("before", "<u4"),
+)
+"""What every point has: its place seen from the scanner, its time, its number in the line, and how
+many points before it in the file are excluded."""
+
+Values = dict[str, NDArray[Any]]
+"""Values of some points by field: the names of `OWN`, and those of `field_names` for attributes."""
+
+
+@dataclass(frozen=True, eq=False)
+class PointPiece:
+    """Some points of a line in the order of its file.
+
+    Attributes
+    ----------
+    points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
+    time : ndarray of shape (n,), seconds, in the trajectory's time base
+    index : ndarray of shape (n,), int64
+        Of each point in its file, counted from 0; what is excluded has a place too.
+    extra : mapping of str to ndarray of shape (n, ...)
+    read : int
+        Points of the file up to here, including excluded ones.
+    total : int or None
+        Number of points in the file, if given in it.
+    """
+
+    points_lidar: Array
+    time: Array
+    index: NDArray[np.int64]
+    extra: Mapping[str, NDArray[Any]]
+    read: int
+    total: int | None = None
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def rows(self, start: int, stop: int) -> "PointPiece":
+        """A part of it."""
+        part = slice(start, stop)
+        extra = {name: values[part] for name, values in self.extra.items()}
+        return replace(
+            self, points_lidar=self.points_lidar[part], time=self.time[part],
+            index=self.index[part], extra=extra,
+        )  # fmt: skip
+
+
+@dataclass(eq=False)
+class PointBlock:
+    """Points being gathered until there are `BLOCK` of them, or no more.
+
+    Attributes
+    ----------
+    points_lidar : ndarray of shape (BLOCK, 3), metres, LiDAR frame
+    time : ndarray of shape (BLOCK,), seconds
+        Of both the first ``count`` are there.
+    """
+
+    first: int
+    columns: tuple[StoredColumn, ...]
+    running: RunningFingerprint
+    points_lidar: Array = field(default_factory=lambda: np.empty((BLOCK, 3)))
+    time: Array = field(default_factory=lambda: np.empty(BLOCK))
+    count: int = 0
+    next_index: int = 0
+    """Index in the file behind the last point."""
+
+    def __post_init__(self) -> None:
+        own = {column.name: column for column in OWN}
+        self._values = {
+            field: np.empty((BLOCK, *column.shape), column.dtype)
+            for field, column in (own | field_names(self.columns)).items()
+        }
+
+    def add(self, piece: PointPiece) -> None:
+        """Take the points of a piece that fit here."""
+        rows = slice(self.count, self.count + len(piece))
+        self.points_lidar[rows], self.time[rows] = piece.points_lidar, piece.time
+        numbers = np.arange(len(piece)) + (self.first + self.count)
+        values = self._values
+        values["xyz"][rows], values["time"][rows] = piece.points_lidar, piece.time
+        values["number"][rows], values["before"][rows] = numbers, piece.index - numbers
+        for field_name, column in field_names(self.columns).items():
+            values[field_name][rows] = piece.extra[column.name]
+        self.running = self.running.after(piece.points_lidar, piece.time)
+        self.count = rows.stop
+        self.next_index = int(piece.index[-1]) + 1
+
+    @property
+    def values(self) -> Values:
+        """Of the points so far."""
+        return {field: values[: self.count] for field, values in self._values.items()}
+
+    @property
+    def room(self) -> int:
+        """Points that it can still take."""
+        return BLOCK - self.count
+
+
+def field_names(attributes: tuple[StoredColumn, ...]) -> dict[str, StoredColumn]:
+    """Names under which the attributes of a file go with those of `OWN`."""
+    return {f"attribute{k}": column for k, column in enumerate(attributes)}
+
+
+def attribute_columns(piece: PointPiece, source: str) -> tuple[StoredColumn, ...]:
+    """The attributes of a file, by a piece of it.
+
+    Raises
+    ------
+    InputError
+        Where one is neither a number nor some numbers.
+    """
+    columns = []
+    for name, values in piece.extra.items():
+        if values.dtype.kind not in "biuf" or len(values) != len(piece):
+            raise InputError(error("store.attribute", file=source, attribute=name))
+        dtype = values.dtype.newbyteorder("<")
+        columns.append(StoredColumn(name, dtype.str, values.shape[1:]))
+    return tuple(columns)
+
+
+def require_same_attributes(
+    piece: PointPiece, columns: tuple[StoredColumn, ...], source: str
+) -> None:
+    """Refuse points with other attributes than those before them.
+
+    Raises
+    ------
+    InputError
+    """
+    found = attribute_columns(piece, source)
+    if set(found) != set(columns):
+        names = {c.name for c in found} ^ {c.name for c in columns}
+        point = int(piece.index[0]) + 1
+        if names:
+            changed = tuple(sorted(names))
+            raise InputError(
+                error("store.attributes_change", file=source, point=point, attributes=changed)
+            )
+        raise InputError(error("store.attribute_types_change", file=source, point=point))
+
+
+def gather_blocks(
+    pieces: Iterator[PointPiece], first: int, running: RunningFingerprint, source: str
+) -> Iterator[tuple[PointBlock | None, PointPiece]]:
+    """Gather pieces into blocks; a piece that fills none comes with None.
+
+    Parameters
+    ----------
+    first : int
+        Number of the first point in the line: a multiple of `BLOCK`.
+
+    Raises
+    ------
+    InputError
+        Where attributes change within the line.
+    ProjectError
+        Where a line has more points than can be numbered.
+    """
+    block: PointBlock | None = None
+    columns: tuple[StoredColumn, ...] | None = None
+    last: PointPiece | None = None
+    for piece in pieces:
+        last, start = piece, 0
+        if len(piece):
+            if columns is None:
+                columns = attribute_columns(piece, source)
+            require_same_attributes(piece, columns, source)
+            if piece.index[-1] >= MOST:
+                raise ProjectError(error("store.too_many_points", file=source, limit=MOST))
+        filled = False
+        while start < len(piece):
+            assert columns is not None
+            if block is None:
+                block = PointBlock(first, columns, running)
+            stop = min(len(piece), start + block.room)
+            block.add(piece.rows(start, stop))
+            start = stop
+            if not block.room:
+                yield block, piece
+                first, running, block, filled = first + block.count, block.running, None, True
+        if not filled:
+            yield None, piece
+    if block is not None and last is not None:
+        yield block, last

@@ -1,0 +1,53 @@
+"""Read the next piece of work while the present one is processed."""
+
+import queue
+import threading
+from collections.abc import Generator, Iterator
+from typing import TypeVar
+
+T = TypeVar("T")
+
+POLL = 0.1  # seconds between two looks whether anybody still wants the next piece
+
+
+def read_ahead(source: Iterator[T], depth: int = 1) -> Generator[T, None, None]:
+    """Yield from ``source``, which runs in a thread of its own and ``depth`` pieces ahead.
+
+    An error of the source comes out here. When the generator is closed the thread ends after the
+    piece it is at; until then it is waited for, because it may have a file open.
+    """
+    pieces: queue.Queue[tuple[T] | None] = queue.Queue(depth)
+    unwanted = threading.Event()
+    errors: list[BaseException] = []
+
+    def hand_over(piece: tuple[T] | None) -> None:
+        while not unwanted.is_set():
+            try:
+                pieces.put(piece, timeout=POLL)
+                return
+            except queue.Full:
+                continue
+
+    def run() -> None:
+        try:
+            for piece in source:
+                hand_over((piece,))
+                if unwanted.is_set():
+                    break
+        except BaseException as error:
+            errors.append(error)
+        finally:
+            if isinstance(source, Generator):
+                source.close()
+            hand_over(None)
+
+    thread = threading.Thread(target=run, name="reading ahead", daemon=True)
+    thread.start()
+    try:
+        while (piece := pieces.get()) is not None:
+            yield piece[0]
+    finally:
+        unwanted.set()
+        thread.join()
+    if errors:
+        raise errors[0]

@@ -1,0 +1,241 @@
+"""The order of a line's points in space: cubes of the local frame along Morton's curve (1966).
+
+Cells that are near each other are mostly near each other in the file, so a region is a few runs
+of points. Inside a cell the points stand in octaves: drawn by a hash of their number, an octave
+holds half of what the octaves after it leave, so that the beginning of a cell is a fair sample of
+it; inside an octave they stand in the order of the file, which is that of time, so that the
+trajectory is read along.
+"""
+
+from typing import Any
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Keys = NDArray[np.uint64]
+
+BITS = 16
+"""Of a cell's number along each axis."""
+HALF = 1 << (BITS - 1)
+OCTAVE_BITS = 4
+MOST_HALVINGS = (1 << OCTAVE_BITS) - 1
+"""Beyond, a sample gets no smaller."""
+SIDES = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
+"""Metres; with the smallest one the cells reach 16 km around the origin, and what lies farther
+counts to the outermost."""
+FULL = 64
+"""Points that a cell holds on average at least, where the cells may grow."""
+
+
+def choose_cell_side(points_local: Array) -> float:
+    """Side of the cells for a line that starts with these points, shape (n, 3), metres."""
+    for side in SIDES:
+        cells = np.unique(order_keys(points_local, np.zeros(len(points_local), np.int64), side))
+        if len(cells) * FULL <= len(points_local):
+            return side
+    return SIDES[-1]
+
+
+def order_keys(points_local: Array, numbers: NDArray[Any], side: float) -> Keys:
+    """Where points stand: cell, then octave.
+
+    Parameters
+    ----------
+    points_local : ndarray of shape (n, 3), metres, local frame
+    numbers : ndarray of shape (n,)
+        Of the points in the line.
+
+    Returns
+    -------
+    ndarray of shape (n,)
+        Points are ordered by this and, where it is equal, by their number.
+    """
+    keys = np.empty(len(points_local), np.uint64)
+    _fill_order_keys(points_local, numbers.astype(np.uint64), side, keys)
+    return keys
+
+
+def is_octave_in_sample(octaves: Keys, halvings: int) -> NDArray[np.bool_]:
+    """Which octaves make up a sample of a half, a quarter, an eighth ... of the points.
+
+    Parameters
+    ----------
+    octaves : ndarray of shape (n,)
+    halvings : int
+        One for a half, two for a quarter.
+
+    Returns
+    -------
+    ndarray of shape (n,), bool
+    """
+    last = (1 << OCTAVE_BITS) - 1
+    return np.asarray((octaves & np.uint64(last)) <= np.uint64(max(0, last - halvings)))
+
+
+def is_number_in_sample(numbers: NDArray[Any], halvings: int) -> NDArray[np.bool_]:
+    """Which points, by their numbers, make up a sample of a half, a quarter, ... of a line.
+
+    It is the sample of `is_octave_in_sample`: the same points for a line in memory and one on disk.
+
+    Parameters
+    ----------
+    numbers : ndarray of shape (n,), int
+        Places in the line.
+    halvings : int
+        One for a half, two for a quarter.
+
+    Returns
+    -------
+    ndarray of shape (n,), bool
+    """
+    octaves = np.empty(len(numbers), np.uint64)
+    _fill_octaves(numbers.astype(np.uint64), octaves)
+    return is_octave_in_sample(octaves, halvings)
+
+
+def is_drawn(numbers: NDArray[Any], points: int, wanted: int) -> NDArray[np.bool_]:
+    """Whether each point belongs to a fair sample of at most ``wanted`` out of ``points``.
+
+    The draw goes by the hash that also makes the octaves, so that the sample comes from the
+    beginnings of the cells. It aims five standard deviations below ``wanted``.
+
+    Parameters
+    ----------
+    numbers : ndarray of shape (n,), int
+        Places in the line.
+
+    Returns
+    -------
+    ndarray of shape (n,), bool
+    """
+    if points <= wanted:
+        return np.ones(len(numbers), bool)
+    share = max(0.0, wanted - 5 * wanted**0.5) / points
+    return _splitmix_hashes(numbers.astype(np.uint64)) < np.uint64(share * 2.0**64)
+
+
+@njit(nogil=True, cache=True)
+def corners_and_reach(points_lidar, points_local):  # type: ignore[no-untyped-def]
+    """Lowest and highest corner of placed points, and the farthest from the scanner, metres."""
+    low, high, farthest = np.full(3, np.inf), np.full(3, -np.inf), 0.0
+    for i in range(len(points_lidar)):
+        squared = 0.0
+        for axis in range(3):
+            value = points_local[i, axis]
+            low[axis], high[axis] = min(low[axis], value), max(high[axis], value)
+            squared += points_lidar[i, axis] ** 2
+        farthest = max(farthest, squared)
+    return low, high, np.sqrt(farthest)
+
+
+@njit(nogil=True, cache=True, inline="always")
+def _splitmix_hash(number):  # type: ignore[no-untyped-def]
+    """The finaliser of splitmix64 (Stafford's mix 13): every bit of the number moves every bit."""
+    z = number + np.uint64(0x9E3779B97F4A7C15)
+    z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+    z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+    return z ^ (z >> np.uint64(31))
+
+
+@njit(nogil=True, cache=True)
+def _splitmix_hashes(numbers):  # type: ignore[no-untyped-def]
+    hashes = np.empty(len(numbers), np.uint64)
+    for i in range(len(numbers)):
+        hashes[i] = _splitmix_hash(numbers[i])
+    return hashes
+
+
+@njit(nogil=True, cache=True, inline="always")
+def _octave_of_number(number):  # type: ignore[no-untyped-def]
+    """Where in its cell a point stands: half of the points are in the last octave."""
+    octave, hashed = np.uint64((1 << OCTAVE_BITS) - 1), _splitmix_hash(number)
+    while octave > 0 and not hashed >> np.uint64(63):
+        hashed <<= np.uint64(1)
+        octave -= np.uint64(1)
+    return octave
+
+
+@njit(nogil=True, cache=True)
+def _fill_octaves(numbers, octaves):  # type: ignore[no-untyped-def]
+    for i in range(len(numbers)):
+        octaves[i] = _octave_of_number(numbers[i])
+
+
+@njit(nogil=True, cache=True, inline="always")
+def _spread_bits(value):  # type: ignore[no-untyped-def]
+    """Sixteen bits, each followed by two empty ones."""
+    v = np.uint64(value)
+    v = (v | (v << np.uint64(16))) & np.uint64(0x0000FF0000FF)
+    v = (v | (v << np.uint64(8))) & np.uint64(0x00F00F00F00F)
+    v = (v | (v << np.uint64(4))) & np.uint64(0x0C30C30C30C3)
+    return (v | (v << np.uint64(2))) & np.uint64(0x249249249249)
+
+
+@njit(nogil=True, cache=True)
+def _fill_order_keys(points_local, numbers, side, keys):  # type: ignore[no-untyped-def]
+    last = float(2 * HALF - 1)
+    for i in range(len(keys)):
+        key = np.uint64(0)
+        for axis in range(3):
+            cell = min(max(np.floor(points_local[i, axis] / side) + HALF, 0.0), last)
+            key |= _spread_bits(int(cell)) << np.uint64(axis)
+        keys[i] = key << np.uint64(OCTAVE_BITS) | _octave_of_number(numbers[i])
+
+
+def stable_order(keys: Keys) -> NDArray[np.intp]:
+    """Order (n,) that sorts ``keys`` (n,); equal ones stay as they stand."""
+    return np.argsort(keys, kind="stable")
+
+
+@njit(nogil=True, cache=True)
+def octave_runs_in_sphere(octaves, side, centre, radius):  # type: ignore[no-untyped-def]
+    """Cells that a sphere touches, as runs of places in the sorted ``octaves``, shape (k, 2)."""
+    runs = np.empty((64, 2), np.int64)
+    count = 0
+    # Outside the grid its outermost cells hold what lies beyond: moving both the points and the
+    # centre to the nearest place in it brings none of them farther apart.
+    edge = HALF * side
+    x = min(max(centre[0], -edge), edge)
+    y = min(max(centre[1], -edge), edge)
+    z = min(max(centre[2], -edge), edge)
+    stack = np.empty((8 * (BITS + 1), 2), np.int64)  # first cell of a cube, and its level
+    depth = 1
+    stack[0, 0], stack[0, 1] = 0, BITS
+    while depth:
+        depth -= 1
+        corner, level = stack[depth]
+        first = np.searchsorted(octaves, np.uint64(corner) << np.uint64(OCTAVE_BITS))
+        behind = np.uint64(corner + (1 << (3 * level))) << np.uint64(OCTAVE_BITS)
+        last = np.searchsorted(octaves, behind)
+        if first == last:
+            continue
+        width = side * (1 << level)
+        gap, span = 0.0, 0.0
+        for axis in range(3):
+            number = 0
+            for bit in range(BITS):
+                number |= ((corner >> (3 * bit + axis)) & 1) << bit
+            low = (number - HALF) * side
+            at = x if axis == 0 else (y if axis == 1 else z)
+            gap += max(low - at, at - low - width, 0.0) ** 2
+            span += max(at - low, low + width - at) ** 2
+        if gap > radius * radius:
+            continue
+        if level == 0 or span <= radius * radius:
+            if count and runs[count - 1, 1] == first:
+                runs[count - 1, 1] = last
+                continue
+            if count == len(runs):
+                larger = np.empty((2 * count, 2), np.int64)
+                larger[:count] = runs
+                runs = larger
+            runs[count, 0], runs[count, 1] = first, last
+            count += 1
+            continue
+        for child in range(7, -1, -1):  # the first one is taken first
+            stack[depth, 0] = corner + (child << (3 * (level - 1)))
+            stack[depth, 1] = level - 1
+            depth += 1
+    return runs[:count].copy()

@@ -1,0 +1,447 @@
+"""A stored line: its columns as arrays that are read where they are examined."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import ProjectError, system_reason
+from lispac.language import gettext_lazy
+from lispac.messages import error
+from lispac.progress import Progress, no_progress
+from lispac.survey.store.column_files import file_checksum, map_column
+from lispac.survey.store.file_times import replace_manifest, with_file_times
+from lispac.survey.store.import_lock import is_import_running
+from lispac.survey.store.layout import (
+    SPOOL,
+    Manifest,
+    StoredColumn,
+    import_again_message,
+    read_manifest,
+    require_file_sizes,
+)
+from lispac.survey.store.original_file import is_original_unchanged
+from lispac.survey.store.point_blocks import Place
+from lispac.survey.store.row_runs import (
+    Runs,
+    gather_values,
+    row_runs,
+    rows_of_runs,
+    select_within_sphere,
+    split_runs,
+)
+from lispac.survey.store.spatial_cells import (
+    MOST_HALVINGS,
+    Keys,
+    is_octave_in_sample,
+    octave_runs_in_sphere,
+)
+
+Array = NDArray[np.float64]
+
+CROWDED = 4
+"""Times as many points in the cells about a sphere as are wanted: too many are in it, too, then."""
+AT_ONCE = 1 << 20
+"""Points placed at once; of those outside the sphere no more than this are ever in memory."""
+FARTHEST = 1e8
+"""Metres: no place in a local frame is farther from its origin."""
+FINEST = 1e-6
+"""Metres: rounding of a reach near zero."""
+ROUNDING = 2.0**-23
+"""Of the distance from the scanner: a point has moved by less since it was put into its cell."""
+
+
+@dataclass(frozen=True, eq=False)
+class LineSample:
+    """A fair sample of a line for the first picture.
+
+    Attributes
+    ----------
+    rows : ndarray of shape (n,)
+        In the line, increasing.
+    points_local : ndarray of shape (n, 3), metres, local frame
+        Placed with the mounting that the line is ordered by.
+    points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
+    time : ndarray of shape (n,), seconds
+    intensity : ndarray of shape (n,) or None
+    """
+
+    rows: NDArray[Any]
+    points_local: Array
+    points_lidar: NDArray[np.float32]
+    time: Array
+    intensity: NDArray[Any] | None
+
+
+@dataclass(frozen=True, eq=False)
+class StoredLine:
+    """One line on disk, with what `lispac.survey.scan.Scan` has.
+
+    Rows are in the order of space. `numbers` turns them into the order of the file, which is what
+    picks are kept in, and `rows` turns them back.
+
+    Attributes
+    ----------
+    folder : Path
+    manifest : Manifest
+    """
+
+    folder: Path
+    manifest: Manifest
+
+    def __len__(self) -> int:
+        return self.manifest.points
+
+    @property
+    def name(self) -> str:
+        """Name of the line."""
+        return self.manifest.line
+
+    @property
+    def fingerprint(self) -> str:
+        """That of the points as read from the file, in its order: the one picks are kept with."""
+        return self.manifest.fingerprint
+
+    @cached_property
+    def points_lidar(self) -> NDArray[np.float32]:
+        """All points, shape (n, 3), metres, LiDAR frame."""
+        return self._own("xyz")
+
+    @cached_property
+    def time(self) -> Array:
+        """Times, shape (n,), seconds, in the trajectory's time base."""
+        return self._own("time")
+
+    @cached_property
+    def extra(self) -> Mapping[str, NDArray[Any]]:
+        """Attributes of the file under its own names, shape (n, ...) each."""
+        return {c.name: self._opened(c, len(self)) for c in self.manifest.attributes}
+
+    @property
+    def intensity(self) -> NDArray[Any] | None:
+        """Intensities in the file's own type, shape (n,), if it has any."""
+        return self.extra.get("intensity")
+
+    @cached_property
+    def coarse(self) -> LineSample:
+        """At most a million points of the line."""
+        intensity = None
+        if "coarse_intensity" in self._columns:
+            intensity = self._own("coarse_intensity")
+        elif self.intensity is not None:  # the same for all points
+            intensity = self.intensity[: len(self._own("coarse_row"))]
+        rows, xyz, time = (self._own(f"coarse_{name}") for name in ("row", "xyz", "time"))
+        self._require_points(xyz, time)
+        self._require_numbers_below(rows, len(self))
+        local = self._own("coarse_local")
+        # Where the trajectory is, only the placing of the points knows.
+        if not np.isfinite(local).all() or (np.abs(local) > FARTHEST).any():
+            raise self._damage_error()
+        return LineSample(rows, local, xyz, time, intensity)
+
+    def numbers(self, rows: NDArray[Any]) -> NDArray[np.int64]:
+        """Places (n,) in the line as read, in the order of the file, of points in ``rows`` (n,)."""
+        return self._values_at("number", rows)
+
+    def rows(self, numbers: NDArray[Any]) -> NDArray[np.int64]:
+        """The inverse of `numbers`."""
+        return self._values_at("row", numbers)
+
+    def _values_at(self, name: str, at: NDArray[Any]) -> NDArray[np.int64]:
+        """Rows or numbers, at others.
+
+        Raises
+        ------
+        ProjectError
+            Where one is not of this line.
+        """
+        column = self._own(name)
+        self._require_numbers_below(at, len(column))
+        found = column[at].astype(np.int64)
+        self._require_numbers_below(found, len(self))
+        return np.asarray(found)
+
+    def _require_numbers_below(self, rows: NDArray[Any], count: int) -> None:
+        if len(rows) and not (rows.min() >= 0 and rows.max() < count):
+            raise self._damage_error()
+
+    def _require_points(self, points_lidar: NDArray[Any], time: NDArray[Any]) -> None:
+        """Refuse points beyond the range in the manifest, and times outside its span.
+
+        Raises
+        ------
+        ProjectError
+        """
+        if not len(time):
+            return
+        most = self.manifest.reach * (1 + ROUNDING) + FINEST
+        early, late = self.manifest.first_time, self.manifest.last_time
+        if not (np.abs(points_lidar).max() <= most and early <= time.min() <= time.max() <= late):
+            raise self._damage_error()
+
+    def _damage_error(self) -> ProjectError:
+        return ProjectError(import_again_message(error("store.values", line=self.name)))
+
+    def indices_in_file(self, rows: NDArray[Any]) -> NDArray[np.int64]:
+        """Places of ``rows``, both (n,), in the original file, which also holds points left out."""
+        numbers = self.numbers(rows)
+        if "before" in self._columns:
+            numbers += self._own("before")[rows]
+        return numbers
+
+    @property
+    def reach(self) -> float:
+        """Of the farthest point from the scanner, metres."""
+        return self.manifest.reach
+
+    @property
+    def first_time(self) -> float:
+        """Seconds, in the trajectory's time base."""
+        return self.manifest.first_time
+
+    @property
+    def last_time(self) -> float:
+        """Seconds, in the trajectory's time base."""
+        return self.manifest.last_time
+
+    def take(self, numbers: NDArray[Any]) -> tuple[Array, Array]:
+        """Points, shape (n, 3), metres, LiDAR frame, and times, shape (n,), by their `numbers`."""
+        rows = self.rows(numbers)
+        points, time = self.points_lidar[rows], np.asarray(self.time[rows])
+        self._require_points(points, time)
+        return points.astype(np.float64), time
+
+    def intensities(self, numbers: NDArray[Any]) -> Array | None:
+        """Intensities, shape (n,), by their `numbers`, if there are any."""
+        if self.intensity is None:
+            return None
+        return self.intensity[self.rows(numbers)].astype(np.float64)
+
+    def near(self, centre: Array, radius: float, *, margin: float = 0.0, halvings: int = 0) -> Runs:
+        """Runs of rows that hold all points within a sphere, and others about it.
+
+        Parameters
+        ----------
+        centre : ndarray of shape (3,), metres, local frame
+        radius : float, metres
+        margin : float, metres
+            How far points may have moved since they were ordered, for example by another boresight.
+        halvings : int
+            Of the points: 1 gives a fair sample of half of them, 2 of a quarter, and so on.
+
+        Returns
+        -------
+        ndarray of shape (k, 2)
+            First row and the one behind the last, increasing.
+        """
+        centre = np.asarray(centre, dtype=np.float64)
+        reach = radius + margin + ROUNDING * self.manifest.reach
+        found = octave_runs_in_sphere(self._octaves, self.manifest.side, centre, float(reach))
+        if halvings:
+            every = rows_of_runs(found)
+            every = every[is_octave_in_sample(self._octaves[every], halvings)]
+            found = np.column_stack([every, every + 1])
+        return row_runs(self._starts, found)
+
+    def within(
+        self,
+        centre: Array,
+        radius: float,
+        place: Place,
+        *,
+        margin: float = 0.0,
+    ) -> tuple[NDArray[np.int64], Array]:
+        """All points within a sphere, placed anew.
+
+        Parameters
+        ----------
+        place : callable
+            Puts points into the local frame.
+        centre, radius, margin
+            See `near`.
+
+        Returns
+        -------
+        rows : ndarray of shape (n,), increasing
+        points_local : ndarray of shape (n, 3), metres, local frame
+        """
+        rows, inside, _ = self.sampled_within(centre, radius, place, margin=margin)
+        return rows, inside
+
+    def sampled_within(
+        self,
+        centre: Array,
+        radius: float,
+        place: Place,
+        *,
+        margin: float = 0.0,
+        most: int | None = None,
+    ) -> tuple[NDArray[np.int64], Array, int]:
+        """As `within`, but a fair sample where there are more points than ``most`` in the sphere.
+
+        Returns
+        -------
+        rows : ndarray of shape (n,), increasing
+        points_local : ndarray of shape (n, 3), metres, local frame
+        halvings : int
+            Of the points: the fewest that leave no more than ``most``; 0 where all of them come.
+        """
+        halvings = 0
+        while most and halvings < MOST_HALVINGS:
+            runs = self.near(centre, radius, margin=margin, halvings=halvings)
+            if (runs[:, 1] - runs[:, 0]).sum() <= CROWDED * most:
+                break
+            halvings += 1
+        rows, points = self._placed_within(centre, radius, place, margin, halvings)
+        if most is None:
+            return rows, points, halvings
+        while len(rows) > most and halvings < MOST_HALVINGS:
+            halvings += 1
+            rows, points = self._placed_within(centre, radius, place, margin, halvings)
+        while halvings > 0:
+            more = self._placed_within(centre, radius, place, margin, halvings - 1)
+            if len(more[0]) > most:
+                break
+            (rows, points), halvings = more, halvings - 1
+        return rows, points, halvings
+
+    def _placed_within(
+        self, centre: Array, radius: float, place: Place, margin: float, halvings: int
+    ) -> tuple[NDArray[np.int64], Array]:
+        """Of such a part of the points, those in the sphere."""
+        middle = np.asarray(centre, dtype=np.float64)
+        found = [(np.zeros(0, np.int64), np.zeros((0, 3)))]
+        for some in split_runs(
+            self.near(centre, radius, margin=margin, halvings=halvings), AT_ONCE
+        ):
+            points, time = (
+                gather_values(values, some) for values in (self.points_lidar, self.time)
+            )
+            self._require_points(points, time)
+            placed = place(points.astype(np.float64), time)
+            found.append(select_within_sphere(placed, some, middle, float(radius)))
+        rows = np.concatenate([rows for rows, _ in found])
+        return rows, np.concatenate([points for _, points in found])
+
+    def require_sound(self, progress: Callable[[float], None] = lambda done: None) -> None:
+        """Read all of it and compare the checksums.
+
+        Raises
+        ------
+        ProjectError
+        """
+        done = 0
+        for column in self.manifest.files:
+            path = self.folder / self.manifest.folder / column.file
+            try:
+                _require_checksum(path, column.checksum)
+            except ProjectError as failure:
+                raise self.imported_again_or(failure) from failure
+            done += column.size
+            progress(done / self.manifest.bytes)
+
+    def is_of(self, path: Path) -> bool:
+        """Whether the file at ``path`` is still the one that was imported (`OSError`)."""
+        return is_original_unchanged(self.manifest.original, path)
+
+    @cached_property
+    def _columns(self) -> Mapping[str, Any]:
+        return {column.name: column for column in self.manifest.columns}
+
+    def _own(self, name: str) -> NDArray[Any]:
+        column = self._columns[name]
+        return self._opened(column, column.count)
+
+    def _opened(self, column: StoredColumn, count: int) -> NDArray[Any]:
+        try:
+            return map_column(self.folder / self.manifest.folder, column, count)
+        except ProjectError as failure:
+            raise self.imported_again_or(failure) from failure
+
+    def imported_again_or(self, failure: ProjectError) -> ProjectError:
+        """Another error where the line was imported again since it was opened, else the same."""
+        if _is_manifest_current(self.folder, self.manifest):
+            return failure
+        return ProjectError(error("store.imported_again", line=self.name))
+
+    @cached_property
+    def _octaves(self) -> Keys:
+        octaves = np.array(self._own("octaves"))
+        if (octaves[1:] <= octaves[:-1]).any():
+            raise self._damage_error()
+        return octaves
+
+    @cached_property
+    def _starts(self) -> Keys:
+        starts = np.array(self._own("starts"))
+        sound = len(starts) == len(self._octaves) + 1 and starts[0] == 0
+        if not sound or starts[-1] != len(self) or (starts[1:] <= starts[:-1]).any():
+            raise self._damage_error()
+        return starts
+
+
+def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> StoredLine:
+    """Open an imported line: its manifest, its order, and sizes and times of its files are checked.
+
+    Where a file was written since the import, or the store was copied, all of it is read and
+    compared by its checksums.
+
+    Raises
+    ------
+    ProjectError
+        Where it is not imported, its import was interrupted, or it is damaged.
+    FileNotFoundError
+        Where a file of it vanishes meanwhile.
+    """
+    manifest = read_manifest(folder)
+    if manifest is None:
+        if is_import_running(folder):
+            raise ProjectError(error("store.being_imported", line=line))
+        if (folder / SPOOL).is_dir():
+            raise ProjectError(error("store.interrupted", line=line))
+        raise ProjectError(error("store.not_imported", line=line))
+    if manifest.line != line:
+        other = error("store.other_line", folder=str(folder), found=manifest.line, line=line)
+        raise ProjectError(import_again_message(other))
+    stored = StoredLine(folder, manifest)
+    try:
+        require_file_sizes(folder, manifest)
+        for column in manifest.columns:
+            if column.name in ("octaves", "starts"):
+                _require_checksum(folder / manifest.folder / column.file, column.checksum)
+        now = with_file_times(folder, manifest)
+        if now != manifest:
+            stored.require_sound(
+                lambda done: progress(done, gettext_lazy("Checking {line}", line=line))
+            )
+            replace_manifest(folder, manifest, now)
+    except (ProjectError, FileNotFoundError):
+        if not _is_manifest_current(folder, manifest):  # imported again between the two looks
+            return open_store(folder, line, progress=progress)
+        raise
+    return stored
+
+
+def _is_manifest_current(folder: Path, manifest: Manifest) -> bool:
+    """Whether a manifest read earlier still names the valid columns."""
+    try:
+        now = read_manifest(folder)
+    except ProjectError:
+        return True
+    return now is None or now.folder == manifest.folder
+
+
+def _require_checksum(path: Path, checksum: int) -> None:
+    try:
+        sound = file_checksum(path) == checksum
+    except OSError as failure:
+        reason = system_reason(failure)
+        raise ProjectError(
+            error("store.part_not_readable", file=str(path), reason=reason)
+        ) from failure
+    if not sound:
+        raise ProjectError(import_again_message(error("store.part_changed", file=str(path))))

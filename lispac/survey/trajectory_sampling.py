@@ -1,0 +1,105 @@
+"""Check whether the states of a trajectory are dense enough for its motion."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.messages import Level, Message
+from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
+from lispac.warning_causes import Cause
+
+Array = NDArray[np.float64]
+
+ALLOWED = 0.1
+"""Share of the given accuracy that the error of the interpolation may reach."""
+WINDOW = 0.25
+"""Seconds over which errors of one sign add up; waves are longer, vibration is shorter."""
+QUANTILE = 0.95
+"""Of the points of a line, for the error that is reported."""
+
+
+def interpolation_error(trajectory: LocalTrajectory) -> Array:
+    """Error bound of the interpolation between the states, shape (n - 1, 6).
+
+    Between two states dt apart it is at most ``dt^2 / 8`` times the second derivative (de Boor
+    2001, I), which the second differences of the states give. The error of states that were
+    inserted from velocities and angular rates is added.
+
+    Parameters
+    ----------
+    trajectory : LocalTrajectory
+
+    Returns
+    -------
+    ndarray of shape (n - 1, 6), metres and radians
+    """
+    states = np.hstack([trajectory.position, trajectory.attitude])
+    from scipy.ndimage import uniform_filter1d  # only where a survey is loaded
+
+    steps = np.diff(trajectory.time)
+    slopes = np.diff(states, axis=0) / steps[:, None]
+    curvature = np.diff(slopes, axis=0) / (0.5 * (steps[:-1] + steps[1:]))[:, None]
+    # Noise of single states and vibration change their sign from state to state and average out
+    # over a target; what stays over the window is the error of the motion.
+    width = max(1, round(WINDOW / float(np.median(steps))))
+    smooth = uniform_filter1d(curvature, width, axis=0, mode="nearest")
+    ends = np.abs(np.vstack([smooth[:1], smooth, smooth[-1:]]))
+    straight = 0.5 * (ends[:-1] + ends[1:]) * steps[:, None] ** 2 / 8
+    return np.asarray(
+        straight if trajectory.curve_error is None else straight + trajectory.curve_error
+    )
+
+
+def interpolation_messages(
+    trajectory: LocalTrajectory,
+    accuracy: TrajectoryAccuracy,
+    times: Mapping[str, Array],
+) -> tuple[Message, ...]:
+    """Messages about lines during which the states are too far apart for the motion.
+
+    Parameters
+    ----------
+    times : mapping of str to ndarray of shape (n,), seconds
+        Of some points of each line, by its name: intervals without points do not count.
+    """
+    if len(trajectory.time) < 3:
+        return ()
+    errors = interpolation_error(trajectory)
+    middle = 0.5 * (trajectory.time[:-1] + trajectory.time[1:])
+    steps = np.diff(trajectory.time)
+    found = []
+    for name, own in times.items():
+        own = own[(own >= trajectory.time[0]) & (own < trajectory.time[-1])]
+        of_line = np.searchsorted(trajectory.time, own, side="right") - 1  # an interval a point
+        bridged = steps[of_line] <= trajectory.longest_gap
+        own, of_line = own[bridged], of_line[bridged]
+        if len(of_line) < 2:
+            continue
+        # The bound is met in the middle of an interval; at a state there is no error.
+        u = (own - trajectory.time[of_line]) / steps[of_line]
+        error = np.quantile(errors[of_line] * (4 * u * (1 - u))[:, None], QUANTILE, axis=0)
+        position_sigma, attitude_sigma = (
+            values.mean(axis=0) for values in accuracy.at(middle[of_line])
+        )
+        position, turn = float(error[:3].max()), float(error[3:].max())
+        share = max(
+            float(np.max(error[:3] / np.maximum(position_sigma, 1e-6))),
+            float(np.max(error[3:] / np.maximum(attitude_sigma, 1e-9))),
+        )
+        if share > ALLOWED:
+            found.append(
+                Message(
+                    "trajectory.rate_too_low",
+                    Level.WARNING,
+                    {
+                        "line": name,
+                        "rate": 1.0 / (trajectory.parts * float(np.median(steps[of_line]))),
+                        "shift": position,
+                        "turn": turn,
+                        "share": share,
+                    },
+                    Cause.of_line(name),
+                )
+            )
+    return tuple(found)

@@ -1,0 +1,204 @@
+"""Shift of one line against another around a seed, with a wrong boresight.
+
+The same target stands elsewhere in each line. What surrounds it has moved along with it, so the
+translation that aligns one line's surroundings with the other's gives the place.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from lispac.geometry.radius_search import cell_keys, finite_bounds
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+# Coarse to fine: side of a voxel at each level, metres; the kernel reaches two voxels.
+LEVELS = (0.2, 0.1, 0.05)
+# Candidates carried from one level to the next, and how different they must be, in voxels.
+CARRIED = 24
+APART = 1.5
+
+
+@dataclass(frozen=True, eq=False)
+class CloudShift:
+    """A translation and how well it lays one cloud on the other.
+
+    Attributes
+    ----------
+    vector : ndarray of shape (3,), metres, local frame
+        To be added to the first cloud's points.
+    score : float, in [0, 1]
+        Weighted share of the first cloud's points that meet the second.
+    """
+
+    vector: Array
+    score: float
+
+
+def find_shifts(
+    first: Array, weights: Array, second: Array, most: float, *, prefer_small: float = 0.02
+) -> list[CloudShift]:
+    """Translations that lay the first cloud onto the second, the best first.
+
+    All translations up to ``most`` along each axis are tried on coarse voxels; the best of them
+    are refined on finer ones.
+
+    Parameters
+    ----------
+    first : ndarray of shape (n, 3), metres, local frame
+    weights : ndarray of shape (n,)
+    second : ndarray of shape (m, 3), metres, local frame
+        Must reach farther than the first by ``most`` on every side.
+    most : float, metres
+    prefer_small : float
+        What a translation of one metre costs of the score. Along a wall nothing else decides.
+
+    Returns
+    -------
+    list of Shift
+        Distinct ones; empty when nothing meets.
+    """
+    origin = first.mean(axis=0)
+    first, second = first - origin, second - origin
+    steps = int(np.ceil(most / LEVELS[0]))
+    axis = np.arange(-steps, steps + 1) * LEVELS[0]
+    tried: Array = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).reshape(-1, 3)
+    tried = tried[np.linalg.norm(tried, axis=1) <= most + 0.5 * LEVELS[0]]
+    found: list[CloudShift] = []
+    for level, voxel in enumerate(LEVELS):
+        if level > 0:
+            around = np.stack(np.meshgrid(*[[-voxel, 0.0, voxel]] * 3, indexing="ij"), axis=-1)
+            tried = np.concatenate([s.vector + around.reshape(-1, 3) for s in found])
+            steps_tried = np.unique(np.round(tried / voxel).astype(np.int64), axis=0)
+            tried = np.asarray(steps_tried * voxel, dtype=np.float64)
+        scores = _shift_scores(first, weights, second, tried, voxel)
+        scores -= prefer_small * np.linalg.norm(tried, axis=1)
+        found = _distinct_best_shifts(
+            tried, scores, APART * voxel if level < 2 else 2.0 * LEVELS[0]
+        )
+        if not found:
+            return []
+    return found
+
+
+def rate_shifts(
+    first: Array, weights: Array, second: Array, vectors: Array, *, prefer_small: float = 0.02
+) -> list[CloudShift]:
+    """Given translations with their scores, as `find_shifts` rates the ones it finds.
+
+    Parameters
+    ----------
+    first, second : ndarrays of shape (n, 3) and (m, 3), metres, local frame
+    weights : ndarray of shape (n,)
+    vectors : ndarray of shape (k, 3), metres, local frame
+    """
+    if len(vectors) == 0:
+        return []
+    origin = first.mean(axis=0)
+    scores = _shift_scores(first - origin, weights, second - origin, vectors, LEVELS[-1])
+    scores -= prefer_small * np.linalg.norm(vectors, axis=1)
+    return [CloudShift(vector, float(score)) for vector, score in zip(vectors, scores, strict=True)]
+
+
+def _shift_scores(first: Array, weights: Array, second: Array, tried: Array, voxel: float) -> Array:
+    (own, own_high), (other, other_high), (step, step_high) = map(
+        finite_bounds, (first, second, tried)
+    )
+    low = np.minimum(own + step, other) - 3.0 * voxel
+    high = np.maximum(own_high + step_high, other_high) + 3.0 * voxel
+    shape = np.ceil((high - low) / voxel).astype(np.int64) + 1
+    field = _closeness_field(second, low, voxel, shape)
+    heap, mass = _voxel_means(first, weights, voxel)
+    return _mean_closeness(field, (heap - low) / voxel, mass / mass.sum(), tried / voxel)
+
+
+def voxel_numbers(points: Array, voxel: float) -> Indices:
+    """The voxel of each point (n, 3), local frame, as one number.
+
+    The raster stays where the points move.
+    """
+    return cell_keys(points, voxel * np.floor(finite_bounds(points)[0] / voxel), voxel)[0]
+
+
+def _voxel_means(points: Array, weights: Array, voxel: float) -> tuple[Array, Array]:
+    """One mean point per voxel, with its largest weight: dense parts do not outvote sparse ones."""
+    _, group, count = np.unique(
+        voxel_numbers(points, voxel), return_inverse=True, return_counts=True
+    )
+    mean = np.stack([np.bincount(group, points[:, k]) / count for k in range(3)], axis=1)
+    mass = np.bincount(group, weights) / count
+    return mean, mass
+
+
+def _distinct_best_shifts(tried: Array, scores: Array, apart: float) -> list[CloudShift]:
+    kept: list[CloudShift] = []
+    free = scores > 0.0
+    for i in np.argsort(-scores, kind="stable"):
+        if scores[i] <= 0.0 or len(kept) == CARRIED:
+            break
+        if free[i]:
+            kept.append(CloudShift(tried[i], float(scores[i])))
+            free &= ((tried - tried[i]) ** 2).sum(axis=1) > apart * apart
+    return kept
+
+
+@njit(nogil=True, cache=True)
+def _closeness_field(
+    points: Array, low: Array, voxel: float, shape: Indices
+) -> NDArray[np.float32]:  # pragma: no cover - compiled
+    """Closeness to the nearest filled voxel: 1 inside, falling to 0 two voxels away."""
+    field = np.zeros((shape[0], shape[1], shape[2]), np.float32)
+    kernel = np.empty((5, 5, 5), np.float32)
+    for i in range(5):
+        for j in range(5):
+            for k in range(5):
+                squared = (i - 2) ** 2 + (j - 2) ** 2 + (k - 2) ** 2
+                kernel[i, j, k] = max(0.0, 1.0 - squared / 6.25)
+    for n in range(points.shape[0]):
+        x = int((points[n, 0] - low[0]) / voxel)
+        y = int((points[n, 1] - low[1]) / voxel)
+        z = int((points[n, 2] - low[2]) / voxel)
+        if field[x, y, z] == 1.0:
+            continue
+        for i in range(5):
+            for j in range(5):
+                for k in range(5):
+                    value = kernel[i, j, k]
+                    if value > field[x + i - 2, y + j - 2, z + k - 2]:
+                        field[x + i - 2, y + j - 2, z + k - 2] = value
+    return field
+
+
+@njit(nogil=True, cache=True)
+def _mean_closeness(
+    field: NDArray[np.float32], places: Array, mass: Array, steps: Array
+) -> Array:  # pragma: no cover - compiled
+    """Mass-weighted closeness at the places moved by each of the steps, both in voxels.
+
+    Most steps are whole: then where the places lie is worked out once, and moving them is an
+    addition of whole numbers, which takes a third of the time.
+    """
+    flat = field.reshape(-1)
+    scores = np.zeros(steps.shape[0])
+    at = np.empty(places.shape[0], np.int64)
+    rest, last = np.empty(3), np.full(3, -1.0)
+    for t in range(steps.shape[0]):
+        moved = 0
+        for k in range(3):
+            whole = np.floor(steps[t, k] + 1e-6)
+            rest[k] = steps[t, k] - whole
+            moved = moved * field.shape[k] + int(whole)
+        if np.abs(rest - last).max() > 1e-6:
+            last[:] = rest
+            for n in range(places.shape[0]):
+                at[n] = 0
+                for k in range(3):
+                    at[n] = at[n] * field.shape[k] + int(places[n, k] + rest[k])
+        total = 0.0
+        for n in range(places.shape[0]):
+            total += mass[n] * flat[at[n] + moved]
+        scores[t] = total
+    return scores

@@ -1,0 +1,150 @@
+"""Sections: a thin strip of all lines, laid flat at true scale.
+
+Where lines disagree is seen nowhere better: across a board each line draws its own stroke, and the
+strokes stand apart, or lean, as the lines do.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.geometry.planes import fit_plane
+from lispac.messages import error
+from lispac.survey.cloud import Cloud
+
+Array = NDArray[np.float64]
+UP = np.array([0.0, 0.0, 1.0])
+
+LEVEL = np.cos(np.radians(80.0))
+"""Horizontal part of a normal below which its direction is undefined: the target lies flat."""
+
+
+@dataclass(frozen=True, eq=False)
+class Section:
+    """A box of which a thin side is examined.
+
+    Attributes
+    ----------
+    centre : ndarray of shape (3,), metres, local frame
+    right, up : ndarray of shape (3,), unit vectors, local frame
+        Axes of the picture.
+    width, height : metres, of the picture
+    thickness : metres, across the picture
+    """
+
+    centre: Array
+    right: Array
+    up: Array
+    width: float
+    height: float
+    thickness: float
+
+    @property
+    def across(self) -> Array:
+        """Unit vector across the picture, shape (3,)."""
+        return np.asarray(np.cross(self.right, self.up))
+
+    def flat(self, points: Array) -> Array:
+        """Coordinates in the picture of those points that lie in the strip.
+
+        Parameters
+        ----------
+        points : ndarray of shape (n, 3), metres, local frame
+
+        Returns
+        -------
+        ndarray of shape (m, 2), metres, to the right and upwards of the centre
+        """
+        seen = (points - self.centre) @ np.column_stack([self.right, self.up, self.across])
+        half = 0.5 * np.array([self.width, self.height, self.thickness])
+        inside = np.all(np.abs(seen) <= half, axis=1)
+        return np.asarray(seen[inside, :2])
+
+    def cut(self, cloud: Cloud) -> Array:
+        """`flat` of a line, shape (k, 2), of which only the surroundings are read."""
+        pieces = max(1, round(self.width / max(self.height, self.thickness)))
+        step = self.width / pieces
+        radius = 0.5 * float(np.linalg.norm([step, self.height, self.thickness])) * 1.001
+        found = []
+        for k in range(pieces):
+            offset = (k + 0.5) * step - 0.5 * self.width
+            points = cloud.within(self.centre + offset * self.right, radius).points
+            # The last piece keeps its far end, so that no point counts twice and none is lost.
+            along = (points - self.centre) @ self.right - offset
+            own = (along >= -0.5 * step) & ((along < 0.5 * step) | (k == pieces - 1))
+            found.append(self.flat(points[own]))
+        return np.concatenate(found)
+
+
+def common_normal(groups: Iterable[Array]) -> Array:
+    """The direction several groups of points (n, 3) face, each by itself; a unit vector (3,).
+
+    All in the local frame. Lines that are apart would give the plane through all their points
+    another direction.
+    """
+    normals = np.array([fit_plane(points).normal for points in groups])
+    _, axes = np.linalg.eigh(normals.T @ normals)
+    return np.asarray(axes[:, 2])
+
+
+def section_across_target(
+    centre: Array,
+    normal: Array,
+    eye: Array,
+    *,
+    level: bool = False,
+    size: float = 2.0,
+    thickness: float = 0.2,
+) -> Section:
+    """The strip square to a target, through its middle.
+
+    Parameters
+    ----------
+    centre : ndarray of shape (3,), metres, local frame
+    normal : ndarray of shape (3,), unit vector, local frame
+    eye : ndarray of shape (3,), metres, local frame
+        From where the target was scanned: that side is on the left, and below in a level section.
+    level : bool
+        Lay the strip level and look down on it, instead of upright and look along the target.
+    size : float, metres
+        Of the picture, each way.
+    thickness : float, metres
+    """
+    ahead = np.array([normal[0], normal[1], 0.0])
+    away = np.array([*(centre - eye)[:2], 0.0])
+    if np.linalg.norm(ahead) < LEVEL:
+        ahead = away if np.linalg.norm(away) > 0 else np.array([1.0, 0.0, 0.0])
+    ahead = ahead / np.linalg.norm(ahead)
+    if ahead @ away < 0:
+        ahead = -ahead
+    if level:
+        return Section(centre, np.cross(ahead, UP), ahead, size, size, thickness)
+    return Section(centre, ahead, UP, size, size, thickness)
+
+
+def section_between(
+    first: Array, second: Array, *, height: float | None = None, thickness: float = 0.2
+) -> Section:
+    """The upright strip from one point to another.
+
+    Parameters
+    ----------
+    first, second : ndarray of shape (3,), metres, local frame
+    height : float, metres, optional
+        Of the picture; as high as it is long, and at least 2 m, where it is not given.
+    thickness : float, metres
+
+    Raises
+    ------
+    InputError
+        Where the points lie above each other.
+    """
+    way = np.array([*(second - first)[:2], 0.0])
+    length = float(np.linalg.norm(way))
+    if length < 0.01:
+        raise InputError(error("target.section_vertical"))
+    high = max(length, 2.0) if height is None else height
+    return Section(0.5 * (first + second), way / length, UP, length, high, thickness)

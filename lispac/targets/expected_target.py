@@ -1,0 +1,75 @@
+"""Expected target of the surveyor, compared with the plane found."""
+
+from dataclasses import dataclass
+from math import radians
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.messages import Message, error, note
+
+Array = NDArray[np.float64]
+
+# The outline is true to about one spacing of the points on each side.
+TOLERANCE, SHARE = 0.10, 0.08
+# The prior boresight may be off by two degrees on each axis.
+TILT = radians(5.0)
+
+
+@dataclass(frozen=True)
+class ExpectedTarget:
+    """Size and inclination of a target.
+
+    Attributes
+    ----------
+    width, height : float, metres
+        Level, and up the slope.
+    inclination : float, radians, optional
+        From level: 0 lies flat, pi/2 stands upright.
+    """
+
+    width: float
+    height: float
+    inclination: float | None = None
+
+    def __post_init__(self) -> None:
+        if not (0.0 < self.width < np.inf and 0.0 < self.height < np.inf):
+            raise InputError(error("finder.expected_size"))
+        if self.inclination is not None and not 0.0 <= self.inclination <= np.pi / 2:
+            raise InputError(error("finder.expected_tilt"))
+
+
+def plane_inclination(normal: Array) -> float:
+    """Angle of a plane from level by its normal, shape (3,), radians in [0, pi/2]."""
+    return float(np.arctan2(np.hypot(normal[0], normal[1]), abs(normal[2])))
+
+
+def deviations_from_expected(
+    expected: ExpectedTarget, extent: Array, normal: Array
+) -> tuple[Message, ...]:
+    """How a plane differs from what is expected; empty where it agrees.
+
+    Parameters
+    ----------
+    extent : ndarray of shape (2,), metres
+        Width (level) and height (up the slope).
+    normal : ndarray of shape (3,), local frame
+    """
+    found = []
+    sides = (
+        ("quality.wider", "quality.narrower", expected.width, float(extent[0])),
+        ("quality.higher", "quality.lower", expected.height, float(extent[1])),
+    )
+    for more, less, wanted, size in sides:
+        off = size - wanted
+        if abs(off) > max(TOLERANCE, SHARE * wanted):
+            code = more if off > 0 else less
+            found.append(note(code, size=size, off=abs(off), expected=wanted))
+    if expected.inclination is not None:
+        tilt = plane_inclination(normal)
+        off = tilt - expected.inclination
+        if abs(off) > TILT:
+            code = "quality.steeper" if off > 0 else "quality.less_steep"
+            found.append(note(code, tilt=tilt, off=abs(off), expected=expected.inclination))
+    return tuple(found)

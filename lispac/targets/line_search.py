@@ -1,0 +1,348 @@
+"""Search in every line from one seed, for any shape of target.
+
+The boresight is not yet known, so the target stands up to a metre and more from the seed in the
+other lines. A reference is found in one line; for each other line the translation that lays the
+reference's surroundings onto that line's predicts where the target is. What is sought there, and
+how it is compared with the reference, is the shape's own affair.
+"""
+
+import os
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import TargetNotFound
+from lispac.geometry.radius_search import PointGrid, nearest_point, points_within
+from lispac.language import gettext_lazy
+from lispac.messages import Message, as_message, error
+from lispac.progress import Progress
+from lispac.targets.cloud_shift import CloudShift, find_shifts, voxel_numbers
+from lispac.targets.finder_settings import FinderSettings
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Patch = TypeVar("Patch")
+
+# Weight of the patch in the translation of the line; its surroundings have the rest.
+PATCH_SHARE = 0.5
+# A seed this near to a point of a line, metres, was taken from that line: coordinates are often
+# written with three decimals.
+CLICK = 0.002
+# Translations tested, and the score difference of another patch below which it is ambiguous.
+CANDIDATES, DOUBT = 6, 0.97
+# A match that scores less than this share of its translation is little like the reference.
+ALIKE = 0.9
+
+
+@dataclass(frozen=True)
+class ShapeSearch(Generic[Patch]):
+    """Functions and messages of a shape for the search.
+
+    Attributes
+    ----------
+    no_line : str
+        Code of the message that there is no line.
+    in_no_line : str
+        Code of the message that no line has the target, with the reason in the nearest line.
+    error : type of TargetNotFound
+    find : callable of a line's name
+        The patch at the seed; raises TargetNotFound.
+    distance : callable of a line's name and its patch
+        From the seed, metres.
+    follow : callable of a line's name and its patch
+        What finds that patch again in another line, given by its name; it raises TargetNotFound.
+    """
+
+    no_line: str
+    in_no_line: str
+    error: type[TargetNotFound]
+    find: Callable[[str], Patch]
+    distance: Callable[[str, Patch], float]
+    follow: Callable[[str, Patch], Callable[[str], Patch]]
+
+
+@dataclass(frozen=True, eq=False)
+class WeightedSurroundings:
+    """Points around a patch, with weights for the search of the shift.
+
+    Attributes
+    ----------
+    points : ndarray of shape (n, 3), metres, local frame
+    weights : ndarray of shape (n,)
+    """
+
+    points: Array
+    weights: Array
+
+
+def search_target_in_lines(
+    clouds: Mapping[str, Array],
+    grids: Mapping[str, PointGrid],
+    seed: Array,
+    shape: ShapeSearch[Patch],
+    first_line: str | None,
+    progress: Progress,
+) -> tuple[dict[str, Patch], dict[str, Message]]:
+    """The target under the seed in every line, and why it is missing in the others.
+
+    Parameters
+    ----------
+    seed : ndarray of shape (3,), metres, local frame
+
+    Raises
+    ------
+    TargetNotFound
+        The shape's own error: the line clicked has no such target at the seed, or no line has.
+    """
+    if first_line is not None:
+        if first_line not in clouds:
+            raise shape.error(error("finder.unknown_line", line=first_line))
+        return _search_from_reference(clouds, first_line, shape.find(first_line), shape, progress)
+    patches, reasons = _search_each_line(clouds, shape.find)
+    if not patches:
+        # The reason in the nearest line only: a list of all of them helps nobody.
+        if not clouds:
+            raise shape.error(error(shape.no_line))
+        nearest_line = min(clouds, key=lambda name: nearest_point(clouds[name], seed)[1])
+        raise shape.error(
+            error(shape.in_no_line, line=nearest_line, reason=reasons[nearest_line].reason)
+        )
+    clicked = _clicked_line(clouds, grids, seed)
+    if clicked in patches:
+        nearest = [clicked]
+    else:
+        nearest = sorted(patches, key=lambda name: shape.distance(name, patches[name]))
+    best: tuple[dict[str, Patch], dict[str, Message]] | None = None
+    for name in nearest[:3]:
+        both = _search_from_reference(clouds, name, patches[name], shape, progress)
+        if best is None or len(both[0]) > len(best[0]):
+            best = both
+        if not both[1]:
+            break
+    assert best is not None
+    return best
+
+
+def indices_near(cloud: Array, grid: PointGrid | None, centre: Array, radius: float) -> Indices:
+    """Indices of a line's points within a sphere, by its cells where it has them.
+
+    Parameters
+    ----------
+    cloud : ndarray of shape (n, 3), metres, local frame
+    centre : ndarray of shape (3,), metres, local frame
+    radius : float, metres
+
+    Returns
+    -------
+    ndarray of shape (k,), int
+    """
+    return points_within(cloud, centre, radius) if grid is None else grid.within(centre, radius)
+
+
+def surroundings_of_patch(
+    cloud: Array,
+    grid: PointGrid | None,
+    patch: Indices,
+    centre: Array,
+    seed: Array,
+    settings: FinderSettings,
+) -> WeightedSurroundings:
+    """What surrounds a patch out to the search radius.
+
+    Parameters
+    ----------
+    cloud : ndarray of shape (n, 3), metres, local frame
+    patch : ndarray of shape (k,), int
+        Its indices.
+    centre, seed : ndarray of shape (3,), metres, local frame
+    """
+    around = indices_near(cloud, grid, seed, settings.radius)
+    on_patch = np.isin(around, patch, assume_unique=True)
+    # Near the patch the surroundings have moved as it has; farther off a little differently.
+    distance = np.linalg.norm(cloud[around] - centre, axis=1)
+    weights = 1.0 / (1.0 + (distance / (0.5 * settings.radius)) ** 2)
+    beside = ~on_patch
+    if beside.any() and on_patch.any():
+        # Weights by voxel, as in the comparison, or a dense patch would dominate.
+        ratio = _count_filled_voxels(cloud[around[on_patch]]) / max(
+            1, _count_filled_voxels(cloud[around[beside]])
+        )
+        weights[beside] *= ratio * (1.0 - PATCH_SHARE) / PATCH_SHARE / weights[beside].mean()
+        weights[on_patch] = 1.0
+    return WeightedSurroundings(cloud[around], weights)
+
+
+def find_shifts_into_line(
+    cloud: Array,
+    grid: PointGrid | None,
+    reference: WeightedSurroundings,
+    seed: Array,
+    settings: FinderSettings,
+) -> list[CloudShift]:
+    """The best translations that lay the reference's surroundings onto another line's, in order.
+
+    Parameters
+    ----------
+    cloud : ndarray of shape (n, 3), metres, local frame
+    seed : ndarray of shape (3,), metres, local frame
+
+    Raises
+    ------
+    TargetNotFound
+        There are none.
+    """
+    reach = settings.radius + settings.max_shift
+    around = cloud[indices_near(cloud, grid, seed, reach)]
+    if len(around) < settings.min_points:
+        raise TargetNotFound(
+            error("finder.line_few_points", count=len(around), radius=reach)
+            if len(around)
+            else error("finder.line_no_points", radius=reach)
+        )
+    shifts = find_shifts(reference.points, reference.weights, around, settings.max_shift)
+    if not shifts:
+        raise TargetNotFound(error("finder.not_alike"))
+    return shifts[:CANDIDATES]
+
+
+def best_match(
+    shifts: list[CloudShift],
+    match: Callable[[CloudShift], tuple[Patch, float]],
+    contradiction: Callable[[Patch, Patch], Message | str | None],
+    further: Callable[[], list[CloudShift]] = list,
+    closer: Callable[[list[CloudShift]], list[float]] | None = None,
+    same: Callable[[Patch, Patch], bool] = lambda best, other: False,
+) -> Patch:
+    """The patch that matches the reference best, of those at the most likely translations.
+
+    Parameters
+    ----------
+    shifts : list of CloudShift, the best first
+    match : callable of a CloudShift
+        The patch there and its score, no higher than the translation's; raises TargetNotFound.
+    contradiction : callable of the best patch and another
+        The message where these cannot both be meant, else None.
+    further : callable
+        More translations, the best first, for where these lead to nothing like the reference.
+    closer : callable of translations, optional
+        Scores by a closer look, where several matches are about equally good.
+    same : callable of the best patch and another
+        Whether these are one and the same, so that nothing is to be decided.
+
+    Raises
+    ------
+    TargetNotFound
+        There is none at any, or two contradict each other.
+    """
+    refused: list[TargetNotFound] = []
+    matches = _match_shifts(shifts, match, refused)
+    if max((score for _, score, _ in matches), default=0.0) < ALIKE * shifts[0].score:
+        matches += _match_shifts(further(), match, refused)
+    if not matches:
+        raise TargetNotFound(refused[0].reason)
+    matches = _rivals_of_best(matches)
+    if closer is not None and not all(same(matches[0][0], other) for other, _, _ in matches[1:]):
+        scores = closer([shift for _, _, shift in matches])
+        matches = _rivals_of_best([
+            (patch, score * closely / shift.score, shift)
+            for (patch, score, shift), closely in zip(matches, scores, strict=True)
+        ])  # fmt: skip
+    best = matches[0][0]
+    for other, _, _ in matches[1:]:
+        message = contradiction(best, other)
+        if message is not None:
+            raise TargetNotFound(message)
+    return best
+
+
+def _rivals_of_best(
+    matches: list[tuple[Patch, float, CloudShift]],
+) -> list[tuple[Patch, float, CloudShift]]:
+    """Those that could be meant as well as the best, this first."""
+    ranked = sorted(matches, key=lambda scored: -scored[1])
+    return [scored for scored in ranked if scored[1] > DOUBT * ranked[0][1]]
+
+
+def _match_shifts(
+    shifts: list[CloudShift],
+    match: Callable[[CloudShift], tuple[Patch, float]],
+    refused: list[TargetNotFound],
+) -> list[tuple[Patch, float, CloudShift]]:
+    found: list[tuple[Patch, float, CloudShift]] = []
+    for shift in shifts:
+        if found and shift.score < DOUBT * max(score for _, score, _ in found):
+            break  # a match never scores above its translation: no better one can follow
+        try:
+            found.append((*match(shift), shift))
+        except TargetNotFound as reason:
+            refused.append(reason)
+    return found
+
+
+def _search_each_line(
+    clouds: Mapping[str, Array],
+    look: Callable[[str], Patch],
+    done: Callable[[int, str], None] = lambda count, name: None,
+) -> tuple[dict[str, Patch], dict[str, TargetNotFound]]:
+    """What ``look`` finds in each line, and why it does not in others, on all cores."""
+    found: dict[str, Patch] = {}
+    missing: dict[str, TargetNotFound] = {}
+
+    def attempt(name: str) -> Patch | TargetNotFound:
+        try:
+            return look(name)
+        except TargetNotFound as reason:
+            return reason
+
+    pool = ThreadPoolExecutor(max(1, min(os.cpu_count() or 1, len(clouds))))
+    try:
+        answers = pool.map(attempt, clouds)
+        for count, (name, answer) in enumerate(zip(clouds, answers, strict=True), start=1):
+            if isinstance(answer, TargetNotFound):
+                missing[name] = answer
+            else:
+                found[name] = answer
+            done(count, name)
+    finally:  # cancelled from inside progress: what has not begun need not begin
+        pool.shutdown(cancel_futures=True)
+    return found, missing
+
+
+def _search_from_reference(
+    clouds: Mapping[str, Array],
+    first_line: str,
+    first: Patch,
+    shape: ShapeSearch[Patch],
+    progress: Progress,
+) -> tuple[dict[str, Patch], dict[str, Message]]:
+    again = shape.follow(first_line, first)
+    found, missing = _search_each_line(
+        clouds,
+        lambda name: first if name == first_line else again(name),
+        lambda count, name: progress(
+            count / len(clouds),
+            gettext_lazy("Search for the target in {line} finished", line=name),
+        ),
+    )
+    return found, {name: as_message(reason.reason) for name, reason in missing.items()}
+
+
+def _clicked_line(
+    clouds: Mapping[str, Array], grids: Mapping[str, PointGrid], seed: Array
+) -> str | None:
+    """The line with the point nearest to the seed, where that is as near as a click."""
+    nearest: tuple[float, str] | None = None
+    for name, cloud in clouds.items():
+        at_seed = indices_near(cloud, grids.get(name), seed, CLICK)
+        if len(at_seed):
+            off = float(np.linalg.norm(cloud[at_seed] - seed, axis=1).min())
+            nearest = min(nearest, (off, name)) if nearest else (off, name)
+    return nearest[1] if nearest else None
+
+
+def _count_filled_voxels(points: Array) -> int:
+    return len(np.unique(voxel_numbers(points, 0.1)))

@@ -1,0 +1,122 @@
+"""Share of its target that a sighting shows, compared with the other lines.
+
+A post that hides half of a board leaves a patch with an outline of its own, whole and well covered.
+Only the other lines show that there is more.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.planes import fit_plane, plane_axes
+from lispac.messages import Message, note
+
+Array = NDArray[np.float64]
+
+WHOLE = 1.5
+"""Times the search radius: a plane with a larger extent is cut by the radius, here and there."""
+HIDDEN = (0.7, 0.5)
+"""Share of the extent on other lines: doubtful below the first, poor below the second, as where
+points are missing inside the outline."""
+VOTES = 3
+"""Other lines from which one alone that shows far more than all of them is not believed."""
+
+
+@dataclass(frozen=True, eq=False)
+class ObservedExtent:
+    """Extent of a target in one line, compared with the other lines.
+
+    Attributes
+    ----------
+    size, elsewhere : ndarray of shape (2,), metres
+        Width (level) and height (up the slope), here and on the other lines.
+    share : float, in [0, 1]
+        Of what the other lines show.
+    alone : bool
+        Whether it shows far more than any of several other lines.
+    """
+
+    size: Array
+    elsewhere: Array
+    share: float
+    alone: bool
+
+    @property
+    def message(self) -> Message:
+        """The reason where it shows too little, or more than is believed."""
+        width, height = (
+            (float(here), float(there))
+            for here, there in zip(self.size, self.elsewhere, strict=True)
+        )
+        sides = []
+        if self.alone:
+            if width[0] > width[1]:
+                sides.append(note("quality.width_alone", here=width[0], there=width[1]))
+            if height[0] > height[1]:
+                sides.append(note("quality.height_alone", here=height[0], there=height[1]))
+            return note("quality.shows_more", sides=sides)
+        if width[0] < 0.9 * width[1]:
+            sides.append(note("quality.width_of", here=width[0], there=width[1]))
+        if height[0] < 0.9 * height[1]:
+            sides.append(note("quality.height_of", here=height[0], there=height[1]))
+        return note("quality.shows_less", share=self.share, sides=sides)
+
+
+def does_plane_end_within(radius: float, extents: Sequence[Array]) -> bool:
+    """Whether a plane ends within the search radius, by its extents on the lines, in metres."""
+    return max(float(extent.max()) for extent in extents) < WHOLE * radius
+
+
+def compare_observed_extents(
+    sightings: Sequence[Array], believed: Sequence[bool], apart: float
+) -> tuple[ObservedExtent | None, ...]:
+    """Compare what each line shows of a plane with what the others do.
+
+    Parameters
+    ----------
+    sightings : sequence of ndarray of shape (n, 3), metres
+        Points of the plane on each line, in lines that nearly meet.
+    believed : sequence of bool
+        Which of them the others are compared with.
+    apart : float, metres
+        How far one line may still lie beside another.
+
+    Returns
+    -------
+    tuple of Shown or None
+        None where there is no other line to compare with.
+
+    Raises
+    ------
+    PlaneNotFound
+        Where the points of one line form no plane.
+    """
+    normals = np.stack([fit_plane(points).normal for points in sightings])
+    normals *= np.where(normals @ normals[0] < 0.0, -1.0, 1.0)[:, None]
+    normal = normals.mean(axis=0)
+    axes = plane_axes(normal / np.linalg.norm(normal))
+    placed = [points @ axes.T for points in sightings]
+    low = np.stack([points.min(axis=0) for points in placed])
+    high = np.stack([points.max(axis=0) for points in placed])
+    size = high - low
+    found: list[ObservedExtent | None] = []
+    for k in range(len(placed)):
+        others = np.flatnonzero([j != k and used for j, used in enumerate(believed)])
+        if not len(others):
+            found.append(None)
+            continue
+        areas = size[others].prod(axis=1)
+        most = float(areas.max())
+        alone = len(others) >= VOTES and most < HIDDEN[0] * float(size[k].prod())
+        without = np.delete(others, areas.argmax())
+        if len(others) >= VOTES and float(size[without].prod(axis=1).max()) < HIDDEN[0] * most:
+            others = without
+        # Each line may have seen another part of it; where they do not quite meet, together they
+        # seem to show more than there is.
+        together = high[others].max(axis=0) - low[others].min(axis=0) - 2.0 * apart
+        elsewhere = np.maximum(size[others].max(axis=0), together)
+        share = np.minimum(size[k] / np.maximum(elsewhere, 1e-9), 1.0).prod()
+        found.append(ObservedExtent(size[k], elsewhere, float(share), alone))
+    return tuple(found)

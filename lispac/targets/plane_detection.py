@@ -1,0 +1,202 @@
+"""Automatic detection of planes, followed through every line.
+
+Flat patches are detected in every line, what several lines show at about the same place is one
+surface, and each surface goes the way of a clicked seed: `find_in_lines` from a point in its
+middle.
+"""
+
+import os
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import TargetNotFound
+from lispac.language import gettext_lazy
+from lispac.messages import Message
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.targets.flat_patches import FlatPatch, find_flat_patches, voxel_side
+from lispac.targets.plane_finder import FinderSettings, PlanePatch
+from lispac.targets.planes_across_lines import find_in_lines
+
+Array = NDArray[np.float64]
+
+Found = tuple[Mapping[str, PlanePatch], Mapping[str, Message]]
+Find = Callable[[Array, str, Progress], Found]
+
+
+class IndexedPoints(Protocol):
+    """Points by their index: an array, or a line on disk."""
+
+    def __getitem__(self, indices: NDArray[np.int64], /) -> Array: ...
+
+
+# Side of the voxels of the first look, metres: a board of half a metre still has 25 of them.
+VOXEL = 0.1
+# Smallest area (square metres) and mean width (metres) of a candidate: posts and rails
+# are narrow strips.
+LEAST_AREA, LEAST_WIDTH = 0.4, 0.3
+# Surfaces followed through the lines. A smeared or rough one comes in pieces, other ones in each
+# line: pieces of what has been followed already do not count.
+MOST = 12
+# Larger planes are cut at the search radius all alike: their area beyond counts no more.
+LARGE_AREA = 12.0
+# Share of points in common from which two found planes are one.
+SHARED = 0.2
+
+
+@dataclass(frozen=True, eq=False)
+class DetectedPlane:
+    """A plane that several lines show.
+
+    Attributes
+    ----------
+    seed : ndarray of shape (3,), metres, local
+    line : str
+        In which the seed is a point.
+    area : float, square metres
+        Of the whole surface there, beyond the search radius too.
+    found : mapping of line name to PlanePatch
+    missing : mapping of line name to Message
+        Why it was not found in a line.
+    """
+
+    seed: Array
+    line: str
+    area: float
+    found: Mapping[str, PlanePatch]
+    missing: Mapping[str, Message]
+
+    @property
+    def centre(self) -> Array:
+        """Mean of the sightings' centres, shape (3,), metres, local frame."""
+        return np.asarray(np.mean([patch.centre for patch in self.found.values()], axis=0))
+
+
+def detect_planes(
+    clouds: Mapping[str, Array],
+    settings: FinderSettings,
+    *,
+    lines: Mapping[str, IndexedPoints] | None = None,
+    find: Find | None = None,
+    most: int = MOST,
+    progress: Progress = no_progress,
+) -> tuple[DetectedPlane, ...]:
+    """Planes that two lines or more show, those on the most lines first.
+
+    Parameters
+    ----------
+    clouds : mapping of line name to ndarray of shape (n, 3), metres, one local frame
+        Placed with the prior boresight; of lines on disk, a sample.
+    settings : FinderSettings
+    lines : mapping of line name to points by their index, optional
+        What the indices of the planes mean; ``clouds`` where not given.
+    find : callable, optional
+        Searches for the plane at a seed, shape (3,), in all lines, in the named one first;
+        `find_in_lines` in ``clouds`` where not given.
+    most : int
+        Surfaces to follow through the lines.
+    """
+    lines = clouds if lines is None else lines
+    find = find or (
+        lambda seed, line, step: find_in_lines(
+            clouds, seed, settings, first_line=line, progress=step
+        )
+    )
+    voxel = voxel_side(settings.threshold, VOXEL)
+    progress(0.0, gettext_lazy("Detecting planes in every line"))
+    with ThreadPoolExecutor(max(1, min(os.cpu_count() or 1, len(clouds)))) as pool:
+        looked = pool.map(
+            lambda cloud: find_flat_patches(cloud, settings.threshold, voxel=voxel).patches,
+            clouds.values(),
+        )
+        patches = {
+            name: [patch for patch in found if _worth_following(patch)]
+            for name, found in zip(clouds, looked, strict=True)
+        }
+    detected: list[DetectedPlane] = []
+    surfaces = _distinct_surfaces(patches, settings)
+    followed, most = 0, min(most, len(surfaces))
+    for line, patch in surfaces:
+        if followed == most:
+            break
+        # The middle of a surface may be a hole; a point of it is not.
+        seed = patch.points[np.argmin(np.linalg.norm(patch.points - patch.centre, axis=1))]
+        if any(
+            _plane_contains_seed(plane, lines[line], line, seed, settings) for plane in detected
+        ):
+            continue
+        step = sub_progress(
+            progress, 0.4 + 0.6 * followed / most, 0.4 + 0.6 * (followed + 1) / most
+        )
+        followed += 1
+        try:
+            found, missing = find(seed, line, step)
+        except TargetNotFound:
+            continue
+        if len(found) >= 2 and not any(_are_planes_equal(plane.found, found) for plane in detected):
+            detected.append(DetectedPlane(seed, line, patch.area, found, missing))
+    progress(1.0)
+    return tuple(sorted(detected, key=lambda plane: (-len(plane.found), -plane.area)))
+
+
+def _worth_following(patch: FlatPatch) -> bool:
+    return patch.area >= LEAST_AREA and patch.area / patch.extent.max() >= LEAST_WIDTH
+
+
+def _distinct_surfaces(
+    patches: Mapping[str, list[FlatPatch]], settings: FinderSettings
+) -> list[tuple[str, FlatPatch]]:
+    """One patch of each surface: those that most lines show first, then the larger ones."""
+    every = [(line, patch) for line, own in patches.items() for patch in own]
+    shown = []
+    for _, patch in every:
+        alike = {
+            line
+            for line, other in every
+            if np.linalg.norm(other.centre - patch.centre) <= settings.max_shift
+            and other.plane.tilt_to(patch.plane) <= settings.max_tilt
+            and 0.3 <= other.area / patch.area <= 3.0
+        }
+        shown.append(len(alike))
+    order = sorted(range(len(every)), key=lambda k: (-shown[k], -min(every[k][1].area, LARGE_AREA)))
+    kept: list[tuple[str, FlatPatch]] = []
+    for k in order:
+        line, patch = every[k]
+        if not any(_are_likely_one_surface(patch, other, line == of) for of, other in kept):
+            kept.append((line, patch))
+    return kept
+
+
+def _are_likely_one_surface(patch: FlatPatch, other: FlatPatch, same_line: bool) -> bool:
+    """Whether two patches are likely to be one surface, the lines a metre apart."""
+    if same_line:
+        return patch is other
+    apart = float(np.linalg.norm(patch.centre - other.centre))
+    # Three degrees of tilt and a metre of shift between lines are usual.
+    return (
+        apart <= max(1.2, 0.25 * float(other.extent.max()))
+        and 0.4 <= patch.area / other.area <= 2.5
+        and np.degrees(patch.plane.tilt_to(other.plane)) <= 8.0
+    )
+
+
+def _plane_contains_seed(
+    plane: DetectedPlane, points: IndexedPoints, line: str, seed: Array, settings: FinderSettings
+) -> bool:
+    patch = plane.found.get(line)
+    if patch is None or abs(float(patch.plane.distances(seed))) > settings.threshold:
+        return False
+    return float(np.linalg.norm(points[patch.indices] - seed, axis=1).min()) < VOXEL
+
+
+def _are_planes_equal(first: Mapping[str, PlanePatch], second: Mapping[str, PlanePatch]) -> bool:
+    shared = [
+        np.isin(second[line].indices, first[line].indices, assume_unique=True).mean()
+        for line in first
+        if line in second
+    ]
+    return bool(shared) and float(np.median(shared)) >= SHARED

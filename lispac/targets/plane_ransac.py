@@ -1,0 +1,163 @@
+"""Planes drawn through neighbouring points and judged by votes (RANSAC with local sampling)."""
+
+from math import radians
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from lispac.geometry.planes import Plane
+from lispac.targets.finder_settings import FinderSettings
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+# Hypotheses are judged on at most this many points.
+SAMPLE = 4000
+# A batch of hypotheses, after which the stop criterion is examined, and the most batches.
+BATCH, MOST_BATCHES = 128, 12
+# The widest triangle, as a share of the search radius, from which a hypothesis is drawn.
+LOCAL = 0.5
+# Points beside the plane, up to so many thresholds off, speak against it: a plane that cuts across
+# other surfaces has them on both sides, a surface of its own does not.
+BESIDE, AGAINST = 3.0, 0.3
+# How much a hypothesis may lean from the expected normal before it counts half, radians.
+LEAN = radians(10.0)
+# Hypotheses to grow: how many, how good relative to the best by votes, and how much they must
+# differ in tilt (radians).
+CONTENDERS, WORTH, APART = 6, 0.7, radians(2.0)
+
+
+def draw_planes(
+    points: Array,
+    votes: Array,
+    settings: FinderSettings,
+    expected_normal: Array | None,
+    through: Array | None,
+) -> list[Plane]:
+    """The best planes through three neighbouring points (Fischler and Bolles 1981), by votes.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), metres, local frame
+    votes : ndarray of shape (n,)
+        Weight of each point.
+    expected_normal : ndarray of shape (3,), local frame, or None
+        Only planes within ``settings.max_tilt`` of this normal are taken.
+    through : ndarray of shape (3,), metres, local frame, or None
+        A point that the plane must hold.
+    """
+    rng = np.random.default_rng(settings.seed)
+    step = max(1, len(points) // SAMPLE)
+    sample, weights = points[::step], votes[::step]
+    chance = np.cumsum(weights / weights.sum())
+    normal = np.zeros(3) if expected_normal is None else np.asarray(expected_normal, np.float64)
+    most = settings.max_tilt if expected_normal is not None else -1.0
+    held = np.full(3, np.nan) if through is None else through
+    hypotheses = np.empty((0, 6))
+    for batch in range(1, MOST_BATCHES + 1):
+        first = np.minimum(np.searchsorted(chance, rng.random(BATCH)), len(sample) - 1)
+        # From the spacing of points up to the size of a board: small faces need small triangles,
+        # noisy ones wide triangles, and which it is nobody knows beforehand.
+        reach = settings.radius * LOCAL * 2.0 ** -rng.uniform(0.0, 4.0, BATCH)
+        picks = rng.random((BATCH, 2))
+        drawn = _score_triangles(
+            sample, weights, first, reach, picks, settings.threshold, normal, most, held
+        )
+        scored = drawn[drawn[:, 0] > 0.0]
+        hypotheses = np.concatenate([hypotheses, scored])
+        if len(hypotheses) == 0:
+            continue
+        share = float(hypotheses[np.argmax(hypotheses[:, 0]), 1])
+        if (1.0 - share**3) ** (batch * BATCH) <= 1.0 - settings.stop:
+            break
+    return _distinct_best_planes(hypotheses, settings.threshold)
+
+
+def _distinct_best_planes(hypotheses: Array, threshold: float) -> list[Plane]:
+    """The best hypotheses that differ and are nearly as good as the very best."""
+    kept: list[Plane] = []
+    if len(hypotheses) == 0:
+        return kept
+    ranked = hypotheses[np.argsort(-hypotheses[:, 0], kind="stable")]
+    for row in ranked[ranked[:, 0] >= WORTH * ranked[0, 0]]:
+        plane = Plane(row[2:5].copy(), float(row[5]))
+        if all(
+            plane.tilt_to(other) > APART
+            or abs(plane.facing(other.normal).d - other.d) > 0.5 * threshold
+            for other in kept
+        ):
+            kept.append(plane)
+            if len(kept) == CONTENDERS:
+                break
+    return kept
+
+
+@njit(nogil=True, cache=True)
+def _score_triangles(
+    points: Array,
+    weights: Array,
+    first: Indices,
+    reach: Array,
+    picks: Array,
+    threshold: float,
+    expected: Array,
+    max_tilt: float,
+    through: Array,
+) -> Array:  # pragma: no cover - compiled
+    """Score, share of the votes, normal and d of each triangle; zeros for a useless one."""
+    n = points.shape[0]
+    judged = np.zeros((first.size, 6))
+    near = np.empty(n, np.int64)
+    limit = threshold * threshold
+    beside = (BESIDE * threshold) ** 2
+    total = weights.sum()
+    for trial in range(first.size):
+        a = points[first[trial]]
+        count = 0
+        for i in range(n):
+            dx = points[i, 0] - a[0]
+            dy = points[i, 1] - a[1]
+            dz = points[i, 2] - a[2]
+            if i != first[trial] and dx * dx + dy * dy + dz * dz <= reach[trial] ** 2:
+                near[count] = i
+                count += 1
+        if count < 2:
+            continue
+        b = points[near[int(picks[trial, 0] * count)]]
+        c = points[near[int(picks[trial, 1] * count)]]
+        u = b - a
+        v = c - a
+        w = c - b
+        normal = np.cross(u, v)
+        twice_area = np.sqrt((normal * normal).sum())
+        longest = max((u * u).sum(), (v * v).sum(), (w * w).sum())
+        # A sliver does not determine the plane across its length.
+        if longest == 0.0 or twice_area < 0.2 * longest:
+            continue
+        normal /= twice_area
+        trust = 1.0
+        if max_tilt > 0.0:
+            tilt = np.arccos(min(1.0, abs((normal * expected).sum())))
+            if tilt > max_tilt:
+                continue
+            trust = 1.0 / (1.0 + (tilt / LEAN) ** 2)
+        d = -(normal * a).sum()
+        if abs((normal * through).sum() + d) > threshold:  # never for a missing one, a NaN
+            continue
+        score = 0.0
+        share = 0.0
+        for i in range(n):
+            off = points[i, 0] * normal[0] + points[i, 1] * normal[1] + points[i, 2] * normal[2] + d
+            if off * off <= limit:
+                # MSAC (Torr and Zisserman 2000) with a sharper peak, as in `_robust_plane`.
+                score += weights[i] * (1.0 - off * off / limit) ** 2
+                share += weights[i]
+            elif off * off <= beside:
+                score -= weights[i] * AGAINST
+        score *= trust
+        judged[trial, 0] = score
+        judged[trial, 1] = share / total
+        judged[trial, 2:5] = normal
+        judged[trial, 5] = d
+    return judged

@@ -1,0 +1,329 @@
+"""Test whether the surfaces found in several lines are the same target.
+
+The lines are placed with a boresight of known uncertainty. It allows a target a certain change of
+inclination and position from one line to another; a surface that differs by more is another one
+(congruence test of two epochs: Pelzer 1971).
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from itertools import combinations
+from math import radians, sqrt
+from statistics import NormalDist
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.planes import plane_axes
+from lispac.messages import Message, note
+from lispac.survey.cloud import Cloud
+from lispac.targets import outline
+from lispac.targets.boresight_smear import PRIOR_OFF
+from lispac.targets.occlusion import does_plane_end_within
+from lispac.targets.plane_finder import PlanePatch
+from lispac.targets.sphere_finder import SpherePatch
+
+Array = NDArray[np.float64]
+
+SIGNIFICANCE = 1e-3
+"""Of the tests: the chance that one rejects a sighting of the same surface."""
+EFFECTIVE_POINTS = 4
+"""Independent points of a sighting: the scatter of its points about the plane is form error and
+POS error, which neighbouring points share. Lines show different parts of a tarpaulin."""
+MOST_POINTS = 500
+"""Points of a sighting that take part in the tests."""
+TURN = radians(0.01)
+"""Step of the numerical derivatives with respect to the boresight angles."""
+LEAST_OVERLAP = 0.5
+"""Share of a sighting's points that must lie within the outline of the other, or the other way
+round."""
+SAME_SIZE = 0.8
+"""Ratio of the sides from which two outlines count as complete views of one surface."""
+BOARD = 2.0
+"""Search radius for boards, metres."""
+SPHERE_CENTRE = 0.5
+"""Standard deviation of a sphere's centre from one line, in radii: a line sees part of it only."""
+
+Patch = TypeVar("Patch", bound=PlanePatch | SpherePatch)
+
+
+@dataclass(frozen=True)
+class PlacementAccuracy:
+    """Standard deviations of how lines are placed relative to each other.
+
+    Attributes
+    ----------
+    boresight : float, radians
+        Of each boresight angle.
+    offset : float, metres
+        Distance between the surfaces of two lines for other reasons (POS).
+    """
+
+    boresight: float = PRIOR_OFF
+    offset: float = 0.05
+
+
+PRIOR_ACCURACY = PlacementAccuracy()
+"""Of lines placed with a prior boresight that nothing has confirmed."""
+
+
+def split_by_agreement(
+    found: Mapping[str, Patch],
+    clouds: Mapping[str, Cloud],
+    accuracy: PlacementAccuracy,
+    radius: float,
+    first_line: str | None,
+) -> tuple[dict[str, Patch], dict[str, Message]]:
+    """Sightings that agree on one surface, and why the others are rejected.
+
+    Every two sightings are compared. Where some disagree, the one that disagrees with most others
+    is rejected, and so on. Planes are compared by inclination and offset; then by their outlines,
+    which must overlap and, where two lines show all of the target, lie at the same place.
+
+    Parameters
+    ----------
+    found : mapping of line name to PlanePatch or SpherePatch
+        Their indices are those of the lines.
+    clouds : mapping of line name to Cloud
+    accuracy : PlacementAccuracy
+        Of these lines.
+    radius : float, metres
+        Search radius. Planes that it cuts, and large ones, are not compared by their outlines:
+        lines may show different parts of a deck or a wall.
+    first_line : str or None
+        The line that was clicked, if it is known. Its sighting is never rejected.
+
+    Returns
+    -------
+    kept : dict of line name to PlanePatch or SpherePatch
+    rejected : dict of line name to Message
+        The reasons.
+    """
+    seen = {name: _SightingSample.of(found[name], clouds[name]) for name in found}
+    rejected: dict[str, Message] = {}
+
+    def reject(disagreement: "Disagreement") -> None:
+        left = {name: seen[name] for name in seen if name not in rejected}
+        rejected.update(_reject_outvoted(left, disagreement, first_line))
+
+    reject(lambda first, second: _surface_disagreement(first, second, accuracy))
+    planes = {
+        name: each
+        for name, each in seen.items()
+        if name not in rejected and isinstance(each.patch, PlanePatch)
+    }
+    extents = [each.extent for each in planes.values()]
+    if len(planes) > 1 and does_plane_end_within(min(radius, BOARD), extents):
+        rejected |= _reject_separate_planes(planes, accuracy, first_line)
+        largest = np.max([planes[n].extent for n in planes if n not in rejected], axis=0)
+        reject(lambda first, second: _position_disagreement(first, second, accuracy, largest))
+    return {name: patch for name, patch in found.items() if name not in rejected}, rejected
+
+
+def _reject_outvoted(
+    seen: Mapping[str, "_SightingSample"], disagreement: "Disagreement", first_line: str | None
+) -> dict[str, Message]:
+    """Reject sightings until all others agree; reasons of the rejected ones."""
+    reasons: dict[str, dict[str, Message]] = {name: {} for name in seen}
+    for first, second in combinations(seen, 2):
+        reason = disagreement(seen[first], seen[second])
+        if reason is not None:
+            reasons[first][second] = reasons[second][first] = reason
+    rejected: dict[str, Message] = {}
+    while any(reasons.values()):
+        suspects = [name for name in reasons if name != first_line and reasons[name]]
+        # The later one of two that disagree with equally many.
+        worst = max(reversed(suspects), key=lambda name: len(reasons[name]))
+        others = reasons.pop(worst)
+        rejected[worst] = others.get(first_line or "", next(iter(others.values())))
+        for name in others:
+            del reasons[name][worst]
+    return rejected
+
+
+def _reject_separate_planes(
+    planes: Mapping[str, "_SightingSample"], accuracy: PlacementAccuracy, first_line: str | None
+) -> dict[str, Message]:
+    """Planes whose outlines do not overlap those of the target, directly or by another line.
+
+    A post may hide one half of a board from one line and the other half from the next.
+    """
+    overlaps = {
+        frozenset((a, b)): _outline_overlap(planes[a], planes[b], accuracy)
+        for a, b in combinations(planes, 2)
+    }
+    groups: list[set[str]] = []
+    for name in planes:
+        joined = [
+            group
+            for group in groups
+            if any(overlaps[frozenset((name, other))] >= LEAST_OVERLAP for other in group)
+        ]
+        groups = [group for group in groups if group not in joined]
+        groups.append({name}.union(*joined))
+    target = next(
+        (group for group in groups if first_line in group),
+        max(sorted(groups, key=lambda group: min(map(list(planes).index, group))), key=len),
+    )
+    rejected = {}
+    for name in planes:
+        if name not in target:
+            share = max(overlaps[frozenset((name, other))] for other in target)
+            rejected[name] = note("agreement.no_overlap", share=share)
+    return rejected
+
+
+@dataclass(frozen=True, eq=False)
+class _SightingSample:
+    """A patch and some of its points.
+
+    ``points`` has shape (n, 3), ``moves`` shape (3, n, 3): how the points move as each boresight
+    angle turns, metres per radian.
+    """
+
+    patch: PlanePatch | SpherePatch
+    points: Array
+    moves: Array
+
+    @property
+    def extent(self) -> Array:
+        """Width and height of a plane, shape (2,), metres."""
+        assert isinstance(self.patch, PlanePatch)
+        return self.patch.extent
+
+    @classmethod
+    def of(cls, patch: PlanePatch | SpherePatch, cloud: Cloud) -> "_SightingSample":
+        indices = patch.indices[:: 1 + len(patch.indices) // MOST_POINTS]
+        mounting = cloud.place.mounting
+        points = cloud[indices]
+        turned = [
+            cloud.placed_with(mounting.with_boresight(mounting.boresight + TURN * axis))[indices]
+            for axis in np.eye(3)
+        ]
+        return cls(patch, points, np.stack([(each - points) / TURN for each in turned]))
+
+
+def _surface_disagreement(
+    reference: _SightingSample, other: _SightingSample, accuracy: PlacementAccuracy
+) -> Message | None:
+    """Reason why two sightings are of different surfaces, whatever their outlines."""
+    first, second = reference.patch, other.patch
+    if isinstance(first, PlanePatch) and isinstance(second, PlanePatch):
+        return _plane_disagreement(reference, other, first, second, accuracy)
+    if isinstance(first, SpherePatch) and isinstance(second, SpherePatch):
+        centre_sigma = SPHERE_CENTRE * max(first.sphere.radius, second.sphere.radius)
+        allowed = _allowed_shift(reference, other, accuracy, centre_sigma)
+        apart = float(np.linalg.norm(second.centre - first.centre))
+        if apart > allowed:
+            return note("agreement.sphere_apart", distance=apart, limit=allowed)
+    return None
+
+
+def _plane_disagreement(
+    reference: _SightingSample,
+    other: _SightingSample,
+    plane: PlanePatch,
+    patch: PlanePatch,
+    accuracy: PlacementAccuracy,
+) -> Message | None:
+    """Test inclination and offset along the normal (chi-square, three degrees of freedom)."""
+    from scipy.special import chdtri
+
+    normal = plane.plane.normal
+    axes = np.vstack([plane_axes(normal), normal])
+    middle = other.points.mean(axis=0)
+    # Height over the reference plane as a plane of its own: h = slope_u u + slope_v v + offset.
+    own = axes @ patch.plane.facing(normal).normal
+    offset = float(plane.plane.distances(middle))
+    turned = _plane_derivatives(other, axes, middle) - _plane_derivatives(reference, axes, middle)
+    covariance = accuracy.boresight**2 * turned @ turned.T
+    for each, rms in ((reference, plane.rms), (other, patch.rms)):
+        covariance += _plane_covariance(each, axes, middle, rms)
+    covariance[2, 2] += accuracy.offset**2
+    statistic = np.inf
+    if own[2] > 0.0:
+        deviation = np.array([-own[0] / own[2], -own[1] / own[2], offset])
+        statistic = float(deviation @ np.linalg.solve(covariance, deviation))
+    if statistic <= chdtri(3, SIGNIFICANCE):
+        return None
+    tilt = patch.plane.tilt_to(plane.plane)
+    return note("agreement.other_plane", tilt=tilt, offset=abs(offset))
+
+
+def _position_disagreement(
+    reference: _SightingSample, other: _SightingSample, accuracy: PlacementAccuracy, largest: Array
+) -> Message | None:
+    """Test the position along the surface, where both lines show all of it."""
+    if any((each.extent < SAME_SIZE * largest).any() for each in (reference, other)):
+        return None
+    first, second = _in_plane_coordinates(reference, other)
+    # Each may lack another edge of the target, as far as both count as complete.
+    lacking = (1.0 - SAME_SIZE) * float(np.linalg.norm(largest))
+    allowed = _allowed_shift(reference, other, accuracy, 0.0) + lacking
+    middles = [(each.min(axis=0) + each.max(axis=0)) / 2.0 for each in (first, second)]
+    apart = float(np.linalg.norm(middles[1] - middles[0]))
+    if apart <= allowed:
+        return None
+    return note("agreement.plane_beside", distance=apart, limit=allowed)
+
+
+def _outline_overlap(
+    reference: _SightingSample, other: _SightingSample, accuracy: PlacementAccuracy
+) -> float:
+    """Share of one outline that the other covers, within the accuracy; of either, the larger."""
+    first, second = _in_plane_coordinates(reference, other)
+    cell = max(
+        _allowed_shift(reference, other, accuracy, 0.0) / 2.0,
+        *(outline.outline_cell_size(each, np.ones(len(each))) for each in (first, second)),
+    )
+    return max(
+        float(outline.is_covered(first, second, cell).mean()),
+        float(outline.is_covered(second, first, cell).mean()),
+    )
+
+
+def _in_plane_coordinates(
+    reference: _SightingSample, other: _SightingSample
+) -> tuple[Array, Array]:
+    """Both sightings in the plane of the first, shapes (n, 2) and (m, 2), metres."""
+    assert isinstance(reference.patch, PlanePatch)
+    axes = plane_axes(reference.patch.plane.normal)
+    return reference.points @ axes.T, other.points @ axes.T
+
+
+def _allowed_shift(
+    reference: _SightingSample, other: _SightingSample, accuracy: PlacementAccuracy, further: float
+) -> float:
+    """Largest distance between two sightings of one target, metres.
+
+    ``further`` is the standard deviation of each sighting's own place, metres.
+    """
+    middles = [each.moves.mean(axis=1) for each in (reference, other)]
+    by_boresight = accuracy.boresight * float(np.linalg.norm(middles[1] - middles[0]))
+    sigmas = -NormalDist().inv_cdf(SIGNIFICANCE / 2.0)
+    return sigmas * sqrt(by_boresight**2 + accuracy.offset**2 + 2.0 * further**2)
+
+
+def _plane_derivatives(sighting: _SightingSample, axes: Array, middle: Array) -> Array:
+    """Change of slopes and offset at ``middle`` for each boresight angle, shape (3, 3)."""
+    design = _design_matrix(sighting.points, axes, middle)
+    moves = (sighting.moves @ axes[2]).T
+    solved, *_ = np.linalg.lstsq(design, moves, rcond=1e-6)
+    return np.asarray(solved)
+
+
+def _plane_covariance(sighting: _SightingSample, axes: Array, middle: Array, rms: float) -> Array:
+    """Covariance of slopes and offset at ``middle`` of a fitted plane, shape (3, 3)."""
+    design = _design_matrix(sighting.points, axes, middle)
+    normal = design.T @ design / len(design)
+    return np.asarray(rms**2 / EFFECTIVE_POINTS * np.linalg.pinv(normal, rcond=1e-12))
+
+
+def _design_matrix(points: Array, axes: Array, middle: Array) -> Array:
+    placed = (points - middle) @ axes[:2].T
+    return np.column_stack([placed, np.ones(len(points))])
+
+
+Disagreement = Callable[[_SightingSample, _SightingSample], Message | None]
+"""Why two sightings cannot be of one target, or None where they can."""

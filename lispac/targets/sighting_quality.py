@@ -1,0 +1,354 @@
+"""Quality of one sighting: a traffic light and its reasons."""
+
+from dataclasses import dataclass, replace
+from statistics import NormalDist
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.geometry.planes import Plane, extent_in_plane, plane_axes, rms_distance
+from lispac.geometry.spheres import Sphere, rms_from_sphere, seen_surface_share
+from lispac.messages import Level, Message, Value, note
+from lispac.targets import outline
+from lispac.targets.boresight_smear import PRIOR_OFF, beam_intersections, remove_smear
+from lispac.targets.occlusion import HIDDEN, ObservedExtent
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Light = Literal["good", "doubtful", "poor"]
+
+# Each pair: doubtful beyond the first, poor beyond the second.
+# Below, outliers and chance in the outline dominate the plane.
+FEW_POINTS = (200, 50)
+# Times the noise: with noise alone the RMS is one, and mixed pixels add a tenth.
+ROUGH = (2.0, 3.0)
+# Of the threshold that points were found with. Spread evenly up to it they have an RMS of 0.58 of
+# it, and more of the surface lies beyond: what is rough already is poor then.
+FILLED = 0.5
+# Degrees: the footprint of the beam grows with the tangent, four times at 75.
+OBLIQUE_DEG = (65.0, 75.0)
+# Share of the outline: with half of it missing, tilts hang on the parts that are left.
+SPARSE = (0.7, 0.5)
+# Times the noise by which the surface departs from flat: what one point can no longer hide, and
+# what moves the plane by more than its own points' noise. A bend is counted by its sagitta,
+# ripples by their RMS: a sagitta of three noises has an RMS of one, but ripples average out.
+CURVED, UNEVEN = (1.0, 3.0), (1.0, 1.5)
+# Chance at which a departure counts as there, and as beyond a limit.
+CERTAIN = 1e-3
+SIGMAS = -NormalDist().inv_cdf(CERTAIN)
+# Share of a sphere's surface; a full view shows half of it.
+LITTLE_SEEN = (0.2, 0.12)
+
+
+@dataclass(frozen=True, eq=False)
+class SightingQuality:
+    """Quality of one sighting (a target on a line).
+
+    Attributes
+    ----------
+    points : int
+    rms : float, metres
+        Of the points to the plane or sphere.
+    range : float, metres
+        Median, from the scanner.
+    density : float or None, points per square metre
+    incidence : float or None, radians
+        Median angle between beam and normal; None where the scanner's place is not known.
+    extent : ndarray of shape (2,) or None, metres
+        Width (level) and height (up the slope).
+    coverage : float
+        Share of the outline's cells that hold points; of a sphere, share of its surface seen.
+    curvature : float or None, metres
+        Sagitta of the surface over its extent, along the direction in which it bends most.
+    curved : bool
+        Whether the bend is more than chance.
+    unevenness : float or None, metres
+        RMS by which the surface departs from its smooth shape, noise taken off.
+    smear : float or None, metres
+        RMS of what an error of the boresight can explain; it is taken off before RMS, curvature and
+        unevenness are judged. None where the boresight is an estimated one.
+    share_shown : float or None, in [0, 1]
+        Of what the other lines show of it; None where that cannot be compared.
+    flatness : "good", "doubtful" or "poor"
+        What RMS, curvature and unevenness alone give.
+    light : "good", "doubtful" or "poor"
+    reasons : tuple of Message
+        Why it is not good, the worst first.
+    """
+
+    points: int
+    rms: float
+    range: float
+    density: float | None
+    incidence: float | None
+    extent: Array | None
+    coverage: float
+    curvature: float | None
+    curved: bool
+    unevenness: float | None
+    light: Light
+    reasons: tuple[Message, ...]
+    smear: float | None = None
+    share_shown: float | None = None
+    flatness: Light = "good"
+
+
+def add_remarks(quality: SightingQuality, remarks: tuple[Message, ...]) -> SightingQuality:
+    """Quality with further remarks; at least doubtful if there are any."""
+    if not remarks:
+        return quality
+    light: Light = "doubtful" if quality.light == "good" else quality.light
+    return replace(quality, light=light, reasons=(*quality.reasons, *remarks))
+
+
+def undetermined_quality(points: int, rms: float, reason: Message) -> SightingQuality:
+    """The quality of points that form no plane or sphere; ``rms`` in metres."""
+    return SightingQuality(
+        points,
+        rms,
+        0.0,
+        None,
+        None,
+        None,
+        0.0,
+        None,
+        False,
+        None,
+        "poor",
+        (reason,),
+        flatness="poor",
+    )
+
+
+def plane_quality(
+    points_lidar: Array,
+    points_local: Array,
+    indices: Indices,
+    plane: Plane,
+    noise: float,
+    *,
+    scanner_local: Array | None = None,
+    turns_local: Array | None = None,
+    boresight_off: float = PRIOR_OFF,
+    threshold: float | None = None,
+    shown: ObservedExtent | None = None,
+) -> SightingQuality:
+    """Judge a plane as one line saw it.
+
+    Parameters
+    ----------
+    points_lidar, points_local : ndarray of shape (n, 3), metres
+        Of the line, LiDAR frame and local frame.
+    indices : ndarray of shape (m,)
+        The sighting's points.
+    plane : Plane, local frame
+    noise : float, metres
+        Of a point across the plane.
+    scanner_local : ndarray of shape (3,) or (m, 3), metres, optional
+        Where the scanner was when it measured the sighting's points.
+    turns_local : ndarray of shape (3, m, 3), metres per radian, optional
+        How the sighting's points move as roll, pitch and yaw of the boresight change. Given where
+        the boresight is not estimated yet: what its error can explain does not count then.
+    boresight_off : float, radians
+        Sigma of that error in each angle.
+    threshold : float, metres, optional
+        Farthest from the plane that points were searched for.
+    shown : ObservedExtent, optional
+        What the other lines show of the same plane, where it ends within the search radius.
+    """
+    points = points_local[indices]
+    ranges = np.linalg.norm(points_lidar[indices], axis=1)
+    off = plane.distances(points)
+    placed = (points - points.mean(axis=0)) @ plane_axes(plane.normal).T
+    cell = _coverage_cell_size(placed)
+    area = outline.filled_area(placed, cell)
+    coverage = _outline_coverage(placed, cell)
+    beams = None if scanner_local is None else points - scanner_local
+    own = off
+    if turns_local is not None:
+        met, turns = points, turns_local
+        if beams is not None:
+            met, turns = beam_intersections(points, turns_local, off, beams, plane.normal)
+        met_placed = (met - points.mean(axis=0)) @ plane_axes(plane.normal).T
+        moves = (turns @ plane.normal).T
+        own = remove_smear(met_placed, off, moves, noise, boresight_off)
+    sagitta, doubt, curved, uneven = _form_error(placed, own, cell)
+    incidence = None
+    if beams is not None:
+        cosines = np.abs(beams @ plane.normal) / np.linalg.norm(beams, axis=1)
+        incidence = float(np.median(np.arccos(np.minimum(cosines, 1.0))))
+    rms = rms_distance(plane, points)
+    rms_own = float(np.sqrt(np.mean(own**2)))
+    flat = _grade_roughness(rms, rms_own, noise, threshold)
+    if curved:
+        flat += _grade_by_limits(
+            (sagitta - SIGMAS * doubt) / noise, CURVED, note("quality.curved", sagitta=sagitta)
+        )
+    flat += _grade_by_limits(uneven / noise, UNEVEN, note("quality.uneven", rms=uneven))
+    found = _grade_point_count(len(points))
+    if incidence is not None:
+        degrees = float(np.degrees(incidence))
+        found += _grade_by_limits(degrees, OBLIQUE_DEG, note("quality.oblique", angle=incidence))
+    found += _grade_by_limits(
+        -coverage, (-SPARSE[0], -SPARSE[1]), note("quality.sparse", share=coverage)
+    )
+    found += _grade_occlusion(shown) + flat
+    light, reasons = _traffic_light(found)
+    return SightingQuality(
+        len(points), rms, float(np.median(ranges)), len(points) / area, incidence,
+        extent_in_plane(plane, points), coverage, sagitta, curved, uneven, light, reasons,
+        None if turns_local is None else float(np.sqrt(np.mean((off - own) ** 2))),
+        None if shown is None else shown.share, _traffic_light(flat)[0],
+    )  # fmt: skip
+
+
+def sphere_quality(
+    points_lidar: Array, points_local: Array, indices: Indices, sphere: Sphere, noise: float
+) -> SightingQuality:
+    """Judge a sphere as one line saw it; the parameters are those of `plane_quality`."""
+    points = points_local[indices]
+    share = seen_surface_share(sphere, points)
+    rms = rms_from_sphere(sphere, points)
+    flat = _grade_roughness(rms, rms, noise, None)
+    found = _grade_point_count(len(points)) + flat
+    found += _grade_by_limits(
+        -share, (-LITTLE_SEEN[0], -LITTLE_SEEN[1]), note("quality.sphere_part", share=share)
+    )
+    light, reasons = _traffic_light(found)
+    ranges = np.linalg.norm(points_lidar[indices], axis=1)
+    return SightingQuality(
+        len(points), rms, float(np.median(ranges)), None, None, None, share, None, False, None,
+        light, reasons, flatness=_traffic_light(flat)[0],
+    )  # fmt: skip
+
+
+Graded = tuple[int, Message]
+"""A reason with its severity: 1 doubtful, 2 poor."""
+
+
+def _grade_point_count(points: int) -> list[Graded]:
+    return _grade_by_limits(
+        -points, (-FEW_POINTS[0], -FEW_POINTS[1]), note("quality.few_points", count=points)
+    )
+
+
+def _grade_roughness(rms: float, own: float, noise: float, threshold: float | None) -> list[Graded]:
+    """By the RMS without what the boresight can explain; the RMS named is that of the points."""
+    ratio, without = rms / noise, own / noise
+    is_filled = threshold is not None and own > FILLED * threshold
+    if round(ratio, 1) == round(without, 1):
+        code = "quality.rough_beyond_threshold" if is_filled else "quality.rough"
+    else:
+        code = "quality.rough_without_prior"
+        if is_filled:
+            code = "quality.rough_without_prior_beyond_threshold"
+    params: dict[str, Value] = {"rms": rms, "ratio": ratio, "without": without}
+    if threshold is not None:
+        params["threshold"] = threshold
+    limits = (ROUGH[0], ROUGH[0]) if is_filled else ROUGH
+    return _grade_by_limits(without, limits, Message(code, Level.NOTE, params))
+
+
+def _grade_occlusion(shown: ObservedExtent | None) -> list[Graded]:
+    if shown is None:
+        return []
+    if shown.alone:
+        return [(1, shown.message)]
+    return _grade_by_limits(-shown.share, (-HIDDEN[0], -HIDDEN[1]), shown.message)
+
+
+def _grade_by_limits(value: float, limits: tuple[float, float], reason: Message) -> list[Graded]:
+    """The reason with its grade where a value is beyond the first limit, else nothing."""
+    grade = int(value > limits[0]) + int(value > limits[1])
+    return [(grade, reason)] if grade else []
+
+
+def _traffic_light(found: list[Graded]) -> tuple[Light, tuple[Message, ...]]:
+    lights: tuple[Light, ...] = ("good", "doubtful", "poor")
+    ranked = sorted(found, key=lambda each: -each[0])
+    return lights[ranked[0][0] if ranked else 0], tuple(reason for _, reason in ranked)
+
+
+def _coverage_cell_size(placed: Array) -> float:
+    """Side of a cell that a patch without holes fills, metres: 2.5 mean spacings of its points."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        spacing = np.sqrt(ConvexHull(placed).volume / len(placed))
+    except QhullError:  # all in one row
+        spacing = float(np.ptp(placed, axis=0).max()) / len(placed)
+    return float(np.clip(2.5 * spacing, 0.02, 0.5))
+
+
+def _outline_coverage(placed: Array, cell: float) -> float:
+    """Share of the cells inside the convex outline that hold points."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    low = placed.min(axis=0)
+    at = np.floor((placed - low) / cell).astype(np.int64)
+    filled = np.zeros(at.max(axis=0) + 1, dtype=bool)
+    filled[at[:, 0], at[:, 1]] = True
+    middles = low + (np.argwhere(np.ones_like(filled)) + 0.5) * cell
+    try:
+        sides = ConvexHull(placed).build_equations
+    except QhullError:  # all in one row: it is its own outline
+        return 1.0
+    inside = (middles @ sides[:, :2].T <= -sides[:, 2]).all(axis=1)
+    inside |= filled.ravel()
+    return float(np.count_nonzero(filled) / np.count_nonzero(inside))
+
+
+def _form_error(placed: Array, off: Array, cell: float) -> tuple[float, float, bool, float]:
+    """Sagitta of the best quadric, its sigma, whether it is more than chance, what departs from it.
+
+    From the means of the cells: neighbours see the same roughness, and cells do not.
+    """
+    from scipy.special import fdtrc
+
+    at = np.floor((placed - placed.min(axis=0)) / cell).astype(np.int64)
+    _, key, count = np.unique(at[:, 0] * (at[:, 1].max() + 1) + at[:, 1], False, True, True)
+    key = key.reshape(-1)
+    x, y, w = (np.bincount(key, values) / count for values in (*placed.T, off))
+    if len(count) < 12:
+        return 0.0, 0.0, False, 0.0
+    root = np.sqrt(count)
+    flat = np.stack([np.ones_like(x), x, y], axis=1)
+    bent = np.stack([*flat.T, x * x, x * y, y * y], axis=1)
+    left = []
+    for design in (flat, bent):
+        solved, inverse = _solve_least_squares(design, w, count.astype(float))
+        left.append(root * (w - np.einsum("nk,k->n", design, solved)))
+    _, _, _, xx, xy, yy = solved
+    bends, directions = np.linalg.eigh(np.array([[2 * xx, xy], [xy, 2 * yy]]))
+    lengths = np.ptp(placed @ directions, axis=0)
+    sagittas = np.abs(bends) * lengths**2 / 8
+    most = int(np.argmax(sagittas))
+    plain, smooth = (float(each @ each) for each in left)
+    freedom = len(count) - 6
+    ratio = (plain - smooth) / 3 / max(smooth / freedom, 1e-30)
+    u, v = directions[:, most]
+    across = np.array([2 * u * u, 2 * u * v, 2 * v * v])
+    spread = float(across @ inverse[3:, 3:] @ across) * smooth / freedom
+    doubt = np.sqrt(max(spread, 0.0)) * lengths[most] ** 2 / 8
+    curved = bool(fdtrc(3, freedom, ratio) < CERTAIN)
+    # Within a cell there is only noise; what the means have beyond it is the surface's own.
+    within = float(np.sum((off - w[key]) ** 2)) / max(len(off) - len(count), 1)
+    beyond = smooth / freedom - within
+    uneven = float(np.sqrt(max(beyond, 0.0) / np.mean(count)))
+    return float(sagittas[most]), float(doubt), curved, uneven
+
+
+def _solve_least_squares(design: Array, values: Array, weights: Array) -> tuple[Array, Array]:
+    """Weighted least squares with a few unknowns, shape (k,), and the inverse of its matrix (k, k).
+
+    Not by the matrix library's threads, which on a busy machine wait for each other far longer than
+    so little takes.
+    """
+    scale = np.maximum(np.abs(design).max(axis=0), 1e-12)
+    scaled = design / scale
+    normal = np.einsum("n,ni,nj->ij", weights, scaled, scaled)
+    right = np.einsum("n,ni,n->i", weights, scaled, values)
+    # Cells in one row leave a direction open; the shortest solution serves.
+    inverse = np.linalg.pinv(normal, rcond=1e-12, hermitian=True)
+    return inverse @ right / scale, inverse / np.outer(scale, scale)

@@ -1,0 +1,184 @@
+"""Values of JSON and TOML files, checked since others may have written them.
+
+Readers of these files take values from here only, so that sizes, depths and characters that would
+end in an error of Python somewhere else are refused in one place.
+"""
+
+import json
+import tomllib
+from typing import Any
+
+from lispac.message_texts import message_text
+from lispac.messages import Message, error
+
+DEEPEST = 60
+"""Tables and lists inside each other; a project has about ten."""
+LARGEST_INTEGER = 2**63
+"""NumPy and the files of the program count with 64 bits."""
+LARGEST_QUANTITY = 1e30
+"""No quantity of a survey is larger, and squares of larger ones overflow sooner or later."""
+LEAST_AMOUNT, LARGEST_AMOUNT = 1e-12, 1e12
+"""Least and largest amount, other than zero, of what a user or a file of settings may give, in any
+unit. What lies beyond is an error of typing, and its square or inverse would soon overflow."""
+MOST_DIGITS = 19
+"""Digits of an integer of 64 bits; Python refuses to read thousands of them."""
+
+
+def is_possible_amount(value: float) -> bool:
+    """True if a number is zero or lies between `LEAST_AMOUNT` and `LARGEST_AMOUNT`."""
+    return value == 0 or LEAST_AMOUNT <= abs(value) <= LARGEST_AMOUNT
+
+
+def is_whole_number(text: str, most: int) -> bool:
+    """True if a text is a whole number from 0 to ``most`` in decimal digits."""
+    return text.isdecimal() and len(text) <= MOST_DIGITS and int(text) <= most
+
+
+class ArrayShape:
+    """Shape of an array, in its annotation: ``Annotated[Array, Shape("k", 3)]``.
+
+    Equal letters of one object are equal numbers; ``"k+1"`` is one more than ``"k"``. Readers of
+    project files refuse arrays of another shape.
+    """
+
+    def __init__(self, *dimensions: int | str) -> None:
+        self.dimensions = dimensions
+
+    def fits(self, shape: tuple[int, ...], known: dict[str, int]) -> bool:
+        """True if an array may have a shape; defines letters that are not ``known`` yet."""
+        if len(shape) != len(self.dimensions):
+            return False
+        for size, dimension in zip(shape, self.dimensions, strict=True):
+            if isinstance(dimension, str):
+                letter, _, more = dimension.partition("+")
+                found = known.setdefault(letter, size - int(more or 0))
+                if found + int(more or 0) != size:
+                    return False
+            elif size != dimension:
+                return False
+        return True
+
+
+class InvalidContentError(ValueError):
+    """Content of a file that cannot be used.
+
+    Parameters
+    ----------
+    reason : Message
+        What is wrong, without the name of the file: a parameter of another message.
+    """
+
+    def __init__(self, reason: Message) -> None:
+        super().__init__(reason)
+        self.reason = reason
+
+    def __str__(self) -> str:
+        """Text of the message."""
+        return message_text(self.reason)
+
+
+def json_values(content: bytes | str) -> Any:
+    """Values of a JSON text.
+
+    Raises
+    ------
+    InvalidContentError
+        Where it is not JSON, or holds what `require_usable_values` refuses.
+    """
+    try:
+        text = content.decode("utf-8") if isinstance(content, bytes) else content
+        values = json.loads(text)
+    except UnicodeDecodeError as failure:
+        raise InvalidContentError(error("content.not_utf8")) from failure
+    except json.JSONDecodeError as failure:
+        raise InvalidContentError(error("content.not_json", line=failure.lineno)) from failure
+    except (ValueError, RecursionError) as failure:
+        raise InvalidContentError(_number_too_large(failure)) from failure
+    require_usable_values(values)
+    return values
+
+
+def toml_values(content: bytes) -> dict[str, Any]:
+    """Values of a TOML text.
+
+    Raises
+    ------
+    InvalidContentError
+        Where it is not TOML, or holds what `require_usable_values` refuses.
+    """
+    try:
+        values = tomllib.loads(content.decode("utf-8-sig"))
+    except UnicodeDecodeError as failure:
+        raise InvalidContentError(error("content.not_utf8")) from failure
+    except tomllib.TOMLDecodeError as failure:
+        words = str(failure).splitlines()[0]
+        raise InvalidContentError(error("content.not_toml", reason=words)) from failure
+    except (ValueError, RecursionError) as failure:
+        raise InvalidContentError(_number_too_large(failure)) from failure
+    require_usable_values(values)
+    return values
+
+
+def _number_too_large(failure: Exception) -> Message:
+    deep = isinstance(failure, RecursionError)
+    return error("content.nested_too_deeply" if deep else "content.number_too_large")
+
+
+def require_usable_values(values: Any) -> None:
+    """Refuse values that the program cannot work with.
+
+    These are lists and tables nested deeper than `DEEPEST`, integers of more than 64 bits, and text
+    with a null character or half of a pair of characters (a surrogate). Bytes of file names that
+    are not UTF-8, which Python keeps as surrogates from U+DC80 on, stay.
+
+    Raises
+    ------
+    InvalidContentError
+    """
+    waiting = [(values, 0)]
+    while waiting:
+        value, depth = waiting.pop()
+        if depth > DEEPEST:
+            raise InvalidContentError(error("content.nested_too_deeply"))
+        if isinstance(value, dict):
+            waiting += [(each, depth + 1) for pair in value.items() for each in pair]
+        elif isinstance(value, list):
+            waiting += [(each, depth + 1) for each in value]
+        elif isinstance(value, str):
+            require_usable_text(value)
+        elif isinstance(value, int) and abs(value) >= LARGEST_INTEGER:
+            raise InvalidContentError(error("content.number_too_large"))
+
+
+def require_usable_text(text: str) -> None:
+    """Refuse text with a null character or half of a pair of characters.
+
+    Raises
+    ------
+    InvalidContentError
+    """
+    if "\0" in text:
+        raise InvalidContentError(error("content.null_character"))
+    try:
+        text.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError as failure:
+        raise InvalidContentError(error("content.surrogate")) from failure
+
+
+FORMULA = ("=", "+", "-", "@", "\t", "\r")
+"""What a cell of a table begins with that spreadsheets take for a formula."""
+
+
+def as_csv_cell(value: object) -> str:
+    """A value as a cell of CSV, with an apostrophe before what would be a formula.
+
+    Source: OWASP, CSV injection. Numbers stay as they are.
+    """
+    text = "" if value is None else str(value)
+    if not text.startswith(FORMULA):
+        return text
+    try:
+        float(text.replace(",", ""))
+    except ValueError:
+        return f"'{text}"
+    return text

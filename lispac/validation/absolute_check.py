@@ -1,0 +1,395 @@
+"""Distances of the lines from an independent reference, and possible causes.
+
+Between lines only their differences show; against a static scan or surveyed points what all lines
+have in common shows too, and with it the errors of the reference itself. So every mean stands with
+what it may be off by: the reference's own uncertainty, the POS errors of its line (which hardly
+change while it passes, so that no number of points averages them away), and the boresight's
+covariance.
+
+All lines together are the mean of their means: the POS error that the places of a line share is
+larger than what they scatter by, so that lines and not places are what is independent, and a dense
+line has no more weight than a sparse one.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.messages import Message
+from lispac.validation.comparison_results import DistanceStatistics, SignedStatistics
+from lispac.validation.normal_distance import NormalDistances
+from lispac.validation.reference_places import MeasuredPlaces
+
+Array = NDArray[np.float64]
+Kind = Literal["scan", "points"]
+
+NORMAL_95 = 1.96
+"""Half width of the 95 % interval of a normal variable, in standard deviations."""
+BINS = 60
+WITHIN = 0.5
+"""Percentiles left on either side of a histogram, which its first and last bin hold."""
+NARROWEST = 1e-6
+OFTEN = 0.1
+"""Share of a line's places with another surface within reach, from which it is reported."""
+ALL_LINES = "all lines"
+
+
+@dataclass(frozen=True)
+class SigmaSources:
+    """Standard deviations by their source, metres.
+
+    Attributes
+    ----------
+    reference : float, metres
+    position, attitude : float, metres
+        Of the POS, as its accuracies state them.
+    boresight : float or None, metres
+        By the covariance of what was estimated; None for the prior, of which none is known.
+    scatter : float
+        Of the line about its own mean: what is left of it in a mean; 0 where it is no mean.
+    """
+
+    reference: float
+    position: float
+    attitude: float
+    boresight: float | None
+    scatter: float = 0.0
+
+    @property
+    def total(self) -> float:
+        """Standard deviation of all sources together, metres."""
+        parts = (self.reference, self.position, self.attitude, self.boresight or 0.0, self.scatter)
+        return float(np.sqrt(np.sum(np.square(parts))))
+
+
+@dataclass(frozen=True)
+class AbsoluteState:
+    """Distances of the lines from the reference with one boresight.
+
+    Means and RMS count each line alike; medians and percentiles are of all places.
+
+    Attributes
+    ----------
+    distances : DistanceStatistics
+        Unsigned.
+    signed : SignedStatistics
+        Of the line from the reference, positive where the line is nearer to the vessel.
+    mean_sigma : SigmaSources
+        What the signed mean may be off by.
+    rms_expected : SigmaSources
+        What the RMS comes to by these errors alone.
+    """
+
+    distances: DistanceStatistics
+    signed: SignedStatistics
+    mean_sigma: SigmaSources
+    rms_expected: SigmaSources
+
+    @property
+    def interval_95(self) -> float:
+        """Half the 95 % interval of the signed mean, metres."""
+        return NORMAL_95 * self.mean_sigma.total
+
+    @property
+    def significant(self) -> bool:
+        """Whether the mean differs from zero at 95 %."""
+        return abs(self.signed.mean) > self.interval_95
+
+    @property
+    def reference_share(self) -> float:
+        """Share of the mean square distance that the reference's own errors explain, in [0, 1]."""
+        if self.distances.rms == 0.0:
+            return 0.0
+        return float(min(1.0, (self.rms_expected.reference / self.distances.rms) ** 2))
+
+
+@dataclass(frozen=True)
+class LineCheck:
+    """A line, or all of them, against the reference; at the same places in both states."""
+
+    line: str
+    before: AbsoluteState
+    after: AbsoluteState
+
+
+@dataclass(frozen=True)
+class PointCheck:
+    """A surveyed point, or a plane through several: the mean over the lines that saw it.
+
+    Attributes
+    ----------
+    name : str
+    lines : int
+    sigma : float, metres
+        Of the point; of a plane in its middle.
+    before, after : float, metres
+        Signed.
+    interval_95 : float or None, metres
+        Half the 95 % interval of the mean after; None where nobody knows.
+    """
+
+    name: str
+    lines: int
+    sigma: float
+    before: float
+    after: float
+    interval_95: float | None = None
+
+
+@dataclass(frozen=True)
+class OtherSurface:
+    """What a line has behind or before the surface that was measured, within reach.
+
+    Attributes
+    ----------
+    line : str
+    places : int
+        Where it does.
+    distance : float, metres
+        The usual one from the surface measured.
+    """
+
+    line: str
+    places: int
+    distance: float
+
+
+@dataclass(frozen=True)
+class AbsoluteCheck:
+    """Lines against a reference, before and after.
+
+    Attributes
+    ----------
+    reference : str
+        Name of its file.
+    size_bytes : int, sha256 : str
+        Of that file as it was read.
+    kind : {"scan", "points"}
+    system : str
+        Assumed coordinate system, as text.
+    sigma : float, metres
+        Of the reference: shared by all of a scan; the usual one of points, which err each for
+        themselves.
+    reach : float, metres
+        How far from the reference a line was searched for.
+    lines : tuple of LineCheck
+    together : LineCheck
+    not_compared : tuple of Message
+        Lines, and surveyed points or planes, that were not compared, with the reason.
+    bin_edges : tuple of k + 1 float, metres
+        Of the signed distances of all lines.
+    counts_before, counts_after : tuples of k int
+        The first and the last bin also hold what lies beyond.
+    points : tuple of PointCheck
+        Empty for a scan.
+    others : tuple of OtherSurface or None
+        Lines that often have another surface within reach; None where nobody knows.
+    """
+
+    reference: str
+    size_bytes: int
+    sha256: str
+    kind: Kind
+    system: str
+    sigma: float
+    reach: float
+    lines: tuple[LineCheck, ...]
+    together: LineCheck
+    not_compared: tuple[Message, ...]
+    bin_edges: tuple[float, ...]
+    counts_before: tuple[int, ...]
+    counts_after: tuple[int, ...]
+    points: tuple[PointCheck, ...] = ()
+    others: tuple[OtherSurface, ...] | None = ()
+
+
+@dataclass(frozen=True, eq=False)
+class LinePlaces:
+    """What a line was measured to, and how each place moves with what it was placed by.
+
+    Attributes
+    ----------
+    line : str
+    time : float, seconds
+        In the middle of its places.
+    measured : MeasuredPlaces
+        At n places.
+    group : ndarray of shape (n,), int
+        Which part of the reference a place belongs to: each has an error of its own.
+    by_position, by_attitude : ndarrays of shape (n, 3), metres
+        Moves by one sigma of north, west, up and of roll, pitch, heading.
+    by_boresight : ndarray of shape (n, e), metres
+        Moves by one sigma of each of e independent mixtures of the values estimated.
+    """
+
+    line: str
+    time: float
+    measured: MeasuredPlaces
+    group: NDArray[np.intp]
+    by_position: Array
+    by_attitude: Array
+    by_boresight: Array
+
+    def only(self, kept: NDArray[np.bool_]) -> "LinePlaces":
+        """Those of its places that are ``kept``, shape (n,)."""
+        places = np.flatnonzero(kept)
+        measured = MeasuredPlaces(
+            self.measured.before.part(places), self.measured.after.part(places),
+            self.measured.beyond[places],
+        )  # fmt: skip
+        return replace(
+            self, measured=measured, group=self.group[kept], by_position=self.by_position[kept],
+            by_attitude=self.by_attitude[kept], by_boresight=self.by_boresight[kept],
+        )  # fmt: skip
+
+
+def check_lines(
+    lines: Sequence[LinePlaces], group_sigma: Array, correlation_times: tuple[float, float]
+) -> tuple[tuple[LineCheck, ...], LineCheck]:
+    """Each line against the reference, and all of them together.
+
+    Parameters
+    ----------
+    group_sigma : ndarray of shape (g,), metres
+        Of the reference's parts, which all places on one share.
+    correlation_times : pair of float, seconds
+        Of the position and the attitude errors: what lines sailed one soon after the other share.
+    """
+    each = tuple(_line_check(line.line, [line], group_sigma, correlation_times) for line in lines)
+    return each, _line_check(ALL_LINES, lines, group_sigma, correlation_times)
+
+
+def shared_histogram(
+    lines: Sequence[LinePlaces],
+) -> tuple[tuple[float, ...], tuple[int, ...], tuple[int, ...]]:
+    """Edges, metres, and the counts before and after, of all signed distances."""
+    before, after = (np.concatenate(values) for values in _distances_before_after(lines))
+    ends = np.percentile(np.concatenate([before, after]), (WITHIN, 100.0 - WITHIN))
+    low, high = float(min(ends[0], 0.0)), float(max(ends[1], 0.0))
+    edges = np.linspace(low, max(high, low + NARROWEST), BINS + 1)
+    counts = (
+        tuple(int(n) for n in np.histogram(np.clip(d, edges[0], edges[-1]), edges)[0])
+        for d in (before, after)
+    )
+    counts_before, counts_after = counts
+    return tuple(map(float, edges)), counts_before, counts_after
+
+
+def check_points(
+    lines: Sequence[LinePlaces],
+    names: Sequence[str],
+    group_sigma: Array,
+    correlation_times: tuple[float, float],
+) -> tuple[PointCheck, ...]:
+    """The mean over the lines at each part of the reference that any line saw; as `check_lines`."""
+    found = []
+    for group, (name, sigma) in enumerate(zip(names, group_sigma, strict=True)):
+        seen = [line.only(line.group == group) for line in lines if (line.group == group).any()]
+        if seen:
+            mean = _line_check(name, seen, group_sigma, correlation_times)
+            found.append(
+                PointCheck(
+                    name, len(seen), float(sigma), mean.before.signed.mean, mean.after.signed.mean,
+                    mean.after.interval_95,
+                )
+            )  # fmt: skip
+    return tuple(found)
+
+
+def find_other_surfaces(lines: Sequence[LinePlaces]) -> tuple[OtherSurface, ...]:
+    """Lines that have another surface within reach at many of their places."""
+    found = []
+    for line in lines:
+        beyond = line.measured.beyond[np.isfinite(line.measured.beyond)]
+        if len(beyond) >= OFTEN * len(line.group):
+            found.append(OtherSurface(line.line, len(beyond), float(np.median(beyond))))
+    return tuple(found)
+
+
+def _distances_before_after(lines: Sequence[LinePlaces]) -> tuple[list[Array], list[Array]]:
+    return (
+        [line.measured.before.distance for line in lines],
+        [line.measured.after.distance for line in lines],
+    )
+
+
+def _line_check(
+    name: str,
+    lines: Sequence[LinePlaces],
+    group_sigma: Array,
+    correlation_times: tuple[float, float],
+) -> LineCheck:
+    # Of each place in the mean of the lines' means.
+    weights = np.concatenate([_equal_weights(line) / len(lines) for line in lines])
+    parts = [np.bincount(line.group, minlength=len(group_sigma)) for line in lines]
+    share = np.mean([part / part.sum() for part in parts], axis=0)
+    moves = [np.concatenate(values) for values in _derivatives_by_source(lines)]
+    of_rms = SigmaSources(
+        float(np.sqrt(share @ group_sigma**2)),
+        *(float(np.sqrt(weights @ (move**2).sum(axis=1))) for move in moves),
+    )
+    of_mean = SigmaSources(
+        float(np.sqrt(share**2 @ group_sigma**2)),
+        _pos_sigma_of_mean([line.by_position for line in lines], lines, correlation_times[0]),
+        _pos_sigma_of_mean([line.by_attitude for line in lines], lines, correlation_times[1]),
+        float(np.linalg.norm(weights @ moves[2])),
+    )
+    states = []
+    for which, distances in zip(("before", "after"), _distances_before_after(lines), strict=True):
+        found = [getattr(line.measured, which) for line in lines]
+        scatter = float(np.linalg.norm([_scatter_sigma(each) for each in found])) / len(lines)
+        rms = float(np.sqrt(weights @ np.concatenate(distances) ** 2))
+        boresight = of_mean.boresight, of_rms.boresight
+        if which == "before":
+            boresight = None, None
+        states.append(
+            AbsoluteState(
+                replace(
+                    DistanceStatistics.of(np.concatenate(distances)),
+                    mean=float(weights @ np.abs(np.concatenate(distances))),
+                    rms=rms,
+                ),
+                replace(
+                    SignedStatistics.of(found),
+                    mean=float(weights @ np.concatenate(distances)),
+                    rms=rms,
+                ),
+                replace(of_mean, scatter=scatter, boresight=boresight[0]),
+                replace(of_rms, boresight=boresight[1]),
+            )
+        )
+    return LineCheck(name, *states)
+
+
+def _equal_weights(line: LinePlaces) -> Array:
+    """Equal weights of the places in a line's mean."""
+    return np.full(len(line.group), 1.0 / len(line.group))
+
+
+def _scatter_sigma(found: NormalDistances) -> float:
+    """Sigma of a line's mean from the scatter of its places, metres."""
+    within = float(np.sum((found.distance - found.distance.mean()) ** 2))
+    # A single place has no scatter; its own interval gives its uncertainty.
+    own = float(np.sum((found.half_width / NORMAL_95) ** 2))
+    return float(np.sqrt(max(within, own))) / len(found.distance)
+
+
+def _derivatives_by_source(lines: Sequence[LinePlaces]) -> tuple[list[Array], ...]:
+    return (
+        [line.by_position for line in lines],
+        [line.by_attitude for line in lines],
+        [line.by_boresight for line in lines],
+    )
+
+
+def _pos_sigma_of_mean(
+    moves: list[Array], lines: Sequence[LinePlaces], correlation_time: float
+) -> float:
+    """Sigma of the mean by POS errors that are constant on a line and drift from line to line."""
+    means = np.array([move.mean(axis=0) for move in moves]) / len(moves)
+    time = np.array([line.time for line in lines])
+    alike = np.exp(-np.abs(time[:, None] - time) / correlation_time)
+    return float(np.sqrt(max(0.0, float(np.einsum("ik,ij,jk->", means, alike, means)))))

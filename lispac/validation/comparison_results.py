@@ -1,0 +1,197 @@
+"""Statistics of a comparison of lines, as stored in the project file."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lispac.errors import InputError
+from lispac.messages import error
+from lispac.untrusted_values import ArrayShape
+from lispac.validation.distance_map import DistanceMap
+from lispac.validation.distance_profile import DistanceProfile
+from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+from lispac.validation.normal_distance import NMAD, NormalDistances
+from lispac.validation.plane_offset import PlaneOffset
+
+OUTLYING = 3.0
+"""Robust sigmas from the median beyond which a distance is counted as an outlier."""
+
+
+@dataclass(frozen=True)
+class DistanceStatistics:
+    """Summary of unsigned distances.
+
+    Attributes
+    ----------
+    n : int
+    mean, median, rms, p68, p95, p99, maximum : float, metres
+        ``p68`` is the 68th percentile, and so on.
+    robust_sigma : float, metres, optional
+        1.4826 times the median absolute deviation from the median.
+    outliers : int, optional
+        Distances more than three robust sigmas above the median. They are counted, and stay in
+        all other figures. None, as above, in comparisons of earlier versions.
+    """
+
+    n: int
+    mean: float
+    median: float
+    rms: float
+    p68: float
+    p95: float
+    p99: float
+    maximum: float
+    robust_sigma: float | None = None
+    outliers: int | None = None
+
+    @classmethod
+    def of(cls, distances: ArrayLike) -> "DistanceStatistics":
+        """Summarise distances, shape (n,), metres.
+
+        Raises
+        ------
+        InputError
+            There is none, or one is not a finite number.
+        """
+        values = np.abs(np.asarray(distances, dtype=np.float64))
+        if values.size == 0 or not np.isfinite(values).all():
+            raise InputError(error("validation.no_distances"))
+        median, p68, p95, p99 = np.percentile(values, (50.0, 68.0, 95.0, 99.0))
+        robust = NMAD * float(np.median(np.abs(values - median)))
+        return cls(
+            n=int(values.size),
+            mean=float(values.mean()),
+            median=float(median),
+            rms=float(np.sqrt(np.mean(values**2))),
+            p68=float(p68),
+            p95=float(p95),
+            p99=float(p99),
+            maximum=float(values.max()),
+            robust_sigma=robust,
+            outliers=int(np.count_nonzero(values > median + OUTLYING * robust)),
+        )
+
+
+@dataclass(frozen=True)
+class SignedStatistics:
+    """Summary of signed distances along the normal, each with its confidence (M3C2).
+
+    Attributes
+    ----------
+    n : int
+        Places measured at.
+    mean, median, robust_sigma : float, metres
+        Of the first line from the second, positive where the first is nearer to the vessel.
+    half_width : float, metres
+        Half the 95 % interval of the usual place.
+    significant : float, in [0, 1]
+        Share of the places whose distance differs from zero.
+    rms : float, metres, optional
+        None in comparisons of earlier versions.
+    """
+
+    n: int
+    mean: float
+    median: float
+    robust_sigma: float
+    half_width: float
+    significant: float
+    rms: float | None = None
+
+    @classmethod
+    def of(cls, found: Sequence[NormalDistances]) -> "SignedStatistics":
+        """Summarise them, all together."""
+        distance = np.concatenate([each.distance for each in found])
+        half_width = np.concatenate([each.half_width for each in found])
+        median = float(np.median(distance))
+        return cls(
+            n=len(distance),
+            mean=float(distance.mean()),
+            median=median,
+            robust_sigma=NMAD * float(np.median(np.abs(distance - median))),
+            half_width=float(np.median(half_width)),
+            significant=float(np.mean(np.abs(distance) > half_width)),
+            rms=float(np.sqrt(np.mean(distance**2))),
+        )
+
+
+@dataclass(frozen=True)
+class PairState:
+    """Two lines on one plane with one boresight.
+
+    Attributes
+    ----------
+    distances : DistanceStatistics
+        Cloud to cloud, both directions together.
+    signed : SignedStatistics, optional
+        Along the normal; None where no place has enough points of both lines.
+    planes : PlaneOffset, optional
+        The first line's plane from the second's; None where one of them makes none.
+    """
+
+    distances: DistanceStatistics
+    signed: SignedStatistics | None = None
+    planes: PlaneOffset | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class PairComparison:
+    """Two lines on one plane, with the prior and with the estimated boresight.
+
+    Attributes
+    ----------
+    line_a, line_b : str
+    reciprocal : bool
+        The lines were run in opposite directions, within 20 degrees.
+    before, after : PairState
+        Of the same points.
+    """
+
+    line_a: str
+    line_b: str
+    reciprocal: bool
+    before: PairState
+    after: PairState
+
+
+@dataclass(frozen=True, eq=False)
+class PlaneComparison:
+    """One validation plane, before and after.
+
+    Attributes
+    ----------
+    name : str
+    pairs : tuple of PairComparison
+        Every pair of lines that overlaps, reciprocal pairs first.
+    not_compared : tuple of (str, str)
+        Pairs of lines that both saw the plane but hardly the same part of it.
+    pooled_from : str
+        "reciprocal pairs" or "all pairs": whose distances make the histograms and the statistics.
+    bin_edges : ndarray of shape (k + 1,), metres
+    counts_before, counts_after : ndarray of shape (k,), int64
+        The last bin also holds the distances beyond it.
+    before, after : DistanceStatistics
+    model : LocalModel
+        What the distances were measured to.
+    by_height, by_range : DistanceProfile, optional
+        Distances against height and against range from the scanner.
+    maps : tuple of DistanceMap
+        Where on the plane the first lines of some pooled pairs lie off the second.
+    """
+
+    name: str
+    pairs: tuple[PairComparison, ...]
+    not_compared: tuple[tuple[str, str], ...]
+    pooled_from: str
+    bin_edges: Annotated[NDArray[np.float64], ArrayShape("k+1")]
+    counts_before: Annotated[NDArray[np.int64], ArrayShape("k")]
+    counts_after: Annotated[NDArray[np.int64], ArrayShape("k")]
+    before: DistanceStatistics
+    after: DistanceStatistics
+    model: LocalModel = SIX_POINT_PLANE
+    by_height: DistanceProfile | None = None
+    by_range: DistanceProfile | None = None
+    maps: tuple[DistanceMap, ...] = ()

@@ -1,0 +1,145 @@
+"""Diameters of the cylinders at the places of a reference, from point density.
+
+A beam that meets a wall at 60 m leaves points farther apart than one at 15 m, and one width for all
+of a site is that of where most points are: sparse places then hold too few points for a distance.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.targets.thinning import thin_points
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
+
+WIDE, NARROWEST, WIDEST = 2.0, 0.10, 0.60
+"""Diameter of a cylinder in distances to the twelfth neighbour, and its limits in metres."""
+NEIGHBOURS = 12
+STEP = 1.15
+"""Ratio of a diameter to the next smaller one."""
+REGION = 2 * WIDEST
+"""Metres: side of the cubes within which all diameters are one, the median there."""
+MOST_PLACES, MOST_CANDIDATES, MOST_READ = 3_000, 60_000, 400_000
+SPARSER = 1.2
+
+
+def candidate_places(surface: Array) -> Array:
+    """Places spread evenly over a scan, shape (k, 3), as near together as cylinders may be.
+
+    Parameters
+    ----------
+    surface : ndarray of shape (n, 3), metres, local frame
+        Points of the scan.
+    """
+    some, side = surface[:: -(-len(surface) // MOST_READ)], NARROWEST
+    while len(kept := thin_points(some, side)) > MOST_CANDIDATES:
+        side *= SPARSER
+    return some[kept]
+
+
+def twelfth_neighbour_distance(tree: "cKDTree", places: Array) -> Array:
+    """Distance from each place to its twelfth neighbour, metres; infinite where there are fewer.
+
+    Parameters
+    ----------
+    places : ndarray of shape (k, 3), metres, local frame
+
+    Returns
+    -------
+    ndarray of shape (k,), metres
+    """
+    far, _ = tree.query(places, k=[NEIGHBOURS + 1])
+    return np.asarray(far[:, 0], dtype=np.float64)
+
+
+def cylinder_diameters(line: "cKDTree", places: Array, reach: float) -> Array:
+    """Width of a cylinder that holds a dozen points of a line at each place, metres.
+
+    Parameters
+    ----------
+    line : cKDTree
+        Of the line's points.
+    places : ndarray of shape (k, 3), metres, local frame
+    reach : float, metres
+
+    Returns
+    -------
+    ndarray of shape (k,)
+        Not a number where the line has no point within reach.
+    """
+    found = np.full(len(places), np.nan)
+    if not line.n or not len(places):
+        return found
+    apart, nearest = line.query(places, distance_upper_bound=reach)
+    seen = np.isfinite(apart)
+    at, back = np.unique(nearest[seen], return_inverse=True)
+    found[seen] = np.clip(
+        WIDE * twelfth_neighbour_distance(line, line.data[at]), NARROWEST, WIDEST
+    )[back]
+    return found
+
+
+def select_separate_places(places: Array, diameters: Array) -> tuple[Indices, Array]:
+    """Places that are a diameter apart, and the diameter at each.
+
+    Parameters
+    ----------
+    places : ndarray of shape (k, 3), metres, local frame
+    diameters : ndarray of shape (k,), metres
+        Those wanted at each; those of a region become one, for the distance to a neighbour
+        scatters by a seventh though the density is even.
+
+    Returns
+    -------
+    chosen : ndarray of shape (m,), int
+        At most `MOST_PLACES`, ascending; of more, places farther apart.
+    diameters : ndarray of shape (m,), metres
+    """
+    steps = np.round(np.log(median_by_region(places, diameters, REGION) / NARROWEST) / np.log(STEP))
+    usual = np.minimum(NARROWEST * STEP**steps, WIDEST)
+    apart = 1.0
+    while True:
+        parts: list[Indices] = [np.zeros(0, dtype=np.intp)]
+        for diameter in np.unique(usual):
+            own = np.flatnonzero(usual == diameter)
+            parts.append(own[thin_points(places[own], apart * float(diameter))])
+        chosen = np.sort(np.concatenate(parts))
+        if len(chosen) <= MOST_PLACES:
+            return chosen, usual[chosen]
+        apart *= SPARSER
+
+
+def median_by_region(places: Array, values: Array, side: float) -> Array:
+    """The median of the values in the cube that each place lies in, shape (k,).
+
+    Parameters
+    ----------
+    places : ndarray of shape (k, 3), metres, local frame
+    values : ndarray of shape (k,)
+    side : float, metres
+        Of the cubes.
+    """
+    region = region_numbers(places, side)
+    count = np.bincount(region)
+    order = np.lexsort((values, region))
+    first = np.cumsum(count) - count
+    median: Array = values[order[first + count // 2]][region]
+    return median
+
+
+def region_numbers(places: Array, side: float) -> Indices:
+    """Number of the cube of that side, metres, that each place lies in, shape (k,).
+
+    Parameters
+    ----------
+    places : ndarray of shape (k, 3), metres, local frame
+    side : float, metres
+    """
+    cubes = np.floor(places / side).astype(np.int64)
+    _, region = np.unique(cubes, axis=0, return_inverse=True)
+    return region.reshape(-1)

@@ -1,0 +1,53 @@
+"""Distances between lines as a function of height and of range.
+
+A boresight error grows with the distance from the scanner, and on a tower with height; what is
+left after a calibration does not (thesis figures 4.24 to 4.26).
+"""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.untrusted_values import ArrayShape
+
+Array = NDArray[np.float64]
+
+BINS = 12
+FEWEST = 30
+"""Smallest number of distances in a bin for statistics."""
+
+
+@dataclass(frozen=True, eq=False)
+class DistanceProfile:
+    """Distances in equal steps of a quantity.
+
+    Attributes
+    ----------
+    edges : ndarray of shape (k + 1,), metres
+    n : ndarray of shape (k,), int64
+    median_before, median_after, p95_before, p95_after : ndarrays of shape (k,), metres
+        Of the unsigned distances; NaN where a bin holds fewer than 30.
+    """
+
+    edges: Annotated[Array, ArrayShape("k+1")]
+    n: Annotated[NDArray[np.int64], ArrayShape("k")]
+    median_before: Annotated[Array, ArrayShape("k")]
+    median_after: Annotated[Array, ArrayShape("k")]
+    p95_before: Annotated[Array, ArrayShape("k")]
+    p95_after: Annotated[Array, ArrayShape("k")]
+
+    @classmethod
+    def of(cls, against: Array, before: Array, after: Array, bins: int = BINS) -> "DistanceProfile":
+        """Bin distances ``before`` and ``after`` by a quantity ``against``; each (n,), metres."""
+        low, high = float(against.min()), float(against.max())
+        edges = np.linspace(low, high if high > low else low + 1.0, bins + 1)
+        at = np.clip(np.searchsorted(edges, against, side="right") - 1, 0, bins - 1)
+        figures = np.full((4, bins), np.nan)
+        counts = np.bincount(at, minlength=bins).astype(np.int64)
+        for k in np.flatnonzero(counts >= FEWEST):
+            here = at == k
+            figures[:2, k] = np.median(before[here]), np.median(after[here])
+            figures[2:, k] = [np.percentile(d[here], 95.0) for d in (before, after)]
+        return cls(edges, counts, *figures)

@@ -1,0 +1,283 @@
+"""Distances between lines on a validation plane before and after the calibration.
+
+The relative accuracy assessment of thesis sections 4.4.6 and 4.5.4: cloud-to-cloud distances with
+a local plane between every two lines that saw the same plane, as histograms before and after.
+
+Which points are compared. A point of line A counts against line B when it lies inside B's
+footprint in the plane **both** before and after. After the calibration that means: both lines saw
+this spot. Before, it keeps out points that the wrong boresight has moved past B's edge, whose
+distance would measure the edge and make the calibration look better than it is. The same points
+stand in both statistics, so n is the same and nothing but the boresight differs.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, NotComparable
+from lispac.language import gettext_lazy
+from lispac.messages import error
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.validation.cloud_distance import cloud_to_cloud
+from lispac.validation.comparison_results import (
+    DistanceStatistics,
+    PairComparison,
+    PairState,
+    PlaneComparison,
+)
+from lispac.validation.distance_bins import histogram_counts, shared_bin_edges
+from lispac.validation.distance_map import DistanceMap, distance_map
+from lispac.validation.distance_profile import DistanceProfile
+from lispac.validation.line_overlap import LineOverlap
+from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+from lispac.validation.signed_comparison import (
+    plane_offset_between_lines,
+    signed_distance_statistics,
+)
+
+__all__ = [
+    "DistanceStatistics",
+    "PairComparison",
+    "PlaneComparison",
+    "compare_plane",
+    "reciprocal",
+]
+
+Array = NDArray[np.float64]
+
+RECIPROCAL_TOLERANCE = np.radians(20.0)
+MAX_POINTS_PER_LINE = 100_000
+MOST_MAPS = 4
+"""Pairs of lines whose distances are mapped on a plane."""
+# Fewer points are no sample of a surface, and percentiles of fewer distances say nothing.
+FEWEST_POINTS = 30
+
+
+def reciprocal(heading_a: float, heading_b: float) -> bool:
+    """Whether two headings are opposite within 20 degrees.
+
+    Parameters
+    ----------
+    heading_a, heading_b : float, radians
+    """
+    turn = np.remainder(heading_a - heading_b, 2.0 * np.pi)
+    return bool(abs(turn - np.pi) <= RECIPROCAL_TOLERANCE)
+
+
+def compare_plane(
+    name: str,
+    before: Mapping[str, Array],
+    after: Mapping[str, Array],
+    headings: Mapping[str, float],
+    *,
+    model: LocalModel = SIX_POINT_PLANE,
+    facing: Array | None = None,
+    ranges: Mapping[str, Array] | None = None,
+    progress: Progress = no_progress,
+) -> PlaneComparison:
+    """Compare the lines on one validation plane, before and after.
+
+    Parameters
+    ----------
+    name : str
+        Of the plane, for messages and the result.
+    before, after : mapping of line name to ndarray of shape (n, 3), metres, local frame
+        The points of the plane as each line saw them, placed with the prior and with the
+        estimated boresight: the same points in the same order. More than 100 000 of a line are
+        thinned to every second, third, ... point, the same ones in both states.
+    headings : mapping of line name to float, radians
+        Identifies lines in opposite directions: these are the most sensitive to the boresight.
+    model : LocalModel
+        What stands for the surface between the points of the other line.
+    facing : ndarray of shape (3,), optional
+        Towards the vessel: signed distances are positive on that side. Without it the side is that
+        of the plane's normal whose largest component is positive.
+    ranges : mapping of line name to ndarray of shape (n,), metres, optional
+        From the scanner, of the same points; without it there is no profile against range.
+
+    Returns
+    -------
+    PlaneComparison
+        With every pair of lines that overlaps, reciprocal pairs first. The pooled statistics and
+        the histograms are of the reciprocal pairs, or of all pairs where there is none; these
+        reach from zero to the 99.5th percentile of both states, and the last bin also holds what
+        lies beyond, so that the counts add up to n.
+
+    Raises
+    ------
+    NotComparable
+        The plane is seen on fewer than two lines, or no two of them overlap.
+    InputError
+        The two states do not hold the same points, a heading is missing, or points are not finite.
+    """
+    _require_same_points(name, before, after, headings)
+    seen = [line for line in before if len(before[line]) >= FEWEST_POINTS]
+    if len(seen) < 2:
+        raise NotComparable(
+            error("validation.plane_in_one_line", plane=name, line=seen[0], needed=FEWEST_POINTS)
+            if seen
+            else error("validation.plane_in_no_line", plane=name, needed=FEWEST_POINTS)
+        )
+    clouds = tuple({line: _thin_evenly(state[line]) for line in seen} for state in (before, after))
+    overlap = LineOverlap(*clouds)
+    if facing is None:
+        facing = overlap.normal * np.sign(overlap.normal[np.argmax(np.abs(overlap.normal))])
+
+    couples = sorted(
+        combinations(seen, 2),
+        key=lambda pair: not reciprocal(headings[pair[0]], headings[pair[1]]),
+    )
+    pairs: list[PairComparison] = []
+    not_compared: list[tuple[str, str]] = []
+    measured: list[_MeasuredDistances] = []
+    maps: list[DistanceMap] = []
+    for i, (a, b) in enumerate(couples):
+        a_in_b, b_in_a = overlap.of(a, b), overlap.of(b, a)
+        if np.count_nonzero(a_in_b) < FEWEST_POINTS or np.count_nonzero(b_in_a) < FEWEST_POINTS:
+            not_compared.append((a, b))
+            continue
+        here = sub_progress(progress, i / len(couples), (i + 1) / len(couples))
+        here(
+            0.0,
+            gettext_lazy("Comparing {one} and {other} on {target}", one=a, other=b, target=name),
+        )
+        distances: list[Array] = []
+        states: list[PairState] = []
+        for state in clouds:
+            ours, theirs = state[a][a_in_b], state[b][b_in_a]
+            apart = np.concatenate(
+                (
+                    cloud_to_cloud(ours, state[b], model=model),
+                    cloud_to_cloud(theirs, state[a], model=model),
+                )
+            )
+            signed = signed_distance_statistics(
+                ours, theirs, facing=facing, spacing=overlap.spacing(a, b), reach=apart.max()
+            )
+            distances.append(apart)
+            states.append(
+                PairState(
+                    DistanceStatistics.of(apart),
+                    signed,
+                    plane_offset_between_lines(ours, theirs, facing),
+                )
+            )
+        both_ways = reciprocal(headings[a], headings[b])
+        # Reciprocal pairs come first, and where there are any the others are not pooled.
+        if len(maps) < MOST_MAPS and (both_ways or not any(pair.reciprocal for pair in pairs)):
+            mapped = distance_map(
+                (a, b),
+                (clouds[0][a][a_in_b], clouds[1][a][a_in_b]),
+                (clouds[0][b][b_in_a], clouds[1][b][b_in_a]),
+                facing=facing, spacing=overlap.spacing(a, b),
+                reach=(float(distances[0].max()), float(distances[1].max())),
+            )  # fmt: skip
+            maps += [] if mapped is None else [mapped]
+        pairs.append(PairComparison(a, b, both_ways, *states))
+        of_points = [clouds[1][a][a_in_b, 2], clouds[1][b][b_in_a, 2]]
+        if ranges is not None:
+            of_points += [_thin_evenly(ranges[a])[a_in_b], _thin_evenly(ranges[b])[b_in_a]]
+        height, *ranged = (
+            np.concatenate(of_points[k : k + 2]) for k in range(0, len(of_points), 2)
+        )
+        measured.append(
+            _MeasuredDistances(distances[0], distances[1], height, ranged[0] if ranged else None)
+        )
+    if not pairs:
+        raise NotComparable(error("validation.no_overlap", plane=name, needed=FEWEST_POINTS))
+    progress(1.0)
+
+    any_reciprocal = any(pair.reciprocal for pair in pairs)
+    pool = _MeasuredDistances.of(
+        [
+            one
+            for pair, one in zip(pairs, measured, strict=True)
+            if pair.reciprocal or not any_reciprocal
+        ]
+    )
+    edges = shared_bin_edges(pool.before, pool.after)
+    return PlaneComparison(
+        name=name,
+        pairs=tuple(pairs),
+        not_compared=tuple(not_compared),
+        pooled_from="reciprocal pairs" if any_reciprocal else "all pairs",
+        bin_edges=edges,
+        counts_before=histogram_counts(pool.before, edges),
+        counts_after=histogram_counts(pool.after, edges),
+        before=DistanceStatistics.of(pool.before),
+        after=DistanceStatistics.of(pool.after),
+        model=model,
+        by_height=DistanceProfile.of(pool.height, pool.before, pool.after),
+        by_range=None
+        if pool.range is None
+        else DistanceProfile.of(pool.range, pool.before, pool.after),
+        maps=tuple(maps),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _MeasuredDistances:
+    """Distances of points before and after, and where these points are; shape (n,), metres."""
+
+    before: Array
+    after: Array
+    height: Array
+    range: Array | None
+
+    @classmethod
+    def of(cls, several: "list[_MeasuredDistances]") -> "_MeasuredDistances":
+        """All of them together."""
+        ranges = [one.range for one in several if one.range is not None]
+        return cls(
+            np.concatenate([one.before for one in several]),
+            np.concatenate([one.after for one in several]),
+            np.concatenate([one.height for one in several]),
+            np.concatenate(ranges) if ranges else None,
+        )
+
+
+def _thin_evenly(points: Array) -> Array:
+    """Every n-th point, so that at most 100 000 are left."""
+    step = -(-len(points) // MAX_POINTS_PER_LINE)
+    return np.ascontiguousarray(points[::step], dtype=np.float64)
+
+
+def _require_same_points(
+    name: str,
+    before: Mapping[str, Array],
+    after: Mapping[str, Array],
+    headings: Mapping[str, float],
+) -> None:
+    """Refuse two states that are not of the same points.
+
+    Raises
+    ------
+    InputError
+    """
+    if set(before) != set(after):
+        only = tuple(sorted(set(before) ^ set(after)))
+        raise InputError(error("validation.other_lines", plane=name, lines=only))
+    for line in before:
+        for shape, not_finite, points in (
+            ("validation.shape_before", "validation.not_finite_before", before[line]),
+            ("validation.shape_after", "validation.not_finite_after", after[line]),
+        ):
+            if points.ndim != 2 or points.shape[1] != 3:
+                raise InputError(error(shape, plane=name, line=line, shape=str(points.shape)))
+            if not np.isfinite(points).all():
+                raise InputError(error(not_finite, plane=name, line=line))
+        if len(before[line]) != len(after[line]):
+            raise InputError(
+                error(
+                    "validation.other_points",
+                    line=line,
+                    plane=name,
+                    before=len(before[line]),
+                    after=len(after[line]),
+                )
+            )
+        if line not in headings:
+            raise InputError(error("validation.no_heading", line=line, plane=name))

@@ -1,0 +1,192 @@
+"""Identify the surface of a reference among several surfaces behind each other.
+
+A line that passes a board sees the wall behind it too, and a cylinder as deep as a line may be off
+holds points of both. Their mean lies on neither. So the points along the normal are parted into
+layers, where they are dense, and the layer nearest to the reference is the surface.
+
+The nearest layer at a single place may be outliers, or the wall where the line has
+nothing of the board. So the places of a neighbourhood are parted into layers again by where theirs
+are.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from numpy.typing import NDArray
+
+from lispac.geometry.radius_search import Cells, PointGrid, gather_within_radius
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+DENSE = 0.2
+"""Share of the points where they are densest, below which they are outliers, not a layer."""
+FEWEST_POINTS, FEWEST_PLACES = 4, 2
+"""Of a layer: points of a line, and places of a neighbourhood (a single one is taken as it is)."""
+
+
+@dataclass(frozen=True, eq=False)
+class NearestLayers:
+    """The layer of a line nearest to the reference at each of n places.
+
+    Attributes
+    ----------
+    middle, half : ndarrays of shape (n,), metres
+        Where it lies along the normal, and half its thickness; not a number where there is none.
+    beyond : ndarray of shape (n,), metres
+        Distance from it to the next one that is within reach; not a number where there is none.
+    """
+
+    middle: Array
+    half: Array
+    beyond: Array
+
+
+def find_nearest_layers(
+    points: Array, cores: Array, normals: Array, diameters: Array, reach: float, thickness: Array
+) -> NearestLayers:
+    """The nearest layer of a line's points in a cylinder at each place.
+
+    Parameters
+    ----------
+    points : ndarray of shape (m, 3), metres, local frame
+    cores : ndarray of shape (n, 3), metres, local frame
+    normals : ndarray of shape (n, 3), unit vectors, local frame
+    diameters : ndarray of shape (n,), metres
+    reach : float, metres
+        Half the length of the cylinder.
+    thickness : ndarray of shape (n,), metres
+        What is that thin, or parted by no more, is one surface and its noise.
+    """
+    cells = PointGrid(points, max(float(diameters.max()), reach) / 2).cells
+    found = _nearest_layers_kernel(
+        cells, np.ascontiguousarray(cores), np.ascontiguousarray(normals), diameters / 2, reach,
+        thickness,
+    )  # fmt: skip
+    return NearestLayers(*found.T)
+
+
+def nearest_layer_bounds(values: Array, thickness: float) -> tuple[float, float]:
+    """Lowest and highest of the values, metres, in the layer of them that is nearest to zero.
+
+    Parameters
+    ----------
+    values : ndarray of shape (n,), metres
+    thickness : float, metres
+        As in `find_nearest_layers`.
+    """
+    values = np.sort(values)
+    low, high, _ = _nearest_layer_indices(values, thickness, min(FEWEST_PLACES, len(values)))
+    return float(values[low]), float(values[high])
+
+
+def is_in_any_cylinder(
+    points: Array, cores: Array, normals: Array, diameters: Array, middle: Array, half: Array
+) -> Bools:
+    """Which points, shape (m, 3), local frame, lie in the cylinder of any place.
+
+    Parameters
+    ----------
+    cores : ndarray of shape (n, 3), metres, local frame
+    normals : ndarray of shape (n, 3), unit vectors, local frame
+    diameters : ndarray of shape (n,), metres
+    middle, half : ndarrays of shape (n,), metres
+        Where the middle of each cylinder lies along the normal, and half its length.
+    """
+    cells = PointGrid(points, max(float(diameters.max()), float(half.max())) / 2).cells
+    return _in_cylinders_kernel(
+        cells, np.ascontiguousarray(cores), np.ascontiguousarray(normals), diameters / 2, middle,
+        half,
+    )  # fmt: skip
+
+
+@njit(nogil=True, cache=True)
+def _nearest_layer_indices(
+    values: Array, thickness: float, fewest: int
+) -> tuple[int, int, float]:  # pragma: no cover - compiled
+    """First and last, of ascending values, in the layer nearest to zero; -1, -1 if there is none.
+
+    And the distance from it to the next layer.
+    """
+    n = len(values)
+    counts, end = np.zeros(n, np.int64), 0
+    for k in range(n):
+        end = max(end, k)
+        while end < n and values[end] - values[k] <= thickness:
+            end += 1
+        counts[k] = end - k
+    least = max(fewest, DENSE * counts.max()) if n else fewest
+    first, last, best, previous, beyond = -1, -1, np.inf, np.nan, np.nan
+    k = 0
+    while k < n:
+        if counts[k] < least:
+            k += 1
+            continue
+        low, high = k, k + counts[k] - 1
+        # Layers that overlap are one.
+        while k <= high:
+            if counts[k] >= least:
+                high = max(high, k + counts[k] - 1)
+            k += 1
+        off = abs(values[low : high + 1].mean())
+        if off < best:
+            best, first, last = off, low, high
+            beyond = values[low] - previous
+        elif np.isnan(beyond) or values[low] - values[last] < beyond:
+            beyond = values[low] - values[last]
+        previous = values[high]
+    return first, last, beyond
+
+
+@njit(nogil=True, cache=True)
+def _distances_in_cylinder(
+    cloud: Cells, core: Array, normal: Array, radius: float, middle: float, half: float
+) -> tuple[Array, NDArray[np.int64]]:  # pragma: no cover - compiled
+    """Distances along the normal of the points in a cylinder, and their numbers."""
+    near = gather_within_radius(
+        cloud, core + middle * normal, np.sqrt(half * half + radius * radius)
+    )
+    values, kept = np.empty(near.size), 0
+    for i in near:
+        along, beside = 0.0, 0.0
+        for axis in range(3):
+            off = cloud[0][i, axis] - core[axis]
+            along += off * normal[axis]
+            beside += off * off
+        if beside - along * along <= radius * radius and abs(along - middle) <= half:
+            values[kept], near[kept] = along, i
+            kept += 1
+    return values[:kept], near[:kept]
+
+
+@njit(nogil=True, cache=True)
+def _nearest_layers_kernel(
+    cloud: Cells, cores: Array, normals: Array, radii: Array, reach: float, thickness: Array
+) -> Array:  # pragma: no cover - compiled
+    found = np.full((len(cores), 3), np.nan)
+    for k in range(len(cores)):
+        if np.isnan(normals[k, 0]):
+            continue
+        values, _ = _distances_in_cylinder(cloud, cores[k], normals[k], radii[k], 0.0, reach)
+        values.sort()
+        first, last, beyond = _nearest_layer_indices(values, thickness[k], FEWEST_POINTS)
+        if first >= 0:
+            found[k, 0] = values[first : last + 1].mean()
+            found[k, 1] = (values[last] - values[first]) / 2
+            found[k, 2] = beyond
+    return found
+
+
+@njit(nogil=True, cache=True)
+def _in_cylinders_kernel(
+    cloud: Cells, cores: Array, normals: Array, radii: Array, middle: Array, half: Array
+) -> Bools:  # pragma: no cover - compiled
+    found = np.zeros(len(cloud[0]), np.bool_)
+    for k in range(len(cores)):
+        if not np.isnan(normals[k, 0]):
+            _, numbers = _distances_in_cylinder(
+                cloud, cores[k], normals[k], radii[k], middle[k], half[k]
+            )
+            found[numbers] = True
+    return found

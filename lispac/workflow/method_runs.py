@@ -1,0 +1,122 @@
+"""Computation of alternative methods, without the project's targets."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from lispac.alternative_methods import AlternativeResult, Method
+from lispac.errors import AdjustmentError
+from lispac.messages import Message, as_message, error
+from lispac.method_comparison import missing_methods
+from lispac.patchtest.patch_test_result import PatchTestResult
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import Project
+from lispac.workflow import patch_test
+from lispac.workflow.calibration import estimate
+from lispac.workflow.survey import Survey
+from lispac.workflow.targetless import TargetlessResult, targetless
+
+
+def adjust_natural_planes(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> AlternativeResult:
+    """Adjust the validation planes as if they were the targets.
+
+    Raises
+    ------
+    AdjustmentError
+        Where there are too few of them, or they face too few ways.
+    """
+    planes = tuple(
+        replace(plane, role="target")
+        for plane in project.targets_of_role("validation")
+        if plane.used and len(plane.used_sightings) > 1
+    )
+    if len(planes) < 2:
+        raise AdjustmentError(error("estimate.few_validation_planes", project=project.name))
+    solved = estimate(
+        replace(project, targets=planes, result=None), survey, cross_check=False, progress=progress
+    )
+    assert solved.result is not None
+    return _alternative_result("natural planes", solved)
+
+
+def targetless_result(found: TargetlessResult) -> AlternativeResult:
+    """Result of a targetless adjustment, without its surfaces."""
+    return _alternative_result("targetless", found.project, found.remarks)
+
+
+def patch_test_result(found: PatchTestResult) -> AlternativeResult:
+    """Result of a patch test, without its objects.
+
+    Raises
+    ------
+    AdjustmentError
+        If it has no sigma: it could not be compared with another result.
+    """
+    if found.covariance is None:
+        raise AdjustmentError(error("estimate.patch_test_without_sigma"))
+    return AlternativeResult(
+        "patch test",
+        found.boresight,
+        found.covariance,
+        found.lines,
+        len(found.objects),
+        found.remarks,
+    )
+
+
+def run_method(
+    project: Project, survey: Survey, method: Method, *, progress: Progress = no_progress
+) -> AlternativeResult:
+    """Run an alternative method; the patch test searches for its objects.
+
+    Raises
+    ------
+    AdjustmentError
+        Where the survey gives it no answer.
+    """
+    if method == "natural planes":
+        return adjust_natural_planes(project, survey, progress=progress)
+    if method == "targetless":
+        return targetless_result(targetless(project, survey, progress=progress))
+    laid = patch_test.propose_objects(project, survey, progress=sub_progress(progress, 0.0, 0.4))
+    return patch_test_result(
+        patch_test.find_boresight(project, survey, laid, progress=sub_progress(progress, 0.4, 1.0))
+    )
+
+
+def run_missing_methods(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> tuple[Project, dict[str, Message]]:
+    """Run all methods without a result; return the project, and errors by method.
+
+    Methods with a result are not run again.
+    """
+    found, wanted = project, missing_methods(project)
+    refused: dict[str, Message] = {}
+    for k, method in enumerate(wanted):
+        step = sub_progress(progress, k / len(wanted), (k + 1) / len(wanted))
+        try:
+            found = found.with_alternative_result(
+                run_method(project, survey, method, progress=step)
+            )
+        except AdjustmentError as failure:
+            refused[method] = as_message(failure.reason)
+    return found, refused
+
+
+def _alternative_result(
+    method: Method, solved: Project, remarks: tuple[Message, ...] = ()
+) -> AlternativeResult:
+    assert solved.result is not None
+    seen = [each.sighting for each in solved.result.sightings]
+    on = {each.line for each in seen}
+    return AlternativeResult(
+        method,
+        solved.result.boresight,
+        np.array(solved.result.covariance),
+        tuple(line.name for line in solved.lines if line.name in on),
+        len({each.target for each in seen}),
+        remarks,
+    )
