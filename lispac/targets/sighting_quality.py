@@ -291,7 +291,7 @@ def _outline_coverage(placed: Array, cell: float) -> float:
     filled[at[:, 0], at[:, 1]] = True
     middles = low + (np.argwhere(np.ones_like(filled)) + 0.5) * cell
     try:
-        sides = ConvexHull(placed).build_equations
+        sides = ConvexHull(placed).equations
     except QhullError:  # all in one row: it is its own outline
         return 1.0
     inside = (middles @ sides[:, :2].T <= -sides[:, 2]).all(axis=1)
