@@ -24,7 +24,7 @@ LET_GO = np.array([0.001, RELEASED, 0.002, RELEASED])
 
 @dataclass(frozen=True)
 class Case:
-    """What `_explained` looks at of a problem."""
+    """What `_reject_unexplained_sightings` looks at of a problem."""
 
     parameters: tuple[Parameter, ...] = ()
     surface_sigma: np.ndarray = field(default_factory=lambda: STATED)

@@ -10,7 +10,7 @@ ruff's affair; here it is looked whether there are such errors.
 
 What is said of a parameter stands in the entry of its name, or in the words of the docstring, which
 then have to name it, whole or by its first word. A docstring may send to another one ("As
-`planes_of`"), which has to be there.
+`local_planes_kernel`"), which has to be there.
 """
 
 import ast
@@ -204,22 +204,43 @@ def test_errors_that_are_said_to_be_raised_exist(room: str) -> None:
 
 
 OWN = {
-    "adjustment": {"iteration", "problem", "solved", "sphere_radii", "summary", "attitude_terms"},
-    "design": {"advice", "monte_carlo", "prediction", "site"},
-    "geometry": {"neighbours"},
-    "simulation": {"ray_casting", "pos_error_models", "scene", "vessel"},
+    "adjustment": {
+        "iteration",
+        "observability",
+        "adjustment_problem",
+        "solved_equations",
+        "sphere_radii",
+        "result_assembly",
+        "attitude_trigonometry",
+    },
+    "design": {"further_line_advice", "monte_carlo", "prediction", "site"},
+    "geometry": {"radius_search"},
+    "simulation": {"ray_casting", "pos_error_models", "scene", "vessel_motion"},
     "survey": {
         "axes",
         "correction",
-        "present",
-        "recovery",
-        "recovery_check",
-        "runs",
+        "present_settings",
+        "scanner_frame_recovery",
+        "scanner_frame_recovery_check",
+        "row_runs",
         "scan",
-        "words",
+        "mounting_texts",
     },
-    "targets": {"across_lines", "outline", "quality", "section", "shift", "smear"},
-    "validation": {"absolute", "footprint", "layers", "place_widths", "plane_offset"},
+    "targets": {
+        "planes_across_lines",
+        "outline",
+        "sighting_quality",
+        "cross_section",
+        "cloud_shift",
+        "boresight_smear",
+    },
+    "validation": {
+        "absolute_check",
+        "footprint",
+        "surface_layers",
+        "cylinder_diameters",
+        "plane_offset",
+    },
 }
 """Modules that compute and name no source: what they do is nobody else's, and told in their words,
 or anybody's (a rotation about an axis, a mean with its sigma)."""

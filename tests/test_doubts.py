@@ -274,7 +274,7 @@ def test_a_doubt_is_told_alike_everywhere(
         "params": plain_params(found),
     }  # fmt: skip
     assert told in result_values(result, checks)["doubts"]
-    assert "can be used" not in result_words.fit_verdict(result, checks)
+    assert "are realistic" not in result_words.fit_verdict(result, checks)
     assert [each for each in sample_content(changed).cautions if each.code == found.code] == [found]
 
 
@@ -313,7 +313,7 @@ def test_a_sound_answer_leaves_no_doubt(
     result, checks = project.result, project.cross_checks
     assert result is not None
     assert result_warnings(result, checks) == ()
-    assert result_words.fit_verdict(result, checks).endswith("The uncertainties can be used.")
+    assert result_words.fit_verdict(result, checks).endswith("The uncertainties are realistic.")
     print_result(result, checks)
     assert "Warnings and notes:" not in capsys.readouterr().out
 

@@ -94,7 +94,6 @@ NOT_SHOWN: dict[str, set[str]] = {
     },
     "errors of a programmer, and a label that is in French in every language": {
         "7 does not say how it shows a result",
-        "La fenêtre en français",
         "line 7 is hidden and cannot be clicked",
         "the last chunk is damaged",
         "the mouse does not point now",

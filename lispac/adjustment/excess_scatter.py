@@ -99,7 +99,7 @@ def excess_variance(
 
 
 def leave_out_sigma_factors(here: LinearisedProblem) -> Array:
-    """Factors on the sigmas of the angles, shape (3,), by leaving out lines and targets.
+    """Factors on the sigmas of the angles from leaving out lines and targets, (3,), no unit.
 
     Each is 1 where chance explains how the answers without one line, or one target, scatter.
 

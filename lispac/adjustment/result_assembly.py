@@ -54,7 +54,7 @@ def assemble_result(
     origins : ndarray of shape (targets, 3), metres, local
         Where the points of each target are counted from.
     path : ndarray of shape (iterations, 3), radians
-        As in `Solution`.
+        As in `IterationResult`.
     """
     from scipy.special import chdtri
 

@@ -120,7 +120,7 @@ def adjust(
     test_model : bool
         Whether, with diagnostics, the model of the errors follows the data where these contradict
         it: shorter correlation times where the chi-square test asks for them, and sigmas raised
-        where answers without single lines or targets scatter too much (`raised_by_parts`).
+        where answers without single lines or targets scatter too much (`leave_out_sigma_factors`).
 
     Raises
     ------

@@ -72,7 +72,7 @@ class MonteCarloResult:
 
     @property
     def ratio_sigma(self) -> float:
-        """Standard deviation of the ratio of ``empirical`` to its true value."""
+        """Standard deviation by chance of ``empirical`` over its true value, no unit."""
         return float(1 / np.sqrt(2 * len(self.errors)))
 
     @property

@@ -110,7 +110,7 @@ def local_planes(
 def local_planes_kernel(
     points: Points, neighbours: Indices, counts: Indices
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:  # pragma: no cover - compiled
-    """Compiled version of `local_planes`."""
+    """Compiled version of the search, as `local_planes`."""
     n, most = neighbours.shape
     centroids = np.empty((n, 3))
     normals = np.empty((n, 3))

@@ -49,7 +49,7 @@ def local_quadrics(
     counts : ndarray of shape (n,)
         How many of each row count.
     centroids, normals : ndarrays of shape (n, 3), same frame
-        As of `knn.local_planes`.
+        As of `nearest_neighbours.local_planes`.
     """
     return Quadrics(*_fit_quadrics(points, groups, counts, centroids, normals))
 

@@ -116,7 +116,7 @@ _ACTIONS: dict[str, Described] = {
     "keys": (N_("&Mouse and keys"), "", "keyboard-outline", "F1",
              N_("List the actions of the mouse and the keyboard")),
     "english": ("&English", "", "", "", N_("Switch the window to English")),
-    "french": ("&Français", "", "", "", "Afficher la fenêtre en français"),
+    "french": ("&Français", "", "", "", "Fenêtre en français"),
     "tour": (N_("Three-minute &tour"), "", "compass-outline", "",
              N_("Calibrate the demo survey step by step")),
     "log_file": (N_("Open the &log file"), "", "", "",

@@ -241,7 +241,7 @@ def atomic_write(path: Path) -> Iterator[Path]:
     ------
     InputError
         Where the folder cannot be written, the disk is full, or ``path`` is a folder or a device.
-    """  # noqa: DOC501 - `not_written` makes an InputError
+    """  # noqa: DOC501 - `write_error` makes an InputError
     path = Path(path)
     made: list[Path] = []
     try:

@@ -115,7 +115,7 @@ def _new_folder(folder: Path) -> Iterator[None]:
     ------
     InputError
         Where it cannot be made.
-    """  # noqa: DOC501 - `not_written` makes an InputError
+    """  # noqa: DOC501 - `write_error` makes an InputError
     made = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
         try:
@@ -240,7 +240,7 @@ def project_folder(path: Path) -> Path:
     ------
     ProjectError
         Where there is no project, or it cannot be searched for.
-    """  # noqa: DOC501 - `_unreadable` makes a ProjectError
+    """  # noqa: DOC501 - `_unreadable_error` makes a ProjectError
     path = Path(path)
     try:
         folder = path.parent if is_project_file(path) else path
@@ -260,7 +260,7 @@ def _read_state(path: Path) -> Project:
     Raises
     ------
     ProjectError
-    """  # noqa: DOC501 - `_unreadable` makes a ProjectError
+    """  # noqa: DOC501 - `_unreadable_error` makes a ProjectError
     while True:
         try:
             content = path.read_bytes()

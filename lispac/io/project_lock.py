@@ -42,7 +42,7 @@ def project_lock(
         Where another program still holds it after that time.
     InputError
         Where the folder cannot be written, or the lock file is a link or a folder.
-    """  # noqa: DOC501 - `not_written` makes an InputError
+    """  # noqa: DOC501 - `write_error` makes an InputError
     key = os.path.realpath(folder), threading.get_ident()
     if key in _held:
         _held[key] += 1

@@ -115,7 +115,7 @@ class Grid:
         ------
         InputError
             Where the coordinates lie outside.
-        """  # noqa: DOC501 - `_unusable` makes an InputError
+        """  # noqa: DOC501 - `_crs_error` makes an InputError
         from pyproj import Proj, Transformer
         from pyproj.exceptions import ProjError
 
@@ -147,7 +147,7 @@ def grid_of(path: Path, text: str) -> Grid:
     ------
     InputError
         Where it is not known, or is not a projected one.
-    """  # noqa: DOC501 - `_unusable` makes an InputError
+    """  # noqa: DOC501 - `_crs_error` makes an InputError
     from pyproj import CRS
     from pyproj.exceptions import ProjError
 

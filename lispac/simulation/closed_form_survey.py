@@ -334,7 +334,7 @@ def observations_of_records(
 
 
 def scanner_position_abeam(mounting: Mounting, target: Board | Ball, course: Course) -> Array:
-    """Where the scanner is when the middle of a target is abeam, on a calm sea, shape (3,)."""
+    """Scanner with a target's middle abeam on a calm sea, shape (3,), metres, local frame."""
     foot, centre = np.array([*course.abeam, 0.0]), np.array(target.centre)
     left = np.array([np.sin(course.heading), np.cos(course.heading), 0.0])
     _, aside, above = mounting.lever_arm

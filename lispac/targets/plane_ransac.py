@@ -150,7 +150,7 @@ def _score_triangles(
         for i in range(n):
             off = points[i, 0] * normal[0] + points[i, 1] * normal[1] + points[i, 2] * normal[2] + d
             if off * off <= limit:
-                # MSAC (Torr and Zisserman 2000) with a sharper peak, as in `_robust_plane`.
+                # MSAC (Torr and Zisserman 2000) with a sharper peak, as in `_fit_plane_robustly`.
                 score += weights[i] * (1.0 - off * off / limit) ** 2
                 share += weights[i]
             elif off * off <= beside:

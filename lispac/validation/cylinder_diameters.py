@@ -29,7 +29,7 @@ SPARSER = 1.2
 
 
 def candidate_places(surface: Array) -> Array:
-    """Places spread evenly over a scan, shape (k, 3), as near together as cylinders may be.
+    """Places spread evenly over a scan in its frame, (k, 3), as close as cylinders may be.
 
     Parameters
     ----------

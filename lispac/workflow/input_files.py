@@ -1,7 +1,7 @@
 """Files to be imported: sorted by role, checked against each other.
 
 An `InputFiles` is an immutable value; the window shows it and asks for the next one. What has to be
-read from files is in `intake_entry`, the messages about them in `intake_remarks`.
+read from files is in `input_file`, the messages about them in `input_file_messages`.
 """
 
 import os

@@ -59,7 +59,7 @@ def save_project_as(
         again since it was opened.
     InputError
         Where it cannot be written; nothing is left there then.
-    """  # noqa: DOC501 - `_not_writable` makes an InputError
+    """  # noqa: DOC501 - `_not_writable_error` makes an InputError
     folder = Path(folder).absolute()
     try:
         if (folder / FILE_NAME).exists():

@@ -153,7 +153,7 @@ def replaced_survey(
     ------
     InputError
         Where a file cannot be written.
-    """  # noqa: DOC501 - `not_written` makes an InputError
+    """  # noqa: DOC501 - `write_error` makes an InputError
     present = [each for each in (folder, *folder.parents) if each.exists()]
     made = [each for each in (folder, *folder.parents) if each not in present]
     try:

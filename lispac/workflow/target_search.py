@@ -223,7 +223,7 @@ def find_planes_in_lines(
     accuracy: PlacementAccuracy = PRIOR_ACCURACY,
     progress: Progress = no_progress,
 ) -> tuple[dict[str, PlanePatch], dict[str, Message]]:
-    """Find the plane at the seed in every line, and the reasons where it is missing."""
+    """Find the plane at ``seed`` (3,), local frame, in every line, or why it is missing."""
     regions, points = _search_regions(clouds, seed, settings, most=SOUGHT)
     beside = {
         name: _points_near_click(regions[name], cloud, seed) for name, cloud in clouds.items()

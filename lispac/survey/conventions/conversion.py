@@ -169,7 +169,7 @@ class MountingInSystem:
 
 
 def rotation_of_angles(convention: Convention, angles: Array) -> Array:
-    """The matrix product of a system's angles, shape (3, 3).
+    """The matrix product of a system's angles, shape (3, 3), no unit.
 
     Parameters
     ----------
@@ -360,7 +360,7 @@ def angle_jacobian(setup: ConventionSetup, boresight: Array) -> Array | None:
 
 
 def angle_to_turn_jacobian(convention: Convention, angles: Array) -> Array:
-    """The small turns, on the left of the product, that changes of the angles make.
+    """Small turns left of the product by changes of the angles, shape (3, 3), no unit.
 
     Parameters
     ----------

@@ -57,7 +57,7 @@ def correct_boresight(convention: Convention, current: Array, wanted: Array) -> 
     current : ndarray of shape (3,), radians, in the order the system types them
         Or their product, of shape (3, 3).
     wanted : ndarray of shape (3, 3)
-        The product of the new angles, as `Stated.rotation` holds it.
+        The product of the new angles, as `MountingInSystem.rotation` holds it.
 
     Raises
     ------

@@ -54,12 +54,12 @@ def _parse_number(word: str, where: str) -> float:
 
 
 def angle_product_of_matrix(setup: ConventionSetup, rotation: Array) -> Array:
-    """Product of the angles of a system, from its matrix from scanner to body.
+    """Product of a system's angles from its scanner-to-body matrix, shape (3, 3), no unit.
 
     Parameters
     ----------
     rotation : ndarray of shape (3, 3)
-        As `Stated.transform` holds it: from the raw scanner axes where a mounting lays them on the
+        As `MountingInSystem.transform` holds it: from the raw scanner axes where a mounting lays them on the
         body's.
 
     Returns
