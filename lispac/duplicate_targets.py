@@ -73,8 +73,8 @@ def find_overlap(target: Target, others: Iterable[Target]) -> TargetOverlap | No
         for other in others
         if other.name != target.name
     )
-    told = [each for each in found if each is not None]
-    return max(told, key=lambda each: each.share, default=None)
+    overlapping = [each for each in found if each is not None]
+    return max(overlapping, key=lambda each: each.share, default=None)
 
 
 _OVERLAPS = {

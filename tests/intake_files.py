@@ -16,15 +16,15 @@ LEVER = (0.2, -0.1, 1.5)
 
 
 def taken_in(
-    intake: InputFiles, *paths: Path, mappings: dict[str, str] | None = None
+    input_files: InputFiles, *paths: Path, mappings: dict[str, str] | None = None
 ) -> InputFiles:
     """As the window does it, in one thread."""
-    intake = intake.with_files(collect_files(paths))
-    while waiting := [entry for entry in intake.entries if entry.pending]:
+    input_files = input_files.with_files(collect_files(paths))
+    while waiting := [entry for entry in input_files.entries if entry.pending]:
         entry = waiting[0]
         found = reexamine_file(entry) if entry.looks else examine_file(entry.path, mappings)
-        intake = intake.with_entry(found).with_resolved_role(entry.path)
-    return intake
+        input_files = input_files.with_entry(found).with_resolved_role(entry.path)
+    return input_files
 
 
 def write_line(path: Path, times: np.ndarray, points: np.ndarray | None = None, crs: str = ""):
@@ -63,16 +63,16 @@ def write_survey(folder: Path) -> Path:
     return folder
 
 
-def named(intake: InputFiles, name: str) -> InputFile:
+def named(input_files: InputFiles, name: str) -> InputFile:
     """The entry of a file of that name."""
-    return next(entry for entry in intake.entries if entry.path.name == name)
+    return next(entry for entry in input_files.entries if entry.path.name == name)
 
 
-def said(intake: InputFiles, name: str) -> str:
+def said(input_files: InputFiles, name: str) -> str:
     """Texts of the messages about a file."""
-    return texts(intake.remarks(named(intake, name)))
+    return texts(input_files.remarks(named(input_files, name)))
 
 
-def codes_about(intake: InputFiles, name: str) -> list[str]:
+def codes_about(input_files: InputFiles, name: str) -> list[str]:
     """Codes of the messages about a file."""
-    return codes(intake.remarks(named(intake, name)))
+    return codes(input_files.remarks(named(input_files, name)))

@@ -179,8 +179,8 @@ class Photographer:
         self._watch.start()
         for name in ASKING:
             self._ask(name, window.actions_[name].trigger)
-        self._ask("details", window.report.details_asked.emit)
-        self._ask("preview", window.report.preview_asked.emit)
+        self._ask("details", window.report.details_requested.emit)
+        self._ask("preview", window.report.preview_requested.emit)
         bad = InputError(
             "line.las: point 17 has a coordinate or time that is not a number (nan, 2.5, 3.0); "
             "clean or export it again."

@@ -69,9 +69,9 @@ def test_it_is_said_what_is_taken_for_granted(files: dict[str, Path]) -> None:
         "cidco-states"
     ]
     found = STATES.look(files["states"], {})
-    assert codes(found.doubts) == ["cidco.no_origin"]
+    assert codes(found.file_warnings) == ["cidco.no_origin"]
     assert found.assumptions[0] == note("assumed.cidco_positions", origin="0 0 0")
-    assert STATES.look(files["states"], {"origin": "46.8 -71.2 20"}).doubts == ()
+    assert STATES.look(files["states"], {"origin": "46.8 -71.2 20"}).file_warnings == ()
     assert found.facts["Records"] == note("fact.states", count=983)
 
 

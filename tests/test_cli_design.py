@@ -119,8 +119,8 @@ def test_replay_of_the_built_in_survey(
     folder = tmp_path / "port"
     shutil.copytree(calibrated[0].folder, folder)
     found = answer(capsys, "replay", folder, "--plan", PORT)
-    stated, foretold = np.array(found["obtained_sigma_deg"]), np.array(found["as_flat_sigma_deg"])
-    assert stated == pytest.approx(foretold, rel=0.05)
+    stated, predicted = np.array(found["obtained_sigma_deg"]), np.array(found["as_flat_sigma_deg"])
+    assert stated == pytest.approx(predicted, rel=0.05)
     assert found["missing_lines"] == []
     assert found["missing_targets"] == []
     more = tmp_path / "more.toml"

@@ -221,7 +221,7 @@ def test_crs_of_a_header(tmp_path: Path, version: str, point_format: int, keep: 
     las.write(tmp_path / "a.las")
     with laspy.open(tmp_path / "a.las") as reader:
         stated = read_header_crs(reader.header)
-    assert (stated.text, stated.doubts) == ("EPSG:2949", ())
+    assert (stated.text, stated.file_warnings) == ("EPSG:2949", ())
 
 
 def test_a_million_points_take_how_long(capsys: pytest.CaptureFixture[str]) -> None:

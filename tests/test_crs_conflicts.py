@@ -82,7 +82,7 @@ def test_one_system_is_read_whatever_the_bit(
 ) -> None:
     found = read_header_crs(header_of(wkt, keys, bit=bit))
     assert CRS(found.text) == CRS(text)
-    assert (codes(found), found.doubts) == ([], ())
+    assert (codes(found), found.file_warnings) == ([], ())
 
 
 @pytest.mark.parametrize("bit", [True, False])
@@ -100,12 +100,12 @@ def test_a_datum_makes_another_system() -> None:
 
 def test_a_system_that_cannot_be_used_leaves_the_other() -> None:
     found = read_header_crs(header_of(ZONE_19, projected(NONE), bit=False), "a.las")
-    assert (found.text, found.doubts) == (ZONE_19, ())
+    assert (found.text, found.file_warnings) == (ZONE_19, ())
     assert codes(found) == [("file.unusable_system", Level.NOTE)]
     header = header_of("", projected(32619), bit=True)
     header.vlrs.append(WktCoordinateSystemVlr("LOCAL_CS[nothing"))
     found = read_header_crs(header, "a.las")
-    assert (found.text, found.doubts) == (ZONE_19, ())
+    assert (found.text, found.file_warnings) == (ZONE_19, ())
     assert codes(found) == [("file.unusable_system", Level.NOTE)]
 
 
@@ -149,6 +149,6 @@ def test_written_systems_do_not_contradict_each_other(
     write_crs(header, CRS(system))
     found = read_header_crs(header)
     assert CRS(found.text) == CRS(system)
-    assert (codes(found), found.doubts) == ([], ())
+    assert (codes(found), found.file_warnings) == ([], ())
     has_keys = bool(header.vlrs.get("GeoKeyDirectoryVlr"))
     assert header.global_encoding.wkt != has_keys

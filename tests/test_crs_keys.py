@@ -36,7 +36,7 @@ def test_a_unit_that_is_not_the_systems_leaves_the_system_open() -> None:
     assert stated({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9003}).text == "EPSG:2229"
     found = stated({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9001})
     assert (found.text, found.name) == ("", "")
-    (doubt,) = found.doubts
+    (doubt,) = found.file_warnings
     assert doubt.code == "las.unit_contradicts_system"
     assert doubt.params == {
         "file": "a.las", "unit": "metre", "system": name, "system_unit": "us-survey-foot",
@@ -57,8 +57,8 @@ def test_a_unit_that_is_not_the_systems_leaves_the_system_open() -> None:
 def test_heights_of_the_keys(heights: int, text: str, unknown: tuple[str, ...]) -> None:
     found = stated(UTM | ({VERTICAL: heights} if heights else {}))
     assert found.text == text
-    assert codes(found.doubts) == ["las.unknown_vertical"] * len(unknown)
-    assert tuple(each.params["code"] for each in found.doubts) == unknown
+    assert codes(found.file_warnings) == ["las.unknown_vertical"] * len(unknown)
+    assert tuple(each.params["code"] for each in found.file_warnings) == unknown
     assert found.name == CRS(text).name
 
 
@@ -77,7 +77,7 @@ def test_earth_centred_coordinates(code: int, text: str) -> None:
 def test_earth_centred_coordinates_of_another_datum_are_not_guessed(code: int) -> None:
     found = stated({MODEL: 3, GEOGRAPHIC: code})
     assert found.text == ""
-    assert codes(found.doubts) == ["las.system_not_named"]
+    assert codes(found.file_warnings) == ["las.system_not_named"]
 
 
 @pytest.mark.parametrize(
@@ -99,7 +99,7 @@ def test_a_name_without_a_code(name: str, code: int | None, projection: int | No
         numbers | ({PROJECTION: projection} if projection else {}), {PROJECTED_CITATION: name}
     )
     assert found.text == ("" if code is None else f"EPSG:{code}")
-    (doubt,) = found.doubts
+    (doubt,) = found.file_warnings
     assert doubt.params["name"] == name
     if code is None:
         assert doubt.code == "las.system_without_code"
@@ -117,7 +117,7 @@ def test_keys_that_are_written_are_read_as_written(system: str, unit: str) -> No
     write_crs(header, CRS(system))
     header.vlrs.extract("WktCoordinateSystemVlr")
     found = read_header_crs(header)
-    assert (found.text, found.height_unit, found.doubts) == (system, unit, ())
+    assert (found.text, found.height_unit, found.file_warnings) == (system, unit, ())
     assert str(header.version) == "1.2"
 
 

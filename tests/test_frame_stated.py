@@ -56,9 +56,13 @@ def test_map_coordinates_stated_as_the_scanners_are_refused_everywhere(track, tm
     told = "utm.las: half of the points are more than 5,000 m from the origin"
     with pytest.raises(InputError, match=told):
         made(tmp_path / "p", track, line, options(frame="scanner"))
-    intake = taken_in(taken_in(InputFiles(), track, line).with_option(line, "frame", "scanner"))
-    assert "not in the scanner frame" in intake.files_problem_text() + said(intake, "utm.las")
-    assert intake.state(named(intake, "utm.las")) == "error"
+    input_files = taken_in(
+        taken_in(InputFiles(), track, line).with_option(line, "frame", "scanner")
+    )
+    assert "not in the scanner frame" in input_files.files_problem_text() + said(
+        input_files, "utm.las"
+    )
+    assert input_files.state(named(input_files, "utm.las")) == "error"
     project: Project = create_project(
         tmp_path / "old", trajectory=track, settings=Settings(lever_arm=LEVER),
         lines=[LineSource("L", line, reading=Reading("las", (("frame", "scanner"),)))],
@@ -99,10 +103,10 @@ def test_a_system_that_is_stated_is_not_asked_for(track, tmp_path, capsys) -> No
     assert "have no coordinate system. Give its EPSG code" in "".join(capsys.readouterr())
     assert main([*command, "--line-option", f"crs={SYSTEM}"]) == 0
     assert "does not specify a coordinate system" not in "".join(capsys.readouterr())
-    intake = taken_in(InputFiles(), track, line)
-    assert "points.no_system" in codes_about(intake, "utm.las")
-    intake = taken_in(intake.with_option(line, "crs", SYSTEM))
-    assert intake.state(named(intake, "utm.las")) == "fine"
+    input_files = taken_in(InputFiles(), track, line)
+    assert "points.no_system" in codes_about(input_files, "utm.las")
+    input_files = taken_in(input_files.with_option(line, "crs", SYSTEM))
+    assert input_files.state(named(input_files, "utm.las")) == "fine"
 
 
 def test_a_system_that_is_not_used_is_said(track, tmp_path) -> None:
@@ -112,6 +116,6 @@ def test_a_system_that_is_not_used_is_said(track, tmp_path) -> None:
         "points.unused_system", file="near.las", system=SYSTEM, actions=(CHOOSE_FRAME,)
     )
     assert unused in survey.notes
-    intake = taken_in(taken_in(InputFiles(), track, line).with_option(line, "crs", SYSTEM))
-    assert unused in intake.remarks(named(intake, "near.las"))
-    assert intake.state(named(intake, "near.las")) == "doubt"
+    input_files = taken_in(taken_in(InputFiles(), track, line).with_option(line, "crs", SYSTEM))
+    assert unused in input_files.remarks(named(input_files, "near.las"))
+    assert input_files.state(named(input_files, "near.las")) == "warning"

@@ -65,7 +65,7 @@ def test_what_readers_take_for_granted_is_told_apart_from_doubts(whole: InputFil
     finding = named(whole, "pos.sbet").finding
     assert finding is not None
     assert "assumed.pitch_bow_up" in codes(finding.assumptions)
-    assert not set(codes(finding.assumptions)) & set(codes(finding.doubts))
+    assert not set(codes(finding.assumptions)) & set(codes(finding.file_warnings))
 
 
 def test_a_project_among_the_files_is_found(files: Path, tmp_path: Path) -> None:
@@ -95,10 +95,10 @@ def test_two_trajectories_are_one_too_many_until_one_is_left_out(
     whole: InputFiles, files: Path, tmp_path: Path
 ) -> None:
     second = write_records(tmp_path / "second.sbet", vessel(500))
-    intake = taken_in(whole, second)
-    assert "more than one file has the role of trajectory" in intake.problem("x")
-    (leave_out,) = intake.remarks(named(intake, "second.sbet"))[0].actions
-    mended = intake.with_action(second, leave_out)
+    input_files = taken_in(whole, second)
+    assert "more than one file has the role of trajectory" in input_files.problem("x")
+    (leave_out,) = input_files.remarks(named(input_files, "second.sbet"))[0].actions
+    mended = input_files.with_action(second, leave_out)
     assert mended.state(mended.entry(second)) == "out"
     assert mended.trajectory is not None
     assert mended.trajectory.path == files / "pos.sbet"
@@ -122,9 +122,9 @@ def test_lines_of_one_name_are_named_by_their_folders(files: Path, tmp_path: Pat
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()
         paths.append(write_line(tmp_path / folder / "scan.laz", START + np.linspace(1, 2, 100)))
-    intake = taken_in(InputFiles(), files / "pos.sbet", *paths)
-    assert list(intake.names.values()) == ["a_scan", "b_scan"]
-    assert intake.files_problem_text() == ""
+    input_files = taken_in(InputFiles(), files / "pos.sbet", *paths)
+    assert list(input_files.names.values()) == ["a_scan", "b_scan"]
+    assert input_files.files_problem_text() == ""
 
 
 def test_a_damaged_line_is_an_error_beside_the_others(
@@ -133,11 +133,11 @@ def test_a_damaged_line_is_an_error_beside_the_others(
     damaged = tmp_path / "damaged.laz"
     content = (files / "L1.laz").read_bytes()
     damaged.write_bytes(content[: len(content) // 2])
-    intake = taken_in(whole, damaged)
-    assert intake.state(intake.entry(damaged)) == "error"
-    assert str(damaged) not in said(intake, "damaged.laz")
-    assert intake.problem("x").startswith("damaged.laz: ")
-    assert intake.with_role(damaged, None).files_problem_text() == ""
+    input_files = taken_in(whole, damaged)
+    assert input_files.state(input_files.entry(damaged)) == "error"
+    assert str(damaged) not in said(input_files, "damaged.laz")
+    assert input_files.problem("x").startswith("damaged.laz: ")
+    assert input_files.with_role(damaged, None).files_problem_text() == ""
 
 
 # -- times ---------------------------------------------------------------------------------------
@@ -147,13 +147,16 @@ def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
     whole: InputFiles, files: Path, tmp_path: Path
 ) -> None:
     late = write_line(tmp_path / "day.laz", START + np.linspace(20, 30, 3000) - 5 * 86_400)
-    intake = taken_in(whole, late)
-    remark = intake.remarks(intake.entry(late))[0]
+    input_files = taken_in(whole, late)
+    remark = input_files.remarks(input_files.entry(late))[0]
     assert (remark.level, remark.code) == (Level.ERROR, "import.outside_with_shift")
     assert remark.params["points"] == note("time_base.gps_day")
     assert remark.actions[0].params["shift"] == pytest.approx(432_000)
-    assert [entry.path for entry, _ in intake.proposed_shifts] == [late]
-    for mended in (intake.with_action(late, remark.actions[0]), intake.with_shift_for_all()):
+    assert [entry.path for entry, _ in input_files.proposed_shifts] == [late]
+    for mended in (
+        input_files.with_action(late, remark.actions[0]),
+        input_files.with_shift_for_all(),
+    ):
         assert mended.files_problem_text() == ""
         assert mended.proposed_shifts == ()
         covered = mended.coverage(mended.entry(late))
@@ -174,30 +177,34 @@ def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
 def test_a_shift_that_another_one_rivals_stays_a_doubt(whole: InputFiles, tmp_path: Path) -> None:
     # With 18 s to spare on one side, UTC and GPS seconds of the day both fit.
     late = write_line(tmp_path / "day.laz", START + np.linspace(1, 5, 500) - 5 * 86_400)
-    intake = taken_in(whole, late)
-    first = intake.remarks(intake.entry(late))[0]
+    input_files = taken_in(whole, late)
+    first = input_files.remarks(input_files.entry(late))[0]
     assert len({action.params.get("shift") for action in first.actions} - {None}) == 2
-    mended = intake.with_action(late, first.actions[0])
-    assert mended.state(mended.entry(late)) == "doubt"
+    mended = input_files.with_action(late, first.actions[0])
+    assert mended.state(mended.entry(late)) == "warning"
     rivals = mended.remarks(mended.entry(late))[0]
     assert rivals.code == "import.other_bases_fit"
-    assert mended.with_action(late, rivals.actions[-1]).state(intake.entry(late)) == "error"
+    assert mended.with_action(late, rivals.actions[-1]).state(input_files.entry(late)) == "error"
 
 
 def test_a_line_of_another_day_is_refused_with_the_distance(
     whole: InputFiles, tmp_path: Path
 ) -> None:
     other = write_line(tmp_path / "other.laz", START + 50_000 + np.linspace(0, 5, 500))
-    intake = taken_in(whole, other)
-    remark = intake.remarks(intake.entry(other))[0]
+    input_files = taken_in(whole, other)
+    remark = input_files.remarks(input_files.entry(other))[0]
     assert (remark.level, remark.code) == (Level.ERROR, "import.after_trajectory")
     assert remark.params["distance"] == pytest.approx(49_960, abs=0.5)
     assert remark.actions == (Action("leave_out"),)
 
 
-def gaps_of(intake: InputFiles, name: str) -> list[Message]:
+def gaps_of(input_files: InputFiles, name: str) -> list[Message]:
     """Messages about the gaps of a trajectory."""
-    return [each for each in intake.remarks(named(intake, name)) if each.code == "trajectory.gaps"]
+    return [
+        each
+        for each in input_files.remarks(named(input_files, name))
+        if each.code == "trajectory.gaps"
+    ]
 
 
 def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
@@ -208,17 +215,17 @@ def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
     records = records[(time < 17) | (time > 19)]
     write_records(tmp_path / "gap.sbet", records)
     late = write_line(tmp_path / "late.laz", START + np.linspace(30, 45, 3000))
-    intake = taken_in(InputFiles(), tmp_path / "gap.sbet", files / "L2.las", late)
-    in_gaps = intake.remarks(named(intake, "L2.las"))[0]
+    input_files = taken_in(InputFiles(), tmp_path / "gap.sbet", files / "L2.las", late)
+    in_gaps = input_files.remarks(named(input_files, "L2.las"))[0]
     assert (in_gaps.code, in_gaps.params["limit"]) == ("import.points_in_gaps", 1.5)
-    assert "import.points_outside" in codes_about(intake, "late.laz")
-    (gaps,) = gaps_of(intake, "gap.sbet")
+    assert "import.points_outside" in codes_about(input_files, "late.laz")
+    (gaps,) = gaps_of(input_files, "gap.sbet")
     assert (gaps.params["count"], gaps.params["limit"]) == (1, 1.5)
     assert gaps.params["longest"] == pytest.approx(2.0, abs=0.05)
-    covered = intake.coverage(named(intake, "L2.las"))
+    covered = input_files.coverage(named(input_files, "L2.las"))
     assert covered is not None
     assert covered.share_in_gaps == pytest.approx(0.2, abs=0.01)
-    request = intake.request(tmp_path / "a", Settings(lever_arm=LEVER))
+    request = input_files.request(tmp_path / "a", Settings(lever_arm=LEVER))
     _, survey = new_project(
         request.folder, trajectory=request.trajectory, lines=request.lines,
         settings=request.settings,
@@ -229,10 +236,10 @@ def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
 
     (bridge,) = in_gaps.actions
     assert bridge.params["gap"] == pytest.approx(2.0, abs=0.11)
-    bridged = intake.with_action(files / "L2.las", bridge)
+    bridged = input_files.with_action(files / "L2.las", bridge)
     assert bridged.state(named(bridged, "L2.las")) == "fine"
     assert gaps_of(bridged, "gap.sbet") == []
-    (shorter,) = gaps_of(replace(intake, longest_gap=0.5), "gap.sbet")
+    (shorter,) = gaps_of(replace(input_files, longest_gap=0.5), "gap.sbet")
     assert (shorter.params["count"], shorter.params["limit"]) == (1, 0.5)
     request = bridged.request(tmp_path / "b", Settings(lever_arm=LEVER))
     project, survey = new_project(

@@ -57,41 +57,42 @@ def project(files: Path, tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 def opened(project: Project) -> InputFiles:
     """For lines to be added to it, its own files looked into as it reads them."""
-    intake = InputFiles.of_project(project)
-    for entry in intake.entries:
-        intake = intake.with_entry(examine_project_file(entry))
-    return intake
+    input_files = InputFiles.of_project(project)
+    for entry in input_files.entries:
+        input_files = input_files.with_entry(examine_project_file(entry))
+    return input_files
 
 
 # -- lines for an open project --------------------------------------------------------------------
 
 
 def test_a_projects_own_files_are_there_and_stay(project: Project, files: Path) -> None:
-    intake = opened(project)
-    assert [entry.role for entry in intake.entries] == ["trajectory", "accuracy"]
-    assert intake.track is not None
-    assert intake.sigmas is not None
+    input_files = opened(project)
+    assert [entry.role for entry in input_files.entries] == ["trajectory", "accuracy"]
+    assert input_files.track is not None
+    assert input_files.sigmas is not None
     assert (
-        intake.files_problem_text() == "There is no line. Add the scan file of at least one line."
+        input_files.files_problem_text()
+        == "There is no line. Add the scan file of at least one line."
     )
-    for entry in intake.entries:
-        assert intake.without(entry.path).entries == intake.entries
-        assert intake.with_role(entry.path, "points") is intake
+    for entry in input_files.entries:
+        assert input_files.without(entry.path).entries == input_files.entries
+        assert input_files.with_role(entry.path, "points") is input_files
     without = InputFiles.of_project(replace(project, accuracy=None))
     assert [entry.role for entry in without.entries] == ["trajectory"]
-    more = taken_in(intake, files / "L2.las")
+    more = taken_in(input_files, files / "L2.las")
     assert more.files_problem_text() == ""
     assert [(line.name, line.path.name) for line in more.sources()] == [("L2", "L2.las")]
-    assert more.without(files / "L2.las").files_problem_text() == intake.files_problem_text()
+    assert more.without(files / "L2.las").files_problem_text() == input_files.files_problem_text()
 
 
 def test_a_line_that_is_there_already_can_only_be_left_out(project: Project, files: Path) -> None:
-    intake = taken_in(opened(project), files / "L1.laz")
-    (remark,) = intake.remarks(named(intake, "L1.laz"))
+    input_files = taken_in(opened(project), files / "L1.laz")
+    (remark,) = input_files.remarks(named(input_files, "L1.laz"))
     assert (remark.level, remark.code) == (Level.ERROR, "import.already_in_project")
     assert remark.params == {"file": "L1.laz", "line": "L1"}
-    assert message_text(remark) in intake.files_problem_text()
-    left = intake.with_action(files / "L1.laz", remark.actions[0])
+    assert message_text(remark) in input_files.files_problem_text()
+    left = input_files.with_action(files / "L1.laz", remark.actions[0])
     assert left.state(left.entry(files / "L1.laz")) == "out"
 
 
@@ -111,8 +112,8 @@ def test_gaps_are_bridged_for_a_new_project_and_not_for_one_that_is_there(
     )
     assert [action.params["gap"] for action in new.actions] == [pytest.approx(3.1, abs=0.11)]
     here = replace(project, trajectory=torn, lines=(), accuracy=None)
-    intake = taken_in(opened(here), files / "L1.laz")
-    remarks = intake.remarks(named(intake, "L1.laz"))
+    input_files = taken_in(opened(here), files / "L1.laz")
+    remarks = input_files.remarks(named(input_files, "L1.laz"))
     assert remarks == (replace(new, actions=()),)
 
 
@@ -121,8 +122,8 @@ def test_a_gap_too_wide_to_be_bridged_has_no_remedy(files: Path, tmp_path: Path)
     records = vessel(2000)
     time = records[:, 0] - START
     torn = write_records(tmp_path / "torn.sbet", records[(time < 3) | (time > 30)])
-    intake = taken_in(InputFiles(), torn, files / "L1.laz")
-    found = intake.remarks(named(intake, "L1.laz"))
+    input_files = taken_in(InputFiles(), torn, files / "L1.laz")
+    found = input_files.remarks(named(input_files, "L1.laz"))
     (doubt,) = (each for each in found if each.level is Level.WARNING)
     assert doubt.actions == ()
 
@@ -152,17 +153,17 @@ def test_a_file_that_waits_says_nothing(files: Path) -> None:
 
 
 def test_a_role_that_a_file_has_already_keeps_what_was_found(files: Path) -> None:
-    intake = taken_in(InputFiles(), files / "L1.laz")
-    assert intake.with_role(files / "L1.laz", "points") is intake
-    assert intake.with_action(files / "L1.laz", CHOOSE_SYSTEM) is intake
+    input_files = taken_in(InputFiles(), files / "L1.laz")
+    assert input_files.with_role(files / "L1.laz", "points") is input_files
+    assert input_files.with_action(files / "L1.laz", CHOOSE_SYSTEM) is input_files
 
 
 def test_two_accuracies_are_one_too_many(files: Path, tmp_path: Path) -> None:
     second = tmp_path / "second.out"
     second.write_bytes((files / "smrmsg.out").read_bytes())
-    intake = taken_in(InputFiles(), files, second)
-    assert "import.several_accuracies" in codes_about(intake, "second.out")
-    assert intake.files_problem_text().endswith("Another file has errors.")
+    input_files = taken_in(InputFiles(), files, second)
+    assert "import.several_accuracies" in codes_about(input_files, "second.out")
+    assert input_files.files_problem_text().endswith("Another file has errors.")
 
 
 def test_a_folder_for_the_project_is_proposed_where_one_is_free(
@@ -173,17 +174,17 @@ def test_a_folder_for_the_project_is_proposed_where_one_is_free(
     home = tmp_path / "home"
     home.mkdir()
     monkeypatch.setattr(Path, "home", lambda: home)
-    intake = taken_in(InputFiles(), write_line(tmp_path / "L1.las", START + np.arange(50.0)))
-    assert proposed_folder(intake) == tmp_path / "boresight"
+    input_files = taken_in(InputFiles(), write_line(tmp_path / "L1.las", START + np.arange(50.0)))
+    assert proposed_folder(input_files) == tmp_path / "boresight"
     (tmp_path / "boresight").mkdir()
-    assert proposed_folder(intake) == home / f"{tmp_path.name}-boresight"
+    assert proposed_folder(input_files) == home / f"{tmp_path.name}-boresight"
     (home / f"{tmp_path.name}-boresight").mkdir()
-    assert proposed_folder(intake) == tmp_path / "boresight-2"
+    assert proposed_folder(input_files) == tmp_path / "boresight-2"
     monkeypatch.setattr(intake_module.os, "access", lambda *_: False)
     assert folder_problem(str(tmp_path / "x")) == (
         f"{tmp_path}: cannot be written. Choose another folder."
     )
-    assert proposed_folder(intake) is None
+    assert proposed_folder(input_files) is None
 
 
 # -- columns and time bases -----------------------------------------------------------------------
@@ -249,7 +250,7 @@ _SECONDS = 5000 + np.arange(200) / 100
 
 def of_points(xyz: np.ndarray, crs: str = "") -> tuple[Message, ...]:
     """Warnings about the coordinates of points."""
-    return check_first_points(xyz, _SECONDS[: len(xyz)], file="a.dat", crs=crs).doubts
+    return check_first_points(xyz, _SECONDS[: len(xyz)], file="a.dat", crs=crs).file_warnings
 
 
 _OPTION = [
@@ -273,7 +274,7 @@ def entry_with(key: str, doubt: Message) -> InputFile:
     """A file in a format, with a warning of its reader."""
     format = format_of(key)
     radians = {a.params["name"]: "radians" for a in doubt.actions if a.code == "use_degrees"}
-    finding = FilePreview({}, choice=radians, doubts=(doubt,))
+    finding = FilePreview({}, choice=radians, file_warnings=(doubt,))
     return InputFile(Path("a.dat"), role=format.kind, format=format, finding=finding, pending=False)
 
 
@@ -381,9 +382,9 @@ def test_accuracies_are_held_against_the_trajectorys_times(
     path = write_records(tmp_path / "smrmsg.out", rows)
     alone = taken_in(InputFiles(), path)
     assert code not in codes_about(alone, "smrmsg.out")
-    intake = taken_in(alone, files / "pos.sbet")
+    input_files = taken_in(alone, files / "pos.sbet")
     found = [
-        each for each in intake.remarks(named(intake, "smrmsg.out"))
+        each for each in input_files.remarks(named(input_files, "smrmsg.out"))
         if each.code.startswith("import.accuracy_")
     ]  # fmt: skip
     assert [(each.level, each.code) for each in found] == ([(level, code)] if level else [])

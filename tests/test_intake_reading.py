@@ -51,21 +51,21 @@ def write_unnamed(path: Path, seconds: float = 3.0) -> Path:
 
 def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_path: Path) -> None:
     text = write_unnamed(tmp_path / "one.txt")
-    intake = taken_in(InputFiles(), files / "pos.sbet", text)
-    assert intake.state(intake.entry(text)) == "error"
-    (missing,) = intake.remarks(intake.entry(text))
+    input_files = taken_in(InputFiles(), files / "pos.sbet", text)
+    assert input_files.state(input_files.entry(text)) == "error"
+    (missing,) = input_files.remarks(input_files.entry(text))
     assert missing.code == "import.columns_not_chosen"
     names = [note(f"column.{name}") for name in ("time", "x", "y", "z")]
     assert list(missing.params["columns"]) == names  # type: ignore[arg-type]
     for column, meaning in enumerate(("y", "y", "z", "time")):
-        intake = taken_in(intake.with_column(text, column, meaning))
-    assert tuple(intake.remarks(intake.entry(text))[0].params["columns"]) == (  # type: ignore[arg-type]
+        input_files = taken_in(input_files.with_column(text, column, meaning))
+    assert tuple(input_files.remarks(input_files.entry(text))[0].params["columns"]) == (  # type: ignore[arg-type]
         note("column.x"),
     )
-    assert intake.entry(text).columns == ("-", "y", "z", "time")
-    intake = taken_in(intake.with_column(text, 0, "x"))
-    assert intake.state(intake.entry(text)) == "fine", said(intake, "one.txt")
-    request = intake.request(tmp_path / "p", Settings(lever_arm=LEVER))
+    assert input_files.entry(text).columns == ("-", "y", "z", "time")
+    input_files = taken_in(input_files.with_column(text, 0, "x"))
+    assert input_files.state(input_files.entry(text)) == "fine", said(input_files, "one.txt")
+    request = input_files.request(tmp_path / "p", Settings(lever_arm=LEVER))
     _, survey = new_project(
         request.folder, trajectory=request.trajectory, lines=request.lines,
         settings=request.settings,
@@ -73,7 +73,7 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
     np.testing.assert_allclose(survey.scans["one"].points_lidar, fan(400), atol=1e-6)
 
     second = write_unnamed(tmp_path / "two.txt", 20.0)
-    after = taken_in(InputFiles(), files / "pos.sbet", second, mappings=intake.column_mappings)
+    after = taken_in(InputFiles(), files / "pos.sbet", second, mappings=input_files.column_mappings)
     assert after.entry(second).remembered
     assert after.entry(second).columns == ("x", "y", "z", "time")
     assert after.state(after.entry(second)) == "fine"
@@ -85,12 +85,16 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
 
 def test_columns_of_another_layout_are_not_taken_over(files: Path, tmp_path: Path) -> None:
     first = write_unnamed(tmp_path / "one.txt")
-    intake = taken_in(InputFiles(), first)
+    input_files = taken_in(InputFiles(), first)
     for column, meaning in enumerate(("x", "y", "z", "time")):
-        intake = taken_in(intake.with_column(first, column, meaning))
+        input_files = taken_in(input_files.with_column(first, column, meaning))
     wider = tmp_path / "wider.txt"
     np.savetxt(wider, np.column_stack([np.loadtxt(first), np.arange(400) % 50]), fmt="%.6f")
-    assert not taken_in(InputFiles(), wider, mappings=intake.column_mappings).entries[0].remembered
+    assert (
+        not taken_in(InputFiles(), wider, mappings=input_files.column_mappings)
+        .entries[0]
+        .remembered
+    )
 
 
 def test_columns_of_a_trajectory_of_text_are_chosen(tmp_path: Path) -> None:
@@ -101,14 +105,14 @@ def test_columns_of_a_trajectory_of_text_are_chosen(tmp_path: Path) -> None:
     rows = rows[:, [1, 2, 3, 0, 4, 5, 6]]  # time stands fourth
     path = tmp_path / "track.csv"
     np.savetxt(path, rows, fmt="%.9f", delimiter=",")
-    intake = taken_in(InputFiles(), path)
-    assert intake.entry(path).role == "trajectory"
+    input_files = taken_in(InputFiles(), path)
+    assert input_files.entry(path).role == "trajectory"
     order = ("latitude", "longitude", "height", "time", "roll", "pitch", "heading")
     for column, meaning in enumerate(order):
-        intake = taken_in(intake.with_column(path, column, meaning))
-    assert intake.entry(path).error is None
-    assert intake.track is not None
-    np.testing.assert_allclose(intake.track.time, records[:, 0])
+        input_files = taken_in(input_files.with_column(path, column, meaning))
+    assert input_files.entry(path).error is None
+    assert input_files.track is not None
+    np.testing.assert_allclose(input_files.track.time, records[:, 0])
 
 
 # -- places --------------------------------------------------------------------------------------
@@ -120,11 +124,11 @@ def test_a_trajectory_on_the_map_needs_its_coordinate_system(tmp_path: Path, lan
     rows = [f"{START + k},600000,5040000,10,0,0,90" for k in range(40)]
     path.write_text("\n".join(["time,easting,northing,height,roll,pitch,heading", *rows]))
     with in_language(language):
-        intake = taken_in(InputFiles(), path)
-    entry = intake.entry(path)
+        input_files = taken_in(InputFiles(), path)
+    entry = input_files.entry(path)
     assert entry.error is not None
     assert entry.error.code == "trajectory.no_system"
-    errors = [each for each in intake.remarks(entry) if each.level is Level.ERROR]
+    errors = [each for each in input_files.remarks(entry) if each.level is Level.ERROR]
     assert [option_to_choose(each.actions[0]) for each in errors] == ["crs"]
 
 
@@ -139,20 +143,20 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     points = coordinate_system("EPSG:32618").from_local(local, frame)
 
     stated = write_line(tmp_path / "stated.laz", times, points, "EPSG:32618")
-    intake = taken_in(whole, stated)
-    place = intake.entry(stated).place
+    input_files = taken_in(whole, stated)
+    place = input_files.entry(stated).place
     assert place is not None
     assert place.system.startswith("WGS 84 / UTM zone 18N")
-    assert intake.state(intake.entry(stated)) == "fine", said(intake, "stated.laz")
+    assert input_files.state(input_files.entry(stated)) == "fine", said(input_files, "stated.laz")
 
     bare = write_line(tmp_path / "bare.laz", times, points)
-    intake = taken_in(whole, bare)
-    remark = intake.remarks(intake.entry(bare))[0]
+    input_files = taken_in(whole, bare)
+    remark = input_files.remarks(input_files.entry(bare))[0]
     assert (remark.level, option_to_choose(remark.actions[0])) == (Level.ERROR, "crs")
-    assert intake.coverage(intake.entry(bare)) is not None
-    wrong = taken_in(intake.with_option(bare, "crs", "EPSG:32617"))
+    assert input_files.coverage(input_files.entry(bare)) is not None
+    wrong = taken_in(input_files.with_option(bare, "crs", "EPSG:32617"))
     assert "km from the trajectory" in said(wrong, "bare.laz")
-    nonsense = taken_in(intake.with_option(bare, "crs", "EPSG:1"))
+    nonsense = taken_in(input_files.with_option(bare, "crs", "EPSG:1"))
     assert "PROJ does not know this coordinate system" in said(nonsense, "bare.laz")
     right = taken_in(wrong.with_option(bare, "crs", "32618"))
     assert right.files_problem_text() == ""
@@ -180,6 +184,6 @@ def test_an_accuracy_of_another_time_is_an_error(whole: InputFiles, files: Path,
     other = np.fromfile(files / "smrmsg.out").reshape(-1, 10)
     other[:, 0] += 5000
     write_records(tmp_path / "other.out", other)
-    intake = taken_in(whole.without(files / "smrmsg.out"), tmp_path / "other.out")
-    assert "import.accuracy_times" in codes_about(intake, "other.out")
-    assert replace(intake, entries=whole.entries).files_problem_text() == ""
+    input_files = taken_in(whole.without(files / "smrmsg.out"), tmp_path / "other.out")
+    assert "import.accuracy_times" in codes_about(input_files, "other.out")
+    assert replace(input_files, entries=whole.entries).files_problem_text() == ""

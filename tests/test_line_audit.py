@@ -264,7 +264,7 @@ def test_one_value_in_place_of_coordinates_is_no_point(
     (look, *_) = check_file(path)
     assert look.finding is not None
     assert look.finding.choice["frame"] == "scanner"
-    assert not look.finding.doubts
+    assert not look.finding.file_warnings
     survey = opened(folder, path)
     found = by_code(survey)
     assert set(found) == {"audit.no_range"}

@@ -133,7 +133,9 @@ def test_trajectories_come_back(tmp_path: Path, form: Any, place_deg: tuple[floa
     assert look.finding is not None
     assert look.finding.choice["time"] == "gps-week"
     if form == "text":
-        assert not any("_down" in code or "_up" in code for code in codes(look.finding.doubts))
+        assert not any(
+            "_down" in code or "_up" in code for code in codes(look.finding.file_warnings)
+        )
     reading, _ = usual_or_detected_reading(path, "trajectory", Reading())
     found = read_trajectory(path, reading)
     np.testing.assert_allclose(found.time, known.time, rtol=0, atol=1e-8)

@@ -202,8 +202,8 @@ def test_las_states_its_time_base_and_system(tmp_path: Path) -> None:
     found = FORMATS["las"].look(path, {})
     assert found.choice["time_base"] == "gps-adjusted"
     assert "CGVD2013" in found.facts["coordinate system"]
-    assert "times.base_contradicted" in codes(found.doubts)  # they are of the week
-    assert "points.small_coordinates" in codes(found.doubts)
+    assert "times.base_contradicted" in codes(found.file_warnings)  # they are of the week
+    assert "points.small_coordinates" in codes(found.file_warnings)
     with pytest.raises(InputError, check=has_code("crs.grid_missing_geoid")):  # its geoid
         crs_of_options(FORMATS["las"].settled(found.choice))
     settled = FORMATS["las"].settled({**found.choice, "height": "ellipsoid"})
@@ -282,14 +282,14 @@ def test_e57_poses_and_starts(tmp_path: Path) -> None:
     posed = whole(FORMATS["e57"], path, {"frame": "georeferenced"})
     turned = np.stack([-files.XYZ[:, 1], files.XYZ[:, 0], files.XYZ[:, 2]], axis=1) + [1, 2, 3]
     np.testing.assert_allclose(posed.xyz, turned, atol=1e-9)
-    assert "e57.poses" in codes(FORMATS["e57"].look(path, {}).doubts)
+    assert "e57.poses" in codes(FORMATS["e57"].look(path, {}).file_warnings)
 
 
 def test_e57_with_stamps_that_are_no_time_since_the_start(tmp_path: Path) -> None:
     path = files.e57(tmp_path / "a.e57", stamps=files.TIME)
     found = FORMATS["e57"].look(path, {})
     assert found.choice["time_from"] == "zero"
-    assert "e57.large_time_stamps" in codes(found.doubts)
+    assert "e57.large_time_stamps" in codes(found.file_warnings)
     np.testing.assert_allclose(whole(FORMATS["e57"], path).time, files.TIME)
     silent = files.e57(tmp_path / "b.e57", start=0.0)
     assert FORMATS["e57"].look(silent, {}).choice["time_from"] == "zero"

@@ -35,4 +35,4 @@ def test_names_state_units(
     system = crs_of_options(settled)
     assert system is not None
     assert system.metres[2] == pytest.approx(height, rel=1e-12)
-    assert ("points.unit_of_column" in codes(finding.doubts)) == doubted
+    assert ("points.unit_of_column" in codes(finding.file_warnings)) == doubted

@@ -173,8 +173,8 @@ def test_time_of_32_bits(tmp_path: Path) -> None:
     doubled = laspy.LasData(las.header, las.points[np.repeat(np.arange(60), 5)])
     doubled.gps_time = np.linspace(400_000, 400_001, 300).astype(np.float32)
     doubled.write(tmp_path / "b.las")
-    doubts = FORMATS["las"].look(tmp_path / "b.las", {}).doubts
-    assert "times.coarse" in codes(doubts)
+    file_warnings = FORMATS["las"].look(tmp_path / "b.las", {}).file_warnings
+    assert "times.coarse" in codes(file_warnings)
 
 
 def doubts_of(tmp_path: Path, xyz: np.ndarray, crs: str = "", scale: float = 1e-4) -> list[str]:
@@ -186,7 +186,7 @@ def doubts_of(tmp_path: Path, xyz: np.ndarray, crs: str = "", scale: float = 1e-
     las.x, las.y, las.z = xyz.T
     las.gps_time = np.linspace(400_000, 400_001, len(xyz))
     las.write(tmp_path / "a.las")
-    return codes(FORMATS["las"].look(tmp_path / "a.las", {}).doubts)
+    return codes(FORMATS["las"].look(tmp_path / "a.las", {}).file_warnings)
 
 
 def test_doubts_about_place_and_unit(tmp_path: Path) -> None:
@@ -216,8 +216,8 @@ def test_unknown_coordinate_system(tmp_path: Path) -> None:
     data.x, data.y, data.z = near.T
     data.gps_time = np.linspace(0, 1, len(near))
     data.write(tmp_path / "b.las")
-    doubts = las.look(tmp_path / "b.las", {}).doubts
-    assert "las.unknown_wkt" in codes(doubts)
+    file_warnings = las.look(tmp_path / "b.las", {}).file_warnings
+    assert "las.unknown_wkt" in codes(file_warnings)
 
 
 def test_laz_that_claims_billions_of_chunks(tmp_path: Path, made: dict[str, Path]) -> None:

@@ -140,21 +140,21 @@ def test_doubts_about_what_is_stored_too_coarsely(tmp_path: Path) -> None:
     path = written(tmp_path, "ply", "property double x", "property float x")
     path.write_text(path.read_text().replace("4 5 6", "20000 5 6"))
     (coarse,) = (
-        each for each in FORMATS["ply"].look(path, {}).doubts
+        each for each in FORMATS["ply"].look(path, {}).file_warnings
         if each.code == "points.coordinates_32_bits"
     )  # fmt: skip
     assert coarse.params["step"] == 2.0**-9
     assert coarse.params["largest"] == 20_000
     path = written(tmp_path, "ply", "property double time", "property float time")
-    assert codes(FORMATS["ply"].look(path, {}).doubts) == []
+    assert codes(FORMATS["ply"].look(path, {}).file_warnings) == []
     path.write_text(path.read_text().replace("6 11", "6 5000"))
     expected = warning("times.coarse", file=path.name, step=2.0**-11)
-    assert expected in FORMATS["ply"].look(path, {}).doubts
+    assert expected in FORMATS["ply"].look(path, {}).file_warnings
     path = written(tmp_path, "ply", "property double time", "property int time")
-    doubts = FORMATS["ply"].look(path, {}).doubts
-    assert "times.whole_numbers" in codes(doubts)
-    doubts = FORMATS["ply"].look(path, {"time_unit": "millisecond"}).doubts
-    assert "times.whole_numbers" not in codes(doubts)
+    file_warnings = FORMATS["ply"].look(path, {}).file_warnings
+    assert "times.whole_numbers" in codes(file_warnings)
+    file_warnings = FORMATS["ply"].look(path, {"time_unit": "millisecond"}).file_warnings
+    assert "times.whole_numbers" not in codes(file_warnings)
 
 
 def compressed(folder: Path, count: int, packed: bytes, whole: int | None = None) -> Path:

@@ -118,15 +118,15 @@ def test_units_in_the_names_of_columns() -> None:
 def test_eastings_in_another_unit_than_the_systems(
     units: dict[str, str], crs: str, doubted: bool
 ) -> None:
-    doubts = unit_warnings(units, crs, "a.txt")
-    assert bool(doubts) == doubted
+    file_warnings = unit_warnings(units, crs, "a.txt")
+    assert bool(file_warnings) == doubted
     if doubted:
         unit, system = note("unit.metres"), coordinate_system(crs)
         expected = warning(
             "points.unit_of_column", file="a.txt", unit=unit, system=system.name,
             system_unit="US survey foot",
         )  # fmt: skip
-        assert doubts == (expected,)
+        assert file_warnings == (expected,)
 
 
 NEAR = np.random.default_rng(4).normal(0, 10, (200, 3))
@@ -144,9 +144,9 @@ SECONDS = 5000 + np.arange(200) / 100
          (warning("times.decreasing_points", file="a", count=199, total=200),)),
     ],
 )  # fmt: skip
-def test_doubts_about_times(time: np.ndarray, doubts: tuple[Message, ...]) -> None:
+def test_doubts_about_times(time: np.ndarray, file_warnings: tuple[Message, ...]) -> None:
     """Near 5,000 a float of 32 bits has steps of 2**-11."""
-    assert check_first_points(NEAR, time, file="a", crs="").doubts == doubts
+    assert check_first_points(NEAR, time, file="a", crs="").file_warnings == file_warnings
 
 
 @pytest.mark.parametrize(("crs", "doubted"), [("EPSG:4326", False), ("EPSG:999999", True)])
@@ -154,7 +154,7 @@ def test_small_coordinates_of_a_named_system(crs: str, doubted: bool) -> None:
     """Degrees are small as a scanner's coordinates are; of an unknown system nothing is known."""
     found = check_first_points(NEAR, SECONDS, file="a", crs=crs)
     assert found.frame == "georeferenced"
-    assert codes(found.doubts) == (["points.small_coordinates"] if doubted else [])
+    assert codes(found.file_warnings) == (["points.small_coordinates"] if doubted else [])
 
 
 @pytest.mark.parametrize(

@@ -153,9 +153,9 @@ def test_forty_surveys_scatter_as_foretold() -> None:
     count = 40
     found = compared(PLAN, count, stated=True, workers=1)
     lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
-    ratio = found.empirical_sigma / found.foretold
+    ratio = found.empirical_sigma / found.predicted
     assert ((ratio > lower) & (ratio < upper)).all(), scatter_table(found)
-    assert found.stated == pytest.approx(found.foretold, rel=0.02)
+    assert found.stated == pytest.approx(found.predicted, rel=0.02)
 
 
 @pytest.mark.long
@@ -164,4 +164,4 @@ def test_forty_surveys_scatter_as_foretold() -> None:
 def test_a_thousand_surveys_scatter_as_foretold(stated: bool) -> None:
     found = compared(PLAN, 1000, stated=stated)
     print(scatter_table(found))
-    assert found.empirical_sigma == pytest.approx(found.foretold, rel=0.08), scatter_table(found)
+    assert found.empirical_sigma == pytest.approx(found.predicted, rel=0.08), scatter_table(found)

@@ -81,7 +81,7 @@ def test_systems_and_waveforms_are_said() -> None:
     assert "Oregon LCC" in read("simple.copc.laz")[0].facts["coordinate system"]
     waves = read("simple1_3.las")[0]
     assert "assumed.waveforms" in codes(waves.assumptions)
-    assert {"las.system_without_code", "las.system_not_named"} & set(codes(waves.doubts))
+    assert {"las.system_without_code", "las.system_not_named"} & set(codes(waves.file_warnings))
 
 
 @pytest.mark.parametrize("name", ["airplane.ply", "ant.ply", "nut.ply", "sphere.ply"])

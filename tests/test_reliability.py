@@ -167,11 +167,11 @@ def test_the_effect_of_a_shift_is_what_it_does_to_the_angles() -> None:
     for s in (1, 8):
         after = adjust(shifted(data, s, 0.02), PRIOR, model)
         item = before.reliability[s]
-        foretold = item.effect / item.detectable * 0.02
+        predicted = item.effect / item.detectable * 0.02
         done = after.boresight - before.boresight
         # The sign is that of the normal, which either way is right.
         assert (
-            min(np.abs(done - foretold).max(), np.abs(done + foretold).max())
+            min(np.abs(done - predicted).max(), np.abs(done + predicted).max())
             < 0.25 * np.abs(done).max() + 0.02 * before.sigma.max()
         )
 

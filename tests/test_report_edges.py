@@ -71,9 +71,9 @@ def test_a_picture_is_the_figure_as_it_is_drawn() -> None:
 
 def test_errors_of_surveys_are_drawn_over_what_was_foretold() -> None:
     rng = np.random.default_rng(1)
-    foretold = np.radians([0.01, 0.02, 0.03])
-    errors = rng.normal(size=(400, 3)) * foretold * [1.0, 2.0, 0.5]
-    found = MonteCarloResult(errors, np.tile(foretold, (400, 1)), foretold, np.eye(3), 0)
+    predicted = np.radians([0.01, 0.02, 0.03])
+    errors = rng.normal(size=(400, 3)) * predicted * [1.0, 2.0, 0.5]
+    found = MonteCarloResult(errors, np.tile(predicted, (400, 1)), predicted, np.eye(3), 0)
     figure = simulated_errors_figure(found)
     titles = [axes.get_title(loc="left") for axes in figure.axes]
     assert titles == [

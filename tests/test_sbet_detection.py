@@ -21,7 +21,7 @@ def looked(path: Path) -> FilePreview:
 
 
 def has(finding: FilePreview, code: str) -> bool:
-    return code in codes(finding.doubts)
+    return code in codes(finding.file_warnings)
 
 
 def test_leeward_is_recognised_as_conventions_say(shared_data: Path) -> None:
@@ -103,7 +103,7 @@ def test_true_heading_is_found_where_the_wander_angle_is_large(tmp_path: Path) -
 def test_frame_without_wander_angle_needs_no_choice(tmp_path: Path) -> None:
     finding = looked(write_records(tmp_path / "a.sbet", in_axes(vessel(), "nwu")))
     assert finding.choice["axes"] == "nwu"
-    assert not any("wander" in code for code in codes(finding.doubts))
+    assert not any("wander" in code for code in codes(finding.file_warnings))
 
 
 def test_straight_level_course_leaves_up_open(tmp_path: Path) -> None:
@@ -283,12 +283,12 @@ def test_part_of_a_long_file_is_enough(tmp_path: Path) -> None:
 def test_gap_and_backward_times_are_counted(tmp_path: Path) -> None:
     records = vessel()
     records[1000:, 0] += 30
-    found = looked(write_records(tmp_path / "a.sbet", records)).doubts
+    found = looked(write_records(tmp_path / "a.sbet", records)).file_warnings
     (gaps,) = (each for each in found if each.code == "trajectory.gaps")
     assert gaps.params["count"] == 1
     assert gaps.params["limit"] == 1.5
     records[500, 0] = records[400, 0]
-    found = looked(write_records(tmp_path / "b.sbet", records)).doubts
+    found = looked(write_records(tmp_path / "b.sbet", records)).file_warnings
     (backward,) = (each for each in found if each.code == "times.decreasing")
     assert (backward.params["count"], backward.params["total"]) == (1, 2000)
 
@@ -307,7 +307,7 @@ def test_records_without_a_usable_time_are_counted_and_passed_over(tmp_path: Pat
     records = vessel(200)
     records[7, 0] = np.nan
     finding = looked(write_records(tmp_path / "a.sbet", records))
-    assert warning("sbet.not_finite", file="a.sbet", count=1) in finding.doubts
+    assert warning("sbet.not_finite", file="a.sbet", count=1) in finding.file_warnings
     assert finding.facts["Start"] == note("fact.time", time=486_000.0)
     assert finding.facts["End"].params["time"] == pytest.approx(486_000 + 199 / 50)
 
@@ -319,7 +319,7 @@ def test_times_that_fit_no_base_are_doubted(tmp_path: Path) -> None:
     finding = looked(write_records(tmp_path / "a.sbet", records))
     first, last = records[[0, -1], 0]
     expected = warning("trajectory.no_time_base", file="a.sbet", start=first, end=last)
-    assert expected in finding.doubts
+    assert expected in finding.file_warnings
 
 
 def test_degrees_of_position_alone_are_doubted(tmp_path: Path) -> None:
@@ -329,7 +329,7 @@ def test_degrees_of_position_alone_are_doubted(tmp_path: Path) -> None:
     assert has(finding, "sbet.heading_in_radians")
     records[:, 2] = -400.0
     not_angles = warning("sbet.not_angles", file="b.sbet", largest=400.0)
-    assert not_angles in looked(write_records(tmp_path / "b.sbet", records)).doubts
+    assert not_angles in looked(write_records(tmp_path / "b.sbet", records)).file_warnings
 
 
 def test_a_file_that_is_lost_while_it_is_looked_at(

@@ -128,18 +128,18 @@ def test_text_and_stated_time_bases_count_on_too(tmp_path: Path) -> None:
 
 def test_the_dialogue_counts_on_and_says_so(tmp_path: Path) -> None:
     track, line = survey_about(tmp_path, WEEK)
-    intake = taken_in(InputFiles(), track, line)
-    entry = named(intake, "L.las")
-    assert intake.state(entry) == "fine"
-    (restart,) = (m for m in intake.remarks(entry) if m.code == "import.times_restart")
+    input_files = taken_in(InputFiles(), track, line)
+    entry = named(input_files, "L.las")
+    assert input_files.state(entry) == "fine"
+    (restart,) = (m for m in input_files.remarks(entry) if m.code == "import.times_restart")
     assert restart.params["place"] == note("rollover.week_end")
     assert restart.params["last"] == pytest.approx(WEEK, abs=0.1)
-    covered = intake.coverage(entry)
+    covered = input_files.coverage(entry)
     assert covered is not None
     assert covered.outside == 0
     assert entry.content.end == pytest.approx(WEEK + 18)
     (ignore,) = restart.actions
-    back = taken_in(intake.with_action(line, ignore))
+    back = taken_in(input_files.with_action(line, ignore))
     assert "import.points_outside" in codes_about(back, "L.las")
 
 

@@ -222,52 +222,56 @@ def test_the_dialogue_applies_a_lines_statement_and_takes_it_back(track, tmp_pat
     line = write_points(tmp_path / "utc.las", -18)
     before = taken_in(InputFiles(), track, line)
     assert named(before, "utc.las").shift == 0
-    intake = taken_in(before.with_option(line, "time_base", "utc-week"))
-    assert named(intake, "utc.las").shift == pytest.approx(18)
-    assert "import.shift_follows" in codes_about(intake, "utc.las")
-    assert intake.state(named(intake, "utc.las")) == "fine"
-    request = intake.request(tmp_path / "p", Settings(lever_arm=LEVER))
+    input_files = taken_in(before.with_option(line, "time_base", "utc-week"))
+    assert named(input_files, "utc.las").shift == pytest.approx(18)
+    assert "import.shift_follows" in codes_about(input_files, "utc.las")
+    assert input_files.state(named(input_files, "utc.las")) == "fine"
+    request = input_files.request(tmp_path / "p", Settings(lever_arm=LEVER))
     _, survey = new_project(
         request.folder, trajectory=request.trajectory, lines=request.lines,
         settings=request.settings, trajectory_reading=request.trajectory_reading,
     )  # fmt: skip
     assert survey.scans["utc"].time.min() == pytest.approx(START + 30)
-    follows = next(each for each in intake.remarks(named(intake, "utc.las")) if each.actions)
-    back = taken_in(intake.with_action(line, follows.actions[0]))
+    follows = next(
+        each for each in input_files.remarks(named(input_files, "utc.las")) if each.actions
+    )
+    back = taken_in(input_files.with_action(line, follows.actions[0]))
     assert named(back, "utc.las").shift == 0
 
 
 def test_the_dialogue_applies_a_trajectorys_statement(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
     line = write_points(tmp_path / "gps.las", 0)
-    intake = taken_in(taken_in(InputFiles(), track, line).with_option(track, "time", "utc-week"))
-    assert named(intake, "gps.las").shift == pytest.approx(-18)
-    assert intake.files_problem_text() == ""
-    again = taken_in(intake.with_option(track, "time", "gps-week"))
+    input_files = taken_in(
+        taken_in(InputFiles(), track, line).with_option(track, "time", "utc-week")
+    )
+    assert named(input_files, "gps.las").shift == pytest.approx(-18)
+    assert input_files.files_problem_text() == ""
+    again = taken_in(input_files.with_option(track, "time", "gps-week"))
     assert named(again, "gps.las").shift == 0
 
 
 @pytest.mark.parametrize("base", ["utc-day", "gps-adjusted"])
 def test_the_dialogue_refuses_what_the_times_cannot_be(base: str, track, tmp_path) -> None:
     line = write_points(tmp_path / "L.las", 0)
-    intake = taken_in(taken_in(InputFiles(), track, line).with_option(line, "time_base", base))
-    assert "cannot be" in intake.files_problem_text()
-    error = intake.remarks(named(intake, "L.las"))[0]
+    input_files = taken_in(taken_in(InputFiles(), track, line).with_option(line, "time_base", base))
+    assert "cannot be" in input_files.files_problem_text()
+    error = input_files.remarks(named(input_files, "L.las"))[0]
     assert error.level is Level.ERROR
-    assert named(intake, "L.las").shift == 0
-    assert taken_in(intake.with_action(line, error.actions[0])).files_problem_text() == ""
+    assert named(input_files, "L.las").shift == 0
+    assert taken_in(input_files.with_action(line, error.actions[0])).files_problem_text() == ""
 
 
 def test_the_dialogue_offers_the_shift_that_brings_in_more(track, tmp_path) -> None:
     line = write_points(tmp_path / "early.las", -18, 0, 34.7)
-    intake = taken_in(InputFiles(), track, line)
-    outside, offered = intake.time_messages(named(intake, "early.las"))
+    input_files = taken_in(InputFiles(), track, line)
+    outside, offered = input_files.time_messages(named(input_files, "early.las"))
     assert outside.code == "import.points_outside"
     assert offered.code == "import.shift_offered"
     assert (offered.params["shift"], offered.params["share"]) == (pytest.approx(18), 1.0)
     assert offered.actions[0].params["shift"] == pytest.approx(18)
-    assert [shift for _, shift in intake.proposed_shifts] == [pytest.approx(18)]
-    mended = intake.with_shift_for_all()
+    assert [shift for _, shift in input_files.proposed_shifts] == [pytest.approx(18)]
+    mended = input_files.with_shift_for_all()
     assert mended.proposed_shifts == ()
     covered = mended.coverage(named(mended, "early.las"))
     assert covered is not None

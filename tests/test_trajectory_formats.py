@@ -80,7 +80,7 @@ def test_smrmsg_is_recognised_and_shown(tmp_path: Path) -> None:
     finding = format.look(tmp_path / "smrmsg.out", {})
     assert finding.facts["Records"] == 100
     assert finding.facts["Sigma roll"] == note("fact.angles", low=2e-4, high=2e-4)
-    assert finding.doubts == ()
+    assert finding.file_warnings == ()
     np.testing.assert_allclose(format.read(tmp_path / "smrmsg.out", {}).attitude, 2e-4)
 
 
@@ -101,8 +101,8 @@ def test_delph_export(tmp_path: Path) -> None:
     finding = EXAIL.look(path, {})
     assert finding.choice == {"pitch": "bow-down", "roll": "starboard-down", "time": "unix"}
     assert finding.facts["Header"] == "DELPH INS Navigation export"
-    assert "trajectory.pitch_bow_down" in codes(finding.doubts)
-    assert "times.utc_assumed" in codes(finding.doubts)
+    assert "trajectory.pitch_bow_down" in codes(finding.file_warnings)
+    assert "times.utc_assumed" in codes(finding.file_warnings)
     trajectory = EXAIL.read(path, finding.choice)
     agrees(trajectory, records)
     start = calendar.timegm((2023, 6, 27, 14, 0, 0))
@@ -138,7 +138,10 @@ def test_delph_units_and_signs_come_from_the_header(tmp_path: Path) -> None:
     (tmp_path / "nav.txt").write_text(text)
     finding = EXAIL.look(tmp_path / "nav.txt", {})
     assert finding.choice["pitch"] == "bow-up"
-    assert warning("trajectory.degrees_assumed", file="nav.txt", column="roll") in finding.doubts
+    assert (
+        warning("trajectory.degrees_assumed", file="nav.txt", column="roll")
+        in finding.file_warnings
+    )
     trajectory = EXAIL.read(tmp_path / "nav.txt", finding.choice)
     right = truth(records)["attitude"][:, 1]
     np.testing.assert_allclose(trajectory.attitude[:, 1], -right, atol=2e-7)
@@ -162,7 +165,7 @@ def test_pospac_export(tmp_path: Path) -> None:
     assert recognise_formats(path, "trajectory")[0] == (POSPAC, SURE)
     finding = POSPAC.look(path, {})
     assert finding.facts["Date of mission"] == "2018-08-07"
-    assert finding.doubts == ()
+    assert finding.file_warnings == ()
     trajectory = POSPAC.read(path, finding.choice)
     agrees(trajectory, records)
     np.testing.assert_allclose(trajectory.time, records[:, 0], rtol=0, atol=1e-5)
@@ -188,7 +191,7 @@ def test_pospac_units_come_from_the_header(tmp_path: Path) -> None:
     assert refused.value.code == "trajectory.pospac_notation"
     without = "\n".join(line for line in text.splitlines() if "(time in" not in line)
     (tmp_path / "a.txt").write_text(without)
-    assert "trajectory.degrees_assumed" in codes(POSPAC.look(tmp_path / "a.txt", {}).doubts)
+    assert "trajectory.degrees_assumed" in codes(POSPAC.look(tmp_path / "a.txt", {}).file_warnings)
 
 
 def table(records: np.ndarray, factor: float = 180 / np.pi) -> np.ndarray:
@@ -214,7 +217,7 @@ def test_generic_text(tmp_path: Path, separator: str, header: str) -> None:
     assert sureness == (LIKELY if header else 0.3)
     finding = ASCII.look(path, {})
     assert finding.choice["columns"] == "time latitude longitude height roll pitch heading"
-    assert ("trajectory.columns_assumed" in codes(finding.doubts)) == (not header)
+    assert ("trajectory.columns_assumed" in codes(finding.file_warnings)) == (not header)
     trajectory = ASCII.read(path, finding.choice)
     agrees(trajectory, records)
     assert "assumed.given_columns" in codes(trajectory.assumptions)
@@ -248,7 +251,7 @@ def test_radians_are_found(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(100), 1.0), "%.14f")
     finding = ASCII.look(tmp_path / "a.txt", {})
     assert (finding.choice["position"], finding.choice["attitude"]) == ("radians", "radians")
-    assert "trajectory.position_in_radians" in codes(finding.doubts)
+    assert "trajectory.position_in_radians" in codes(finding.file_warnings)
     agrees(ASCII.read(tmp_path / "a.txt", finding.choice), vessel(100))
 
 
@@ -330,20 +333,20 @@ def test_heights_above_the_sea_are_said(tmp_path: Path) -> None:
 
 def test_exchanged_columns_show_in_the_course(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(2000))[:, [0, 2, 1, 3, 4, 5, 6]], "%.12f")
-    assert "trajectory.exchanged" in codes(ASCII.look(tmp_path / "a.txt", {}).doubts)
+    assert "trajectory.exchanged" in codes(ASCII.look(tmp_path / "a.txt", {}).file_warnings)
 
 
 def test_preview_of_a_long_file_reads_head_and_tail(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(5200)), "%.12f")
     finding = ASCII.look(tmp_path / "a.txt", {})
-    assert "trajectory.last_rows" not in codes(finding.doubts)
+    assert "trajectory.last_rows" not in codes(finding.file_warnings)
     assert finding.facts["End"].params["time"] == pytest.approx(vessel(5200)[-1, 0])
     records = vessel(12_000, rate=200)
     np.savetxt(tmp_path / "a.txt", table(records), "%.12f")
     finding = ASCII.look(tmp_path / "a.txt", {})
     assert finding.facts["End"].params["time"] == pytest.approx(records[-1, 0])
     assert finding.facts["Rows"].params["count"] == pytest.approx(12_000, rel=0.05)
-    assert "trajectory.gaps" not in codes(finding.doubts)
+    assert "trajectory.gaps" not in codes(finding.file_warnings)
 
 
 @pytest.mark.parametrize(

@@ -113,9 +113,9 @@ def test_times_against_the_base_that_is_stated() -> None:
 def test_a_heading_across_the_course_is_doubted(tmp_path: Path) -> None:
     """The bow of this vessel points two degrees to starboard of its course."""
     records = vessel()
-    assert not SBET.look(write_records(tmp_path / "a.sbet", records), {}).doubts
+    assert not SBET.look(write_records(tmp_path / "a.sbet", records), {}).file_warnings
     records[:, 9] += np.radians(80)
-    (doubt,) = SBET.look(write_records(tmp_path / "a.sbet", records), {}).doubts
+    (doubt,) = SBET.look(write_records(tmp_path / "a.sbet", records), {}).file_warnings
     assert doubt.code == "trajectory.heading_differs"
     assert doubt.params["difference"] == pytest.approx(np.radians(82), abs=np.radians(0.5))
 
@@ -131,11 +131,11 @@ def test_a_heading_across_the_course_is_doubted(tmp_path: Path) -> None:
     ],
 )
 def test_standard_deviations_that_are_doubted(
-    position: float, attitude_deg: float, doubts: list[str]
+    position: float, attitude_deg: float, file_warnings: list[str]
 ) -> None:
     sigmas = np.full((5, 3), position), np.full((5, 3), np.radians(attitude_deg))
     found = accuracy_facts(TrajectoryAccuracy(np.arange(5.0), *sigmas), "a")[1]
-    assert codes(found) == doubts
+    assert codes(found) == file_warnings
     for each in found:
         if each.code == "accuracy.large":
             assert each.params["position"] == position
@@ -152,7 +152,7 @@ def test_remarks_at_the_end_of_text_are_no_rows(
         file.write("# end of the export\n\n")
     found = EXAIL.look(path, {})
     assert found.facts["End"] == plain.facts["End"]
-    assert found.doubts == plain.doubts
+    assert found.file_warnings == plain.file_warnings
     assert len(EXAIL.read(path, found.choice).time) == 200
 
 

@@ -93,10 +93,10 @@ def test_what_keeps_a_trajectory_out_is_said_once_without_its_path(tmp_path: Pat
     head += "position in Meters, orientation in Degrees)\n"
     rows = [f"{300 + k / 10} {4e5 + k} 5e6 10 0 0 90" for k in range(50)]
     path.write_text("POS Export Utility\n" + head + "\n".join(rows), encoding="utf-8")
-    intake = InputFiles().with_files([path]).with_entry(examine_file(path))
-    remarks = intake.remarks(intake.entries[0])
+    input_files = InputFiles().with_files([path]).with_entry(examine_file(path))
+    remarks = input_files.remarks(input_files.entries[0])
     about = [remark for remark in remarks if remark.code == "trajectory.no_system"]
     assert [remark.level for remark in about] == [Level.ERROR]
     assert about[0].params["file"] == path.name
     assert option_to_choose(about[0].actions[0]) == "crs"
-    assert all(doubt.params["file"] == path.name for doubt in POSPAC.look(path, {}).doubts)
+    assert all(doubt.params["file"] == path.name for doubt in POSPAC.look(path, {}).file_warnings)

@@ -106,8 +106,8 @@ def test_plain_feet_are_those_of_the_system(tmp_path: Path, crs: str, unit: floa
         MICHIGAN: note("unit.feet_of_system", unit=FEET),
     }
     assert easting == of_system.get(crs, FEET)
-    doubts = POSPAC.look(path, {"crs": crs}).doubts
-    assert ("trajectory.feet_not_specified" in codes(doubts)) == (crs == UTM)
+    file_warnings = POSPAC.look(path, {"crs": crs}).file_warnings
+    assert ("trajectory.feet_not_specified" in codes(file_warnings)) == (crs == UTM)
 
 
 @pytest.mark.parametrize(
@@ -147,14 +147,14 @@ def test_heights_without_unit_are_metres_unless_the_system_has_heights(tmp_path:
     path = write(tmp_path / "a.csv", head, rows, ",")
     finding = ASCII.look(path, {"crs": NEW_JERSEY})
     assert off(ASCII.read(path, finding.choice), records) < 1e-4
-    assert "trajectory.height_unit_not_stated" in codes(finding.doubts)
+    assert "trajectory.height_unit_not_stated" in codes(finding.file_warnings)
     rows[:, 3] /= SURVEY_FOOT
     write(path, head, rows, ",")
     finding = ASCII.look(path, {"crs": f"{NEW_JERSEY}+6360"})  # NAVD88 height (ftUS)
     trajectory = ASCII.read(path, finding.choice)
     assert off(trajectory, records) < 1e-4
     assert name_of_unit(trajectory, "height") == note("unit.as_in_system", unit=US_FEET)
-    assert "trajectory.height_unit_not_stated" not in codes(finding.doubts)
+    assert "trajectory.height_unit_not_stated" not in codes(finding.file_warnings)
 
 
 @pytest.mark.parametrize(("word", "unit"), [("US survey feet", SURVEY_FOOT), ("meter", 1.0)])
@@ -188,7 +188,7 @@ def doubts_of_velocities(path: Path, word: str, unit: float, factor: float) -> t
     speed = factor * np.stack([4 * np.sin(course), 4 * np.cos(course)], axis=1)
     rows = np.insert(np.column_stack([rows, speed]), 1, 0.0, axis=1)
     write(path, POSPAC_HEAD.format(word), rows, " ")
-    return POSPAC.look(path, {"crs": NEW_JERSEY}).doubts
+    return POSPAC.look(path, {"crs": NEW_JERSEY}).file_warnings
 
 
 def test_velocities_of_the_file_show_a_wrong_unit(tmp_path: Path) -> None:
@@ -216,17 +216,17 @@ def test_speed_that_no_vessel_has_is_doubted(tmp_path: Path) -> None:
         rows = np.column_stack([rows, np.degrees(records[:, [7, 8, 9]])])
         head = "Time,Latitude,Longitude,Height,Roll,Pitch,Heading\n"
         path = write(tmp_path / "a.csv", head, rows, ",")
-        doubts = ASCII.look(path, {}).doubts
-        assert ("trajectory.fast" in codes(doubts)) == doubted
+        file_warnings = ASCII.look(path, {}).file_warnings
+        assert ("trajectory.fast" in codes(file_warnings)) == doubted
 
 
 def test_jump_of_an_sbet_is_doubted(tmp_path: Path) -> None:
     records = vessel(2000)
     path = write_records(tmp_path / "a.sbet", records)
-    assert "trajectory.jumps" not in codes(SBET.look(path, {}).doubts)
+    assert "trajectory.jumps" not in codes(SBET.look(path, {}).file_warnings)
     records[1200:, 1] += 300 / 6.4e6
     write_records(path, records)
-    assert "trajectory.jumps" in codes(SBET.look(path, {}).doubts)
+    assert "trajectory.jumps" in codes(SBET.look(path, {}).file_warnings)
 
 
 @pytest.mark.parametrize(("unit", "said"), [(FOOT, True), (1.0, False)])
@@ -238,7 +238,7 @@ def test_positions_far_from_where_the_system_is_meant_for_are_doubted(
     path = write(tmp_path / "a.csv", "time,easting,northing,height,roll,pitch,heading\n", rows, ",")
     found = [
         (each.params["system"], each.params["name"])
-        for each in ASCII.look(path, {"crs": UTM}).doubts
+        for each in ASCII.look(path, {"crs": UTM}).file_warnings
         if each.code == "trajectory.other_area"
     ]
     assert found == ([(UTM, "WGS 84 / UTM zone 18N")] if said else [])
@@ -255,7 +255,7 @@ def test_heights_in_degrees_are_refused(tmp_path: Path, look: bool) -> None:
     assert refused.value.message == error("trajectory.not_a_length", **column)
     if look:
         named = warning("trajectory.not_a_length", **{**column, "file": path.name})
-        assert named in EXAIL.look(path, {"crs": UTM}).doubts
+        assert named in EXAIL.look(path, {"crs": UTM}).file_warnings
 
 
 def test_angles_in_metres_are_refused(tmp_path: Path) -> None:

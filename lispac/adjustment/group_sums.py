@@ -170,7 +170,7 @@ class EffectArrays(NamedTuple):
     start: NDArray[np.int64]
     knot: NDArray[np.int64]
     fraction: Array  # of no length in thesis mode
-    stray: Array
+    outlying: Array
     bridge: Array
     surface: Array
     pos: Array
@@ -180,7 +180,7 @@ class EffectArrays(NamedTuple):
         """Take the arrays from ``groups`` and ``state``."""
         knots = groups.knots
         none = (np.zeros(0),) * 3
-        between = none if knots is None else (knots.fraction, knots.stray, knots.bridge)
+        between = none if knots is None else (knots.fraction, knots.outlying, knots.bridge)
         return cls(groups.start, groups.knot, *between, state.surface, state.effects)
 
 
@@ -203,7 +203,8 @@ class WeightArrays(NamedTuple):
 @kernel(inline="always")
 def point_misclosure(  # type: ignore[no-untyped-def]
     i, t, s, g, at, seen, rate, spheres, sigma_lidar, beam, sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, knot, fraction, stray, bridge, surface, pos,
+    values, rotation, derivatives, turn, shapes, knot, fraction, outlying, bridge, surface,
+    pos,
     out, lidar,
 ):  # fmt: skip
     """Misclosure of point ``i`` with the effects applied, and the variance of its noise."""
@@ -221,9 +222,9 @@ def point_misclosure(  # type: ignore[no-untyped-def]
             misclosure += out[13 + k] * ((1 - u) * pos[before, k] + u * pos[before + 1, k])
         # What the POS error does between two knots that a straight line does not
         for k in range(3):
-            between = bridge[k] * stray[i]
+            between = bridge[k] * outlying[i]
             variance += between * (out[13 + k] * sigma_position[i, k]) ** 2
-            between = bridge[3 + k] * stray[i]
+            between = bridge[3 + k] * outlying[i]
             variance += between * (out[16 + k] * sigma_attitude[i, k]) ** 2
     else:
         for k in range(3):
@@ -255,7 +256,8 @@ BLOCK = 64
 def _accumulate_sums(  # type: ignore[no-untyped-def]
     first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, start, knot, fraction, stray, bridge, surface, pos,
+    values, rotation, derivatives, turn, shapes, start, knot, fraction, outlying, bridge, surface,
+    pos,
     loss, tuning, tangent, scale, noise, active, sums,
 ):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
@@ -272,7 +274,7 @@ def _accumulate_sums(  # type: ignore[no-untyped-def]
                 misclosure, variance = point_misclosure(
                     i, t, sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
                     sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
-                    knot, fraction, stray, bridge, surface, pos, out, lidar,
+                    knot, fraction, outlying, bridge, surface, pos, out, lidar,
                 )  # fmt: skip
                 if len(fraction) > 0:
                     # At the observed point the derivatives share its noise with the misclosure,
@@ -327,7 +329,8 @@ def compute_residuals(
 def _residuals_kernel(  # type: ignore[no-untyped-def]
     first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, start, knot, fraction, stray, bridge, surface, pos,
+    values, rotation, derivatives, turn, shapes, start, knot, fraction, outlying, bridge, surface,
+    pos,
     found,
 ):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
@@ -337,7 +340,7 @@ def _residuals_kernel(  # type: ignore[no-untyped-def]
             misclosure, variance = point_misclosure(
                 i, target[i], sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
                 sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
-                knot, fraction, stray, bridge, surface, pos, out, lidar,
+                knot, fraction, outlying, bridge, surface, pos, out, lidar,
             )  # fmt: skip
             found[0, i] = out[19]
             found[1, i] = misclosure / np.sqrt(variance)

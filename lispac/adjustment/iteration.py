@@ -66,7 +66,7 @@ def iterate(
     progress: Progress,
     earlier: Array | None = None,
     *,
-    told: bool = False,
+    noise_known: bool = False,
 ) -> IterationResult:
     """Iterate until the remaining change is negligible.
 
@@ -74,7 +74,7 @@ def iterate(
     ----------
     earlier : ndarray of shape (iterations, 3), radians, optional
         Roll, pitch, yaw after the iterations before.
-    told : bool
+    noise_known : bool
         Whether the sigmas from the data are in the problem already.
 
     Raises
@@ -85,11 +85,11 @@ def iterate(
         Where a step cannot be solved for.
     """
     final = Loss(problem.model.loss)
-    if not told:
+    if not noise_known:
         problem = problem.with_noise_blocks()
-    loss = final if told else final.start
+    loss = final if noise_known else final.start
     weighted = final.name != "none"
-    settled = told or not (problem.model.correlated or weighted)
+    loss_final = noise_known or not (problem.model.correlated or weighted)
     adaptations, steps, nearly = 0, 0, False
     limits = np.array([ANGLES_SETTLED, OTHERS_SETTLED])
     last = np.zeros(2)
@@ -100,36 +100,36 @@ def iterate(
             gettext_lazy("Adjusting: iteration {number:n}", number=iteration),
         )
         # IRLS converges slowly unless the linearisation includes the change of the weights.
-        foreseen = settled and weighted and not nearly and (told or steps > 0)
-        foreseen = foreseen and steps <= FORESEEN
+        predicted_step = loss_final and weighted and not nearly and (noise_known or steps > 0)
+        predicted_step = predicted_step and steps <= FORESEEN
         try:
-            linearised = problem.linearised(state, loss, tangent=foreseen)
+            linearised = problem.linearised(state, loss, tangent=predicted_step)
             state, correction = linearised.step()
         except (RankDeficient, np.linalg.LinAlgError):
-            if not foreseen:
+            if not predicted_step:
                 raise
             steps = FORESEEN + 1  # too far off for that
             continue
         path.append(state.mounting.boresight)
         change = np.array([np.abs(correction[:3]).max(), np.abs(correction[3:]).max()])
         if change[0] > NEAR:
-            if not settled:  # far from the answer all points are noisy
+            if not loss_final:  # far from the answer all points are noisy
                 problem = reestimate_noise(problem, state, falling=iteration <= FREELY)
-        elif not settled:
+        elif not loss_final:
             adapted = reestimate_surface_sigma(reestimate_noise(problem, state), linearised)
             adaptations += 1
             same = adaptations >= ADAPTATIONS or not have_sigmas_changed(problem, adapted)
-            settled = loss == final and same
+            loss_final = loss == final and same
             problem, loss = adapted, final
         else:
             steps += 1
             ease = np.array([1.0, 1.0]) if iteration <= PATIENCE else SLACK
             # An iteration over many points is costly: the last change is predicted, not computed.
             to_come = _remaining_change(change, last)
-            left = to_come if told else change
+            left = to_come if noise_known else change
             nearly = bool((to_come < NEARLY * limits).all())
             if (left < ease * limits).all():
-                if foreseen:  # the sigmas come from the weights as they are
+                if predicted_step:  # the sigmas come from the weights as they are
                     linearised = problem.linearised(state, loss)
                 return IterationResult(linearised, state, np.array(path))
         last = change

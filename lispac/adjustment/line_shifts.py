@@ -82,14 +82,18 @@ class LineShiftScores:
         """P-value of the score of a line."""
         from scipy.special import chdtrc
 
-        own, (told, directions) = self._of(k), self._told(k)
+        own, (information, directions) = self._of(k), self._information_shares(k)
         along = directions.T @ self.score[own]
-        return float(chdtrc(len(told), (along**2 / told).sum())) if len(told) else 1.0
+        return (
+            float(chdtrc(len(information), (along**2 / information).sum()))
+            if len(information)
+            else 1.0
+        )
 
     def given(self, k: int) -> "LineShiftScores":
         """Scores of the other lines with the shift of one line as an unknown."""
-        own, (told, directions) = self._of(k), self._told(k)
-        share = self.variance[:, own] @ (directions / told) @ directions.T
+        own, (information, directions) = self._of(k), self._information_shares(k)
+        share = self.variance[:, own] @ (directions / information) @ directions.T
         return LineShiftScores(
             self.lines,
             self.score - share @ self.score[own],
@@ -117,7 +121,7 @@ class LineShiftScores:
     def _of(self, k: int) -> slice:
         return slice(AXES * k, AXES * (k + 1))
 
-    def _told(self, k: int) -> tuple[Array, Array]:
+    def _information_shares(self, k: int) -> tuple[Array, Array]:
         """Eigenvalues and directions of the information on the shift of a line."""
         own = self._of(k)
         shares, directions = np.linalg.eigh(self.variance[own, own])

@@ -89,8 +89,8 @@ def target_noise_factors(
         mine = target == k if near is None else near & (target == k)
         own = residuals[mine]
         size = max(1.0, float(np.sqrt(np.mean(own**2)))) if near is None else robust_scale(own)
-        told = own / size if near is None else np.clip(own / size, -FAR, FAR)
-        effect = 1 + denser * (_design_effect(told, blocks[mine]) - 1)
+        clipped = own / size if near is None else np.clip(own / size, -FAR, FAR)
+        effect = 1 + denser * (_design_effect(clipped, blocks[mine]) - 1)
         factors[k] = size * np.sqrt(effect)
     return factors
 

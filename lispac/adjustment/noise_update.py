@@ -25,13 +25,13 @@ def reestimate_noise(
     Without ``falling`` it keeps what it has where that is larger: noise and answer may chase each
     other for ever.
     """
-    told = _noise_from_residuals(problem, state)
+    updated = _noise_from_residuals(problem, state)
     if falling:
-        return told
+        return updated
     return replace(
-        told,
-        noise=np.maximum(told.noise, problem.noise),
-        scale=np.maximum(told.scale, problem.scale),
+        updated,
+        noise=np.maximum(updated.noise, problem.noise),
+        scale=np.maximum(updated.scale, problem.scale),
     )
 
 

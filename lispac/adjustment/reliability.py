@@ -200,7 +200,8 @@ def _point_reliability(
 def _point_tests_kernel(  # type: ignore[no-untyped-def]
     first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, start, knot, fraction, stray, bridge, surface, pos,
+    values, rotation, derivatives, turn, shapes, start, knot, fraction, outlying, bridge, surface,
+    pos,
     loss, tuning, tangent, scale, noise, active, local, found,
 ):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
@@ -213,7 +214,7 @@ def _point_tests_kernel(  # type: ignore[no-untyped-def]
             misclosure, variance = point_misclosure(
                 i, t, sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
                 sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
-                knot, fraction, stray, bridge, surface, pos, out, lidar,
+                knot, fraction, outlying, bridge, surface, pos, out, lidar,
             )  # fmt: skip
             write_group_row(i, active, fraction, out, wide, 0)
             explained = 0.0

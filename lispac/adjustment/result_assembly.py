@@ -150,8 +150,8 @@ def _parameter_estimates(
         value = float(state.mounting.values[parameter.index])
         sigma = float(np.sqrt(covariance[k, k]))
         # Whether the data alone want another value than the one that was given
-        told = sigma**-2 - (0.0 if parameter.sigma is None else parameter.sigma**-2)
-        spread = sigma**2 * np.sqrt(max(told, 0.0))
+        information = sigma**-2 - (0.0 if parameter.sigma is None else parameter.sigma**-2)
+        spread = sigma**2 * np.sqrt(max(information, 0.0))
         found.append(
             ParameterEstimate(
                 parameter.name, prior, parameter.sigma, value, sigma,

@@ -394,7 +394,7 @@ def _continue_with_all_points(
         noise = target_noise_factors(few, residuals, sample.blocks, mine, denser=denser)
         problem = replace(problem, noise=noise)
     state = problem.resume_state(near.state, sample)
-    return iterate(problem, state, progress, earlier=near.path, told=True)
+    return iterate(problem, state, progress, earlier=near.path, noise_known=True)
 
 
 def _may_reject_sightings(model: StochasticModel) -> bool:
@@ -536,8 +536,8 @@ def _iterate_variance_components(
         # A sigma is raised on suspicion, lowered on evidence: too large a one costs little.
         news = np.array(
             [
-                c.factor if (told and c.factor > RAISED) or c.upper < 1 else 1.0
-                for c, told in zip(found.components, found.told, strict=True)
+                c.factor if (determined and c.factor > RAISED) or c.upper < 1 else 1.0
+                for c, determined in zip(found.components, found.determined, strict=True)
             ]
         )
         factors = np.clip(total * news, *FACTORS) / total

@@ -88,7 +88,7 @@ class PosErrorKnots:
         Knot before each point; the next one is after it.
     fraction : ndarray of shape (n,), in [0, 1)
         Where each point is between its two knots.
-    stray : ndarray of shape (n,)
+    outlying : ndarray of shape (n,)
         ``u (1 - u)`` of a point at the fraction u. A mean of points at several times strays less:
         they stray to both sides.
     precision_diagonal : ndarray of shape (k, 6), per square metre and square radian
@@ -96,13 +96,13 @@ class PosErrorKnots:
         Between each knot and the next.
     bridge : ndarray of shape (6,)
         Variance, over that of the process, by which it strays from the chord between two knots,
-        over ``stray``.
+        over ``outlying``.
     """
 
     time: Array
     left: NDArray[np.int64]
     fraction: Array
-    stray: Array
+    outlying: Array
     precision_diagonal: Array
     precision_beside: Array
     bridge: Array
@@ -134,10 +134,10 @@ class PosErrorKnots:
         kept = np.exp(-step)  # correlation with the next knot
         fresh = -np.expm1(-2 * step)  # 1 - kept**2, exact for short steps
         fraction = scaled - cell
-        stray = fraction * (1 - fraction)
+        outlying = fraction * (1 - fraction)
         if observations.apart is not None:
             # Of a Brownian bridge over (0, 1), E min(u, v) - E u E v
-            stray = np.maximum(stray - observations.apart / (2 * interval), 0.0)
+            outlying = np.maximum(outlying - observations.apart / (2 * interval), 0.0)
         diagonal = np.ones((len(time), 6))
         diagonal[1:] = 1 / fresh
         diagonal[:-1] += kept**2 / fresh
@@ -145,7 +145,7 @@ class PosErrorKnots:
             time,
             left,
             fraction,
-            stray,
+            outlying,
             diagonal / sigma**2,
             -kept / fresh / (sigma[:-1] * sigma[1:]),
             2 * interval / correlation_time,
@@ -157,7 +157,7 @@ class PosErrorKnots:
             self,
             left=self.left[order],
             fraction=self.fraction[order],
-            stray=self.stray[order],
+            outlying=self.outlying[order],
         )
 
     def apply_prior_precision(self, effects: Array) -> Array:

@@ -135,14 +135,14 @@ class MaximumLikelihood:
     ----------
     components : tuple of VarianceComponent
         On the sigmas of LiDAR, POS position, POS attitude.
-    told : tuple of bool
+    determined : tuple of bool
         Whether the data determine each.
     rough : float
         The factor on the surfaces' sigma.
     """
 
     components: tuple[VarianceComponent, ...]
-    told: tuple[bool, ...]
+    determined: tuple[bool, ...]
     rough: float
 
 

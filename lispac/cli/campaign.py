@@ -33,7 +33,7 @@ def campaign(arguments: Namespace) -> None:
                 "failed": found.failed,
                 "scatter_deg": np.degrees(found.empirical_sigma).tolist(),
                 "stated_sigma_deg": np.degrees(found.stated).tolist(),
-                "foretold_sigma_deg": np.degrees(found.foretold).tolist(),
+                "foretold_sigma_deg": np.degrees(found.predicted).tolist(),
                 "hits_95": found.hits.tolist(),
                 "bias_deg": np.degrees(found.bias).tolist(),
                 "bias_sigma_deg": np.degrees(found.sigma_bias).tolist(),

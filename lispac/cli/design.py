@@ -43,11 +43,11 @@ def design(arguments: Namespace) -> None:
     print(f"{title}: smallest {CRITERIA[objective.criterion]}")
     for name, plan in (("best plan", found.plan), ("thesis", usual)):
         prediction = predict(plan)
-        told = "not determined"
+        text = "not determined"
         if prediction.determined:
             sigma = np.degrees(prediction.sigma)
-            told = ", ".join(f"{a} {v:.4f}" for a, v in zip(ANGLES, sigma, strict=True)) + " deg"
-        print(f"{name:12s}{told}")
+            text = ", ".join(f"{a} {v:.4f}" for a, v in zip(ANGLES, sigma, strict=True)) + " deg"
+        print(f"{name:12s}{text}")
     looked = f"{found.looked_at:,} survey plans evaluated"
     print(f"{looked}, all that are possible" if found.exact else f"{looked}, out of many more")
     for remark in observability_remarks(found.plan):

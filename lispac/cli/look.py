@@ -54,21 +54,21 @@ def _print_check(item: FileCheck) -> None:
         return
     for name, value in item.finding.facts.items():
         print(f"  {name:20s} {fact_text(value)}")
-    settled = item.format.settled(item.finding.choice)
+    resolved = item.format.resolved(item.finding.choice)
     for option in item.format.options:
         among = f" ({', '.join(c for c in option.choices if c)})" if option.choices else ""
-        print(f"  option {option.name}={settled[option.name]}{among}: {option.meaning}")
+        print(f"  option {option.name}={resolved[option.name]}{among}: {option.meaning}")
     for assumption in item.finding.assumptions:
         print(f"  assumed: {to_plain_text(message_text(assumption))}")
     for row in item.finding.rows[:4]:
         print("  " + " ".join(f"{cell[:WIDEST]:>{WIDEST}s}" for cell in row[:8]))
-    for message in (*item.finding.doubts, *item.finding.messages):
+    for message in (*item.finding.file_warnings, *item.finding.messages):
         print(f"  {message.level}: {to_plain_text(message_text(message))}")
 
 
 def _check_values(item: FileCheck) -> dict[str, Any]:
     finding = item.finding
-    messages = (*finding.doubts, *finding.messages) if finding else ()
+    messages = (*finding.file_warnings, *finding.messages) if finding else ()
     return {
         "format": item.format.key,
         "name": message_text(item.format.name),
@@ -76,10 +76,12 @@ def _check_values(item: FileCheck) -> dict[str, Any]:
         "sureness": item.sureness,
         "error": to_plain_text(message_text(item.error)) if item.error else "",
         "facts": {name: fact_text(fact) for name, fact in finding.facts.items()} if finding else {},
-        "options": item.format.settled(finding.choice) if finding else {},
+        "options": item.format.resolved(finding.choice) if finding else {},
         "assumptions": [to_plain_text(message_text(a)) for a in finding.assumptions]
         if finding
         else [],
-        "doubts": [to_plain_text(message_text(each)) for each in finding.doubts] if finding else [],
+        "doubts": [to_plain_text(message_text(each)) for each in finding.file_warnings]
+        if finding
+        else [],
         "messages": [message_values(each) for each in messages],
     }

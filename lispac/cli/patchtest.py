@@ -102,7 +102,7 @@ def patch_test_values(found: PatchTestResult) -> dict[str, Any]:
         "mismatch_before_m": found.mismatch_before if np.isfinite(found.mismatch_before) else None,
         "mismatch_m": found.mismatch,
         "rounds": found.rounds,
-        "settled": found.settled,
+        "settled": found.converged,
         "lines": list(found.lines),
         "objects": [
             {

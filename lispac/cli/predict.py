@@ -9,7 +9,7 @@ from lispac.cli.console import print_json
 from lispac.cli.sigma_format import sigma_degrees, sigma_text
 from lispac.design.objective import PlanObjective
 from lispac.design.plan_search import information_gains
-from lispac.design.prediction import predict as foretold
+from lispac.design.prediction import predict as predicted
 from lispac.io.plan_file import read_plan
 from lispac.message_texts import message_text
 from lispac.workflow.plan_checks import observability_remarks, plan_warnings
@@ -19,7 +19,7 @@ def predict(arguments: Namespace) -> None:
     """Print sigmas, correlations, weaknesses, and the information gain of targets and lines."""
     titled = read_plan(arguments.plan)
     plan = titled.plan
-    found, valued = foretold(plan), information_gains(plan, PlanObjective())
+    found, valued = predicted(plan), information_gains(plan, PlanObjective())
     remarks = (*plan_warnings(titled), *observability_remarks(plan))
     if arguments.json:
         determined = found.determined
@@ -41,8 +41,8 @@ def predict(arguments: Namespace) -> None:
     print(titled.title)
     if found.determined:
         sigma = np.degrees(found.sigma)
-        told = (f"{angle} {value:.4f}" for angle, value in zip(ANGLES, sigma, strict=True))
-        print(f"sigma      {', '.join(told)} deg (1 sigma)")
+        texts = (f"{angle} {value:.4f}" for angle, value in zip(ANGLES, sigma, strict=True))
+        print(f"sigma      {', '.join(texts)} deg (1 sigma)")
         rows = found.correlation
         print(
             f"correlation roll-pitch {rows[0, 1]:+.2f}, roll-yaw {rows[0, 2]:+.2f}, "

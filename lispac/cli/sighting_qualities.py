@@ -41,10 +41,10 @@ def quality_list(found: Mapping[Key, SightingQuality]) -> list[dict[str, Any]]:
 
 def print_weak_sightings(found: Mapping[Key, SightingQuality]) -> None:
     """Print the sightings that are not good, the poor ones first."""
-    told = [(key, quality) for key, quality in found.items() if quality.light != "good"]
-    if not told:
+    listed = [(key, quality) for key, quality in found.items() if quality.light != "good"]
+    if not listed:
         return
     print("\nSightings of doubtful or poor quality:")
-    for (target, line), quality in sorted(told, key=lambda each: each[1].light != "poor"):
+    for (target, line), quality in sorted(listed, key=lambda each: each[1].light != "poor"):
         reasons = map(message_text, quality.reasons)
         print(f"- {target} on {line}: {' '.join((f'{quality.light.capitalize()}.', *reasons))}")

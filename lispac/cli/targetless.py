@@ -39,7 +39,7 @@ def targetless(arguments: Namespace) -> None:
             result_values(found.result, None)
             | {
                 "rounds": found.rounds,
-                "settled": found.settled,
+                "settled": found.converged,
                 "candidates": found.candidates,
                 "targets": found.targets,
                 "disagreeing_lines": list(found.disagreeing),

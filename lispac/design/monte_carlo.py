@@ -36,7 +36,7 @@ class MonteCarloResult:
     ----------
     errors, sigmas : ndarray of shape (surveys, 3), radians
         Of roll, pitch, yaw; of the surveys that could be adjusted.
-    foretold : ndarray of shape (3,), radians
+    predicted : ndarray of shape (3,), radians
         Sigmas from the plan alone.
     correlation : ndarray of shape (3, 3)
         Between the angles, from the plan alone.
@@ -46,7 +46,7 @@ class MonteCarloResult:
 
     errors: Array
     sigmas: Array
-    foretold: Array
+    predicted: Array
     correlation: Array
     failed: int
 
@@ -67,8 +67,8 @@ class MonteCarloResult:
 
     @property
     def ratio(self) -> Array:
-        """``empirical`` divided by ``foretold``, shape (3,)."""
-        return self.empirical_sigma / self.foretold
+        """``empirical`` divided by ``predicted``, shape (3,)."""
+        return self.empirical_sigma / self.predicted
 
     @property
     def ratio_sigma(self) -> float:
@@ -88,7 +88,7 @@ class MonteCarloResult:
     @property
     def chi_square(self) -> float:
         """Of all errors with the predicted covariance; expected value: the number of angles."""
-        unit, inverse = self.errors / self.foretold, np.linalg.inv(self.correlation)
+        unit, inverse = self.errors / self.predicted, np.linalg.inv(self.correlation)
         return float(np.einsum("ni,ij,nj->", unit, inverse, unit))
 
     @property
@@ -107,7 +107,7 @@ class MonteCarloResult:
             for title, values, decimals, sign in (
                 (gettext("scatter (deg)"), np.degrees(self.empirical_sigma), 4, False),
                 (gettext("stated σ (deg)"), np.degrees(self.stated), 4, False),
-                (gettext("predicted σ (deg)"), np.degrees(self.foretold), 4, False),
+                (gettext("predicted σ (deg)"), np.degrees(self.predicted), 4, False),
                 (gettext("scatter / predicted σ"), self.ratio, 2, False),
                 (gettext("σ of this ratio"), self.ratio * self.ratio_sigma, 2, False),
                 (gettext("coverage (%)"), 100.0 * self.hits, 1, False),

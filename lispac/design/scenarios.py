@@ -245,8 +245,10 @@ def predict_scenarios(
             base = replace(thesis_setting(), system=plan.system, flatness=plan.flatness)
         for label, changed in SCENARIOS[scenario](base):
             for errors in STATED:
-                told = predict(replace(changed, system=replace(changed.system, pos_errors=errors)))
-                points = sum(told.points.values())
-                found.append(ScenarioOutcome(scenario, label, errors, told.sigma, points))
+                predicted = predict(
+                    replace(changed, system=replace(changed.system, pos_errors=errors))
+                )
+                points = sum(predicted.points.values())
+                found.append(ScenarioOutcome(scenario, label, errors, predicted.sigma, points))
     progress(1.0)
     return tuple(found)

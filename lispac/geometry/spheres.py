@@ -194,15 +194,15 @@ def _fit_known_radius(points: Array, weights: Array, starts: list[Sphere]) -> Sp
     SphereNotFound
         Where the points leave the centre open, or its side of them.
     """
-    settled = [_refine_sphere(points, weights, start, free=False) for start in starts]
-    settled.sort(key=lambda answer: answer[1])
-    best, square, normal = settled[0]
+    converged = [_refine_sphere(points, weights, start, free=False) for start in starts]
+    converged.sort(key=lambda answer: answer[1])
+    best, square, normal = converged[0]
     if np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points):
         raise SphereNotFound(error("target.sphere_small_part"))
-    doubt = SIGNIFICANT**2 * square / max(1, len(points) - 3) + ROUNDING * len(points)
-    for other, its_square, _ in settled[1:]:
+    uncertainty = SIGNIFICANT**2 * square / max(1, len(points) - 3) + ROUNDING * len(points)
+    for other, its_square, _ in converged[1:]:
         elsewhere = float(np.linalg.norm(other.centre - best.centre)) > 0.1 * best.radius
-        if elsewhere and its_square - square <= doubt:
+        if elsewhere and its_square - square <= uncertainty:
             raise SphereNotFound(error("target.sphere_side"))
     return best
 

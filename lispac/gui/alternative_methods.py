@@ -52,8 +52,8 @@ class AlternativeMethods(QObject):
         def work(progress: Progress) -> Asked:
             return run_missing_methods(project, survey, progress=progress)
 
-        def done(asked: Asked) -> None:
-            found, refused = asked
+        def done(requested: Asked) -> None:
+            found, refused = requested
             if found is not project:
                 self._document.edit(N_("results of alternative methods"), found)
             self.compare(refused)

@@ -26,12 +26,12 @@ IMPORT_AFTER_MS = 300
 class Application(QApplication):
     """Qt application that opens the documents that macOS asks it to open."""
 
-    document_asked = Signal(Path)
+    document_requested = Signal(Path)
 
     def event(self, event: QEvent) -> bool:
         """Handle requests of the system to open a document."""
         if isinstance(event, QFileOpenEvent) and event.file():
-            self.document_asked.emit(Path(event.file()))
+            self.document_requested.emit(Path(event.file()))
             return True
         return super().event(event)
 
@@ -72,7 +72,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     importing = threading.Thread(target=_import_viewport, name="lispac-import")
     QTimer.singleShot(IMPORT_AFTER_MS, importing.start)
     if isinstance(application, Application):
-        application.document_asked.connect(lambda path: session.window.open_project(path))
+        application.document_requested.connect(lambda path: session.window.open_project(path))
     logbook = LogFile(session.log_folder, session.report_uncaught)
     logbook.begin()
     if message is not None:

@@ -40,8 +40,8 @@ class ClipBoxController(QObject):
         self.panel.sized.connect(
             lambda lengths: self._set_box(self.box and self.box.sized(lengths))
         )
-        self.panel.about_asked.connect(self.begin)
-        self.panel.reset_asked.connect(self.reset)
+        self.panel.about_requested.connect(self.begin)
+        self.panel.reset_requested.connect(self.reset)
         scene.gone_to.connect(self.show)
         viewport.signals.handle_moved.connect(self._move_side)
         viewport.signals.handle_let_go.connect(self._on_handle_released)

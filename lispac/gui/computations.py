@@ -80,7 +80,7 @@ class Computations(QObject):
         self._document, self._runner, self._scene = document, runner, scene
         self._controller = controller
         self._subsample = 0.0
-        self._stale_count = False
+        self._outdated_count = False
         self._counting: Task | None = None
         self.distance_to = SIX_POINT_PLANE
         runner.idle.connect(self._count_again)
@@ -92,10 +92,10 @@ class Computations(QObject):
         sightings = _used_sightings(project)
         total = sum(len(sighting.indices) for sighting in sightings)
         if project is None or survey is None or not sightings or subsample <= 0:
-            self._stale_count = False
+            self._outdated_count = False
             self.counted.emit(PointCount(total, total, len(sightings)))
             return
-        self._stale_count = True
+        self._outdated_count = True
         self.counted.emit(PointCount(None, total, len(sightings)))
         if self._runner.busy or self._document.awaits_result:
             return  # counted when the runner is idle
@@ -109,7 +109,7 @@ class Computations(QObject):
                 return str(error)
 
         def done(kept: int | str) -> None:
-            self._stale_count = False
+            self._outdated_count = False
             if isinstance(kept, str):
                 self.counted.emit(PointCount(None, total, len(sightings), kept))
             else:
@@ -218,7 +218,7 @@ class Computations(QObject):
         last = self._counting
         if last is not None and last.error is not None and not isinstance(last.error, Cancelled):
             return  # it would fail again with the same message
-        if self._stale_count:
+        if self._outdated_count:
             self.count(self._subsample)
 
 

@@ -114,8 +114,8 @@ class Document(QObject):
     @property
     def reported(self) -> str:
         """Name of the report of the current project; empty if there is none."""
-        told, name = self._reported
-        return name if told is not None and told is self.project else ""
+        reported_project, name = self._reported
+        return name if reported_project is not None and reported_project is self.project else ""
 
     @property
     def is_modified(self) -> bool:

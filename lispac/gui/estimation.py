@@ -44,17 +44,17 @@ ESTIMATED_SAME_POINTS = Plural(
 class _Selection:
     """Points selected with the estimated boresight, and the project they belong to."""
 
-    asked: Project
+    selected_with: Project
     survey: Survey
     selected: Project
 
     def covers_sightings(self, project: Project, survey: Survey) -> bool:
         """Whether all sightings used in ``project`` are among the selected ones."""
-        if survey is not self.survey or project.settings != self.asked.settings:
+        if survey is not self.survey or project.settings != self.selected_with.settings:
             return False
         known = {
             (target.name, sighting.line): sighting.indices
-            for target in self.asked.targets_of_role("target")
+            for target in self.selected_with.targets_of_role("target")
             for sighting in target.used_sightings
         }
         return all(
@@ -105,13 +105,13 @@ class Estimation(QObject):
         project, survey = self._current_data()
         if project is None or survey is None:
             return
-        asked = project if settings == project.settings else project.with_settings(settings)
-        moved = data_key(asked) != data_key(project)
+        selected_with = project if settings == project.settings else project.with_settings(settings)
+        moved = data_key(selected_with) != data_key(project)
 
         def work(progress: Progress) -> _EstimationResult:
             settings.require_sound()
-            placed = survey.with_prior(asked.mounting("prior")) if moved else survey
-            answer = _adjust(asked, placed, None, cross_check, progress)
+            placed = survey.with_prior(selected_with.mounting("prior")) if moved else survey
+            answer = _adjust(selected_with, placed, None, cross_check, progress)
             return replace(answer, replaced=placed) if moved else answer
 
         def done(answer: _EstimationResult) -> None:
@@ -145,8 +145,12 @@ class Estimation(QObject):
 
     def _record_refusal(self, error: BaseException) -> None:
         """Record that an estimate was refused while an older result is kept."""
-        asked = self._asked
-        if asked is not None and asked.error is error and isinstance(error, LispacError):
+        selected_with = self._asked
+        if (
+            selected_with is not None
+            and selected_with.error is error
+            and isinstance(error, LispacError)
+        ):
             self._document.set_refused_since(error.reason)
 
     # -- what follows from a click -----------------------------------------------------------

@@ -80,7 +80,7 @@ class MainWindow(QMainWindow):
         Shown at once; it belongs to the window from now on.
     """
 
-    renewal_asked = Signal()
+    renewal_requested = Signal()
     """Another language or theme: a new window replaces this one."""
 
     def __init__(
@@ -209,9 +209,9 @@ class MainWindow(QMainWindow):
         data, targets, control = self.data, self.targets, self.controller
         data.line_shown.connect(self.viewport.set_line_visible)
         data.settings_edited.connect(control.change_settings)
-        data.new_asked.connect(self.lifecycle.new)
-        data.open_asked.connect(self.lifecycle.open)
-        data.demo_asked.connect(self.lifecycle.demo)
+        data.new_requested.connect(self.lifecycle.new)
+        data.open_requested.connect(self.lifecycle.open)
+        data.demo_requested.connect(self.lifecycle.demo)
         targets.accepted.connect(control.accept)
         targets.rejected.connect(control.reject)
         targets.renamed.connect(self._rename)
@@ -230,12 +230,12 @@ class MainWindow(QMainWindow):
         self.diagnostics.followed.connect(self._select)
         self.histograms.plane_selected.connect(self.table.select)
         self.adjust.subsample_changed.connect(self.computations.count)
-        self.adjust.estimate_asked.connect(self.lifecycle.estimate)
-        self.adjust.cancel_asked.connect(self.runner.cancel)
-        self.validate.validate_asked.connect(self.computations.validate)
+        self.adjust.estimate_requested.connect(self.lifecycle.estimate)
+        self.adjust.cancel_requested.connect(self.runner.cancel)
+        self.validate.validate_requested.connect(self.computations.validate)
         self.validate.shown_changed.connect(self.computations.show)
         self.validate.model_changed.connect(self.computations.set_surface_model)
-        self.report.lines_asked.connect(self.lifecycle.export)
+        self.report.lines_requested.connect(self.lifecycle.export)
         self.central_widget.start.chosen.connect(lambda name: self.actions_[name].trigger())
         self.central_widget.start.project_chosen.connect(self.open_project)
 
@@ -275,7 +275,7 @@ class MainWindow(QMainWindow):
 
     def _connect_tasks(self) -> None:
         self.document.changed.connect(self.task_bar.clearMessage)  # it was said of what was
-        self.task_bar.cancel_asked.connect(self.runner.cancel)
+        self.task_bar.cancel_requested.connect(self.runner.cancel)
         self.runner.failed.connect(self.dialogs.show_error)
         self.runner.stopped.connect(self._note_cancelled)
         self.runner.too_late.connect(self._note)
@@ -351,7 +351,7 @@ class MainWindow(QMainWindow):
                 )
                 runner.idle.connect(self.rebuild_window, Qt.ConnectionType.SingleShotConnection)
                 return
-        self.renewal_asked.emit()
+        self.renewal_requested.emit()
 
     def _toggle_before_after(self) -> None:
         self.computations.show("prior" if self.scene.which == "estimated" else "estimated")

@@ -52,10 +52,10 @@ class PatchObjects(QObject):
         self._document, self._runner, self._scene = window.document, window.runner, window.scene
         self._controller = window.controller
         window.actions_["patch_point"].triggered.connect(self._toggle_tool)
-        panel.propose_asked.connect(self.propose)
-        panel.point_asked.connect(window.actions_["patch_point"].trigger)
-        panel.target_asked.connect(self._add_target)
-        panel.box_asked.connect(self._add_clip_box)
+        panel.propose_requested.connect(self.propose)
+        panel.point_requested.connect(window.actions_["patch_point"].trigger)
+        panel.target_requested.connect(self._add_target)
+        panel.box_requested.connect(self._add_clip_box)
 
     def propose(self) -> None:
         """Detect objects in the worker."""

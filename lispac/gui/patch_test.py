@@ -65,20 +65,20 @@ class PatchTestController(QObject):
         self._live: Mismatch | None = None
         self._angle = 0
         self._curve_at: Array | None = None
-        self._drawn = self._stale = False
+        self._drawn = self._outdated = False
         self._rest = QTimer(self, singleShot=True, interval=REST_MS)
         self._rest.timeout.connect(self._compute_curve)
         panel = self.panel
         window.actions_["patch_test"].triggered.connect(lambda _=False: self.open())
-        panel.remove_asked.connect(self._remove)
-        panel.go_asked.connect(self._zoom_to_object)
+        panel.remove_requested.connect(self._remove)
+        panel.go_requested.connect(self._zoom_to_object)
         panel.shown_changed.connect(self._show_object)
         panel.ticked_changed.connect(self._on_ticks_changed)
-        panel.all_asked.connect(self.find_all)
-        panel.keep_asked.connect(self.keep)
-        panel.prior_asked.connect(self._reset_to_prior)
+        panel.all_requested.connect(self.find_all)
+        panel.keep_requested.connect(self.keep)
+        panel.prior_requested.connect(self._reset_to_prior)
         panel.angles.turned.connect(self._on_angle_turned)
-        panel.angles.find_asked.connect(self.find_angle)
+        panel.angles.find_requested.connect(self.find_angle)
         panel.curve.chosen.connect(self._set_angle)
         self._document.survey_changed.connect(self._reset)
         self._runner.changed.connect(self._enable_controls)
@@ -166,7 +166,7 @@ class PatchTestController(QObject):
     def _when_idle(self) -> None:
         if self._dense is None and self._taking is not None and self._taking.gave_way:
             self._show_object()
-        if self._stale:
+        if self._outdated:
             self._rest.start()
 
     def _on_angle_turned(self, angle: int) -> None:
@@ -199,7 +199,7 @@ class PatchTestController(QObject):
             mismatch = self._live(boresight) if self._live.blocks else float("nan")
         curve.mark_current(value, mismatch)
         if not self._is_curve_current(boresight):
-            self._stale = True
+            self._outdated = True
             self._rest.start()
 
     def _is_curve_current(self, boresight: Array) -> bool:
@@ -235,7 +235,7 @@ class PatchTestController(QObject):
             return values, found
 
         def done(curve: tuple[Array, Array]) -> None:
-            self._stale = False
+            self._outdated = False
             self._curve_at, self._curve_angle = boresight, angle
             name = gettext(ANGLE_NAMES[angle])
             if whole:
@@ -267,7 +267,7 @@ class PatchTestController(QObject):
             self._angle = angle
             self.panel.angles.start_at(found.boresight, NEAR)
             degrees = float(np.degrees(found.boresight[angle]))
-            self.panel.said.setText(
+            self.panel.message_label.setText(
                 gettext(
                     "The mismatch is smallest at {angle} {value}, with the other angles unchanged.",
                     angle=gettext(ANGLE_NAMES[angle]),
@@ -302,7 +302,7 @@ class PatchTestController(QObject):
             panel = self.panel
             panel.angles.start_at(found.boresight, NEAR)
             panel.angles.show_found(found.boresight, found.sigma, found.curvature)
-            panel.said.setText(
+            panel.message_label.setText(
                 units.convert_unit_signs("\n".join(map(message_text, found.remarks)), "°", "mm")
             )
             panel.mark_objects({each.name: each.disagreement_remark for each in found.disagreeing})
@@ -346,7 +346,7 @@ class PatchTestController(QObject):
     @property
     def is_curve_pending(self) -> bool:
         """Whether the curve still has to be computed for the current angles."""
-        return self._stale
+        return self._outdated
 
     def _ticked_line_pairs(self) -> tuple[LinePair, ...]:
         if self._survey is None:
@@ -363,7 +363,7 @@ class PatchTestController(QObject):
         """Discard the result, which depends on other objects or pairs."""
         self._answer = None
         self.panel.angles.show_found(None)
-        self.panel.said.setText("")
+        self.panel.message_label.setText("")
         self.panel.mark_objects({})
 
     def _reset(self) -> None:
@@ -373,7 +373,7 @@ class PatchTestController(QObject):
             return
         self._survey, self._laid, self._answer = survey, None, None
         self._dense = self._live = self._curve_at = None
-        self._stale = False
+        self._outdated = False
         many = survey is not None and len(survey.clouds) > 1
         self.panel.show_empty(EMPTY if many else NO_DATA)
         self.panel.show_pairs(line_pairs(survey) if survey is not None else ())

@@ -45,8 +45,8 @@ class PictureExport(QObject):
         actions["copy_picture"].triggered.connect(lambda _=False: self._copy_view())
         actions["section_picture"].triggered.connect(lambda _=False: self._save_section())
         actions["copy_section"].triggered.connect(lambda _=False: self._copy_section())
-        section.picture_asked.connect(actions["section_picture"].trigger)
-        section.copy_asked.connect(actions["copy_section"].trigger)
+        section.picture_requested.connect(actions["section_picture"].trigger)
+        section.copy_requested.connect(actions["copy_section"].trigger)
 
     def _save_view(self) -> None:
         path = self._dialogs.picture_file(self._proposed_file("view"), ("PNG",))

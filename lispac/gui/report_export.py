@@ -43,13 +43,13 @@ class ReportExport(QObject):
         self._computations = window.computations
         self._panel, self._settings = window.report, window.settings
         self._panel.show_choice(self._settings.report_choice())
-        self._panel.report_asked.connect(self.export)
-        self._panel.preview_asked.connect(self.preview)
-        self._panel.template_asked.connect(self.ask_template)
+        self._panel.report_requested.connect(self.export)
+        self._panel.preview_requested.connect(self.preview)
+        self._panel.template_requested.connect(self.ask_template)
         self._panel.changed.connect(self._store_choice)
         window.actions_["report"].triggered.connect(lambda _=False: self.export())
         for panel in (window.data, window.report):
-            panel.details_asked.connect(self.ask_details)
+            panel.details_requested.connect(self.ask_details)
 
     def ask_details(self) -> None:
         """Ask for surveyor, dates and equipment, and store them as one undo step."""

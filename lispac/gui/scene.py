@@ -212,8 +212,8 @@ class Scene(QObject):
             elif not self._document.awaits_result:
                 self.which = "prior"
                 self.which_changed.emit(self.which)
-        stale = self.colouring == "residual" and not self._document.awaits_result
-        if stale or self.clouds is not self._drawn:
+        outdated = self.colouring == "residual" and not self._document.awaits_result
+        if outdated or self.clouds is not self._drawn:
             self._schedule_lines()
         self._schedule_targets()
 

@@ -65,5 +65,5 @@ class ScriptExport(QObject):
         self._dialogs.script(script, save)
 
     def _enable_controls(self) -> None:
-        settled = self._document.survey_is_current and not self._document.awaits_result
-        self._action.setEnabled(settled and not self._runner.busy)
+        resolved = self._document.survey_is_current and not self._document.awaits_result
+        self._action.setEnabled(resolved and not self._runner.busy)

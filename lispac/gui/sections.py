@@ -44,18 +44,18 @@ class SectionTool(QObject):
         self._viewport, self._mouse_tool, self._bring = viewport, mouse_tool, bring
         self.panel = SectionPanel()
         self._ends: list[Array] = []
-        self._stale = self._seen = self._drawn = False
+        self._outdated = self._seen = self._drawn = False
         self._shown: tuple[tuple[object, ...], tuple[object, ...]] | None = None
         self._cuts: Sequence[SectionPoints] = ()
         self.panel.changed.connect(self._update_section)
-        self.panel.points_asked.connect(actions["section_points"].trigger)
+        self.panel.points_requested.connect(actions["section_points"].trigger)
         actions["section"].triggered.connect(lambda _=False: self._open())
         actions["section_points"].triggered.connect(self._toggle_tool)
         scene.selection_changed.connect(self._cut_target)
         document.opened.connect(self._cut_target)
         document.changed.connect(self._update_section)
         scene.which_changed.connect(lambda _which: self._update_section())
-        runner.idle.connect(lambda: self._stale and self._update_section())
+        runner.idle.connect(lambda: self._outdated and self._update_section())
 
     def _open(self) -> None:
         self._bring(self.panel)
@@ -116,11 +116,11 @@ class SectionTool(QObject):
         level, size, thickness = panel.level, panel.size.value(), panel.thickness.value()
         target = project.target(name) if name else None
         rests_on = (project.result, target, survey, *(ends or ()))
-        asked = (level, size, thickness, *map(id, rests_on))
-        if not self._stale and self._shown is not None and asked == self._shown[0]:
+        requested = (level, size, thickness, *map(id, rests_on))
+        if not self._outdated and self._shown is not None and requested == self._shown[0]:
             self._draw_frame()
             return
-        self._stale = True
+        self._outdated = True
 
         def work(progress: Progress) -> Sequence[SectionPoints] | str:
             preload_matplotlib()
@@ -138,8 +138,8 @@ class SectionTool(QObject):
                 return str(error)
 
         def done(cuts: Sequence[SectionPoints] | str) -> None:
-            self._stale = False
-            self._shown = asked, rests_on  # kept, so that no other object gets their id
+            self._outdated = False
+            self._shown = requested, rests_on  # kept, so that no other object gets their id
             if isinstance(cuts, str):
                 self._show_nothing(cuts)
                 return
@@ -157,7 +157,7 @@ class SectionTool(QObject):
         self._runner.run(title, work, done, quiet=True, key="section")
 
     def _show_nothing(self, text: str) -> None:
-        self._stale, self._shown = False, None
+        self._outdated, self._shown = False, None
         self.panel.show_nothing(text)
         self._draw_sketch(None)
 

@@ -66,7 +66,7 @@ class Session(QObject):
             window.log.copy_state_from(former.log)
             transfer_window_state(former, window)
         # Queued: the action that asks for it belongs to the window that goes.
-        window.renewal_asked.connect(self.rebuild_window, Qt.ConnectionType.QueuedConnection)
+        window.renewal_requested.connect(self.rebuild_window, Qt.ConnectionType.QueuedConnection)
         show_window_and_docks(window, window.docks)
         window.activateWindow()
         if former is not None:

@@ -76,8 +76,8 @@ class QualityComputation(QObject):
             self._candidate, project, survey
         ):
             return
-        task, asked = self._asked or (None, None)
-        if task is not None and asked is project and not task.gave_way:
+        task, requested = self._asked or (None, None)
+        if task is not None and requested is project and not task.gave_way:
             return  # it failed, or was cancelled by hand
         if len(self._current_qualities()) == sum(
             len(target.sightings) for target in project.targets
@@ -97,8 +97,8 @@ class QualityComputation(QObject):
 
     def _start_candidate_rating(self, candidate: Target, project: Project, survey: Survey) -> bool:
         """Rate the candidate in the worker unless done or failed; return whether it was started."""
-        task, asked = self._asked_candidate or (None, None)
-        if task is not None and asked is candidate and not task.gave_way:
+        task, requested = self._asked_candidate or (None, None)
+        if task is not None and requested is candidate and not task.gave_way:
             return False
 
         def work(progress: Progress) -> dict[Key, AssessedQuality]:

@@ -90,13 +90,13 @@ class SiteDesign(QObject):
             "compare": self.compare, "keys": self._dialogs.shortcuts,
         }.items():  # fmt: skip
             window.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
-        window.search.asked.connect(self.search)
-        window.system.library_asked.connect(self.choose_sensors)
-        window.search.cancel_asked.connect(self.runner.cancel)
-        window.surveys.asked.connect(self.surveys)
-        window.surveys.cancel_asked.connect(self.runner.cancel)
-        window.search.file_asked.connect(self.read_site)
-        window.task_bar.cancel_asked.connect(self.runner.cancel)
+        window.search.requested.connect(self.search)
+        window.system.library_requested.connect(self.choose_sensors)
+        window.search.cancel_requested.connect(self.runner.cancel)
+        window.surveys.requested.connect(self.surveys)
+        window.surveys.cancel_requested.connect(self.runner.cancel)
+        window.search.file_requested.connect(self.read_site)
+        window.task_bar.cancel_requested.connect(self.runner.cancel)
         self.runner.changed.connect(lambda: window.show_busy(self.runner.busy))
         self.runner.moved.connect(lambda: window.task_bar.show_task(self.runner.current))
         self.runner.failed.connect(self._dialogs.show_error)
@@ -245,7 +245,7 @@ class SiteDesign(QObject):
     def surveys(self) -> None:
         """Simulate and adjust many surveys of the plan, in the background."""
         assert self.window is not None
-        titled, window, asked = (
+        titled, window, requested = (
             self.workspace.titled,
             self.window,
             self.window.surveys.simulation_request,
@@ -258,10 +258,10 @@ class SiteDesign(QObject):
 
         def work(progress: Progress) -> MonteCarloResult:
             preload_matplotlib()
-            return run_survey_simulation(titled.plan, asked, progress)
+            return run_survey_simulation(titled.plan, requested, progress)
 
         def done(found: MonteCarloResult) -> None:
-            head = result_heading(titled.title, found, asked.surveys)
+            head = result_heading(titled.title, found, requested.surveys)
             window.surveys.answer.show_result(head, found, titled.plan)
             window.surveys.answer.follow(self.workspace.titled.plan)
             window.pictures.show_errors(found)

@@ -18,7 +18,7 @@ QUIET_FOR = 0.3
 class TaskStatusBar(QStatusBar):
     """Status bar of the window."""
 
-    cancel_asked = Signal()
+    cancel_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -39,7 +39,7 @@ class TaskStatusBar(QStatusBar):
             tip=gettext("Cancel the running task; the project stays unchanged"),
         )
         self.cancel.setStyleSheet("padding: 1px 10px;")
-        self.cancel.clicked.connect(self.cancel_asked)
+        self.cancel.clicked.connect(self.cancel_requested)
         self._parts = (self.text, self.bar, self.cancel)
         for each in self._parts:
             self.addPermanentWidget(each)

@@ -34,7 +34,7 @@ class TargetActions(QObject):
         )
         window.controller.accepted.connect(self._select_accepted)
         self._scene, self._table, self._histograms = window.scene, window.table, window.histograms
-        window.targets.propose_asked.connect(self.propose)
+        window.targets.propose_requested.connect(self.propose)
         window.actions_["propose"].triggered.connect(lambda _=False: self.propose())
         window.actions_["find_again"].triggered.connect(lambda _=False: self.find_again())
         for changed in (

@@ -105,20 +105,20 @@ class WarningList(QObject):
         refused_since = document.refused_since
         survey = document.survey if document.survey_is_current else None
         qualities, storage = self._qualities, self._window.recovery_copies.trouble
-        stale = self._had_result
+        outdated = self._had_result
         if project is None or document.awaits_result:
             return
         self._asked += 1
-        asked = self._asked
+        requested = self._asked
 
         def work() -> Gathered:
-            if asked != self._asked:
-                return asked, ()  # there was another change meanwhile
+            if requested != self._asked:
+                return requested, ()  # there was another change meanwhile
             found = warnings_of(
                 project, survey, qualities, refusal=refusal, refused_since=refused_since,
-                stale=stale, storage=storage,
+                outdated=outdated, storage=storage,
             )  # fmt: skip
-            return asked, found
+            return requested, found
 
         self._worker.submit(work).add_done_callback(self._emit_result)
 
@@ -130,9 +130,9 @@ class WarningList(QObject):
             self._gathered.emit(future.result())
 
     def _show(self, gathered: Gathered) -> None:
-        asked, found = gathered
-        if asked == self._asked:
-            self._told = asked
+        requested, found = gathered
+        if requested == self._asked:
+            self._told = requested
             self._panel.show_warnings(found)
             self._button.show_warnings(found)
             self.shown.emit()

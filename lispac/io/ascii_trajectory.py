@@ -180,7 +180,7 @@ def preview_ascii(path: Path, choice: Choice) -> FilePreview:
     path = Path(path)
     # Reading the first line detects a missing, empty or binary file.
     next(numbered_lines(path, "text"), None)
-    detected, doubts = _detect_options(path, choice)
+    detected, file_warnings = _detect_options(path, choice)
     found = DEFAULTS | detected | dict(choice)
     layout = layout_by_choice(path, found)
     finding = preview_text(path, layout, _conventions(found), found)
@@ -188,7 +188,7 @@ def preview_ascii(path: Path, choice: Choice) -> FilePreview:
     return replace(
         finding,
         choice=found,
-        doubts=(*doubts, *finding.doubts),
+        file_warnings=(*file_warnings, *finding.file_warnings),
         messages=(*finding.messages, *_header_messages(path, titles, choice)),
     )
 
@@ -290,14 +290,14 @@ def _detect_options(path: Path, choice: Choice) -> tuple[dict[str, str], list[Me
         return own, []
     names = _header_names(lines)
     found: dict[str, str] = {}
-    doubts: list[Message] = []
+    file_warnings: list[Message] = []
     file = printable(path.name)
     if names:
         _require_single_angle_columns(path, names)
         found["columns"] = " ".join(_column_roles(names))
         found |= _unit_options(names)
     elif "columns" not in choice:
-        doubts.append(warning(COLUMNS_ASSUMED, file=file, columns=DEFAULT_COLUMNS.split()))
+        file_warnings.append(warning(COLUMNS_ASSUMED, file=file, columns=DEFAULT_COLUMNS.split()))
     tokens = (choice.get("columns") or found.get("columns") or DEFAULT_COLUMNS).split()
     separator = choice.get("separator", "auto")
     data = [fields for line in lines if is_data_row(fields := _split_row(line, separator))]
@@ -317,7 +317,7 @@ def _detect_options(path: Path, choice: Choice) -> tuple[dict[str, str], list[Me
         if role_of(token) in POSITION
     }
     places = written if len(written) == len(POSITION) else {}
-    doubts += _detect_units(values, places, found, choice, file)
+    file_warnings += _detect_units(values, places, found, choice, file)
     roles = {role_of(token) for token in tokens}
     clocks = "time" in roles and "time" not in values
     if "date" in roles:
@@ -325,13 +325,13 @@ def _detect_options(path: Path, choice: Choice) -> tuple[dict[str, str], list[Me
     elif clocks:
         found["time"] = "utc-day"
     if (clocks or "date" in roles) and "time" not in choice:
-        doubts.append(warning("times.utc_assumed", file=file))
-    doubts += [
+        file_warnings.append(warning("times.utc_assumed", file=file))
+    file_warnings += [
         sign_assumed_warning(path, angle, sign)
         for angle, sign in (("roll", "starboard-down"), ("pitch", "bow-up"))
         if angle not in choice
     ]
-    return found, doubts
+    return found, file_warnings
 
 
 def _column_roles(names: list[str]) -> list[str]:

@@ -75,18 +75,20 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         Where the file cannot be read or does not hold such records.
     """
     path = require_not_empty(path, "CIDCO")
-    settled = CIDCO.settled(choice)
+    resolved = CIDCO.resolved(choice)
     records = next(record_chunks(path, PREVIEW))
     seen = check_first_points(records[:, 4:7], records[:, 3], file=printable(path.name), crs="")
     facts = {
         "format": note("fact.cidco"),
         "points": path.stat().st_size // RECORD,
-        **frame_facts(settled),
-        "time base": time_base_message(records[:, 3], settled["time_base"]),
+        **frame_facts(resolved),
+        "time base": time_base_message(records[:, 3], resolved["time_base"]),
         **seen.facts,
     }
     assumptions = (note("assumed.cidco_columns"), *SCANNER_COLUMNS)
-    return FilePreview(facts, preview_table(NAMES, tuple(records.T)), {}, seen.doubts, assumptions)
+    return FilePreview(
+        facts, preview_table(NAMES, tuple(records.T)), {}, seen.file_warnings, assumptions
+    )
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -98,7 +100,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         Where the file is missing, cut short, empty, or does not hold such records.
     """
     path = require_not_empty(path, "CIDCO")
-    scale, total = coordinate_scale(CIDCO.settled(choice)), path.stat().st_size // RECORD
+    scale, total = coordinate_scale(CIDCO.resolved(choice)), path.stat().st_size // RECORD
     for records in record_chunks(path, CHUNK):
         extra = {name: records[:, columns].copy() for name, columns in PARTS.items()}
         yield PointChunk(records[:, 4:7] * scale, records[:, 3].copy(), extra, total)

@@ -83,37 +83,37 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         raise InputError(error("file.no_points", file=str(path)))
     count = sum(scan.count for scan in scans)
     stamps = stored["timeStamp"]
-    doubts: list[Message] = []
+    file_warnings: list[Message] = []
     file = printable(path.name)
     found = {"time_from": START, "crs": system}
     if stamps.max() > DAY:
         found["time_from"] = ZERO
-        doubts.append(warning("e57.large_time_stamps", file=file, time=float(stamps[0])))
+        file_warnings.append(warning("e57.large_time_stamps", file=file, time=float(stamps[0])))
     elif not all(scan.start for scan in scans):
         found["time_from"] = ZERO
-        doubts.append(warning("e57.start_not_stated", file=file))
+        file_warnings.append(warning("e57.start_not_stated", file=file))
     if any(scan.has_pose for scan in scans):
-        doubts.append(warning("e57.poses", file=file))
+        file_warnings.append(warning("e57.poses", file=file))
     base = "gps-full" if {**found, **choice}["time_from"] == START else ""
     found["time_base"] = base
     posed = usable_points(_point_chunk(stored, scan, {"frame": GEOREFERENCED, **found}, count))
     seen = check_first_points(posed.xyz, posed.time, file=file, crs=system)
     found["frame"] = seen.frame
-    settled = E57.settled({**found, **choice})
+    resolved = E57.resolved({**found, **choice})
     time = posed.time
     facts: dict[str, Fact] = {
         "format": "E57",
         "points": note("fact.points_in_scans", points=count, scans=len(scans)),
         "coordinate system": system[:200] or note("fact.none"),
-        **frame_facts(settled),
-        "time base": time_base_message(time, settled["time_base"]),
+        **frame_facts(resolved),
+        "time base": time_base_message(time, resolved["time_base"]),
         **seen.facts,
         "fields": ", ".join(scan.fields),
         "written by": writer or note("fact.not_specified"),
     }
     assumptions = (
         (note("assumed.time_stamps_from_scan"),)
-        if settled["time_from"] == START
+        if resolved["time_from"] == START
         else (note("assumed.time_stamps_as_they_are"), SAME_TIME_BASE)
     )
     names = tuple(stored)
@@ -121,7 +121,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         facts,
         preview_table(names, tuple(stored.values())),
         {name: value for name, value in found.items() if value},
-        (*doubts, *seen.doubts, *time_base_warnings(time, base, file)),
+        (*file_warnings, *seen.file_warnings, *time_base_warnings(time, base, file)),
         assumptions,
         _invalid_point_messages(path, invalid, count),
     )
@@ -139,17 +139,17 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         Where the file is missing, damaged, empty, or without time stamps.
     """
     path = require_not_empty(path, "E57")
-    settled = E57.settled(choice)
+    resolved = E57.resolved(choice)
     done = 0
     with report_damage(path, "E57"), opened_e57(path) as image:
         scans = find_scans(image, path)
         total = sum(scan.count for scan in scans)
-        if settled["time_from"] == START and not all(scan.start for scan in scans):
+        if resolved["time_from"] == START and not all(scan.start for scan in scans):
             raise InputError(error("e57.no_start", file=str(path)))
         for scan in scans:
             for stored in stored_points(image, scan, path, CHUNK, done):
                 done += len(stored["timeStamp"])
-                yield _point_chunk(stored, scan, settled, total)
+                yield _point_chunk(stored, scan, resolved, total)
 
 
 def read_coordinates(path: Path) -> Iterator[Array]:
@@ -190,15 +190,15 @@ def _invalid_point_messages(path: Path, count: int, total: int) -> tuple[Message
 
 
 def _point_chunk(
-    stored: Mapping[str, NDArray[Any]], scan: Scan, settled: Choice, total: int
+    stored: Mapping[str, NDArray[Any]], scan: Scan, resolved: Choice, total: int
 ) -> PointChunk:
     xyz = np.stack([stored[axis] for axis in "xyz"], axis=1)
-    if settled["frame"] == GEOREFERENCED:
+    if resolved["frame"] == GEOREFERENCED:
         xyz = xyz @ scan.rotation.T + scan.translation
     else:
-        xyz = xyz * coordinate_scale(settled)
+        xyz = xyz * coordinate_scale(resolved)
     time = stored["timeStamp"].astype(np.float64)
-    if settled["time_from"] == START:
+    if resolved["time_from"] == START:
         time = time + scan.start
     own = (*"xyz", "timeStamp")
     extra = {name: values for name, values in stored.items() if name not in own}

@@ -99,7 +99,7 @@ def exail_layout(path: Path) -> TextLayout:
     sample = next((line for line in lines if line.strip() and not line.startswith("#")), "")
     separator = "tab" if "\t" in sample else "auto"
     fields = split_fields(sample, separator)
-    columns, doubts = [], []
+    columns, file_warnings = [], []
     for index, name in enumerate(names):
         role = role_of(name)
         if not role:
@@ -115,7 +115,7 @@ def exail_layout(path: Path) -> TextLayout:
             unit = "clock" if is_clock(fields[index]) else unit or "s"
         if not unit:
             unit = default_unit(role)
-            doubts.append(unit_assumed_warning(path, name, unit))
+            file_warnings.append(unit_assumed_warning(path, name, unit))
         columns.append(Column(role, index, name, unit))
     facts: dict[str, Fact] = {"Header": comments[0].lstrip("# ").strip() or note("fact.no_title")}
     signs = {
@@ -127,7 +127,7 @@ def exail_layout(path: Path) -> TextLayout:
         facts[f"Sign of {angle}"] = SIGN_NAMES[sign]
     units = [parse_unit(described.get(name.lower(), "")) for name in names]
     return TextLayout(
-        tuple(columns), names, separator, exail_rows, facts, tuple(doubts),
+        tuple(columns), names, separator, exail_rows, facts, tuple(file_warnings),
         velocity_columns(names, units), signs,
     )  # fmt: skip
 
@@ -178,13 +178,13 @@ def preview_exail(path: Path, choice: Choice) -> FilePreview:
     layout = exail_layout(path)
     found = _detect_options(layout) | dict(choice)
     finding = preview_text(path, layout, _conventions(layout, found), found)
-    doubts = list(finding.doubts)
+    file_warnings = list(finding.file_warnings)
     for angle in ("roll", "pitch"):
         if angle not in layout.signs and angle not in choice:
-            doubts.append(sign_assumed_warning(path, angle, found[angle]))
+            file_warnings.append(sign_assumed_warning(path, angle, found[angle]))
     if any(column.unit == "clock" for column in layout.columns) and "time" not in choice:
-        doubts.append(warning("times.utc_assumed", file=printable(path.name)))
-    return replace(finding, choice=found, doubts=tuple(doubts))
+        file_warnings.append(warning("times.utc_assumed", file=printable(path.name)))
+    return replace(finding, choice=found, file_warnings=tuple(file_warnings))
 
 
 def read_exail(path: Path, choice: Choice) -> Trajectory:
@@ -199,7 +199,7 @@ def read_exail(path: Path, choice: Choice) -> Trajectory:
     conventions = _conventions(layout, _detect_options(layout) | dict(choice))
     header = note("assumed.header_columns", format=note("format.exail"))
     return trajectory_of(
-        path, exail_rows(path), layout.columns, conventions, (header, *layout.doubts)
+        path, exail_rows(path), layout.columns, conventions, (header, *layout.file_warnings)
     )
 
 

@@ -38,12 +38,12 @@ class FirstPointsCheck:
     ----------
     frame : str
     facts : dict of str to Fact
-    doubts : tuple of Message
+    file_warnings : tuple of Message
     """
 
     frame: str
     facts: dict[str, Fact]
-    doubts: tuple[Message, ...]
+    file_warnings: tuple[Message, ...]
 
 
 def check_first_points(
@@ -68,7 +68,7 @@ def check_first_points(
     low, high : ndarray of shape (3,), frame and unit of the file
         Bounds the header states, where it does.
     """
-    doubts: list[Message] = []
+    file_warnings: list[Message] = []
     is_filled = (xyz[:, 0] == xyz[:, 1]) & (xyz[:, 1] == xyz[:, 2])  # no echo: 0 or -9999 say
     if is_filled.any() and not is_filled.all():
         xyz, time, low, high = xyz[~is_filled], time[~is_filled], None, None
@@ -89,43 +89,51 @@ def check_first_points(
     away = float(np.linalg.norm(np.maximum(0, np.maximum(low, -high))))
     on_map = bool(crs) or farthest > 10 * FAR
     if on_map and not crs:
-        doubts.append(warning(NO_SYSTEM, file=file, largest=farthest, actions=(CHOOSE_SYSTEM,)))
+        file_warnings.append(
+            warning(NO_SYSTEM, file=file, largest=farthest, actions=(CHOOSE_SYSTEM,))
+        )
         if away == 0 and farthest < 1000 * FAR:
-            doubts.append(warning("points.around_origin", file=file, actions=(CHOOSE_FRAME,)))
+            file_warnings.append(
+                warning("points.around_origin", file=file, actions=(CHOOSE_FRAME,))
+            )
     elif crs and farthest < FAR and not _is_geographic(crs):
-        doubts.append(warning("points.small_coordinates", file=file, actions=(CHOOSE_FRAME,)))
+        file_warnings.append(
+            warning("points.small_coordinates", file=file, actions=(CHOOSE_FRAME,))
+        )
     elif not on_map and farthest > FAR:
-        doubts.append(
+        file_warnings.append(
             warning("points.far_from_origin", file=file, distance=farthest, actions=(CHOOSE_FRAME,))
         )
     elif not on_map and away > max(3 * size, 200.0):
-        doubts.append(
+        file_warnings.append(
             warning("points.away_from_origin", file=file, distance=away, actions=(CHOOSE_FRAME,))
         )
     elif len(xyz) > 100 and _looks_geographic(low, high) and (high - low)[:2].max() < 0.02:
-        doubts.append(warning("points.degrees", file=file, actions=(CHOOSE_FRAME,)))
-    doubts += _time_warnings(time, len(xyz), file)
-    return FirstPointsCheck(GEOREFERENCED if on_map else SCANNER, facts, tuple(doubts))
+        file_warnings.append(warning("points.degrees", file=file, actions=(CHOOSE_FRAME,)))
+    file_warnings += _time_warnings(time, len(xyz), file)
+    return FirstPointsCheck(GEOREFERENCED if on_map else SCANNER, facts, tuple(file_warnings))
 
 
 def _time_warnings(time: NDArray[Any], count: int, file: str) -> tuple[Message, ...]:
     """Warnings about ``time`` (n,), seconds as stored."""
-    doubts = []
+    file_warnings = []
     step = time_resolution(time)
     hidden = assess_times(time).resolution if time.dtype == np.float64 and count > 100 else None
     if step > COARSEST_TIME / 10:
-        doubts.append(warning("times.coarse", file=file, step=step))
+        file_warnings.append(warning("times.coarse", file=file, step=step))
     elif hidden is not None and hidden > COARSEST_TIME:
-        doubts.append(warning("times.coarse", file=file, step=hidden))
+        file_warnings.append(warning("times.coarse", file=file, step=hidden))
     if np.issubdtype(time.dtype, np.integer):
-        doubts.append(warning("times.whole_numbers", file=file))
+        file_warnings.append(warning("times.whole_numbers", file=file))
     elif count > 1 and (time == time[0]).all():
-        doubts.append(warning("times.all_equal", file=file))
+        file_warnings.append(warning("times.all_equal", file=file))
     whole = time.astype(np.float64)
     backward = int(np.count_nonzero(np.diff(resolve_rollover(whole, find_rollover(whole))) < 0))
     if backward:
-        doubts.append(warning("times.decreasing_points", file=file, count=backward, total=count))
-    return tuple(doubts)
+        file_warnings.append(
+            warning("times.decreasing_points", file=file, count=backward, total=count)
+        )
+    return tuple(file_warnings)
 
 
 def _looks_geographic(low: Array, high: Array) -> bool:

@@ -63,7 +63,7 @@ class FilePreview:
         First rows, the names of the columns at the head.
     choice : mapping
         Options as detected.
-    doubts : tuple of Message
+    file_warnings : tuple of Message
         Warnings about how the file is read, to be checked before importing.
     assumptions : tuple of Message
         What the reader assumes with these options: frame, unit, signs, time base.
@@ -74,7 +74,7 @@ class FilePreview:
     facts: Mapping[str, Fact]
     rows: tuple[tuple[str, ...], ...] = ()
     choice: Choice = None  # type: ignore[assignment]
-    doubts: tuple[Message, ...] = ()
+    file_warnings: tuple[Message, ...] = ()
     assumptions: tuple[Message, ...] = ()
     messages: tuple[Message, ...] = ()
 
@@ -141,7 +141,7 @@ class FileFormat:
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy | Iterator[PointChunk]]
     read_from: Callable[[Path, Choice, int], Iterator[PointChunk]] | None = None
 
-    def settled(self, choice: Choice) -> dict[str, str]:
+    def resolved(self, choice: Choice) -> dict[str, str]:
         """All options: those of ``choice``, and defaults for the others.
 
         Raises

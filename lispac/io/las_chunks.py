@@ -134,7 +134,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         low, high = xyz.min(axis=0), xyz.max(axis=0)
     seen = check_first_points(xyz, time, file=file, crs=stated.text, low=low, high=high)
     if frame is not None:  # what is unusual for a map is usual there
-        seen = replace(seen, frame=GEOREFERENCED, doubts=())
+        seen = replace(seen, frame=GEOREFERENCED, file_warnings=())
     base = _time_base(header)
     found = {
         "frame": seen.frame,
@@ -142,7 +142,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         "height_unit": stated.height_unit,
         "time_base": base,
     }
-    settled = LAS.settled({**found, **choice})
+    resolved = LAS.resolved({**found, **choice})
     compressed = "LAZ" if header.are_points_compressed else "LAS"
     facts: dict[str, Fact] = {
         "format": note(
@@ -151,9 +151,9 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         ),
         "points": int(header.point_count),
         "coordinate system": stated.name or note("fact.none"),
-        **frame_facts(settled),
+        **frame_facts(resolved),
         "resolution": ", ".join(f"{scale:g}" for scale in header.scales),
-        "time base": time_base_message(time, settled["time_base"]),
+        "time base": time_base_message(time, resolved["time_base"]),
         **seen.facts,
         "attributes": ", ".join(header.point_format.dimension_names),
         "written by": _decode_text(header.generating_software) or note("fact.not_specified"),
@@ -163,8 +163,8 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         preview_table(names, values),
         {name: value for name, value in found.items() if value},
         (
-            *stated.doubts,
-            *seen.doubts,
+            *stated.file_warnings,
+            *seen.file_warnings,
             *(() if choice.get("time_base") else time_base_warnings(time, base, file)),
             *_header_warnings(header, stated.text, xyz, file),
         ),
@@ -197,7 +197,7 @@ def read_from_point(path: Path, choice: Choice, first: int) -> Iterator[PointChu
     ------
     InputError
     """
-    scale = coordinate_scale(LAS.settled(choice))
+    scale = coordinate_scale(LAS.resolved(choice))
     path = require_not_empty(path, "LAS")
     with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
         header = reader.header

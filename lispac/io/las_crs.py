@@ -40,7 +40,7 @@ class HeaderCrs:
         For `lispac.survey.crs.coordinate_system`; empty if the header has nothing usable.
     name, height_unit : str
         Empty if it has nothing usable.
-    doubts : tuple of Message
+    file_warnings : tuple of Message
         About a system that cannot be used, or is used with an assumption.
     messages : tuple of Message
         About WKT and keys that contradict each other.
@@ -49,7 +49,7 @@ class HeaderCrs:
     text: str = ""
     name: str = ""
     height_unit: str = ""
-    doubts: tuple[Message, ...] = ()
+    file_warnings: tuple[Message, ...] = ()
     messages: tuple[Message, ...] = ()
 
     @property
@@ -121,7 +121,9 @@ def _horizontal_and_vertical(text: str) -> tuple[CRS, CRS | None]:
 def _crs_from_wkt(wkt: str, file: str) -> HeaderCrs:
     crs = _parse_crs(wkt)
     if crs is None:
-        return HeaderCrs(doubts=(warning("las.unknown_wkt", file=file, actions=(CHOOSE_SYSTEM,)),))
+        return HeaderCrs(
+            file_warnings=(warning("las.unknown_wkt", file=file, actions=(CHOOSE_SYSTEM,)),)
+        )
     code = crs.to_epsg()
     return HeaderCrs(f"EPSG:{code}" if code and CRS(code) == crs else wkt, crs.name)
 
@@ -145,7 +147,7 @@ def _geotiff_keys(
 
 
 def _crs_from_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: str) -> HeaderCrs:
-    doubts: list[Message] = []
+    file_warnings: list[Message] = []
     crs: CRS | None = None
     if numbers.get(MODEL) == GEOCENTRIC_MODEL:
         crs = _geocentric_crs(numbers.get(GEOGRAPHIC, 0))
@@ -156,7 +158,7 @@ def _crs_from_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: s
     if crs is None:
         crs = _crs_by_citation(numbers, texts)
         if crs is not None:
-            doubts.append(
+            file_warnings.append(
                 warning(
                     "las.system_by_name", file=file, name=crs.name,
                     system=f"EPSG:{crs.to_epsg()}", actions=(CHECK_SYSTEM,),
@@ -168,17 +170,17 @@ def _crs_from_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: s
             unknown = warning("las.system_without_code", file=file, name=name, actions=actions)
         else:
             unknown = warning("las.system_not_named", file=file, actions=actions)
-        return HeaderCrs(doubts=(unknown,))
+        return HeaderCrs(file_warnings=(unknown,))
     unit = UNIT_CODES.get(numbers.get(LINEAR_UNIT, 0), "")
     own = UNIT_NAMES.get(crs.axis_info[0].unit_name, "")
     if unit and own and unit != own:
-        doubts.append(
+        file_warnings.append(
             warning(
                 "las.unit_contradicts_system", file=file, unit=unit, system=crs.name,
                 system_unit=own, actions=(CHOOSE_SYSTEM,),
             )
         )  # fmt: skip
-        return HeaderCrs(doubts=tuple(doubts))
+        return HeaderCrs(file_warnings=tuple(file_warnings))
     text = f"EPSG:{crs.to_epsg()}"
     name = crs.name
     vertical = numbers.get(VERTICAL, 0)
@@ -187,14 +189,14 @@ def _crs_from_keys(numbers: Mapping[int, int], texts: Mapping[int, str], file: s
     elif vertical and (heights := _crs_by_epsg(vertical)) is not None and heights.is_vertical:
         text, name = f"{text}+{vertical}", f"{name} + {heights.name}"
     elif 0 < vertical < 32767:
-        doubts.append(
+        file_warnings.append(
             warning(
                 "las.unknown_vertical", file=file, code=str(vertical),
                 actions=(CHOOSE_VERTICAL_REFERENCE,),
             )
         )  # fmt: skip
     height_unit = UNIT_CODES.get(numbers.get(VERTICAL_UNIT, 0), "")
-    return HeaderCrs(text, name, height_unit, tuple(doubts))
+    return HeaderCrs(text, name, height_unit, tuple(file_warnings))
 
 
 def _geocentric_crs(code: int) -> CRS | None:

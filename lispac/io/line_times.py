@@ -84,12 +84,12 @@ def read_line_times(
         that it is read in.
     """
     stated = str(choice.get(RESTART, ""))
-    settled = format.settled(choice)
-    scanner = settled[FRAME.name] == SCANNER
+    resolved = format.resolved(choice)
+    scanner = resolved[FRAME.name] == SCANNER
     if format.key == "las" and (count := point_count(path)) > READ_WHOLE:
         found, places = _sample_times(path, count, progress)
         if scanner:
-            require_scanner_frame(places * coordinate_scale(settled), path)
+            require_scanner_frame(places * coordinate_scale(resolved), path)
         return _resolve_rollover(found, stated)
     chunks = format.read(path, choice)
     assert isinstance(chunks, Iterator)

@@ -78,14 +78,14 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     InputError
         Where the file is missing, damaged, cut short, empty, or without time.
     """
-    settled = PCD.settled(choice)
+    resolved = PCD.resolved(choice)
     records, kind = _read_header(path)
     done = 0
     with report_damage(records.path, "PCD"):
         for columns in _read_columns(records, kind, CHUNK):
             returns = _without_missing_returns(columns)
             if len(returns["x"]):
-                yield point_chunk(returns, settled, records.path, done=done, total=records.count)
+                yield point_chunk(returns, resolved, records.path, done=done, total=records.count)
             done += len(columns["x"])
 
 

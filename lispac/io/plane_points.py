@@ -53,17 +53,19 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     """
     rows = read_plane_table(require_not_empty(path, "plane"))
     file = printable(path.name)
-    settled = PLANES.settled(choice)
+    resolved = PLANES.resolved(choice)
     seen = check_first_points(rows[:, 5:8], rows[:, 4], file=file, crs="")
     facts = {
         "format": note("fact.planes"),
         "points": len(rows),
-        **frame_facts(settled),
-        "time base": time_base_message(rows[:, 4], settled["time_base"]),
+        **frame_facts(resolved),
+        "time base": time_base_message(rows[:, 4], resolved["time_base"]),
         **seen.facts,
     }
-    doubts = (warning("points.of_one_target", file=file), *seen.doubts)
-    return FilePreview(facts, preview_table(NAMES, tuple(rows.T)), {}, doubts, SCANNER_COLUMNS)
+    file_warnings = (warning("points.of_one_target", file=file), *seen.file_warnings)
+    return FilePreview(
+        facts, preview_table(NAMES, tuple(rows.T)), {}, file_warnings, SCANNER_COLUMNS
+    )
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -75,7 +77,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         Where the file cannot be read or is not a plane file.
     """
     path = require_not_empty(path, "plane")
-    scale = coordinate_scale(PLANES.settled(choice))
+    scale = coordinate_scale(PLANES.resolved(choice))
     rows = read_plane_table(path)
     require_usable_points(rows[:, 5:8], rows[:, 4], path)
     extra = {name: rows[:, columns].copy() for name, columns in PARTS.items()}

@@ -71,12 +71,12 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     InputError
         Where the file is missing, damaged, cut short, empty, or without time.
     """
-    settled = PLY.settled(choice)
+    resolved = PLY.resolved(choice)
     records = _read_header(path)
     done = 0
     with report_damage(records.path, "PLY"):
         for columns in read_record_columns(records, CHUNK):
-            chunk = point_chunk(columns, settled, records.path, done=done, total=records.count)
+            chunk = point_chunk(columns, resolved, records.path, done=done, total=records.count)
             done += len(chunk.time)
             yield chunk
 

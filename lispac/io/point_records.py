@@ -219,7 +219,7 @@ def preview_records(
 ) -> FilePreview:
     """Facts and warnings of the first points."""
     path, count = records.path, records.count
-    given, choice = choice, format_.settled(choice)
+    given, choice = choice, format_.resolved(choice)
     first = {name: values[:PREVIEW] for name, values in columns.items()}
     field = find_time_field(path, tuple(first), str(choice["time_field"]))
     chunk = point_chunk(first, {**choice, "unit": "metre"}, path, done=0, total=count)
@@ -227,32 +227,32 @@ def preview_records(
     stored_time = first[field]
     file = printable(path.name)
     seen = check_first_points(chunk.xyz, chunk.time, file=file, crs=str(choice["crs"]))
-    doubts = list(seen.doubts)
+    file_warnings = list(seen.file_warnings)
     step = time_resolution(stored_time, SECONDS[choice["time_unit"]])
-    if step > 1e-4 and not any(each.code == "times.coarse" for each in doubts):
-        doubts.append(warning("times.coarse", file=file, step=step))
+    if step > 1e-4 and not any(each.code == "times.coarse" for each in file_warnings):
+        file_warnings.append(warning("times.coarse", file=file, step=step))
     if np.issubdtype(stored_time.dtype, np.integer) and choice["time_unit"] == "second":
-        doubts.append(warning("times.whole_numbers", file=file))
+        file_warnings.append(warning("times.whole_numbers", file=file))
     farthest = float(np.abs(chunk.xyz).max())
     grain = float(np.spacing(np.float32(farthest)))
     if any(first[axis].dtype == np.float32 for axis in "xyz") and grain > 1e-3:
-        doubts.append(
+        file_warnings.append(
             warning("points.coordinates_32_bits", file=file, step=grain, largest=farthest)
         )
     found = {"frame": seen.frame, "time_field": field}
-    settled = format_.settled({**found, **given})
+    resolved = format_.resolved({**found, **given})
     return FilePreview(
         {
             **records.facts,
             "points": count,
-            **frame_facts(settled),
+            **frame_facts(resolved),
             "time base": time_base_message(chunk.time, str(choice["time_base"])),
             **seen.facts,
             "fields": ", ".join(first),
         },
         preview_table(tuple(first), tuple(first.values())),
         found,
-        (*doubts, *time_base_warnings(chunk.time, str(choice["time_base"]), file)),
+        (*file_warnings, *time_base_warnings(chunk.time, str(choice["time_base"]), file)),
         (
             note(
                 "assumed.time_field", field=field,

@@ -82,7 +82,7 @@ def pospac_layout(path: Path) -> TextLayout:
     )
     stated = _stated_units(units_line)
     columns: list[Column] = []
-    doubts: list[Message] = []
+    file_warnings: list[Message] = []
     for index, name in enumerate(names):
         role = role_of(name)
         if not role or any(column.role == role for column in columns):
@@ -90,7 +90,7 @@ def pospac_layout(path: Path) -> TextLayout:
         unit = stated.get(_unit_group(role), "")
         if not unit:
             unit = default_unit(role)
-            doubts.append(unit_assumed_warning(path, name.lower(), unit))
+            file_warnings.append(unit_assumed_warning(path, name.lower(), unit))
         if unit in ("dms", "clock"):
             raise InputError(
                 error("trajectory.pospac_notation", file=str(path), column=name.lower())
@@ -102,7 +102,9 @@ def pospac_layout(path: Path) -> TextLayout:
         if colon and key.strip() in _FACTS and value.strip():
             facts[_FACTS[key.strip()]] = value.strip().rstrip(";").strip()
     velocities = velocity_columns(names, [stated.get("velocity", "")] * len(names))
-    return TextLayout(tuple(columns), names, "auto", pospac_rows, facts, tuple(doubts), velocities)
+    return TextLayout(
+        tuple(columns), names, "auto", pospac_rows, facts, tuple(file_warnings), velocities
+    )
 
 
 def pospac_rows(path: Path) -> Rows:
@@ -147,7 +149,7 @@ def read_pospac(path: Path, choice: Choice) -> Trajectory:
     header = note("assumed.header_columns", format=note("format.pospac"))
     conventions = _conventions(layout, choice)
     return trajectory_of(
-        path, pospac_rows(path), layout.columns, conventions, (header, *layout.doubts)
+        path, pospac_rows(path), layout.columns, conventions, (header, *layout.file_warnings)
     )
 
 

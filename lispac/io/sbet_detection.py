@@ -52,7 +52,7 @@ class SbetDetection:
 
     options: SbetOptions
     facts: dict[str, Fact]
-    doubts: tuple[Message, ...]
+    file_warnings: tuple[Message, ...]
     head: Array
 
 
@@ -156,18 +156,18 @@ def detect_sbet(path: Path) -> SbetDetection:
         raise InputError(error("text.empty", file=str(path)))
     if size < 2 * RECORD:
         raise InputError(error("sbet.too_short", file=str(path), bytes=size))
-    doubts: list[Message] = []
+    file_warnings: list[Message] = []
     file = printable(path.name)
     byte_order, _ = detect_byte_order(path)
     options = SbetOptions(byte_order=byte_order)
     if byte_order == "big-endian":
-        doubts.append(warning("sbet.big_endian", file=file))
+        file_warnings.append(warning("sbet.big_endian", file=file))
     blocks, count = sample_blocks(path, "<" if byte_order == "little-endian" else ">")
     if not blocks:
         raise InputError(error("sbet.not_readable", file=str(path)))
     head = blocks[0][:5]
     if size % RECORD:
-        doubts.append(
+        file_warnings.append(
             warning(
                 "file.partial_record", file=file, kind=file_kind_message("SBET"), size=size,
                 record=RECORD, rest=size % RECORD,
@@ -177,22 +177,22 @@ def detect_sbet(path: Path) -> SbetDetection:
     sound = [block[np.isfinite(block).all(axis=1)] for block in blocks]
     lost = sum(len(block) for block in blocks) - sum(len(block) for block in sound)
     if lost:
-        doubts.append(warning("sbet.not_finite", file=file, count=lost))
+        file_warnings.append(warning("sbet.not_finite", file=file, count=lost))
     usable = [block for block in sound if len(block) > 2]
     if not usable or max(float(np.abs(block).max()) for block in usable) > 1e11:
-        doubts.append(warning("sbet.other_format", file=file))
-        return SbetDetection(options, facts, tuple(doubts), head)
+        file_warnings.append(warning("sbet.other_format", file=file))
+        return SbetDetection(options, facts, tuple(file_warnings), head)
     time = _sample_times(path, options.byte_order, count)
     if not np.isfinite(time).all():
         time = np.concatenate([block[:, 0] for block in usable])
-    return _detect_from_blocks(usable, options, facts, doubts, head, time, file)
+    return _detect_from_blocks(usable, options, facts, file_warnings, head, time, file)
 
 
 def _detect_from_blocks(
     blocks: list[Array],
     options: SbetOptions,
     facts: dict[str, Fact],
-    doubts: list[Message],
+    file_warnings: list[Message],
     head: Array,
     time: Array,
     file: str,
@@ -200,17 +200,17 @@ def _detect_from_blocks(
     """Detect the options from blocks of finite records and a sample of the times."""
     table = np.vstack(blocks)
     options, found = _detect_unit_and_order(table, options, file)
-    doubts += found
+    file_warnings += found
     if options.unit == "degrees":
         blocks = [_block_in_radians(block) for block in blocks]
     motions = [_block_motions(block) for block in blocks]
     options, facts["Velocities"], found = detect_velocity_frame(blocks, motions, options, file)
-    doubts += found
+    file_warnings += found
     if options.order == "longitude-latitude":
         blocks = [block[:, [0, 2, 1, *range(3, 17)]] for block in blocks]
         motions = [(exchanged, own) for own, exchanged in motions]
     options, facts["Roll and pitch"], found = detect_signs(blocks, options, file)
-    doubts += found
+    file_warnings += found
     bases = plausible_bases(table[:, 0])
     if bases:
         options = replace(options, time=bases[0].key)
@@ -220,14 +220,14 @@ def _detect_from_blocks(
     facts.update(trajectory_facts(unroll_times(time)[0], latitude, longitude, height, speed))
     wander = table[:, 10]
     facts["Wander angle"] = note("fact.angles", low=wander.min(), high=wander.max())
-    doubts += time_warnings(unroll_times(time)[0], options.time, file)
+    file_warnings += time_warnings(unroll_times(time)[0], options.time, file)
     if options.order == "latitude-longitude":
         headings = [
             block[:, 9] - (block[:, 10] if options.heading == "minus-wander" else 0)
             for block in blocks
         ]
-        doubts += course_warnings(motions, headings, file)
-    return SbetDetection(options, facts, tuple(doubts), head)
+        file_warnings += course_warnings(motions, headings, file)
+    return SbetDetection(options, facts, tuple(file_warnings), head)
 
 
 def _detect_unit_and_order(

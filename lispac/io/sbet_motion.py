@@ -115,10 +115,10 @@ def _detect_heading(
     if turns > np.radians(30) and min(less, whole) < np.radians(15) < max(less, whole):
         used, other = min(less, whole), max(less, whole)
         if less < whole:
-            settled = warning("sbet.heading_less_wander", file=file, used=used, other=other)
-            return replace(chosen, heading="minus-wander"), fact, [settled]
-        settled = warning("sbet.heading_as_is", file=file, used=used, other=other)
-        return replace(chosen, heading="as-is"), fact, [settled]
+            resolved = warning("sbet.heading_less_wander", file=file, used=used, other=other)
+            return replace(chosen, heading="minus-wander"), fact, [resolved]
+        resolved = warning("sbet.heading_as_is", file=file, used=used, other=other)
+        return replace(chosen, heading="as-is"), fact, [resolved]
     return chosen, fact, [warning("sbet.heading_uncertain", file=file, wander=turns)]
 
 
@@ -171,7 +171,7 @@ def detect_signs(
         zero = warning("sbet.zero_rates", file=file, actions=check)
         return options, note("fact.signs_not_checked"), [zero]
     roll, pitch, heading = (_rate_correlation(blocks, 7 + k, 14 + k) for k in range(3))
-    signs, doubts = [], []
+    signs, file_warnings = [], []
     if roll is not None:
         options = replace(options, roll="starboard-down" if roll > 0 else "port-down")
 
@@ -186,11 +186,13 @@ def detect_signs(
             unknown.append(note("quantity.roll"))
         if pitch is None or heading is None:
             unknown.append(note("quantity.pitch"))
-        doubts.append(warning("sbet.signs_not_checked", file=file, angles=unknown, actions=check))
+        file_warnings.append(
+            warning("sbet.signs_not_checked", file=file, angles=unknown, actions=check)
+        )
     if signs and (options.roll == "port-down" or options.pitch == "bow-down"):
-        doubts.append(warning("sbet.other_signs", file=file, signs=signs, actions=check))
+        file_warnings.append(warning("sbet.other_signs", file=file, signs=signs, actions=check))
     fact = note("fact.signs", signs=signs) if signs else note("fact.signs_not_checked")
-    return options, fact, doubts
+    return options, fact, file_warnings
 
 
 def _rate_correlation(blocks: Sequence[Array], angle: int, rate: int) -> float | None:

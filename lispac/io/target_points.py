@@ -54,19 +54,19 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     """
     chunk = _read_points(require_not_empty(path, "target"))
     file = printable(path.name)
-    settled = TARGETS.settled(choice)
+    resolved = TARGETS.resolved(choice)
     seen = check_first_points(chunk.xyz, chunk.time, file=file, crs="")
     facts = {
         "format": note("fact.target"),
         "points": len(chunk.time),
-        **frame_facts(settled),
-        "time base": time_base_message(chunk.time, settled["time_base"]),
+        **frame_facts(resolved),
+        "time base": time_base_message(chunk.time, resolved["time_base"]),
         **seen.facts,
     }
     rows = preview_table(("time", "x lidar", "y lidar", "z lidar"), (chunk.time, *chunk.xyz.T))
-    doubts = (warning("points.of_one_target", file=file), *seen.doubts)
+    file_warnings = (warning("points.of_one_target", file=file), *seen.file_warnings)
     return FilePreview(
-        facts, rows, {}, doubts, (note("assumed.scanner_coordinates"), SAME_TIME_BASE)
+        facts, rows, {}, file_warnings, (note("assumed.scanner_coordinates"), SAME_TIME_BASE)
     )
 
 
@@ -79,7 +79,7 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
         Where the file cannot be read or is damaged.
     """
     path = require_not_empty(path, "target")
-    scale = coordinate_scale(TARGETS.settled(choice))
+    scale = coordinate_scale(TARGETS.resolved(choice))
     chunk = _read_points(path)
     require_usable_points(chunk.xyz, chunk.time, path)
     yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra, chunk.total)

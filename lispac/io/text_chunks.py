@@ -105,23 +105,23 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     if not choice.get("columns"):
         require_degrees(path, layout)
     rows = data_rows(lines)
-    settled = _merge_options(found, choice)
+    resolved = _merge_options(found, choice)
     shown = [layout.fields(row) for row in rows[layout.first : layout.first + ROWS]]
-    columns = settled["columns"].split()
+    columns = resolved["columns"].split()
     head = (
         columns if len(columns) == len(shown[0]) else [f"{k}" for k in range(1, 1 + len(shown[0]))]
     )
     preview = tuple(tuple(row) for row in (head, *shown))
     facts: dict[str, Fact] = {
         "format": note("fact.text_gzipped" if _is_gzipped(path) else "fact.text"),
-        "separator": settled["separator"],
-        "decimal": settled["decimal"],
-        "columns": settled["columns"] or note("fact.not_named"),
+        "separator": resolved["separator"],
+        "decimal": resolved["decimal"],
+        "columns": resolved["columns"] or note("fact.not_named"),
     }
     if not columns:
         not_named = warning("text.columns_not_named", file=file)
-        return FilePreview({**facts, **frame_facts(settled)}, preview, found, (not_named,))
-    chunk = next(_read_chunks(path, settled, PREVIEW), None)
+        return FilePreview({**facts, **frame_facts(resolved)}, preview, found, (not_named,))
+    chunk = next(_read_chunks(path, resolved, PREVIEW), None)
     if chunk is None:
         raise InputError(error("line.no_points", file=str(path)))
     require_usable_points(chunk.xyz, chunk.time, path)
@@ -133,30 +133,38 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     units = layout.units()
     if crs and (unit := height_unit_of(units, crs)):
         found["height_unit"] = unit
-    settled = _merge_options(found, choice)
-    if settled["frame"] == SCANNER and not choice.get("unit"):
+    resolved = _merge_options(found, choice)
+    if resolved["frame"] == SCANNER and not choice.get("unit"):
         require_one_unit(path, layout)
     facts |= {
-        **frame_facts(settled),
-        "time base": time_base_message(chunk.time, settled["time_base"]),
+        **frame_facts(resolved),
+        "time base": time_base_message(chunk.time, resolved["time_base"]),
         **seen.facts,
     }
     above = " ".join(lines[: max(1, len(lines) - len(rows) + layout.first)]).lower()
     feet = any(word in above for word in ("feet", "foot", "_ft", "[ft]", "(ft)"))
-    doubts: tuple[Message, ...] = ()
+    file_warnings: tuple[Message, ...] = ()
     if feet and "unit" not in header_options(layout):
-        doubts = (warning("points.feet_in_header", file=file, actions=USE_FEET),)
+        file_warnings = (warning("points.feet_in_header", file=file, actions=USE_FEET),)
     if crs and units:
-        doubts = unit_warnings(units, crs, file)  # the names say which, and which does not fit
-    if not settled["time_base"] and "time" in columns and is_clock(shown[0][columns.index("time")]):
+        file_warnings = unit_warnings(
+            units, crs, file
+        )  # the names say which, and which does not fit
+    if (
+        not resolved["time_base"]
+        and "time" in columns
+        and is_clock(shown[0][columns.index("time")])
+    ):
         actions = (CHOOSE_TIME_BASE,)
-        doubts += (warning("times.clock_without_base", file=file, actions=actions),)
+        file_warnings += (warning("times.clock_without_base", file=file, actions=actions),)
     messages = tuple(unit_messages(path, layout, choice))
     assumptions = (
-        note("assumed.time_unit", unit=TIME_UNIT_NAMES[SECONDS[settled["time_unit"]]]),
+        note("assumed.time_unit", unit=TIME_UNIT_NAMES[SECONDS[resolved["time_unit"]]]),
         SAME_TIME_BASE,
     )
-    return FilePreview(facts, preview, found, (*doubts, *seen.doubts), assumptions, messages)
+    return FilePreview(
+        facts, preview, found, (*file_warnings, *seen.file_warnings), assumptions, messages
+    )
 
 
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
@@ -171,13 +179,13 @@ def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     """
     path = require_not_empty(path, "text")
     found, layout, _ = _detect_options(path)
-    settled = _merge_options(found, choice)
-    if settled["frame"] == SCANNER and not choice.get("unit") and not choice.get("columns"):
+    resolved = _merge_options(found, choice)
+    if resolved["frame"] == SCANNER and not choice.get("unit") and not choice.get("columns"):
         require_one_unit(path, layout)
-    if not settled["columns"]:
+    if not resolved["columns"]:
         raise InputError(error("text.columns_not_named", file=str(path)))
-    scale, done = coordinate_scale(settled), 0
-    for chunk in _read_chunks(path, settled, CHUNK):
+    scale, done = coordinate_scale(resolved), 0
+    for chunk in _read_chunks(path, resolved, CHUNK):
         require_usable_points(chunk.xyz, chunk.time, path, done)
         done += len(chunk.time)
         yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra) if scale != 1 else chunk
@@ -212,16 +220,16 @@ def _detect_options(path: Path) -> tuple[dict[str, str], RowLayout, list[str]]:
 
 def _merge_options(found: Choice, choice: Choice) -> dict[str, str]:
     """Chosen options, completed by the detected ones."""
-    return TEXT.settled(
+    return TEXT.resolved(
         {**found, **{name: value for name, value in choice.items() if value not in ("", "auto")}}
     )
 
 
-def _read_chunks(path: Path, settled: Choice, rows: int) -> Iterator[PointChunk]:
-    names = _chosen_columns(path, settled["columns"])
-    layout = RowLayout(settled["separator"], settled["decimal"] == "comma")
+def _read_chunks(path: Path, resolved: Choice, rows: int) -> Iterator[PointChunk]:
+    names = _chosen_columns(path, resolved["columns"])
+    layout = RowLayout(resolved["separator"], resolved["decimal"] == "comma")
     wanted = [k for k, name in enumerate(names) if name != "-"]
-    factor = SECONDS[settled["time_unit"]]
+    factor = SECONDS[resolved["time_unit"]]
     parts: list[NDArray[np.float64]] = []
     number = held = 0
     with report_damage(path, "text"), _opened_text(path) as file:

@@ -316,10 +316,10 @@ def map_warnings(
     lengths = _length_units(path, chosen, grid)
     # One of easting and northing speaks for both.
     lengths.pop("northing", None)
-    doubts = [length.doubt for length in lengths.values()]
+    file_warnings = [length.reported for length in lengths.values()]
     if grid is not None:
-        doubts.append(grid.place_warning(path, read.latitude, read.longitude))
-    return tuple(doubt for doubt in doubts if doubt is not None)
+        file_warnings.append(grid.place_warning(path, read.latitude, read.longitude))
+    return tuple(reported for reported in file_warnings if reported is not None)
 
 
 def _chosen_grid(path: Path, chosen: Sequence[Column], conventions: Conventions) -> Grid | None:

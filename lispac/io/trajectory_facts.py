@@ -153,13 +153,13 @@ def time_warnings(time: Array, stated: str, file: str) -> tuple[Message, ...]:
     file : str
         Name of the file.
     """
-    doubts = list(assess_times(time).messages(file))
+    file_warnings = list(assess_times(time).messages(file))
     bases = plausible_bases(time)
     start, end = float(time.min()), float(time.max())
     if not bases:
-        doubts.append(warning("trajectory.no_time_base", file=file, start=start, end=end))
+        file_warnings.append(warning("trajectory.no_time_base", file=file, start=start, end=end))
     elif stated not in {base.key for base in bases}:
-        doubts.append(
+        file_warnings.append(
             warning(
                 "trajectory.other_time_base", file=file, start=start, end=end, base=stated,
                 bases=tuple(base.key for base in bases), actions=(CHOOSE_TIME_BASE,),
@@ -175,13 +175,13 @@ def time_warnings(time: Array, stated: str, file: str) -> tuple[Message, ...]:
             if not (base.utc and base.period is not None)
         ]
         if others:
-            doubts.append(
+            file_warnings.append(
                 warning(
                     "times.several_bases", file=file, base=base_message(known), bases=others,
                     actions=(CHOOSE_TIME_BASE,),
                 )
             )  # fmt: skip
-    return (*doubts, *gap_warnings(time, LONGEST_GAP, file))
+    return (*file_warnings, *gap_warnings(time, LONGEST_GAP, file))
 
 
 GAPS = "trajectory.gaps"

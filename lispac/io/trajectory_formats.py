@@ -129,11 +129,13 @@ def _preview_sbet(path: Path, choice: Choice) -> FilePreview:
     rows = tuple(tuple(f"{value:.10g}" for value in row) for row in found.head)
     options = asdict(found.options) | dict(choice)
     assumptions = SbetOptions(**options).assumptions()
-    return FilePreview(found.facts, (SBET_COLUMNS, *rows), options, found.doubts, assumptions)
+    return FilePreview(
+        found.facts, (SBET_COLUMNS, *rows), options, found.file_warnings, assumptions
+    )
 
 
 def _read_sbet(path: Path, choice: Choice) -> Trajectory:
-    return read_sbet(path, SbetOptions(**SBET.settled(choice)))
+    return read_sbet(path, SbetOptions(**SBET.resolved(choice)))
 
 
 def _first_smrmsg_records(path: Path) -> NDArray[np.float64]:
@@ -158,26 +160,26 @@ def _preview_smrmsg(path: Path, choice: Choice) -> FilePreview:
     size = require_file(Path(path), "smrmsg").stat().st_size
     head = _first_smrmsg_records(path)
     rows = tuple(tuple(f"{value:.6g}" for value in row) for row in head[:5])
-    doubts: list[Message] = []
+    file_warnings: list[Message] = []
     file, kind = printable(path.name), file_kind_message("smrmsg")
     if not size:
-        doubts.append(warning("file.empty", file=file, kind=kind))
+        file_warnings.append(warning("file.empty", file=file, kind=kind))
     elif rest := size % SMRMSG_RECORD:
-        doubts.append(
+        file_warnings.append(
             warning(
                 "file.partial_record", file=file, kind=kind, size=size, record=SMRMSG_RECORD,
                 rest=rest,
             )
         )  # fmt: skip
     facts: dict[str, Fact] = {"Records": size // SMRMSG_RECORD}
-    if len(head) and not doubts:
+    if len(head) and not file_warnings:
         try:
             found, warnings = accuracy_facts(read_smrmsg(path), file)
             facts |= found
-            doubts += warnings
+            file_warnings += warnings
         except InputError as refused:
-            doubts.append(refusal_warning(refused, path))
-    return FilePreview(facts, (SMRMSG_COLUMNS, *rows), dict(choice), tuple(doubts))
+            file_warnings.append(refusal_warning(refused, path))
+    return FilePreview(facts, (SMRMSG_COLUMNS, *rows), dict(choice), tuple(file_warnings))
 
 
 def _read_smrmsg(path: Path, choice: Choice) -> TrajectoryAccuracy:
@@ -197,11 +199,11 @@ def _make_format(
     """A format that refuses unknown options before it examines or reads."""
 
     def look_checked(path: Path, choice: Choice) -> FilePreview:
-        made.settled(choice)
+        made.resolved(choice)
         return look(Path(path), choice)
 
     def read_checked(path: Path, choice: Choice) -> Trajectory | TrajectoryAccuracy:
-        made.settled(choice)
+        made.resolved(choice)
         return read(Path(path), choice)
 
     made = FileFormat(name, key, kind, endings, options, sniff, look_checked, read_checked)

@@ -34,13 +34,13 @@ class LengthUnit:
     metres : float
     name : Message
         With the source of the choice.
-    doubt : Message or None
+    reported : Message or None
         What the user should check.
     """
 
     metres: float
     name: Message
-    doubt: Message | None = None
+    reported: Message | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,13 +179,13 @@ def unit_of_heights(name: str, stated: str, grid: Grid | None, path: Path) -> Le
     if stated == UNSTATED:
         if grid is not None and own is not None and grid.height_name is not None:
             return LengthUnit(own, note("unit.as_in_system", unit=grid.height_name))
-        doubt = None
+        reported = None
         if grid is not None and grid.in_feet:
-            doubt = warning(
+            reported = warning(
                 "trajectory.height_unit_not_stated", file=printable(path.name), column=name,
                 unit=grid.name,
             )  # fmt: skip
-        return LengthUnit(1.0, note("unit.metres_assumed"), doubt)
+        return LengthUnit(1.0, note("unit.metres_assumed"), reported)
     if stated == "ft" and grid is not None and grid.in_feet:
         return LengthUnit(grid.metres, note("unit.feet_of_system", unit=grid.name))
     return LengthUnit(LENGTHS[stated], LENGTH_NAMES[LENGTHS[stated]])

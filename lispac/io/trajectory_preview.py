@@ -54,7 +54,7 @@ class TextLayout:
     rows : callable
         Path to the rows of data, each with its number in the file.
     facts : dict of str to Fact
-    doubts : tuple of Message
+    file_warnings : tuple of Message
     velocities : tuple of Column
         East and north velocity, each with the unit of its length; empty where there are none.
     signs : mapping of str to str
@@ -66,7 +66,7 @@ class TextLayout:
     separator: str
     rows: Callable[[Path], Rows]
     facts: dict[str, Fact]
-    doubts: tuple[Message, ...] = ()
+    file_warnings: tuple[Message, ...] = ()
     velocities: tuple[Column, ...] = ()
     signs: Mapping[str, str] = field(default_factory=dict)
 
@@ -85,28 +85,28 @@ def preview_text(
     rows_about = note("fact.about", count=_estimate_row_count(path, head))
     facts = {**layout.column_facts, "Rows": rows_about}
     rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
-    doubts = list(layout.doubts)
+    file_warnings = list(layout.file_warnings)
     if not is_complete(layout.columns):
         lacking = missing_columns(path, layout.columns)
-        doubts.append(replace(lacking, level=Level.WARNING))
-        return FilePreview(facts, rows, choice, tuple(doubts))
+        file_warnings.append(replace(lacking, level=Level.WARNING))
+        return FilePreview(facts, rows, choice, tuple(file_warnings))
     try:
         first = trajectory_of(path, iter(head), layout.columns, conventions, ())
     except InputError as refused:
-        doubts.append(refusal_warning(refused, path))
-        return FilePreview(facts, rows, choice, tuple(doubts))
-    doubts += map_warnings(path, layout.columns, conventions, first)
+        file_warnings.append(refusal_warning(refused, path))
+        return FilePreview(facts, rows, choice, tuple(file_warnings))
+    file_warnings += map_warnings(path, layout.columns, conventions, first)
     whole, tail_doubts = _with_last_rows(path, layout, conventions, first, head)
     motion, exchanged = _motion_variants(first)
     speed = motion.speed
     facts |= trajectory_facts(whole.time, whole.latitude, whole.longitude, whole.height, speed)
-    doubts += tail_doubts
-    doubts += time_warnings(first.time, conventions.time, file)
-    doubts += course_warnings([(motion, exchanged)], [first.attitude[:, 2]], file)
-    doubts += speed_warnings(path, head, layout.velocities, motion)
+    file_warnings += tail_doubts
+    file_warnings += time_warnings(first.time, conventions.time, file)
+    file_warnings += course_warnings([(motion, exchanged)], [first.attitude[:, 2]], file)
+    file_warnings += speed_warnings(path, head, layout.velocities, motion)
     unit = next(column.unit for column in layout.columns if column.role == "heading")
     messages = angle_unit_messages(path, motion, first.attitude[:, 2], UNITS[unit].si)
-    return FilePreview(facts, rows, choice, tuple(doubts), first.assumptions, messages)
+    return FilePreview(facts, rows, choice, tuple(file_warnings), first.assumptions, messages)
 
 
 def _motion_variants(first: Trajectory) -> tuple[TrajectoryMotion, TrajectoryMotion]:
@@ -134,32 +134,34 @@ def preview_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -
             facts,
             rows,
             {"time": conventions.time},
-            (*layout.doubts, refusal_warning(refused, path)),
+            (*layout.file_warnings, refusal_warning(refused, path)),
         )
-    found, doubts = accuracy_facts(accuracy, printable(path.name))
-    return FilePreview(facts | found, rows, {"time": conventions.time}, (*layout.doubts, *doubts))
+    found, file_warnings = accuracy_facts(accuracy, printable(path.name))
+    return FilePreview(
+        facts | found, rows, {"time": conventions.time}, (*layout.file_warnings, *file_warnings)
+    )
 
 
 def accuracy_facts(
     accuracy: TrajectoryAccuracy, file: str
 ) -> tuple[dict[str, Fact], tuple[Message, ...]]:
     """Span, size and warnings of standard deviations of the file called ``file``."""
-    facts, doubts = span_facts(accuracy.time), []
+    facts, file_warnings = span_facts(accuracy.time), []
     position, attitude = accuracy.position, accuracy.attitude
     for name, values in zip(("north", "east", "height"), position.T, strict=True):
         facts[f"Sigma {name}"] = note("fact.fine_lengths", low=values.min(), high=values.max())
     for name, values in zip(("roll", "pitch", "heading"), attitude.T, strict=True):
         facts[f"Sigma {name}"] = note("fact.angles", low=values.min(), high=values.max())
     if not position.any() or not attitude.any():
-        doubts.append(warning("accuracy.all_zero", file=file))
+        file_warnings.append(warning("accuracy.all_zero", file=file))
     if np.median(np.degrees(attitude)) > 1 or np.median(position) > 100:
-        doubts.append(
+        file_warnings.append(
             warning(
                 "accuracy.large", file=file, position=float(np.median(position)),
                 attitude=float(np.median(attitude)),
             )
         )  # fmt: skip
-    return facts, tuple(doubts)
+    return facts, tuple(file_warnings)
 
 
 _SIGNS_ASSUMED = {

@@ -91,7 +91,7 @@ def choose_patches(
     if not len(patches):
         return PatchChoice([], np.full(3, UNKNOWN))
     number = np.unique(np.linspace(0, len(patches) - 1, LOOKED_AT).astype(np.int64))
-    told = _patch_information(patches, number, clouds, accuracy)
+    information = _patch_information(patches, number, clouds, accuracy)
     facing = _nearest_direction(patches.normal[number])
     moment = np.floor(patches.planes.time / MOMENT).astype(np.int64) * len(clouds)
     moment = np.unique(moment + patches.planes.line, return_inverse=True)[1].reshape(-1)
@@ -99,9 +99,9 @@ def choose_patches(
     of_moment = np.zeros(int(moment.max()) + 1, dtype=np.int64)
     most_facing = max(4.0, DIRECTION_CAP * count / len(np.unique(facing)))
     most_then = max(4.0, TIME_CAP * count * 3 / len(of_moment))
-    moments = np.where(told.sighting >= 0, moment[told.sighting], -1)
+    moments = np.where(information.sighting >= 0, moment[information.sighting], -1)
     open_ = np.ones(len(number), dtype=bool)
-    covariance = np.eye(told.rows.shape[2])
+    covariance = np.eye(information.rows.shape[2])
     picked: list[Indices] = []
     while len(picked) < count:
         full = np.append(of_moment >= most_then, False)
@@ -112,12 +112,12 @@ def choose_patches(
         some = np.flatnonzero(unserved if unserved.any() else free)
         if not len(some):
             break
-        best = some[int(np.argmax(_information_gain(told.rows[some], covariance)))]
+        best = some[int(np.argmax(_information_gain(information.rows[some], covariance)))]
         open_[best] = False
         of_direction[facing[best]] += 1
-        own = told.sighting[best][told.sighting[best] >= 0]
+        own = information.sighting[best][information.sighting[best] >= 0]
         of_moment[moment[own]] += 1
-        rows = told.rows[best]
+        rows = information.rows[best]
         crossed = rows @ covariance
         inner = np.eye(len(rows)) + crossed @ rows.T
         covariance = covariance - crossed.T @ np.linalg.solve(inner, crossed)

@@ -106,7 +106,7 @@ class SurfaceDistances:
     off : ndarray of shape (m,), metres
         Along ``normal``.
     normal : ndarray of shape (m, 3), unit vectors, local frame
-    asked : int
+    compared : int
         Points of the first in the box.
     weight : ndarray of shape (m,)
         How many points each stands for.
@@ -116,7 +116,7 @@ class SurfaceDistances:
     met: Indices
     off: Array
     normal: Array
-    asked: int
+    compared: int
     weight: Array
 
     @property
@@ -201,7 +201,7 @@ def _pole_slices(surface: ObjectSurface, seen: ObjectPoints) -> dict[int, Indice
 def has_enough_overlap(both: Sequence[SurfaceDistances]) -> bool:
     """Whether two lines overlap enough to be compared."""
     met = sum(each.matched_points for each in both)
-    return met >= max(FEWEST, SHARE * sum(each.asked for each in both))
+    return met >= max(FEWEST, SHARE * sum(each.compared for each in both))
 
 
 def robust_mean_square(both: Sequence[SurfaceDistances], scale: float) -> float:
@@ -254,8 +254,8 @@ def block_weights(blocks: Sequence[PairBlock]) -> Array:
         joined = [group for group in apart if group & lines]
         groups[name] = [g for g in apart if not g & lines] + [lines.union(*joined)]
         many[name] = many.get(name, 0) + 1
-    told = {name: sum(len(group) - 1 for group in apart) for name, apart in groups.items()}
-    return np.array([told[n] / many[n] for n in (b.first.object.name for b in blocks)])
+    rated = {name: sum(len(group) - 1 for group in apart) for name, apart in groups.items()}
+    return np.array([rated[n] / many[n] for n in (b.first.object.name for b in blocks)])
 
 
 class Mismatch:

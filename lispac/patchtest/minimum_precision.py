@@ -203,12 +203,12 @@ def _object_agreement(
     stiff = np.diag(part.normal)
     swayed = _pos_error_gradients(part, seen, roots)
     spread = np.sqrt((swayed**2).sum(axis=1) + part.rough)
-    told = stiff >= LEVERAGE**2 * own.sum()
+    determined = stiff >= LEVERAGE**2 * own.sum()
     pairs = tuple(mismatch.blocks[k].pair.name for k in part.blocks)
     apart = float(np.sqrt((own * squares[part.blocks]).sum() / own.sum()))
-    if not told.any():
+    if not determined.any():
         return ObjectAgreement(part.name, pairs, apart, None, 0.0, 0.0)
-    surprise = np.where(told, np.abs(part.gradient) / np.maximum(spread, 1e-12), -1.0)
+    surprise = np.where(determined, np.abs(part.gradient) / np.maximum(spread, 1e-12), -1.0)
     angle = int(surprise.argmax())
     return ObjectAgreement(
         part.name,

@@ -55,13 +55,13 @@ class MismatchMinimum:
     boresight : ndarray of shape (3,), radians
     rounds : int
         Of one angle after another; 1 of what was found together.
-    settled : bool
+    converged : bool
         Whether nothing moved in the last step.
     """
 
     boresight: Array
     rounds: int
-    settled: bool
+    converged: bool
 
 
 def minimise_mismatch(
@@ -87,7 +87,7 @@ def minimise_mismatch(
     """
     boresight = np.array(start, dtype=float)
     turned = list(angles)
-    settled = False
+    converged = False
     whole = Mismatch(sample, blocks)
     for stage, scale in enumerate(SCALES):
         mismatch = whole.with_scale(scale)
@@ -95,10 +95,10 @@ def minimise_mismatch(
             progress((stage + number / STEPS) / len(SCALES), gettext_lazy("Optimising the angles"))
             step = _angle_step(mismatch, boresight, turned)
             boresight[turned] += step
-            settled = bool(np.abs(step).max() <= SETTLED)
-            if settled:
+            converged = bool(np.abs(step).max() <= SETTLED)
+            if converged:
                 break
-    return MismatchMinimum(boresight, 1, settled)
+    return MismatchMinimum(boresight, 1, converged)
 
 
 def minimise_angle_by_angle(

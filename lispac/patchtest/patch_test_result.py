@@ -38,7 +38,7 @@ class PatchTestResult:
     objects : tuple of ObjectAgreement
     rounds : int
         Of turning one angle after another.
-    settled : bool
+    converged : bool
         Whether angles stayed where they were in the end, both ways.
     unmet : tuple of str
         Objects that were asked for and at which no pair of lines meets.
@@ -53,7 +53,7 @@ class PatchTestResult:
     lines: tuple[str, ...]
     objects: tuple[ObjectAgreement, ...]
     rounds: int
-    settled: bool
+    converged: bool
     unmet: tuple[str, ...] = ()
 
     @property
@@ -76,7 +76,7 @@ class PatchTestResult:
         ]
         if self.covariance is None:
             found.append(note("patch_test.no_sigma", count=count, needed=FEWEST))
-        if not self.settled:
+        if not self.converged:
             found.append(note("patch_test.not_converged"))
         apart = np.abs(self.one_by_one - self.boresight)
         if apart.max() > FAR:

@@ -90,7 +90,7 @@ def simulated_errors_figure(found: MonteCarloResult, figure: Figure | None = Non
     """Errors of roll, pitch and yaw over their predicted sigmas, with the expected distribution."""
     figure = blank_figure(figure, (6.3, 2.6))
     panels = figure.subplots(1, len(ANGLES), sharex=True, sharey=True)
-    unit = np.clip(found.errors / found.foretold, -BEYOND, BEYOND)
+    unit = np.clip(found.errors / found.predicted, -BEYOND, BEYOND)
     count = len(unit)
     edges = np.linspace(-BEYOND, BEYOND, int(np.clip(2 * round(np.sqrt(count)), 8, 40)) + 1)
     at = np.linspace(-BEYOND, BEYOND, 161)

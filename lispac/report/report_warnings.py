@@ -27,14 +27,16 @@ LARGER_RESIDUALS = {
 """Codes of larger residuals; with one of them, a small chi-square is not reported."""
 
 
-def report_warnings(content: ReportContent, doubts: Sequence[Message]) -> tuple[Message, ...]:
+def report_warnings(
+    content: ReportContent, warnings_found: Sequence[Message]
+) -> tuple[Message, ...]:
     """All warnings, then notes: about the result, and those of the report only.
 
     Parameters
     ----------
-    doubts : about the result, as the window and the command line show them
+    warnings_found : about the result, as the window and the command line show them
     """
-    larger = any(each.code in LARGER_RESIDUALS for each in doubts)
+    larger = any(each.code in LARGER_RESIDUALS for each in warnings_found)
     return sort_by_level(
         [
             *_calibration_warnings(content),
@@ -43,7 +45,7 @@ def report_warnings(content: ReportContent, doubts: Sequence[Message]) -> tuple[
                 for each in _fit_warnings(content)
                 if not (larger and each.code == CHI_SQUARE_LOW)
             ),
-            *doubts,
+            *warnings_found,
             *_parameter_warnings(content),
             *_target_warnings(content),
             *_sighting_warnings(content),

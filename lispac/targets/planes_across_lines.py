@@ -194,8 +194,8 @@ def _scores_without_wide_surfaces(
     Along a wall the wall itself tells nothing: its many points would outvote the window or the
     second board that do. A flat patch weighs by its side here instead of its area.
     """
-    told = reference.around
-    flat = find_flat_patches(told.points, settings.threshold)
+    around_reference = reference.around
+    flat = find_flat_patches(around_reference.points, settings.threshold)
     areas = np.array([patch.area for patch in flat.patches])
     weights = 1.0 / np.sqrt(np.maximum(np.append(areas, 0.0), LARGE))[flat.label]
     around = cloud[indices_near(cloud, grid, reference.seed, settings.radius + settings.max_shift)]
@@ -222,8 +222,10 @@ def _shifts_onto_patches(
         and other.plane.tilt_to(patch.plane) <= settings.max_tilt
     ]
     vectors = [v for v in vectors if np.linalg.norm(v) <= settings.max_shift]
-    told = reference.around
-    shifts = rate_shifts(told.points, told.weights, around, np.reshape(vectors, (-1, 3)))
+    around_reference = reference.around
+    shifts = rate_shifts(
+        around_reference.points, around_reference.weights, around, np.reshape(vectors, (-1, 3))
+    )
     return sorted(shifts, key=lambda shift: -shift.score)[:CANDIDATES]
 
 

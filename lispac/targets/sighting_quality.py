@@ -173,7 +173,7 @@ def plane_quality(
         met_placed = (met - points.mean(axis=0)) @ plane_axes(plane.normal).T
         moves = (turns @ plane.normal).T
         own = remove_smear(met_placed, off, moves, noise, boresight_off)
-    sagitta, doubt, curved, uneven = _form_error(placed, own, cell)
+    sagitta, uncertainty, curved, uneven = _form_error(placed, own, cell)
     incidence = None
     if beams is not None:
         cosines = np.abs(beams @ plane.normal) / np.linalg.norm(beams, axis=1)
@@ -183,7 +183,9 @@ def plane_quality(
     flat = _grade_roughness(rms, rms_own, noise, threshold)
     if curved:
         flat += _grade_by_limits(
-            (sagitta - SIGMAS * doubt) / noise, CURVED, note("quality.curved", sagitta=sagitta)
+            (sagitta - SIGMAS * uncertainty) / noise,
+            CURVED,
+            note("quality.curved", sagitta=sagitta),
         )
     flat += _grade_by_limits(uneven / noise, UNEVEN, note("quality.uneven", rms=uneven))
     found = _grade_point_count(len(points))
@@ -330,13 +332,13 @@ def _form_error(placed: Array, off: Array, cell: float) -> tuple[float, float, b
     u, v = directions[:, most]
     across = np.array([2 * u * u, 2 * u * v, 2 * v * v])
     spread = float(across @ inverse[3:, 3:] @ across) * smooth / freedom
-    doubt = np.sqrt(max(spread, 0.0)) * lengths[most] ** 2 / 8
+    uncertainty = np.sqrt(max(spread, 0.0)) * lengths[most] ** 2 / 8
     curved = bool(fdtrc(3, freedom, ratio) < CERTAIN)
     # Within a cell there is only noise; what the means have beyond it is the surface's own.
     within = float(np.sum((off - w[key]) ** 2)) / max(len(off) - len(count), 1)
     beyond = smooth / freedom - within
     uneven = float(np.sqrt(max(beyond, 0.0) / np.mean(count)))
-    return float(sagittas[most]), float(doubt), curved, uneven
+    return float(sagittas[most]), float(uncertainty), curved, uneven
 
 
 def _solve_least_squares(design: Array, values: Array, weights: Array) -> tuple[Array, Array]:

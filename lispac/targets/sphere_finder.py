@@ -112,7 +112,7 @@ class SpherePatch:
 def find_sphere(
     points_local: Array,
     seed: Array,
-    sought: RadiusRange,
+    radius_range: RadiusRange,
     settings: FinderSettings,
     *,
     index: PointGrid | None = None,
@@ -130,7 +130,7 @@ def find_sphere(
         Points with a missing coordinate are passed over.
     seed : ndarray of shape (3,), metres, same frame
         On the ball, near it, or its centre.
-    sought : RadiusRange
+    radius_range : RadiusRange
     settings : FinderSettings
     index : PointGrid, optional
         Prepared cells of the same points.
@@ -146,7 +146,7 @@ def find_sphere(
     except PlaneNotFound as failure:  # its messages are about points, not about planes
         raise SphereNotFound(failure.reason) from None
     distance = np.linalg.norm(points_local[near] - seed, axis=1)
-    reach = REACH * sought.most
+    reach = REACH * radius_range.most
     near = near[distance <= reach]
     if len(near) < settings.min_points:
         raise SphereNotFound(
@@ -154,22 +154,22 @@ def find_sphere(
                 "finder.sphere_few_nearby",
                 count=len(near),
                 radius=reach,
-                sphere=sought.radius_message,
+                sphere=radius_range.radius_message,
                 needed=settings.min_points,
                 place=seed_text(seed),
             )
         )
     # Far from the origin of the survey the products would lose digits.
     local = points_local[near] - seed
-    spread = 2.0 * sought.least
+    spread = 2.0 * radius_range.least
     votes = 1.0 / (1.0 + ((local**2).sum(axis=1) / spread**2)) ** 2
-    hypotheses = draw_spheres(local, votes, sought.least, sought.most, settings)
+    hypotheses = draw_spheres(local, votes, radius_range.least, radius_range.most, settings)
     best: tuple[float, Sphere, Indices] | None = None
     for hypothesis in hypotheses:
-        settled = _refine_sphere(local, hypothesis, sought, settings)
-        if settled is None:
+        converged = _refine_sphere(local, hypothesis, radius_range, settings)
+        if converged is None:
             continue
-        sphere, on = settled
+        sphere, on = converged
         merit = _sphere_votes(local, votes, sphere, settings.threshold)
         if best is None or merit > best[0]:
             best = merit, sphere, on
@@ -177,18 +177,20 @@ def find_sphere(
         raise SphereNotFound(
             error(
                 "finder.no_sphere",
-                sphere=sought.radius_message,
+                sphere=radius_range.radius_message,
                 threshold=settings.threshold,
                 place=seed_text(seed),
             )
         )
     _, sphere, on = best
-    _require_ball(local, sphere, on, sought, settings, seed)
+    _require_ball(local, sphere, on, radius_range, settings, seed)
     indices = np.sort(near[on])
-    return patch_on_sphere(points_local, indices, sought)
+    return patch_on_sphere(points_local, indices, radius_range)
 
 
-def patch_on_sphere(points_local: Array, indices: Indices, sought: RadiusRange) -> SpherePatch:
+def patch_on_sphere(
+    points_local: Array, indices: Indices, radius_range: RadiusRange
+) -> SpherePatch:
     """The patch that chosen points of a cloud form.
 
     Parameters
@@ -202,14 +204,14 @@ def patch_on_sphere(points_local: Array, indices: Indices, sought: RadiusRange) 
         They do not determine a sphere.
     """
     points = points_local[indices]
-    sphere = fit_sphere(points, sought.known)
+    sphere = fit_sphere(points, radius_range.known)
     return SpherePatch(
         indices, sphere, rms_from_sphere(sphere, points), seen_surface_share(sphere, points)
     )
 
 
 def _refine_sphere(
-    points: Array, sphere: Sphere, sought: RadiusRange, settings: FinderSettings
+    points: Array, sphere: Sphere, radius_range: RadiusRange, settings: FinderSettings
 ) -> tuple[Sphere, Indices] | None:
     """The sphere fitted and its points chosen in turns; None where that leads nowhere."""
     on: Indices = np.empty(0, dtype=np.int64)
@@ -220,11 +222,13 @@ def _refine_sphere(
                 break
             on = grown
             few = on[:: max(1, len(on) // ENOUGH)]
-            sphere = _fit_sphere_robustly(points[few], sphere, sought.known, settings.threshold)
-            if not sought.least / LOOSE <= sphere.radius <= sought.most * LOOSE:
+            sphere = _fit_sphere_robustly(
+                points[few], sphere, radius_range.known, settings.threshold
+            )
+            if not radius_range.least / LOOSE <= sphere.radius <= radius_range.most * LOOSE:
                 return None
-        on = _trim_outliers(points, on, sought.known, settings)
-        return fit_sphere(points[on], sought.known), on
+        on = _trim_outliers(points, on, radius_range.known, settings)
+        return fit_sphere(points[on], radius_range.known), on
     except SphereNotFound:
         return None
 
@@ -274,7 +278,7 @@ def _require_ball(
     points: Array,
     sphere: Sphere,
     on: Indices,
-    sought: RadiusRange,
+    radius_range: RadiusRange,
     settings: FinderSettings,
     seed: Array,
 ) -> None:
@@ -294,12 +298,12 @@ def _require_ball(
                 place=seed_text(seed),
             )
         )
-    if not 0.999999 * sought.least <= sphere.radius <= 1.000001 * sought.most:
+    if not 0.999999 * radius_range.least <= sphere.radius <= 1.000001 * radius_range.most:
         raise SphereNotFound(
             error(
                 "finder.sphere_other_radius",
                 radius=sphere.radius,
-                sphere=sought.radius_message,
+                sphere=radius_range.radius_message,
                 place=seed_text(seed),
             )
         )
@@ -321,7 +325,7 @@ def _require_ball(
                 "finder.sphere_continues",
                 count=len(on),
                 beside=int(np.count_nonzero(beside)),
-                sphere=sought.radius_message,
+                sphere=radius_range.radius_message,
                 place=seed_text(seed),
             )
         )

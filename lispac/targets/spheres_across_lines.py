@@ -38,7 +38,7 @@ MOST_LARGER = 2.0
 def find_spheres_in_lines(
     clouds: Mapping[str, Array],
     seed: Array,
-    sought: RadiusRange,
+    radius_range: RadiusRange,
     settings: FinderSettings,
     *,
     first_line: str | None = None,
@@ -52,7 +52,7 @@ def find_spheres_in_lines(
     clouds : mapping of line name to ndarray of shape (n, 3), metres, one local frame
     seed : ndarray of shape (3,), metres, local frame
         On the ball, near it, or its centre.
-    sought : RadiusRange
+    radius_range : RadiusRange
     settings : FinderSettings
     first_line : str, optional
         The line that was clicked. Without it, the line with a point at the seed; or else the line
@@ -83,14 +83,16 @@ def find_spheres_in_lines(
         cloud, grid = clouds[first_line], grids.get(first_line)
         around = surroundings_of_patch(cloud, grid, first.indices, first.centre, seed, settings)
         return lambda name: _find_in_line(
-            clouds[name], grids.get(name), first, around, seed, sought, settings
+            clouds[name], grids.get(name), first, around, seed, radius_range, settings
         )
 
     shape = ShapeSearch(
         no_line="finder.no_line_for_sphere",
         in_no_line="finder.no_sphere_in_lines",
         error=SphereNotFound,
-        find=lambda name: find_sphere(clouds[name], seed, sought, settings, index=grids.get(name)),
+        find=lambda name: find_sphere(
+            clouds[name], seed, radius_range, settings, index=grids.get(name)
+        ),
         distance=lambda _, patch: max(0.0, float(patch.sphere.distances(seed))),
         follow=follow,
     )
@@ -103,7 +105,7 @@ def _find_in_line(
     first: SpherePatch,
     around: WeightedSurroundings,
     seed: Array,
-    sought: RadiusRange,
+    radius_range: RadiusRange,
     settings: FinderSettings,
 ) -> SpherePatch:
     def match(shift: CloudShift) -> tuple[SpherePatch, float]:
@@ -115,7 +117,7 @@ def _find_in_line(
             Where its radius is another one.
         """
         predicted = first.centre + shift.vector
-        patch = find_sphere(cloud, predicted, sought, settings, index=grid)
+        patch = find_sphere(cloud, predicted, radius_range, settings, index=grid)
         ratio = patch.sphere.radius / first.sphere.radius
         larger = max(ratio, 1.0 / ratio)
         if larger > MOST_LARGER:

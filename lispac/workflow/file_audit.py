@@ -61,8 +61,8 @@ def audit_file(
     InputError
         Where the file cannot be read.
     """
-    settled = format.settled(options)
-    screen = PointScreen(PointSelection.of(settled), ranged=settled[FRAME.name] == SCANNER)
+    resolved = format.resolved(options)
+    screen = PointScreen(PointSelection.of(resolved), ranged=resolved[FRAME.name] == SCANNER)
     attributes: set[str] = set()
     read, name = 0, printable(path.name)
     complete = True

@@ -108,12 +108,12 @@ def preview_with_options(path: Path, format: FileFormat, stated: Choice) -> File
     if format.kind != "points" or not crs:
         return finding
     if {**finding.choice, **stated}.get("frame", SCANNER) != SCANNER:
-        kept = tuple(each for each in finding.doubts if each.code != NO_SYSTEM)
-        return replace(finding, doubts=kept)
+        kept = tuple(each for each in finding.file_warnings if each.code != NO_SYSTEM)
+        return replace(finding, file_warnings=kept)
     unused = warning(
         "points.unused_system", file=printable(path.name), system=crs, actions=(CHOOSE_FRAME,)
     )
-    return replace(finding, doubts=(*finding.doubts, unused))
+    return replace(finding, file_warnings=(*finding.file_warnings, unused))
 
 
 def detect_reading(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[Message, ...]]:
@@ -142,8 +142,8 @@ def detect_reading(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tup
         format = found[0][0]
     stated = dict(given.options)
     finding = preview_with_options(path, format, stated)
-    choice = format.settled({**finding.choice, **stated})
-    messages = list(finding.doubts)
+    choice = format.resolved({**finding.choice, **stated})
+    messages = list(finding.file_warnings)
     detected = [f"{name}={value}" for name, value in choice.items() if value and name not in stated]
     if detected:
         file = printable(path.name)
@@ -194,7 +194,7 @@ from time bases is a shift of the line's times (`stated_times`)."""
 
 
 def _agrees_with_usual(reading: Reading, key: str) -> bool:
-    usual = {name: value for name, value in format_of(key).settled({}).items() if value != ""}
+    usual = {name: value for name, value in format_of(key).resolved({}).items() if value != ""}
     found = dict(reading.options)
     return {k: v for k, v in found.items() if k not in BESIDE} == {
         k: v for k, v in usual.items() if k not in BESIDE
@@ -253,7 +253,7 @@ def format_of_line(line: LineSource) -> tuple[FileFormat, Choice, tuple[Message,
     """Format of a line, its options, and the assumptions of its reader."""
     if line.reading.format:
         format = format_of(line.reading.format)
-        choice: Choice = format.settled(dict(line.reading.options))
+        choice: Choice = format.resolved(dict(line.reading.options))
         assumed: tuple[Message, ...] = (
             note("assumed.format", file=printable(line.path.name), format=format.name),
         )

@@ -45,7 +45,7 @@ def known_time_base(
     """
     given = str(choice.get(option, ""))
     if not given:
-        found = format.settled({**format.look(path, choice).choice, **choice})
+        found = format.resolved({**format.look(path, choice).choice, **choice})
         given, stated = str(found.get(option, "")), False
     suggested = not stated and has_suggested_time_base(format)
     return KnownTimeBase(base_of_key(given) if given else None, stated, suggested)
@@ -64,7 +64,7 @@ def has_given_time_base(trajectory: Path, reading: Reading) -> bool:
     if not stated:
         return False
     format = format_of(reading.format or USUAL["trajectory"])
-    found = format.settled({**format.look(trajectory, kept).choice, **kept})
+    found = format.resolved({**format.look(trajectory, kept).choice, **kept})
     return stated != str(found.get("time", ""))
 
 

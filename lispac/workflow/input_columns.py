@@ -107,7 +107,7 @@ def has_column_names(look: FileCheck) -> bool:
         return False
     if look.format.kind == "points":
         return bool(look.finding.choice.get("columns"))
-    return not any(each.code == COLUMNS_ASSUMED for each in look.finding.doubts)
+    return not any(each.code == COLUMNS_ASSUMED for each in look.finding.file_warnings)
 
 
 def layout_key(look: FileCheck) -> str:

@@ -126,8 +126,8 @@ class InputFile:
             return {}
         found = {} if self.finding is None else dict(self.finding.choice)
         known = {option.name: option.default for option in self.format.options}
-        settled = known | found | dict(self.stated or {})
-        return {name: str(settled[name]) for name in known}
+        resolved = known | found | dict(self.stated or {})
+        return {name: str(resolved[name]) for name in known}
 
     @property
     def columns(self) -> tuple[str, ...]:

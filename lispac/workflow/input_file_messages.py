@@ -175,7 +175,9 @@ def _own_messages(entry: InputFile, longest_gap: float) -> list[Message]:
         actions = (Action("detect_columns"),)
         messages.append(note("import.columns_remembered", file=file, actions=actions))
     if entry.finding is not None:
-        messages += [each for each in entry.finding.doubts if not _is_superseded(entry, each)]
+        messages += [
+            each for each in entry.finding.file_warnings if not _is_superseded(entry, each)
+        ]
         messages += [
             message
             for message in entry.finding.messages
@@ -192,15 +194,15 @@ def _own_messages(entry: InputFile, longest_gap: float) -> list[Message]:
     return messages
 
 
-def _is_superseded(entry: InputFile, doubt: Message) -> bool:
+def _is_superseded(entry: InputFile, reported: Message) -> bool:
     """True if another message about the file says the same on a better basis."""
-    if doubt.code == GAPS and isinstance(entry.content, Trajectory):
+    if reported.code == GAPS and isinstance(entry.content, Trajectory):
         return True  # the reader does not know which gaps are to be bridged
     if entry.error is None:
         return False
-    is_same = (doubt.code, doubt.params) == (entry.error.code, entry.error.params)
+    is_same = (reported.code, reported.params) == (entry.error.code, entry.error.params)
     asks_for_columns = entry.error.code in ABOUT_COLUMNS | {COLUMNS_NOT_CHOSEN}
-    return is_same or (asks_for_columns and doubt.code in ABOUT_COLUMNS)
+    return is_same or (asks_for_columns and reported.code in ABOUT_COLUMNS)
 
 
 def _is_resolved_by_split(message: Message, by: str) -> bool:

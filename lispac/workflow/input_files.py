@@ -41,7 +41,7 @@ from lispac.workflow.input_times import (
     with_time_base_shifts,
 )
 
-State = Literal["pending", "fine", "doubt", "error", "out"]
+State = Literal["pending", "fine", "warning", "error", "out"]
 
 MOST_FILES = 500
 """Files taken from one folder; more are hardly a survey's."""
@@ -311,7 +311,9 @@ class InputFiles:
         if entry.role is None:
             return "out"
         levels = {message.level for message in self.remarks(entry)}
-        return "error" if Level.ERROR in levels else "doubt" if Level.WARNING in levels else "fine"
+        return (
+            "error" if Level.ERROR in levels else "warning" if Level.WARNING in levels else "fine"
+        )
 
     @cached_property
     def proposed_shifts(self) -> tuple[tuple[InputFile, float], ...]:
@@ -417,9 +419,9 @@ def _require_number(value: object) -> float:
     return float(value)
 
 
-def proposed_folder(intake: InputFiles) -> Path | None:
+def proposed_folder(input_files: InputFiles) -> Path | None:
     """A folder for the project beside the data, where that can be written and is free."""
-    used = [entry for entry in (intake.trajectory, *intake.lines) if entry is not None]
+    used = [entry for entry in (input_files.trajectory, *input_files.lines) if entry is not None]
     if not used:
         return None
     data = used[0].path.parent

@@ -50,7 +50,7 @@ def with_time_base_shifts(entries: tuple[InputFile, ...]) -> tuple[InputFile, ..
     if trajectory is None or not isinstance(trajectory.content, Trajectory):
         return entries
     other, track = trajectory_time_base(trajectory), trajectory.content.time
-    settled = []
+    resolved = []
     for entry in entries:
         if entry.role == "points" and isinstance(entry.content, LineTimes):
             found = matches_of_known_bases(
@@ -60,8 +60,8 @@ def with_time_base_shifts(entries: tuple[InputFile, ...]) -> tuple[InputFile, ..
                 entry = replace(entry, shift=found[0].shift, follows=True)
             elif entry.follows:
                 entry = replace(entry, shift=0.0, follows=False)
-        settled.append(entry)
-    return tuple(settled)
+        resolved.append(entry)
+    return tuple(resolved)
 
 
 def line_coverage(entry: InputFile, trajectory: Trajectory, longest_gap: float) -> Coverage | None:

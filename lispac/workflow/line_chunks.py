@@ -42,7 +42,7 @@ class LineChunks:
         else:
             format = format_of("text")
             given = {"columns": " ".join(name.strip().lower() for name in line.columns)}
-        choice = format.settled(given)
+        choice = format.resolved(given)
         return cls(line, format, choice, crs_of_options(choice, line.path))
 
     def __iter__(self) -> Iterator[PointChunk]:

@@ -134,9 +134,9 @@ class LinePoints:
         self._attributes, self._far_copies = attributes, far_copies
         self._latency = mounting.latency
         self._format, self._choice, assumptions = format_of_line(line)
-        settled = self._format.settled(self._choice)
-        self._selection = PointSelection.of(settled)
-        system = crs_of_options(settled, line.path)
+        resolved = self._format.resolved(self._choice)
+        self._selection = PointSelection.of(resolved)
+        system = crs_of_options(resolved, line.path)
         self.recovery: RecoverySetup | None = None
         self._recorded: tuple[Message, ...] = ()
         if system is not None:

@@ -258,6 +258,6 @@ def _assess_patch_test(
         ),
         objects=judged.objects,
         rounds=turned.rounds,
-        settled=together.settled and turned.settled,
+        converged=together.converged and turned.converged,
         unmet=tuple(each.name for each in laid.objects if each.name not in met),
     )

@@ -73,10 +73,10 @@ def find_target(
         Where there is no such line, the shape does not suit the role, or the one line's sighting
         does not suit the target it is for.
     """
-    sought = TargetSearch(shape, sphere_radius)
-    radii = sought.search_radii(role) if radius is None else (radius,)
+    search = TargetSearch(shape, sphere_radius)
+    radii = search.search_radii(role) if radius is None else (radius,)
     if threshold is None:
-        threshold = sought.threshold(project.settings.threshold)
+        threshold = search.threshold(project.settings.threshold)
     settings = choices.settings(threshold=threshold, radius=radii[0])
     centre = np.asarray(seed, dtype=float)
     at: Triple = (float(centre[0]), float(centre[1]), float(centre[2]))
@@ -94,14 +94,14 @@ def find_target(
         if known is not None:
             _require_same_kind(project, known, target)
         place = SearchPlace.of(survey.alignment, centre, line, settings.radius)
-        patch = sought.at(place.clouds[line], place.seed, settings)
+        patch = search.at(place.clouds[line], place.seed, settings)
         if known is not None:
-            _require_same_surface(known, sought, place, line, patch)
+            _require_same_surface(known, search, place, line, patch)
         if known is not None and expected is not None:
             known = replace(known, expected=target.expected)
         return _with_sighting(project, known or target, _picked_sighting(survey, line, patch))
     found, missing, radius = _find_in_lines(
-        survey, sought, centre, settings, radii, first_line, progress
+        survey, search, centre, settings, radii, first_line, progress
     )
     sightings = tuple(_picked_sighting(survey, n, found[n]) for n in survey.lines if n in found)
     return replace(target, radius=radius, sightings=sightings, missing=missing)
@@ -147,16 +147,16 @@ def spheres_of(target: Target, survey: Survey) -> dict[str, SpherePatch]:
     SphereNotFound
         Where the points of a sighting do not determine one.
     """
-    sought = TargetSearch.of(target)
+    search = TargetSearch.of(target)
     found = {
-        sighting.line: sought.patch_of_points(survey.clouds[sighting.line], sighting.indices)
+        sighting.line: search.patch_of_points(survey.clouds[sighting.line], sighting.indices)
         for sighting in target.sightings
     }
     return {line: patch for line, patch in found.items() if isinstance(patch, SpherePatch)}
 
 
 def _require_same_surface(
-    known: Target, sought: TargetSearch, place: SearchPlace, line: str, patch: Patch
+    known: Target, search: TargetSearch, place: SearchPlace, line: str, patch: Patch
 ) -> None:
     """Refuse to add a sighting of another surface to a target.
 
@@ -168,7 +168,7 @@ def _require_same_surface(
     for sighting in known.used_sightings:
         if sighting.line != line:
             cloud = place.clouds[sighting.line]
-            found[sighting.line] = sought.patch_of_points(cloud, sighting.indices)
+            found[sighting.line] = search.patch_of_points(cloud, sighting.indices)
     found[line] = patch  # the last one: where two disagree, it is the one that is rejected
     _, rejected = split_by_agreement(found, place.clouds, place.accuracy, known.radius, None)
     if line in rejected:
@@ -242,7 +242,7 @@ def _picked_sighting(survey: Survey, line: str, patch: Patch) -> PickedSighting:
 
 def _find_in_lines(
     survey: Survey,
-    sought: TargetSearch,
+    search: TargetSearch,
     seed: NDArray[np.float64],
     settings: FinderSettings,
     radii: tuple[float, ...],
@@ -259,7 +259,7 @@ def _find_in_lines(
         place = SearchPlace.of(survey.alignment, seed, first_line, radius)
         tried = replace(settings, radius=radius, max_shift=place.max_shift)
         try:
-            found, missing = sought.find_in_lines(
+            found, missing = search.find_in_lines(
                 place.clouds, place.seed, tried,
                 first_line=place.line, accuracy=place.accuracy, progress=progress,
             )  # fmt: skip
@@ -272,7 +272,7 @@ def _find_in_lines(
             break
     if best is None:
         raise refusal or TargetNotFound(
-            error("pick.no_line_plane" if sought.shape == "plane" else "pick.no_line_sphere")
+            error("pick.no_line_plane" if search.shape == "plane" else "pick.no_line_sphere")
         )
     return best
 

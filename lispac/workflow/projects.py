@@ -103,7 +103,7 @@ def new_project(
     trajectory_reading: Reading = USUAL,
     accuracy_reading: Reading = USUAL,
     identity: Identity = BLANK,
-    settled: bool = False,
+    resolved: bool = False,
     split_by: str = "",
     progress: Progress = no_progress,
 ) -> tuple[Project, Survey]:
@@ -116,7 +116,7 @@ def new_project(
     ----------
     truth_deg : degrees, optional
         Boresight put into a simulated survey.
-    settled : bool
+    resolved : bool
         Whether the readings are those of a project, where this was done before.
     split_by : str
         Attribute, or ``gap``, by which files are split into lines; see `split_line`.
@@ -132,7 +132,7 @@ def new_project(
     _require_new_folder(draft)
     notes: tuple[Message, ...] = ()
     known = tuple(lines)
-    if not settled:
+    if not resolved:
         known, trajectory_reading, accuracy_reading, notes = complete_readings(
             known, trajectory, trajectory_reading, accuracy, accuracy_reading
         )

@@ -62,7 +62,7 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
     """
     files = FilePaths([project.trajectory, *(line.path for line in project.lines)])
     blocks = [
-        [_new_project_step(project, files, settled=not _are_readings_detected(project, survey))]
+        [_new_project_step(project, files, resolved=not _are_readings_detected(project, survey))]
     ]
     stored = [name for name, scan in survey.scans.items() if isinstance(scan, StoredLine)]
     if stored:
@@ -83,9 +83,9 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
         remarks += _angle_difference_notes(project, survey, sub_progress(progress, 0.6, 0.9))
     if project.absolute is not None:
         step = sub_progress(progress, 0.9, 1.0)
-        lines, doubt = _reference_check_steps(project, survey, project.absolute, files, step)
+        lines, reported = _reference_check_steps(project, survey, project.absolute, files, step)
         blocks.append(lines)
-        remarks += doubt
+        remarks += reported
     name = project.name
     blocks.append([
         "project.save()",
@@ -128,7 +128,7 @@ def _script_head(project: Project, files: FilePaths, remarks: list[Message]) -> 
     ])  # fmt: skip
 
 
-def _new_project_step(project: Project, files: FilePaths, *, settled: bool) -> str:
+def _new_project_step(project: Project, files: FilePaths, *, resolved: bool) -> str:
     settings = project.settings
     named: dict[str, object] = {
         "lines": rows([_line_code(line, files) for line in project.lines]),
@@ -142,7 +142,7 @@ def _new_project_step(project: Project, files: FilePaths, *, settled: bool) -> s
     named |= {"lever_arm": settings.lever_arm, **non_default_fields(settings, but=("lever_arm",))}
     if project.truth_deg is not None:
         named["truth_deg"] = project.truth_deg
-    if settled:
+    if resolved:
         named["settled"] = True
     return f"project = {call_text('lispac.new', PythonCode('folder'), **named)}"
 

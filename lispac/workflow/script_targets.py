@@ -45,13 +45,13 @@ def _seed_arguments(
     project: Project, survey: Survey, target: Target, progress: Progress
 ) -> dict[str, Any] | None:
     """Arguments with which the seed leads to the target; None where there are none."""
-    sought = TargetSearch.of(target)
+    search = TargetSearch.of(target)
     named: dict[str, Any] = {
         "role": (target.role, "target"),
         "shape": (target.shape, "plane"),
         "sphere_radius": (target.sphere_radius, None),
-        "threshold": (target.threshold, sought.threshold(project.settings.threshold)),
-        "radius": (target.radius, sought.search_radii(target.role)[0]),
+        "threshold": (target.threshold, search.threshold(project.settings.threshold)),
+        "radius": (target.radius, search.search_radii(target.role)[0]),
         "expected": (target.expected, None),
         "choices": (target.choices, USUAL),
     }

@@ -54,7 +54,7 @@ class TargetlessResult:
     project : Project
         With the patches as its targets, and the result.
     rounds : int
-    settled : bool
+    converged : bool
         Whether the angles stayed where they were in the last of them.
     candidates : int
         Patches that were found; the chosen ones are targets of the project.
@@ -68,7 +68,7 @@ class TargetlessResult:
 
     project: Project
     rounds: int
-    settled: bool
+    converged: bool
     candidates: int
     disagreeing: tuple[str, ...]
     targets: int = 0
@@ -87,7 +87,7 @@ class TargetlessResult:
         found = [note("targetless.basis", used=used, total=self.candidates, rounds=self.rounds)]
         if self.targets:
             found.append(note("targetless.with_targets", targets=self.targets))
-        if not self.settled:
+        if not self.converged:
             found.append(note("targetless.not_converged", share=SETTLED))
         if self.disagreeing:
             found.append(note("targetless.lines_disagree", lines=self.disagreeing))
@@ -128,7 +128,7 @@ def targetless(
     mounting = survey.alignment.mounting
     quick = replace(settings, subsample=max(settings.subsample, QUICK), parameters=())
     judged = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
-    picked, found, rounds, settled, mixed = project, 0, 0, False, 0
+    picked, found, rounds, converged, mixed = project, 0, 0, False, 0
     for rounds, threshold in enumerate(THRESHOLDS, 1):
         step = sub_progress(progress, 0.1 * rounds, 0.1 * rounds + 0.1)
         step(0.0, gettext_lazy("Matching the lines: iteration {number:n}", number=rounds))
@@ -160,8 +160,8 @@ def targetless(
         moved = np.abs(result.boresight - mounting.boresight)
         mounting = mounting.with_boresight(result.boresight)
         # The quick model's own sigmas are far too small to be moved less than.
-        settled = rounds > 1 and bool((moved < SETTLED * choice.sigma).all())
-        if settled:
+        converged = rounds > 1 and bool((moved < SETTLED * choice.sigma).all())
+        if converged:
             break
     if own is not None:
         mine = reselect_points(own, survey, progress=sub_progress(progress, 0.4, 0.5)).targets
@@ -185,19 +185,21 @@ def targetless(
         settings.parameters,
         progress=sub_progress(progress, 0.9, 0.95),
     )
-    told, shifted = result, tuple[str, ...]()
+    raised_result, shifted = result, tuple[str, ...]()
     if solved is not None:
-        told = raise_sigmas_by_scatter(
+        raised_result = raise_sigmas_by_scatter(
             result, solved.here, solved.origins, progress=sub_progress(progress, 0.95, 1.0)
         )
-        if told.observability is not None and told.raised is not None:
-            seen = assess_observability(solved.here, raised=told.raised, origins=solved.origins)
-            told = replace(told, observability=seen)
+        if raised_result.observability is not None and raised_result.raised is not None:
+            seen = assess_observability(
+                solved.here, raised=raised_result.raised, origins=solved.origins
+            )
+            raised_result = replace(raised_result, observability=seen)
         shifted = LineShiftScores.of(solved.here).shifted_lines()
-    raised = float((told.sigma / result.sigma).max())
-    answer = replace(picked, result=replace(told, elapsed=perf_counter() - started))
+    raised = float((raised_result.sigma / result.sigma).max())
+    answer = replace(picked, result=replace(raised_result, elapsed=perf_counter() - started))
     named = disagreeing_lines(result, survey.clouds, shifted)
-    return TargetlessResult(answer, rounds, settled, found, named, mixed, raised)
+    return TargetlessResult(answer, rounds, converged, found, named, mixed, raised)
 
 
 def _targets_only(project: Project) -> Project:

@@ -34,10 +34,10 @@ def resolve_time_rollovers(
     InputError
         Where a file cannot be read.
     """
-    settled: list[LineSource] = []
+    resolved: list[LineSource] = []
     notes: list[Message] = []
     for line in lines:
-        settled.append(line)
+        resolved.append(line)
         if line.reading.restart == NONE:
             continue
         format, choice, _ = format_of_line(line)
@@ -48,9 +48,9 @@ def resolve_time_rollovers(
         if not times.restart:
             continue
         options = dict(line.reading.options) | {RESTART: times.restart}
-        settled[-1] = replace(line, reading=replace(line.reading, options=tuple(options.items())))
+        resolved[-1] = replace(line, reading=replace(line.reading, options=tuple(options.items())))
         notes.append(rollover_note(times.sample, times.restart, printable(line.path.name)))
-    return tuple(settled), tuple(notes)
+    return tuple(resolved), tuple(notes)
 
 
 def _is_near_rollover(format: FileFormat, choice: Choice, line: LineSource) -> bool:

@@ -39,7 +39,7 @@ def warnings_of(
     *,
     refusal: Message | str = "",
     refused_since: Message | str = "",
-    stale: bool = False,
+    outdated: bool = False,
     storage: Message | None = None,
 ) -> tuple[Message, ...]:
     """All warnings, then all notes, in the order of the work; assumptions last.
@@ -51,7 +51,7 @@ def warnings_of(
     qualities : of the sightings, by the names of target and line, as far as they are known
     refusal : why no result follows from the last edit
     refused_since : why an estimate after the result was refused
-    stale : whether there was a result that an edit has dropped
+    outdated : whether there was a result that an edit has dropped
     storage : why no recovery copy of unsaved changes is written
     """
     if survey is not None:
@@ -62,7 +62,7 @@ def warnings_of(
         *_trajectory_gaps(project, survey),
         *_poor_sightings(project, qualities or {}),
         *_target_notes(project, survey),
-        *_refusal_warning(refusal, stale and project.result is None),
+        *_refusal_warning(refusal, outdated and project.result is None),
         *_result_warnings(
             project,
             (outdated_result.outdated_result_warning(refused_since),) if refused_since else (),
@@ -147,10 +147,10 @@ def _target_notes(project: Project, survey: Survey | None) -> Iterator[Message]:
         yield note("project.one_facing", subject=Cause.of_target(used[-1].name))
 
 
-def _refusal_warning(refusal: Message | str, stale: bool) -> Iterator[Message]:
+def _refusal_warning(refusal: Message | str, outdated: bool) -> Iterator[Message]:
     if refusal:
         yield warning("project.refused", reason=refusal, subject=ADJUST)
-    elif stale:
+    elif outdated:
         yield note("project.out_of_date", subject=ADJUST)
 
 

@@ -41,7 +41,7 @@ def shown(design: DesignWindow) -> list[float]:
     return [float(design.results.sigma[a].text()) for a in ("roll", "pitch", "yaw")]
 
 
-def foretold(design: DesignWindow) -> list[float]:
+def predicted(design: DesignWindow) -> list[float]:
     return [round(float(v), 4) for v in np.degrees(predict(plan(design)).sigma)]
 
 

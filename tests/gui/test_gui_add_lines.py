@@ -86,7 +86,7 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
             dialog.windowTitle(), dialog.ok.text(), dialog.place.isVisible(),
             [table.item(row, 0).text() for row in range(table.rowCount())],
             [table.cellWidget(0, column) for column in (ROLE, FORMAT)],
-            dialog.intake.files_problem_text(), dialog.remove.isEnabled(),
+            dialog.input_files.files_problem_text(), dialog.remove.isEnabled(),
         ]  # fmt: skip
         QTest.mouseClick(dialog.ok, Left)
 

@@ -15,10 +15,10 @@ from tests.gui.design_support import (
     Shift,
     drag,
     followed,
-    foretold,
     middle_of,
     mouse_move,
     plan,
+    predicted,
     shown,
     type_cell,
 )
@@ -51,7 +51,7 @@ def test_a_line_is_dragged_farther_and_roll_gets_better_on_the_way(
     seen = drag(driver, view, start, stop)
     assert len(set(seen)) == 3, "the sigma follows the mouse"
     assert plan(design).lines[0].distance == pytest.approx(25.0, abs=0.3)
-    assert shown(design) == foretold(design)
+    assert shown(design) == predicted(design)
     assert shown(design)[0] < before[0]
     assert str(design.workspace.history.to_undo) == "Move line 1"
     assert design.isWindowModified()
@@ -101,7 +101,7 @@ def test_a_board_is_dragged_up_the_wall(driver: Driver, design: DesignWindow) ->
     drag(driver, view, spot, to)
     along, off, up = design.workspace.titled.wall.seen(plan(design).targets[0].centre)
     assert (along, off, up) == pytest.approx((-1.8, 0.0, 6.5), abs=0.11)
-    assert shown(design) == foretold(design)
+    assert shown(design) == predicted(design)
     assert shown(design)[1] < before[1], "boards farther apart show pitch better"
 
 
@@ -182,7 +182,7 @@ def test_the_pos_and_the_stochastic_model(driver: Driver, design: DesignWindow) 
     system.grade.setFocus()
     driver.bot.keyClick(system.grade, Key.Key_Up)
     assert system.grade.currentText() == "tactical, RTK"
-    assert shown(design) == foretold(design)
+    assert shown(design) == predicted(design)
     assert shown(design)[2] > 1.5 * before[2]
     assert system.position[0].value() == 30.0
     field = system.attitude[2]
@@ -194,7 +194,7 @@ def test_the_pos_and_the_stochastic_model(driver: Driver, design: DesignWindow) 
     system.model.setFocus()
     driver.bot.keyClick(system.model, Key.Key_Down)
     assert plan(design).system.pos_errors == "independent"
-    assert shown(design) == foretold(design)
+    assert shown(design) == predicted(design)
 
 
 def test_a_plan_is_saved_and_read_again_and_asked_about(
@@ -251,7 +251,7 @@ def test_in_3d_a_target_is_hung_and_moved_off_the_wall(
     viewport.signals.handle_moved.emit("target 0", 2, 0.25)
     viewport.signals.handle_moved.emit("target 0", 2, 0.25)
     assert wall.seen(plan(design).targets[0].centre) == pytest.approx((-0.8, 0.5, 5.0))
-    assert shown(design) != before or foretold(design) == before
+    assert shown(design) != before or predicted(design) == before
     viewport.signals.handle_let_go.emit("target 0")
     assert str(design.workspace.history.to_undo) == "Move T1"
     viewport.signals.seed_clicked.emit(PickedPoint("targets", plan(design).targets[1].centre))

@@ -11,7 +11,7 @@ from lispac.gui.design import edits
 from lispac.gui.design.window import DesignWindow
 from lispac.message_texts import message_text
 from lispac.workflow.plan_checks import plan_warnings
-from tests.gui.design_support import NoModifier, followed, foretold, mouse_move, plan, shown
+from tests.gui.design_support import NoModifier, followed, mouse_move, plan, predicted, shown
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left
 
 WAITS_MS = 200
@@ -46,7 +46,7 @@ def test_a_large_plan_is_weighed_beside_the_window(driver: Driver, design: Desig
     heart = Heartbeat(design)
     driver.bot.waitUntil(lambda: not following.active, timeout=WAIT_MS)
     assert heart.longest < WAITS_MS
-    assert shown(design) == foretold(design)
+    assert shown(design) == predicted(design)
     rows = design.results.worth
     best = information_gains(plan(design), PlanObjective())[0]
     assert (rows.rowCount(), rows.item(0, 0).text()) == (16, best.name)
@@ -60,7 +60,7 @@ def test_an_edit_stops_what_was_being_weighed(driver: Driver, design: DesignWind
     slow = following._slow
     driver.bot.keyClick(design.plan_view, Key.Key_Up)
     assert slow.cancel.is_set()
-    assert shown(design) == foretold(design)
+    assert shown(design) == predicted(design)
     driver.bot.waitUntil(lambda: following.has_said, timeout=WAIT_MS)
     following.late.emit()
     assert "Least precisely determined" in design.results.words.text(), "said, and not taken back"
@@ -76,7 +76,7 @@ def test_sigmas_follow_a_drag_before_it_ends(driver: Driver, design: DesignWindo
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -80), NoModifier))
     followed(design)
     assert design.workspace.is_dragging
-    assert shown(design) == foretold(design) != before
+    assert shown(design) == predicted(design) != before
     driver.bot.mouseRelease(view, Left, pos=spot.toPoint())
 
 

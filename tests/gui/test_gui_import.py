@@ -81,7 +81,7 @@ def test_looking_can_be_stopped_and_taken_up_again(
     dialog: ImportDialog, qtbot: QtBot, demo: Demo
 ) -> None:
     drop(dialog, raw(demo))
-    qtbot.waitUntil(lambda: any(e.pending for e in dialog.intake.entries), timeout=WAIT_MS)
+    qtbot.waitUntil(lambda: any(e.pending for e in dialog.input_files.entries), timeout=WAIT_MS)
     assert dialog.stop.isVisible()
     qtbot.mouseClick(dialog.stop, Left)
     rest(qtbot, dialog)
@@ -100,7 +100,7 @@ def test_roles_are_chosen_and_files_removed_by_keys(filled: ImportDialog, qtbot:
     qtbot.keyClicks(combo, "No")
     rest(qtbot, filled)
     assert texts(filled, ROLE)[7] == "Not imported"
-    assert len(filled.intake.lines) == 5
+    assert len(filled.input_files.lines) == 5
     filled.table.setFocus()
     filled.table.selectRow(7)
     qtbot.keyClick(filled.table, Key.Key_Delete)
@@ -119,7 +119,7 @@ def test_lines_in_another_time_base_are_mended_by_a_button(
     rest(qtbot, dialog)
     dialog.tabs.setCurrentIndex(TIMELINE)
     assert dialog.tabs.tabText(TIMELINE) == "Timeline (2 lines to check)"
-    bars = timeline_bars(dialog.intake)
+    bars = timeline_bars(dialog.input_files)
     assert [bar.sound for bar in bars] == [True, True, False, False]
     assert bars[2].words == "100.0 % outside trajectory"
     assert not dialog.ok.isEnabled()
@@ -128,8 +128,8 @@ def test_lines_in_another_time_base_are_mended_by_a_button(
     assert first.text() == "Add +86,400 s"
     qtbot.mouseClick(first, Left)
     rest(qtbot, dialog)
-    assert dialog.intake.entry(late[0]).shift == pytest.approx(86_400)
-    dialog.work.edit(dialog.intake.with_action(late[0], Action("clear_shift")))
+    assert dialog.input_files.entry(late[0]).shift == pytest.approx(86_400)
+    dialog.work.edit(dialog.input_files.with_action(late[0], Action("clear_shift")))
     qtbot.mouseClick(dialog.timeline.all, Left)
     rest(qtbot, dialog)
     assert dialog.ok.isEnabled(), dialog.reason.text()
@@ -156,7 +156,7 @@ def test_a_line_is_left_out_by_its_button_and_the_timeline_goes_by_keys(
         assert button.text() == "Exclude the file"
         qtbot.mouseClick(button, Left)
         rest(qtbot, dialog)
-        assert dialog.intake.entry(left_out).role is None
+        assert dialog.input_files.entry(left_out).role is None
     assert dialog.ok.isEnabled(), dialog.reason.text()
 
 
@@ -202,7 +202,7 @@ def test_columns_are_chosen_over_the_preview_and_remembered(
     second = ImportDialog(AppSettings(tmp_path / "settings.ini"))
     second.add([demo.project.trajectory, tmp_path / "next.txt"])
     rest(qtbot, second)
-    assert second.intake.files_problem_text() == ""
+    assert second.input_files.files_problem_text() == ""
     second.done(0)
     second.deleteLater()
 
@@ -237,4 +237,4 @@ def test_a_coordinate_system_is_typed_and_its_name_shown(
     qtbot.keyClick(field, Key.Key_Return)
     rest(qtbot, dialog)
     assert system.text() == "Coordinate system: WGS 84 / UTM zone 18N (EPSG:32618)."
-    assert dict(dialog.intake.lines[0].reading.options)["crs"] == "32618"
+    assert dict(dialog.input_files.lines[0].reading.options)["crs"] == "32618"

@@ -149,10 +149,10 @@ def test_on_a_low_screen_it_is_seen_beside_the_field(opened: Driver) -> None:
 def test_a_scanner_far_below_is_a_caution(opened: Driver) -> None:
     view = opened.window.data.mounting
     typed(opened, ("1.2", "0.35", "-2.1"))
-    assert view.doubts.isVisible()
-    assert "2.10 m below the POS centre" in view.doubts.text()
+    assert view.file_warnings.isVisible()
+    assert "2.10 m below the POS centre" in view.file_warnings.text()
     typed(opened, ("1.2", "0.35", "2.1"))
-    assert not view.doubts.isVisible()
+    assert not view.file_warnings.isVisible()
 
 
 @pytest.mark.parametrize(("height", "lever_arm"), [(768, "-2.1"), (1000, "-2.1"), (768, "-42")])
@@ -161,7 +161,7 @@ def test_a_caution_is_in_sight_whole_while_it_is_typed(opened: Driver, height, l
     view, field = opened.window.data.mounting, opened.window.data.lever_arm.fields[2]
     typed(opened, ("1.2", "0.35", "2.1"))
     type_into(opened, field, lever_arm)
-    opened.bot.waitUntil(lambda: is_whole(view.doubts))
+    opened.bot.waitUntil(lambda: is_whole(view.file_warnings))
     assert is_whole(field)
 
 
@@ -218,18 +218,18 @@ def test_the_import_dialogue_cautions_wherever_one_looks(filled: ImportDialog, q
     filled.resize(*size)
     page, field = filled.mounting, filled.mounting.lever_arm.fields[2]
     filled.tabs.setCurrentWidget(page)
-    for typed_in, doubts, said in (
+    for typed_in, file_warnings, said in (
         ("-2.419", 1, ""),
         ("-42.419", 2, " for this and 1 more warning"),
     ):
         field.setFocus()
         field.selectAll()
         qtbot.keyClicks(field, typed_in)
-        told = page.view.doubts.text().splitlines()
-        assert len(told) == doubts
+        told = page.view.file_warnings.text().splitlines()
+        assert len(told) == file_warnings
         assert filled.reason.text() == f"{told[0]} See the tab Mounting and accuracies{said}."
-        qtbot.waitUntil(lambda: is_whole(page.view.doubts) and is_whole(filled.reason))
+        qtbot.waitUntil(lambda: is_whole(page.view.file_warnings) and is_whole(filled.reason))
     field.selectAll()
     qtbot.keyClicks(field, "2.419")
     assert filled.reason.text() == ""
-    assert not page.view.doubts.isVisible()
+    assert not page.view.file_warnings.isVisible()

@@ -57,7 +57,7 @@ def test_what_is_chosen_is_applied_at_once_and_kept(
     driver.window.settings.language = "en"
     assert isinstance(driver.viewport, RecordingViewport)
     asked = answers(driver, monkeypatch, OTHERS)
-    with qtbot.waitSignal(driver.window.renewal_asked):
+    with qtbot.waitSignal(driver.window.renewal_requested):
         press(driver, Key.Key_Comma, Qt.KeyboardModifier.ControlModifier)
     assert asked == [Preferences(language="en")]
     assert driver.viewport.point_size == 5

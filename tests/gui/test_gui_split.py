@@ -45,10 +45,10 @@ def test_a_file_of_two_sources_is_split_by_a_click(
 ) -> None:
     buttons = dialog.file_page.remarks.buttons
     (split,) = [each for each in buttons if each.text().startswith("Split")]
-    assert len(dialog.intake.sources()) == 1
+    assert len(dialog.input_files.sources()) == 1
     qtbot.mouseClick(split, Left)
     rest(qtbot, dialog)
-    lines = dialog.intake.sources()
+    lines = dialog.input_files.sources()
     assert [line.name for line in lines] == ["L9_0", "L9_1"]
     assert any("L9_0 and L9_1" in text for text in said(dialog))
     dialog.folder.setText(str(tmp_path / "project"))
@@ -76,7 +76,7 @@ def test_a_split_can_be_taken_back(survey: Path, dialog: ImportDialog, qtbot: Qt
     ]
     qtbot.mouseClick(back, Left)
     rest(qtbot, dialog)
-    assert [line.name for line in dialog.intake.sources()] == ["L9"]
+    assert [line.name for line in dialog.input_files.sources()] == ["L9"]
 
 
 def test_findings_are_shown_before_the_project_is_made(
@@ -104,7 +104,7 @@ def test_findings_are_shown_before_the_project_is_made(
     ]
     qtbot.mouseClick(keep, Left)
     rest(qtbot, dialog)
-    assert dialog.intake.entry(path).options["withheld"] == "keep"
+    assert dialog.input_files.entry(path).options["withheld"] == "keep"
     assert "20 points" not in " ".join(said(dialog))
 
 

@@ -51,16 +51,18 @@ class AnglesTable(QWidget):
         layout.addLayout(self._grid)
         layout.addWidget(self.words)
         layout.addStretch(1)
-        self.stale = widgets.label(gettext(OUT_OF_DATE), "warning", wrap=True, name=f"{name}_stale")
-        layout.insertWidget(1, self.stale)
-        for each in (self.head, self.stale, self.words):
+        self.outdated = widgets.label(
+            gettext(OUT_OF_DATE), "warning", wrap=True, name=f"{name}_stale"
+        )
+        layout.insertWidget(1, self.outdated)
+        for each in (self.head, self.outdated, self.words):
             each.hide()
         self._plan: Plan | None = None
         self._shown: tuple[LazyText, AnglesResult, Plan] | None = None
 
     def follow(self, plan: Plan) -> None:
         """Mark the result as out of date if it belongs to another plan."""
-        self.stale.setVisible(self._plan is not None and self._plan is not plan)
+        self.outdated.setVisible(self._plan is not None and self._plan is not plan)
 
     def show_result(self, head: LazyText, result: AnglesResult, plan: Plan) -> None:
         """Show the result for a plan under a heading."""

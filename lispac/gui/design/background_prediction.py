@@ -44,9 +44,9 @@ class BackgroundPrediction(QObject):
     has_said : whether the remarks shown are the plan's
     """
 
-    foretold = Signal(object)
+    predicted = Signal(object)
     """The `PredictedPrecision` of a plan, which in a drag may be one of a moment ago."""
-    said = Signal(object)
+    message_label = Signal(object)
     weighed = Signal(object)
     """Information gain of each target and line; everything has been computed."""
     late = Signal()
@@ -114,7 +114,7 @@ class BackgroundPrediction(QObject):
         self._foretelling = False
         if found.plan is not self._titled.plan:
             self._predict_sigmas()
-        self.foretold.emit(found)
+        self.predicted.emit(found)
 
     def _check_plan(self) -> None:
         if self._foretelling:
@@ -128,7 +128,7 @@ class BackgroundPrediction(QObject):
 
         def done(found: SlowResults) -> None:
             self.has_said = True
-            self.said.emit(found)
+            self.message_label.emit(found)
             self._compute_information_gain()
 
         self._slow = self._runner.run(gettext("Checking the survey plan"), work, done, quiet=True)

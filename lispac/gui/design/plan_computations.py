@@ -72,13 +72,13 @@ def compute_scenarios(plan: Plan, progress: Progress) -> tuple[ScenarioOutcome, 
 
 
 def run_survey_simulation(
-    plan: Plan, asked: SimulationRequest, progress: Progress
+    plan: Plan, request: SimulationRequest, progress: Progress
 ) -> MonteCarloResult:
     """Simulate surveys of a plan on all cores; cancelling keeps the finished ones."""
     progress(0.0, gettext_lazy("Starting the simulated surveys"))
     with process_pool_mapper(os.cpu_count() or 1, at_once=1) as mapper:
         rated = CountingMapper(mapper, progress, N_("{rate:x.1} simulated surveys/s"))
         return simulate_surveys(
-            plan, asked.surveys, seed=asked.seed, flatness_known=asked.flatness_known,
+            plan, request.surveys, seed=request.seed, flatness_known=request.flatness_known,
             enough=ENOUGH, mapper=rated.map, progress=rated.progress,
         )  # fmt: skip

@@ -105,8 +105,8 @@ class PredictionPanel(QScrollArea):
         self.worth.setMinimumHeight(170)
         layout.addWidget(self.worth, 1)
         self.setWidget(body)
-        self.following.foretold.connect(self._show_sigmas)
-        self.following.said.connect(self._show_remarks)
+        self.following.predicted.connect(self._show_sigmas)
+        self.following.message_label.connect(self._show_remarks)
         self.following.weighed.connect(self._show_information_gains)
         self.following.late.connect(self._mark_out_of_date)
         workspace.changed.connect(self._show)
@@ -164,13 +164,13 @@ class PredictionPanel(QScrollArea):
         bar = self._beside.horizontalScrollBar().sizeHint().height()
         self._beside.setFixedHeight(size.height() + bar)
 
-    def _show_remarks(self, said: SlowResults) -> None:
+    def _show_remarks(self, message_label: SlowResults) -> None:
         refused = self._told.refused
         self.words.setProperty("role", "warning" if refused else "hint")
         self.words.style().unpolish(self.words)
         self.words.style().polish(self.words)
-        self.words.setText("\n".join(map(message_text, said.remarks)))
-        for angle, sigma in zip(ANGLES, said.thesis.sigmas, strict=True):
+        self.words.setText("\n".join(map(message_text, message_label.remarks)))
+        for angle, sigma in zip(ANGLES, message_label.thesis.sigmas, strict=True):
             self.thesis[angle].setText(sigma)
 
     def _show_information_gains(self, worths: tuple[InformationGain, ...]) -> None:

@@ -23,9 +23,9 @@ FACTORS = {
 class SearchPanel(QScrollArea):
     """Form of the search, which emits the request of the user."""
 
-    asked = Signal()
-    cancel_asked = Signal()
-    file_asked = Signal()
+    request = Signal()
+    cancel_requested = Signal()
+    file_requested = Signal()
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
@@ -82,8 +82,8 @@ class SearchPanel(QScrollArea):
             tip=gettext("Stop the search without changing the survey plan"),
         )
         self.about_file = widgets.label("", "muted", wrap=True, name="search_about_file")
-        self.said = widgets.label("", "hint", wrap=True, name="search_said")
-        self.said.hide()
+        self.message_label = widgets.label("", "hint", wrap=True, name="search_said")
+        self.message_label.hide()
         self.mistake = widgets.label("", "error", wrap=True, name="search_mistake")
         body = QWidget()
         left, right = QVBoxLayout(), QVBoxLayout()
@@ -103,7 +103,7 @@ class SearchPanel(QScrollArea):
         buttons.addStretch(1)
         right.addLayout(buttons)
         right.addWidget(self.mistake)
-        right.addWidget(self.said)
+        right.addWidget(self.message_label)
         right.addLayout(form)
         right.addLayout(files)
         right.addWidget(self.about_file)
@@ -115,10 +115,10 @@ class SearchPanel(QScrollArea):
         both.addLayout(left, 1)
         both.addLayout(right, 1)
         self.setWidget(body)
-        self.read.clicked.connect(lambda: self.file_asked.emit())
+        self.read.clicked.connect(lambda: self.file_requested.emit())
         self.forget.clicked.connect(self.limits.use_form)
-        self.find.clicked.connect(lambda: self.asked.emit())
-        self.cancel.clicked.connect(lambda: self.cancel_asked.emit())
+        self.find.clicked.connect(lambda: self.request.emit())
+        self.cancel.clicked.connect(lambda: self.cancel_requested.emit())
         self.limits.changed.connect(self._check_limits)
         workspace.changed.connect(self._check_limits)
         self._check_limits()
@@ -132,8 +132,8 @@ class SearchPanel(QScrollArea):
     def show_found(self, found: LazyText | None) -> None:
         """Show the result of a search; None where there is none."""
         self._found = found
-        self.said.setText("" if found is None else str(found))
-        self.said.setVisible(found is not None)
+        self.message_label.setText("" if found is None else str(found))
+        self.message_label.setVisible(found is not None)
 
     def copy_state_from(self, former: "SearchPanel") -> None:
         """Copy the choices and the result of another panel."""

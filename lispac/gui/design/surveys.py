@@ -32,8 +32,8 @@ class SimulationRequest:
 class SurveysPanel(QScrollArea):
     """Form of the simulation and table of its result."""
 
-    asked = Signal()
-    cancel_asked = Signal()
+    request = Signal()
+    cancel_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -94,8 +94,8 @@ class SurveysPanel(QScrollArea):
         both.addLayout(left, 2)
         both.addWidget(self.answer, 3)
         self.setWidget(body)
-        self.start.clicked.connect(lambda: self.asked.emit())
-        self.cancel.clicked.connect(lambda: self.cancel_asked.emit())
+        self.start.clicked.connect(lambda: self.request.emit())
+        self.cancel.clicked.connect(lambda: self.cancel_requested.emit())
 
     def copy_state_from(self, former: "SurveysPanel") -> None:
         """Copy the choices and the result of another panel."""

@@ -31,7 +31,7 @@ def _number_field(name, unit, decimals, low, high, step, tip):
 class SystemPanel(QScrollArea):
     """Form that edits the system of the plan and follows undo and redo."""
 
-    library_asked = Signal()
+    library_requested = Signal()
     """The user wants the standard deviations of sensors of the library."""
 
     def __init__(self, workspace: Workspace) -> None:
@@ -97,7 +97,7 @@ class SystemPanel(QScrollArea):
             tip=gettext("Use the standard deviations of a scanner and an INS/GNSS from the sensor "
                         "library"),
         )  # fmt: skip
-        self.library.clicked.connect(lambda _=False: self.library_asked.emit())
+        self.library.clicked.connect(lambda _=False: self.library_requested.emit())
         form = QFormLayout()
         form.setFieldGrowthPolicy(form.FieldGrowthPolicy.FieldsStayAtSizeHint)
         self.title.setMinimumWidth(300)

@@ -23,7 +23,7 @@ class CacheBox(QWidget):
         self._folder: Path | None = None
         self.place = widgets.label("", wrap=True, name="settings_cache")
         self.size = widgets.label("", "muted", name="settings_cache_size")
-        self.said = widgets.label("", "error", wrap=True, name="settings_cache_said")
+        self.message_label = widgets.label("", "error", wrap=True, name="settings_cache_said")
         self.choose = widgets.button(
             gettext("Choose…"), "settings_cache_choose",
             tip=gettext(
@@ -49,7 +49,7 @@ class CacheBox(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.place)
         layout.addLayout(row)
-        layout.addWidget(self.said)
+        layout.addWidget(self.message_label)
         self.choose.clicked.connect(self._choose)
         self.usual.clicked.connect(lambda: self.show_folder(None))
         self.empty.clicked.connect(self._empty_cache)
@@ -128,5 +128,5 @@ class CacheBox(QWidget):
         self.empty.setEnabled(found > 0)
 
     def _show_problem(self, text: str) -> None:
-        self.said.setText(text)
-        self.said.setVisible(bool(text))
+        self.message_label.setText(text)
+        self.message_label.setVisible(bool(text))

@@ -232,7 +232,7 @@ class CheckResultDialog(StudyDialog):
             gettext("Not compared: {reason}", reason=message_text(reason))
             for reason in found.not_compared
         ]
-        self.said.setText("\n".join([*map(message_text, found.in_words), *not_compared]))
+        self.message_label.setText("\n".join([*map(message_text, found.in_words), *not_compared]))
         reference_distance_figure(found, self.figure())
         self.resize(1000, 760)
 

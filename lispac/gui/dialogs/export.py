@@ -93,7 +93,7 @@ class ExportDialog(QDialog):
         )
         self.epoch.setToolTip(gettext("Date of the survey as a decimal year"))
         self._preset_datum()
-        self.said = widgets.label("", "muted", wrap=True, name="export_said")
+        self.message_label = widgets.label("", "muted", wrap=True, name="export_said")
         self.form = QComboBox()
         self.form.setObjectName("export_form")
         self.folder = QLineEdit(str(project.folder / "export"))
@@ -114,7 +114,7 @@ class ExportDialog(QDialog):
         form.addRow(gettext("Vertical system"), self.height)
         form.addRow(gettext("Trajectory datum"), self.datum)
         form.addRow(gettext("Epoch (year)"), self.epoch)
-        form.addRow("", self.said)
+        form.addRow("", self.message_label)
         form.addRow(gettext("File format"), self.form)
         form.addRow(gettext("Folder"), place)
         self.buttons = QDialogButtonBox(
@@ -246,10 +246,10 @@ class ExportDialog(QDialog):
             role = "error" if serious else "muted"
         except LispacError as error:
             text, role, good = error_text(error), "error", False
-        self.said.setText(text)
-        self.said.setProperty("role", role)
-        self.said.style().unpolish(self.said)
-        self.said.style().polish(self.said)
+        self.message_label.setText(text)
+        self.message_label.setProperty("role", role)
+        self.message_label.style().unpolish(self.message_label)
+        self.message_label.style().polish(self.message_label)
         self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(good)
 
     def _describe_coordinates(self) -> Sequence[str | Message]:

@@ -77,8 +77,8 @@ class HistoryDialog(StudyDialog):
 
         history = self._histories[self.system.currentIndex()]
         self.show_rows([_row(each) for each in history.entries])
-        self.said.setText("\n".join(map(message_text, (*history.remarks, *self._remarks))))
-        self.said.setVisible(bool(self.said.text()))
+        self.message_label.setText("\n".join(map(message_text, (*history.remarks, *self._remarks))))
+        self.message_label.setVisible(bool(self.message_label.text()))
         control_chart_figure(
             [each.day for each in history.entries],
             [each.charted for each in history.entries],

@@ -61,8 +61,8 @@ class IdentityDialog(QDialog):
                 gettext(LABELS[name]), self._row_with_button(field) if name == "dates" else field
             )
         layout.addLayout(form)
-        self.said = widgets.label("", "error", wrap=True, name="identity_said")
-        layout.addWidget(self.said)
+        self.message_label = widgets.label("", "error", wrap=True, name="identity_said")
+        layout.addWidget(self.message_label)
         self.keep = widgets.button(gettext("OK"), "identity_keep", primary=True)
         self.keep.setDefault(True)
         self.keep.clicked.connect(self.accept)
@@ -96,7 +96,7 @@ class IdentityDialog(QDialog):
         if found:
             self.fields["dates"].setText(found)
         else:
-            self.said.setText(
+            self.message_label.setText(
                 gettext(
                     "The lines do not contain a date: their times are seconds of the day or week. "
                     "Enter the date of the survey."
@@ -111,7 +111,7 @@ class IdentityDialog(QDialog):
             problem = ""
         except InputError as error:
             problem = error_text(error)
-        self.said.setText(problem)
+        self.message_label.setText(problem)
         self.keep.setEnabled(not problem)
 
 

@@ -53,8 +53,8 @@ class LineQualityDialog(StudyDialog):
         table = DiagnosticsTable("line_quality_table", title, _columns())
         super().__init__("line_quality", title, gettext(INTRODUCTIONS[found.which]), table, parent)
         self.show_rows([_row(*row) for row in found.rows()])
-        self.said.setText("\n".join(map(message_text, found.not_compared)))
-        self.said.setVisible(bool(found.not_compared))
+        self.message_label.setText("\n".join(map(message_text, found.not_compared)))
+        self.message_label.setVisible(bool(found.not_compared))
         self._draw(found)
         self.resize(900, 760)
 

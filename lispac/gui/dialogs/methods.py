@@ -101,8 +101,8 @@ class MethodsDialog(StudyDialog):
             *map(message_text, comparison_remarks(tuple(found))),
             *(_with_method_name(*each) for each in remarks),
         ]
-        self.said.setText("\n".join(texts))
-        self.said.setVisible(bool(texts))
+        self.message_label.setText("\n".join(texts))
+        self.message_label.setVisible(bool(texts))
         self.ask = widgets.button(
             gettext("Run other methods"), "methods_ask",
             tip=gettext(

@@ -41,7 +41,7 @@ class PreviewDialog(QDialog):
         self.area.setWidget(desk)
         self.area.installEventFilter(self)
         self.place = widgets.label("", "muted", name="preview_place")
-        self.said = widgets.label("", "muted", name="preview_said")
+        self.message_label = widgets.label("", "muted", name="preview_said")
         keep = widgets.button(
             gettext("Save as PDF…"), "preview_save", icon="content-save", primary=True
         )
@@ -53,7 +53,7 @@ class PreviewDialog(QDialog):
         row = QHBoxLayout()
         row.setSpacing(theme.SPACE)
         row.addWidget(self.place)
-        row.addWidget(self.said, 1)
+        row.addWidget(self.message_label, 1)
         row.addWidget(keep)
         row.addWidget(close)
         layout = widgets.vertical_layout(self, 12)
@@ -87,7 +87,7 @@ class PreviewDialog(QDialog):
 
     def _save_pdf(self) -> None:
         if text := self._save():
-            self.said.setText(text)
+            self.message_label.setText(text)
 
     def _show_page_number(self) -> None:
         self.place.setText(

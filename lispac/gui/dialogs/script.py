@@ -48,7 +48,7 @@ class ScriptDialog(QDialog):
         self.text.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self.text.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         layout.addWidget(self.text, 1)
-        self.said = widgets.label("", "muted", name="script_said")
+        self.message_label = widgets.label("", "muted", name="script_said")
         copy = widgets.button(gettext("Copy"), "script_copy", tip=gettext("Copy the script"))
         copy.clicked.connect(self._copy)
         keep = widgets.button(gettext("Save…"), "script_save", icon="content-save", primary=True)
@@ -57,7 +57,7 @@ class ScriptDialog(QDialog):
         close.clicked.connect(self.accept)
         row = QHBoxLayout()
         row.setSpacing(theme.SPACE)
-        row.addWidget(self.said, 1)
+        row.addWidget(self.message_label, 1)
         for button in (copy, keep, close):
             button.setAutoDefault(False)
             row.addWidget(button)
@@ -68,8 +68,8 @@ class ScriptDialog(QDialog):
 
     def _copy(self) -> None:
         QGuiApplication.clipboard().setText(self.text.toPlainText())
-        self.said.setText(gettext("Script copied"))
+        self.message_label.setText(gettext("Script copied"))
 
     def _save_script(self) -> None:
         if text := self._save():
-            self.said.setText(text)
+            self.message_label.setText(text)

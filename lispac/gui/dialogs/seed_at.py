@@ -83,10 +83,10 @@ class SeedDialog(QDialog):
         for field in self.fields:
             self._form.addRow(" ", field)
         layout.addLayout(self._form)
-        self.said = widgets.label("", "muted", wrap=True, name="seed_said")
-        self.said.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
-        self.said.setAlignment(Qt.AlignmentFlag.AlignTop)
-        layout.addWidget(self.said)
+        self.message_label = widgets.label("", "muted", wrap=True, name="seed_said")
+        self.message_label.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
+        self.message_label.setAlignment(Qt.AlignmentFlag.AlignTop)
+        layout.addWidget(self.message_label)
         self.find_button = widgets.button(gettext("Find"), "seed_find", primary=True)
         self.find_button.setDefault(True)
         self.find_button.clicked.connect(self.accept)
@@ -135,10 +135,10 @@ class SeedDialog(QDialog):
                 text = self._describe_coordinates()
             except (InputError, ProjectError) as failure:
                 role, text = "error", error_text(failure)
-        self.said.setText(text)
-        self.said.setProperty("role", role)
-        self.said.style().unpolish(self.said)
-        self.said.style().polish(self.said)
+        self.message_label.setText(text)
+        self.message_label.setProperty("role", role)
+        self.message_label.style().unpolish(self.message_label)
+        self.message_label.style().polish(self.message_label)
         self.find_button.setEnabled(self._place is not None)
 
     def _describe_coordinates(self) -> str:

@@ -84,8 +84,8 @@ class SeedListDialog(QDialog):
         self.table = _create_table("seed_list_table", gettext("Seeds of the list"), READ)
         self.table.itemChanged.connect(lambda _item: self._show_count())
         layout.addWidget(self.table, 1)
-        self.said = widgets.label("", "muted", wrap=True, name="list_said")
-        layout.addWidget(self.said)
+        self.message_label = widgets.label("", "muted", wrap=True, name="list_said")
+        layout.addWidget(self.message_label)
         self.pick_button = widgets.button("", "pick_list", primary=True)
         self.pick_button.setDefault(True)
         self.pick_button.clicked.connect(self.accept)
@@ -130,10 +130,10 @@ class SeedListDialog(QDialog):
                 role, text = "muted", " ".join(map(message_text, self._read.notes))
             except LispacError as error:
                 text = error_text(error)
-        self.said.setText(text)
-        self.said.setProperty("role", role)
-        self.said.style().unpolish(self.said)
-        self.said.style().polish(self.said)
+        self.message_label.setText(text)
+        self.message_label.setProperty("role", role)
+        self.message_label.style().unpolish(self.message_label)
+        self.message_label.style().polish(self.message_label)
         self._fill()
 
     def _fill(self) -> None:

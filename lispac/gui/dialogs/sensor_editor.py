@@ -84,8 +84,8 @@ class SensorEditor(QDialog):
             given = {state.name: state for state in figures.states}
             self.parts = [_PosStateFields(each, given.get(each), form) for each in STATES]
         layout.addLayout(form)
-        self.said = widgets.label("", "error", wrap=True, name="sensor_editor_said")
-        layout.addWidget(self.said)
+        self.message_label = widgets.label("", "error", wrap=True, name="sensor_editor_said")
+        layout.addWidget(self.message_label)
         self.keep = widgets.button(gettext("OK"), "sensor_keep", primary=True)
         self.keep.setDefault(True)
         cancel = widgets.button(gettext("Cancel"), "sensor_cancel")
@@ -135,7 +135,7 @@ class SensorEditor(QDialog):
             problem = error_text(error)
         if self._first_empty_field is not None and self._first_empty_field not in self._left:
             problem = ""  # the user has not reached this field yet
-        self.said.setText(problem)
+        self.message_label.setText(problem)
         self.keep.setEnabled(not problem)
 
     def _save_sensor(self) -> None:
@@ -147,7 +147,7 @@ class SensorEditor(QDialog):
         try:
             self.name = store_sensor(self._folder, self.figures, self.name)
         except InputError as error:
-            self.said.setText(error_text(error))
+            self.message_label.setText(error_text(error))
         else:
             self.accept()
 

@@ -77,8 +77,8 @@ class SensorLibraryPage(QWidget):
         for k, mode in enumerate((tight, tight, wide)):
             header.setSectionResizeMode(k, mode)
         layout.addWidget(self.table, 1)
-        self.said = widgets.label("", "error", wrap=True, name="sensor_said")
-        layout.addWidget(self.said)
+        self.message_label = widgets.label("", "error", wrap=True, name="sensor_said")
+        layout.addWidget(self.message_label)
         layout.addLayout(self._buttons())
         self.table.itemSelectionChanged.connect(self._enable_controls)
         self.table.itemDoubleClicked.connect(lambda _item: self._edit() if self._is_own else None)
@@ -131,8 +131,8 @@ class SensorLibraryPage(QWidget):
     def _fill(self, name: str = "") -> None:
         found = read_library(self._folder)
         self._sensors = [*found.scanners, *found.pos]
-        self.said.setText("\n".join(message_text(each) for each in found.remarks))
-        self.said.setVisible(bool(found.remarks))
+        self.message_label.setText("\n".join(message_text(each) for each in found.remarks))
+        self.message_label.setVisible(bool(found.remarks))
         self.table.setRowCount(len(self._sensors))
         for row, sensor in enumerate(self._sensors):
             sigmas, source = sensor_texts(sensor.figures)
@@ -171,8 +171,8 @@ class SensorLibraryPage(QWidget):
         try:
             remove_sensor(self._folder, self.current)
         except InputError as error:
-            self.said.setText(error_text(error))
-            self.said.show()
+            self.message_label.setText(error_text(error))
+            self.message_label.show()
             return
         row = self.table.currentRow()
         self._fill()

@@ -30,7 +30,7 @@ class SubsamplingDialog(StudyDialog):
             table, parent,
         )  # fmt: skip
         self.show_rows([_spacing_row(each, each.distance == used) for each in found])
-        self.said.setText(
+        self.message_label.setText(
             gettext(
                 "The highlighted row has the point spacing of the project settings, {spacing} "
                 "{unit}.",
@@ -38,7 +38,7 @@ class SubsamplingDialog(StudyDialog):
                 unit=units.shown_unit("m").sign,
             )
         )
-        self.said.setVisible(any(each.distance == used for each in found))
+        self.message_label.setVisible(any(each.distance == used for each in found))
         self.resize(860, 330)
 
 

@@ -181,7 +181,7 @@ class VisibilityDialog(StudyDialog):
                 0,
                 gettext("{error}, difference from the thesis: {reason}", error=name, reason=reason),
             )
-        self.said.setText("\n".join(texts))
+        self.message_label.setText("\n".join(texts))
 
     def _clear_reading(self) -> None:
         self.reading.setText(gettext(READ))

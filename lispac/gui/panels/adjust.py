@@ -53,11 +53,11 @@ SIGHTINGS = Plural("{count:n} sighting", "{count:n} sightings")
 class AdjustPanel(QWidget):
     """Settings of the adjustment and the button that starts it."""
 
-    estimate_asked = Signal(object, bool)
+    estimate_requested = Signal(object, bool)
     """Settings, whether to cross-check."""
     subsample_changed = Signal(float)
     """The spacing was changed: count the points that it keeps."""
-    cancel_asked = Signal()
+    cancel_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -157,7 +157,7 @@ class AdjustPanel(QWidget):
         """Request an adjustment with the values of the panel."""
         if self.estimate.isEnabled():
             self._rest.stop()
-            self.estimate_asked.emit(self.settings(), self.cross_check.isChecked())
+            self.estimate_requested.emit(self.settings(), self.cross_check.isChecked())
 
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
         """Fill in the project's settings where they changed."""
@@ -274,7 +274,7 @@ class AdjustPanel(QWidget):
             gettext("Cancel"), "cancel_estimate",
             tip=gettext("Stop the adjustment; the project stays unchanged"),
         )  # fmt: skip
-        self.cancel.clicked.connect(self.cancel_asked)
+        self.cancel.clicked.connect(self.cancel_requested)
         self._running = QWidget()
         running = QHBoxLayout(self._running)
         running.setContentsMargins(0, 0, 0, 0)

@@ -47,7 +47,7 @@ class Chart(FigureCanvasQTAgg):
         """Set the minimum size in pixels, and the colour of the ground."""
         self._dims = ground == WHITE and theme.current_scheme().is_dark
         self._due: IdleTask | None = None
-        self._stale = True
+        self._outdated = True
         self._layout = SlicedCalculation()
         """The layout of texts in progress."""
         self._hurried = False
@@ -65,13 +65,13 @@ class Chart(FigureCanvasQTAgg):
 
     def draw_idle(self) -> None:
         """Draw soon after Qt paints the widget: never while it is hidden."""
-        self._stale = True
+        self._outdated = True
         self.update()
 
     def draw(self) -> None:
         """Draw now."""
         self._abandon_drawing()
-        self._stale = False
+        self._outdated = False
         localise_ticks(self.figure)
         super().draw()
         self._last = self._rendered_image(dims=self._dims)
@@ -93,10 +93,10 @@ class Chart(FigureCanvasQTAgg):
 
     def _begin_drawing(self) -> None:
         """Lay out the texts in several turns of the event loop."""
-        if not self._stale or self.width() <= 0 or self.height() <= 0:
+        if not self._outdated or self.width() <= 0 or self.height() <= 0:
             return
         self._abandon_drawing()
-        self._stale = False
+        self._outdated = False
         localise_ticks(self.figure)
         figure, layout = self.figure, self.figure.get_layout_engine()
         if not figure.axes:  # still empty
@@ -126,7 +126,7 @@ class Chart(FigureCanvasQTAgg):
     def _continue_steps(self) -> None:
         """Draw the next part; later changes are drawn after this picture is complete."""
         if self._layout.under_way:
-            if self._stale:
+            if self._outdated:
                 self._abandon_drawing()
                 self._hurried = True
                 self.update()
@@ -138,7 +138,7 @@ class Chart(FigureCanvasQTAgg):
         if not self._left:  # started again in another size
             return
         if self._left[0] not in self.figure.get_children():  # removed with the rest
-            self._left, self._stale = [], True
+            self._left, self._outdated = [], True
         else:
             self._left.pop(0).draw(self.renderer)
             if self._left:
@@ -169,7 +169,7 @@ class Chart(FigureCanvasQTAgg):
 
     def picture(self) -> QPixmap:
         """The picture that is shown or is due, without dimming."""
-        if (self._stale or self.is_drawing) and self.width() > 0 and self.height() > 0:
+        if (self._outdated or self.is_drawing) and self.width() > 0 and self.height() > 0:
             self.draw()
         return QPixmap.fromImage(self._rendered_image()) if self._dims else self.grab()
 
@@ -180,7 +180,7 @@ class Chart(FigureCanvasQTAgg):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Paint the picture; the last one until a new one is complete."""
-        drawn = not self._stale and not self.is_drawing
+        drawn = not self._outdated and not self.is_drawing
         if drawn and not self._dims:
             super().paintEvent(event)
             return

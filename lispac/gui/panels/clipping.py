@@ -28,8 +28,8 @@ class ClippingPanel(QWidget):
 
     sized = Signal(object)
     """Lengths, ndarray of shape (3,), metres."""
-    about_asked = Signal()
-    reset_asked = Signal()
+    about_requested = Signal()
+    reset_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -56,8 +56,8 @@ class ClippingPanel(QWidget):
         self.reset = widgets.button(
             gettext("Reset"), "clip_reset", tip=gettext("Remove the box and show all points")
         )
-        self.about.clicked.connect(lambda _on: self.about_asked.emit())
-        self.reset.clicked.connect(lambda _on: self.reset_asked.emit())
+        self.about.clicked.connect(lambda _on: self.about_requested.emit())
+        self.reset.clicked.connect(lambda _on: self.reset_requested.emit())
         row.addWidget(self.about)
         row.addWidget(self.reset)
         row.addStretch(1)

@@ -32,10 +32,10 @@ class DataPanel(QWidget):
     """A line is to be shown, or hidden."""
     settings_edited = Signal(object)
     """Settings with the numbers of the fields."""
-    new_asked = Signal()
-    open_asked = Signal()
-    demo_asked = Signal()
-    details_asked = Signal()
+    new_requested = Signal()
+    open_requested = Signal()
+    demo_requested = Signal()
+    details_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -100,7 +100,7 @@ class DataPanel(QWidget):
             tip=gettext("Enter surveyor, vessel, instruments and dates for the first page of "
                         "the report"),
         )  # fmt: skip
-        self.details.clicked.connect(self.details_asked)
+        self.details.clicked.connect(self.details_requested)
         filled.addWidget(self.details)
         self.apply.clicked.connect(self._apply)
         self.revert.clicked.connect(lambda: self._fill(self._settings))
@@ -234,9 +234,9 @@ class _EmptyState(QWidget):
         )
         load = widgets.button(gettext("Open project…"), "empty_open", icon="folder-open-outline")
         demo = widgets.button(gettext("Open the demo survey"), "empty_demo", icon="ferry")
-        make.clicked.connect(panel.new_asked)
-        load.clicked.connect(panel.open_asked)
-        demo.clicked.connect(panel.demo_asked)
+        make.clicked.connect(panel.new_requested)
+        load.clicked.connect(panel.open_requested)
+        demo.clicked.connect(panel.demo_requested)
         for each in (make, load, demo):
             layout.addWidget(each)
 

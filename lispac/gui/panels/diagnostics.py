@@ -28,7 +28,7 @@ class DiagnosticsPanel(QWidget):
         super().__init__()
         self.setMinimumHeight(216)
         self._project: Project | None = None
-        self._stale: set[DiagnosticsPage] = set()
+        self._outdated: set[DiagnosticsPage] = set()
         self.list = QListWidget()
         self.list.setObjectName("diagnostics_list")
         self.list.setAccessibleName(gettext("Pages of the diagnostics"))
@@ -60,7 +60,7 @@ class DiagnosticsPanel(QWidget):
         row.setSpacing(4)
         row.addWidget(self.list)
         row.addWidget(right, 1)
-        self._stale = set(self.pages.values())
+        self._outdated = set(self.pages.values())
         self.list.currentRowChanged.connect(self._show_page)
         self.list.setCurrentRow(0)
 
@@ -80,7 +80,7 @@ class DiagnosticsPanel(QWidget):
         if greyed or not self._has_new_result(project):
             return
         self._project = project
-        self._stale = set(self.pages.values())
+        self._outdated = set(self.pages.values())
         self._fill()
 
     def select(self, target: str, line: str) -> None:
@@ -109,6 +109,6 @@ class DiagnosticsPanel(QWidget):
 
     def _fill(self) -> None:
         page = self.current
-        if self.isVisible() and page in self._stale:
-            self._stale.discard(page)
+        if self.isVisible() and page in self._outdated:
+            self._outdated.discard(page)
             page.show_project(self._project)

@@ -301,11 +301,11 @@ class MountingView(QWidget):
         super().__init__()
         self.sketch = MountingSketch()
         self.words = widgets.label("", "muted", wrap=True, name=f"{prefix}_words")
-        self.doubts = widgets.label("", "warning", wrap=True, name=f"{prefix}_doubts")
+        self.file_warnings = widgets.label("", "warning", wrap=True, name=f"{prefix}_doubts")
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
-        for each in (self.doubts, self.sketch, self.words):
+        for each in (self.file_warnings, self.sketch, self.words):
             column.addWidget(each)
         self.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 
@@ -315,9 +315,9 @@ class MountingView(QWidget):
         text = f"{lever_arm_sentence(lever_arm)} {boresight_sentence(np.radians(boresight_deg))}"
         self.words.setText(text)
         self.sketch.setAccessibleDescription(text)
-        doubts = lever_arm_warnings(lever_arm)
-        self.doubts.setText("\n".join(map(message_text, doubts)))
-        self.doubts.setVisible(bool(doubts))
+        file_warnings = lever_arm_warnings(lever_arm)
+        self.file_warnings.setText("\n".join(map(message_text, file_warnings)))
+        self.file_warnings.setVisible(bool(file_warnings))
 
 
 def length_with_unit(length: float, form: str) -> str:

@@ -37,7 +37,7 @@ class PatchAngles(QWidget):
 
     turned = Signal(int)
     """An angle was changed: 0 roll, 1 pitch, 2 yaw."""
-    find_asked = Signal(int)
+    find_requested = Signal(int)
 
     def __init__(self) -> None:
         super().__init__()
@@ -79,7 +79,7 @@ class PatchAngles(QWidget):
             grid.addWidget(self.found[k], 2 * k + 1, 1, 1, 3)
             slider.valueChanged.connect(lambda value, k=k: self._on_slider_moved(k, value))
             field.valueChanged.connect(lambda value, k=k: self._on_typed(k, value))
-            find.clicked.connect(lambda _on, k=k: self.find_asked.emit(k))
+            find.clicked.connect(lambda _on, k=k: self.find_requested.emit(k))
             self.sliders.append(slider)
             self.fields.append(field)
             self.finds.append(find)

@@ -53,19 +53,19 @@ SIDE, LISTED, SPACE = 316, 100, 6
 class PatchTestPanel(QWidget):
     """Options and results of the patch test."""
 
-    propose_asked = Signal()
-    point_asked = Signal()
-    target_asked = Signal()
-    box_asked = Signal()
-    remove_asked = Signal(str)
-    go_asked = Signal(str)
+    propose_requested = Signal()
+    point_requested = Signal()
+    target_requested = Signal()
+    box_requested = Signal()
+    remove_requested = Signal(str)
+    go_requested = Signal(str)
     shown_changed = Signal()
     """Another object, another side of it, or another curve is to be shown."""
     ticked_changed = Signal()
     """Other objects or pairs are to be compared."""
-    all_asked = Signal()
-    keep_asked = Signal()
-    prior_asked = Signal()
+    all_requested = Signal()
+    keep_requested = Signal()
+    prior_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -88,8 +88,8 @@ class PatchTestPanel(QWidget):
         self.words = widgets.label(gettext(EMPTY), "muted", wrap=True, name="patch_words")
         self.words.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.words.setContentsMargins(24, 0, 24, 0)
-        self.said = widgets.label("", wrap=True, name="patch_said")
-        self.said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.message_label = widgets.label("", wrap=True, name="patch_said")
+        self.message_label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._buttons()
         self._inside = inside = QWidget()
         row = QHBoxLayout(inside)
@@ -114,7 +114,9 @@ class PatchTestPanel(QWidget):
         self.objects.itemChanged.connect(lambda _item: self.ticked_changed.emit())
         self.pairs.itemChanged.connect(lambda _item: self.ticked_changed.emit())
         self.objects.currentItemChanged.connect(lambda _now, _before: self._emit_shown_changed())
-        self.objects.itemDoubleClicked.connect(lambda item: self.go_asked.emit(_item_name(item)))
+        self.objects.itemDoubleClicked.connect(
+            lambda item: self.go_requested.emit(_item_name(item))
+        )
         self.view.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
         self.of.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
         self.update_enabled(ready=False, busy=False, answer=False)
@@ -168,14 +170,14 @@ class PatchTestPanel(QWidget):
             tip=gettext("Reset all angles to the prior boresight"),
         )  # fmt: skip
         for button, asked in (
-            (self.propose, self.propose_asked), (self.point, self.point_asked),
-            (self.target, self.target_asked), (self.box, self.box_asked),
-            (self.all, self.all_asked), (self.keep, self.keep_asked),
-            (self.prior, self.prior_asked),
+            (self.propose, self.propose_requested), (self.point, self.point_requested),
+            (self.target, self.target_requested), (self.box, self.box_requested),
+            (self.all, self.all_requested), (self.keep, self.keep_requested),
+            (self.prior, self.prior_requested),
         ):  # fmt: skip
             button.clicked.connect(lambda _on, asked=asked: asked.emit())
-        self.remove.clicked.connect(lambda _on: self.remove_asked.emit(self.shown))
-        self.go.clicked.connect(lambda _on: self.go_asked.emit(self.shown))
+        self.remove.clicked.connect(lambda _on: self.remove_requested.emit(self.shown))
+        self.go.clicked.connect(lambda _on: self.go_requested.emit(self.shown))
 
     def _create_left_column(self) -> QGridLayout:
         grid = QGridLayout()
@@ -224,9 +226,9 @@ class PatchTestPanel(QWidget):
         for button in (self.keep, self.prior):
             row.addWidget(button)
         column.addLayout(row)
-        area = widgets.VerticalScrollArea(self.said, 200)
+        area = widgets.VerticalScrollArea(self.message_label, 200)
         area.setMinimumHeight(34)
-        self.said.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.message_label.setAlignment(Qt.AlignmentFlag.AlignTop)
         column.addWidget(area, 1)
         return column
 

@@ -32,11 +32,11 @@ LANGUAGE_KEYS = (OF_WINDOW, *LANGUAGES)
 class ReportPanel(QWidget):
     """Options of the report, and buttons to export it and the georeferenced lines."""
 
-    report_asked = Signal()
-    lines_asked = Signal()
-    details_asked = Signal()
-    preview_asked = Signal()
-    template_asked = Signal()
+    report_requested = Signal()
+    lines_requested = Signal()
+    details_requested = Signal()
+    preview_requested = Signal()
+    template_requested = Signal()
     changed = Signal()
     """An option of the report was changed."""
 
@@ -75,10 +75,10 @@ class ReportPanel(QWidget):
                 "(Ctrl+Shift+E)"
             ),
         )  # fmt: skip
-        self.details.clicked.connect(self.details_asked)
-        self.preview.clicked.connect(self.preview_asked)
-        self.report.clicked.connect(self.report_asked)
-        self.lines.clicked.connect(self.lines_asked)
+        self.details.clicked.connect(self.details_requested)
+        self.preview.clicked.connect(self.preview_requested)
+        self.report.clicked.connect(self.report_requested)
+        self.lines.clicked.connect(self.lines_requested)
         layout.addWidget(self.preview)
         layout.addWidget(self.report)
         layout.addWidget(self.lines)
@@ -165,7 +165,7 @@ class ReportPanel(QWidget):
         self.no_template = widgets.button(
             gettext("Clear"), "report_template_none", tip=gettext("Do not use a template")
         )
-        choose.clicked.connect(self.template_asked)
+        choose.clicked.connect(self.template_requested)
         self.no_template.clicked.connect(lambda: self._on_template_changed(None))
         row = QHBoxLayout()
         row.addWidget(self.template, 1)

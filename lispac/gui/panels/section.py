@@ -34,9 +34,9 @@ class SectionPanel(QWidget):
 
     changed = Signal()
     """An option was changed."""
-    points_asked = Signal()
-    picture_asked = Signal()
-    copy_asked = Signal()
+    points_requested = Signal()
+    picture_requested = Signal()
+    copy_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -101,9 +101,9 @@ class SectionPanel(QWidget):
         self.laid.currentIndexChanged.connect(lambda _index: self.changed.emit())
         self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
         self.size.valueChanged.connect(lambda _value: self.changed.emit())
-        self.points.clicked.connect(lambda _on: self.points_asked.emit())
-        self.save_picture.clicked.connect(lambda _on: self.picture_asked.emit())
-        self.copy_picture.clicked.connect(lambda _on: self.copy_asked.emit())
+        self.points.clicked.connect(lambda _on: self.points_requested.emit())
+        self.save_picture.clicked.connect(lambda _on: self.picture_requested.emit())
+        self.copy_picture.clicked.connect(lambda _on: self.copy_requested.emit())
         self._allow_pictures(False)
 
     @property

@@ -44,7 +44,7 @@ class TargetsPanel(QWidget):
     selected = Signal(str)
     current_changed = Signal()
     """Another row, or none, was selected, by the user or by the program."""
-    propose_asked = Signal()
+    propose_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -339,7 +339,7 @@ class TargetsPanel(QWidget):
             gettext("Propose targets"), "propose_targets", icon="auto-fix",
             tip=gettext("Find planes in all lines and propose targets and validation planes"),
         )  # fmt: skip
-        self.propose.clicked.connect(self.propose_asked)
+        self.propose.clicked.connect(self.propose_requested)
         self.type_seed = widgets.button(
             gettext("Coordinates…"), "type_seed", icon="crosshairs-gps",
             tip=gettext("Enter local or map coordinates of a seed (F3)"),

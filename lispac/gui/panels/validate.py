@@ -24,7 +24,7 @@ KINDS: tuple[tuple[Kind, str], ...] = (
 class ValidatePanel(QWidget):
     """Options of the comparison, and the choice of the clouds shown."""
 
-    validate_asked = Signal()
+    validate_requested = Signal()
     shown_changed = Signal(str)
     """The view is to show the clouds with the "prior" or the "estimated" boresight."""
     model_changed = Signal(object)
@@ -74,7 +74,7 @@ class ValidatePanel(QWidget):
             gettext("Validate"), "validate", icon="check-decagram-outline", primary=True,
             tip=gettext("Compare the lines on all validation planes, before and after (F10)"),
         )  # fmt: skip
-        self.run.clicked.connect(self.validate_asked)
+        self.run.clicked.connect(self.validate_requested)
         layout.addWidget(self.run)
         layout.addWidget(widgets.label(gettext("Lines in the view"), "heading"))
         self.before = widgets.button(

@@ -46,7 +46,7 @@ class Navigator(QObject):
     """
 
     moved = Signal()  # the user moves the camera
-    settled = Signal()  # and pauses
+    stable = Signal()  # and pauses
     picked = Signal(object)  # PickedPoint
     missed = Signal()
     pointed = Signal(object)  # PickedPoint or None
@@ -66,7 +66,7 @@ class Navigator(QObject):
         self.mouse.drag_started.connect(self._on_drag_started)
         self.mouse.rotated.connect(self._on_rotated)
         self.mouse.panned.connect(self._on_panned)
-        self.mouse.drag_ended.connect(self.settled)
+        self.mouse.drag_ended.connect(self.stable)
         self.mouse.zoomed.connect(self._on_zoomed)
         self.mouse.picked.connect(self._on_picked)
         self.mouse.centred.connect(self._on_centred)
@@ -149,14 +149,14 @@ class Navigator(QObject):
 
     def _on_zoomed(self, notches: float, x: float, y: float) -> None:
         self._set_camera(self.camera.zoomed(WHEEL_FACTOR**notches, self._surface_at(x, y)))
-        self.settled.emit()
+        self.stable.emit()
 
     def _on_centred(self, x: float, y: float) -> None:
         hit = pick_point(self.clouds, self.camera, x, y, self.size)
         if hit is not None:
             focal = self.clouds[hit.line][hit.index]
             self._set_camera(self.camera.centred(focal, 0.6, hit.depth))
-            self.settled.emit()
+            self.stable.emit()
 
     def _on_picked(self, x: float, y: float) -> None:
         point = self._point_at(x, y)

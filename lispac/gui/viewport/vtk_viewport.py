@@ -88,7 +88,7 @@ class VtkViewport:
         self._stage.resized.connect(self._on_resized)
         self._navigator = Navigator(self.canvas)
         self._navigator.moved.connect(self._on_moved)
-        self._navigator.settled.connect(self._view_detail.schedule)
+        self._navigator.stable.connect(self._view_detail.schedule)
         self._navigator.picked.connect(self.signals.seed_clicked)
         self._navigator.missed.connect(self.signals.missed)
         self._navigator.pointed.connect(self.signals.pointed)

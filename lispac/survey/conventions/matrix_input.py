@@ -59,8 +59,7 @@ def angle_product_of_matrix(setup: ConventionSetup, rotation: Array) -> Array:
     Parameters
     ----------
     rotation : ndarray of shape (3, 3)
-        As `MountingInSystem.transform` holds it: from the raw scanner axes where a mounting lays them on the
-        body's.
+        As in `MountingInSystem.transform`: from the scanner axes that a mounting keeps.
 
     Returns
     -------

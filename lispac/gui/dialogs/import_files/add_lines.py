@@ -30,18 +30,18 @@ class AddLinesDialog(ImportDialog):
 
     def sources(self) -> tuple[LineSource, ...]:
         """The lines to add."""
-        return self.intake.sources()
+        return self.input_files.sources()
 
     def _problem_text(self) -> str:
-        if self.intake.entries and not self.intake.lines and not self.work.busy:
+        if self.input_files.entries and not self.input_files.lines and not self.work.busy:
             return gettext(
                 "No lines have been added yet. Drop the scan files of the lines here, or press "
                 "Add files."
             )
-        return self.intake.files_problem_text()
+        return self.input_files.files_problem_text()
 
     def _hint(self) -> str:
-        if any(line.is_georeferenced for line in self.intake.lines):
+        if any(line.is_georeferenced for line in self.input_files.lines):
             return gettext(
                 "Georeferenced lines are transformed back to the scanner frame with the lever arm "
                 "and prior boresight of the project. Add only lines that were georeferenced with "

@@ -86,9 +86,9 @@ class ImportDialog(QDialog):
         self._split.setSizes([table, self.height() - table])
 
     @property
-    def intake(self) -> InputFiles:
+    def input_files(self) -> InputFiles:
         """The files and their settings."""
-        return self.work.intake
+        return self.work.input_files
 
     def add(self, paths: Sequence[Path]) -> None:
         """Add files and folders."""
@@ -99,7 +99,9 @@ class ImportDialog(QDialog):
         """The import as filled in."""
         folder = expand_user(Path(self.folder.text().strip()))
         identity = BLANK.changed(**self.mounting.sensors.titles)
-        return replace(self.intake.request(folder, self.mounting.settings()), identity=identity)
+        return replace(
+            self.input_files.request(folder, self.mounting.settings()), identity=identity
+        )
 
     # -- assembly ----------------------------------------------------------------------------
 
@@ -220,9 +222,9 @@ class ImportDialog(QDialog):
         work.runner.failed.connect(self._failed)
         work.project_found.connect(self._open_found_project)
         FileDrops(self).dropped.connect(self.add)
-        for files in (self.empty.files_asked, self.add_files.clicked):
+        for files in (self.empty.files_requested, self.add_files.clicked):
             files.connect(lambda *_: self._ask_files())
-        for folder in (self.empty.folder_asked, self.add_folder.clicked):
+        for folder in (self.empty.folder_requested, self.add_folder.clicked):
             folder.connect(lambda *_: self._ask_folder())
         self.remove.clicked.connect(self._remove)
         self.stop.clicked.connect(work.stop)
@@ -232,20 +234,26 @@ class ImportDialog(QDialog):
         delete.activated.connect(self._remove)
         table = self.table
         table.file_selected.connect(lambda _path: self._show_selected())
-        table.role_chosen.connect(lambda path, role: edit(self.intake.with_role(path, role)))
-        table.format_chosen.connect(lambda path, key: edit(self.intake.with_format(path, key)))
+        table.role_chosen.connect(lambda path, role: edit(self.input_files.with_role(path, role)))
+        table.format_chosen.connect(lambda path, key: edit(self.input_files.with_format(path, key)))
         page = self.file_page
-        page.remedy_chosen.connect(lambda remedy: self._apply_action(table.current, remedy))
+        page.action_chosen.connect(
+            lambda chosen_action: self._apply_action(table.current, chosen_action)
+        )
         page.option_stated.connect(
-            lambda name, value: edit(self.intake.with_option(table.current, name, value))
+            lambda name, value: edit(self.input_files.with_option(table.current, name, value))
         )
         page.meaning_chosen.connect(
-            lambda column, what: edit(self.intake.with_column(table.current, column, what))
+            lambda column, what: edit(self.input_files.with_column(table.current, column, what))
         )
-        self.timeline.remedy_chosen.connect(self._apply_action)
+        self.timeline.action_chosen.connect(self._apply_action)
         self.timeline.file_selected.connect(table.select)
-        self.timeline.shift_all_asked.connect(lambda: edit(self.intake.with_shift_for_all()))
-        self.timeline.gap_changed.connect(lambda gap: edit(replace(self.intake, longest_gap=gap)))
+        self.timeline.shift_all_requested.connect(
+            lambda: edit(self.input_files.with_shift_for_all())
+        )
+        self.timeline.gap_changed.connect(
+            lambda gap: edit(replace(self.input_files, longest_gap=gap))
+        )
         self.mounting.changed.connect(self._show_reason)
         self.folder.textEdited.connect(self._folder_typed)
         self.browse.clicked.connect(self._ask_project_folder)
@@ -255,18 +263,18 @@ class ImportDialog(QDialog):
     # -- what is shown -----------------------------------------------------------------------
 
     def _show(self) -> None:
-        intake = self.intake
-        self._stack.setCurrentIndex(1 if intake.entries or self.work.busy else 0)
-        self.table.show_intake(intake)
+        input_files = self.input_files
+        self._stack.setCurrentIndex(1 if input_files.entries or self.work.busy else 0)
+        self.table.show_files(input_files)
         self._show_selected()
-        self.quality.show_intake(intake)
-        accuracy = intake.accuracy
+        self.quality.show_files(input_files)
+        accuracy = input_files.accuracy
         self.mounting.show_accuracy("" if accuracy is None else accuracy.path.name)
-        self.mounting.show_prior_needed(any(line.is_georeferenced for line in intake.lines))
+        self.mounting.show_prior_needed(any(line.is_georeferenced for line in input_files.lines))
         if not self._own_folder:
-            proposed = proposed_folder(intake)
+            proposed = proposed_folder(input_files)
             self.folder.setText("" if proposed is None else str(proposed))
-        count = sum(bool(intake.time_messages(line)) for line in intake.lines)
+        count = sum(bool(input_files.time_messages(line)) for line in input_files.lines)
         title = (
             gettext(
                 Plural("Timeline ({count:n} line to check)", "Timeline ({count:n} lines to check)"),
@@ -281,9 +289,9 @@ class ImportDialog(QDialog):
 
     def _show_selected(self) -> None:
         current = self.table.current
-        entry = next((e for e in self.intake.entries if e.path == current), None)
-        self.file_page.show_entry(self.intake, entry)
-        self.timeline.show_intake(self.intake, current)
+        entry = next((e for e in self.input_files.entries if e.path == current), None)
+        self.file_page.show_entry(self.input_files, entry)
+        self.timeline.show_files(self.input_files, current)
         self.remove.setEnabled(entry is not None and entry.given is None)
 
     def _show_progress(self) -> None:
@@ -298,20 +306,20 @@ class ImportDialog(QDialog):
 
     def _show_reason(self) -> None:
         problem = self._problem_text()
-        waiting = any(entry.pending for entry in self.intake.entries)
+        waiting = any(entry.pending for entry in self.input_files.entries)
         self.reason.setText(problem or self._hint())
-        wrong = bool(problem) and bool(self.intake.entries) and not waiting
+        wrong = bool(problem) and bool(self.input_files.entries) and not waiting
         self.reason.setProperty("role", "error" if wrong else "muted")
         self.reason.style().polish(self.reason)
         self.ok.setEnabled(not problem)
 
     def _problem_text(self) -> str:
         """Why the import is not complete; empty where it is."""
-        return self.intake.problem(self.folder.text())
+        return self.input_files.problem(self.folder.text())
 
     def _hint(self) -> str:
         """Warning about the mounting before the import."""
-        if not (warnings := self.mounting.doubts):
+        if not (warnings := self.mounting.mounting_warnings):
             return ""
         warning = message_text(warnings[0])
         if more := len(warnings) - 1:
@@ -329,12 +337,12 @@ class ImportDialog(QDialog):
     # -- requests --------------------------------------------------------------------------
 
     def _apply_action(self, path: Path, action: Action) -> None:
-        self.work.edit(self.intake.with_action(path, action))
+        self.work.edit(self.input_files.with_action(path, action))
 
     def _remove(self) -> None:
         path = self.table.current
         if path is not None:
-            self.work.edit(self.intake.without(path))
+            self.work.edit(self.input_files.without(path))
 
     def _ask_files(self) -> None:
         names, _ = QFileDialog.getOpenFileNames(
@@ -355,7 +363,7 @@ class ImportDialog(QDialog):
             self._folder_typed(name)
 
     def _start_folder(self) -> str:
-        entries = self.intake.entries
+        entries = self.input_files.entries
         return str(entries[-1].path.parent) if entries else ""
 
     def _folder_typed(self, text: str) -> None:
@@ -384,7 +392,9 @@ class ImportDialog(QDialog):
 
     def reject(self) -> None:
         """Ask before files are discarded, on Escape or when the dialogue is closed."""
-        if all(entry.given is not None for entry in self.intake.entries) or Questions.leave(self):
+        if all(entry.given is not None for entry in self.input_files.entries) or Questions.leave(
+            self
+        ):
             self._discard()
 
     def _discard(self) -> None:
@@ -394,5 +404,5 @@ class ImportDialog(QDialog):
         """Stop the worker, and store the meanings of columns where the project is made."""
         self.work.close()
         if result == QDialog.DialogCode.Accepted:
-            self._settings.keep_column_mappings(self.intake.column_mappings)
+            self._settings.keep_column_mappings(self.input_files.column_mappings)
         super().done(result)

@@ -30,8 +30,8 @@ _FILES = (
 class DropArea(QFrame):
     """Area for dropped files, with a list of the files to add."""
 
-    files_asked = Signal()
-    folder_asked = Signal()
+    files_requested = Signal()
+    folder_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -70,7 +70,10 @@ class DropArea(QFrame):
         self.folder = widgets.button(
             gettext("Add folder…"), "import_first_folder", icon="folder-plus-outline"
         )
-        for made, signal in ((self.files, self.files_asked), (self.folder, self.folder_asked)):
+        for made, signal in (
+            (self.files, self.files_requested),
+            (self.folder, self.folder_requested),
+        ):
             made.clicked.connect(signal)
             row.addWidget(made)
         row.addStretch(1)

@@ -28,7 +28,7 @@ from lispac.workflow.input_files import InputFiles
 class FilePage(QWidget):
     """Page with all details of one file."""
 
-    remedy_chosen = Signal(object)
+    action_chosen = Signal(object)
     option_stated = Signal(str, str)
     meaning_chosen = Signal(int, str)
 
@@ -47,7 +47,7 @@ class FilePage(QWidget):
         layout.setContentsMargins(10, 8, 10, 8)
         layout.setSpacing(theme.SPACE)
         self.remarks = RemarksView("import_remarks")
-        self.remarks.remedy_chosen.connect(self._on_action_chosen)
+        self.remarks.action_chosen.connect(self._on_action_chosen)
         layout.addWidget(self.remarks)
         split = QSplitter(Qt.Orientation.Horizontal)
         split.setChildrenCollapsible(False)
@@ -97,13 +97,13 @@ class FilePage(QWidget):
         body.setAutoFillBackground(False)
         return area
 
-    def show_entry(self, intake: InputFiles, entry: InputFile | None) -> None:
+    def show_entry(self, input_files: InputFiles, entry: InputFile | None) -> None:
         """Show a file; None if no file is selected."""
         self._stack.setCurrentIndex(0 if entry is None else 1)
         if entry is None:
             return
         fine = "" if entry.pending or entry.role is None else gettext("No problems found.")
-        self.remarks.show_remarks(intake.remarks(entry), fine)
+        self.remarks.show_remarks(input_files.remarks(entry), fine)
         self.options.show_entry(entry)
         for changing in (self.options, self.preview):
             changing.setEnabled(entry.given is None)
@@ -148,4 +148,4 @@ class FilePage(QWidget):
         if option := option_to_choose(action):
             self.options.ask(option)
         else:
-            self.remedy_chosen.emit(action)
+            self.action_chosen.emit(action)

@@ -90,11 +90,11 @@ class FileTable(QTableWidget):
         if path in self._paths:
             self.selectRow(self._paths.index(path))
 
-    def show_intake(self, intake: InputFiles) -> None:
+    def show_files(self, input_files: InputFiles) -> None:
         """Show the files; rows that exist already keep their widgets and the focus."""
-        self._update_rows([entry.path for entry in intake.entries])
-        colours = theme.line_colours([str(entry.path) for entry in intake.lines])
-        for row, entry in enumerate(intake.entries):
+        self._update_rows([entry.path for entry in input_files.entries])
+        colours = theme.line_colours([str(entry.path) for entry in input_files.lines])
+        for row, entry in enumerate(input_files.entries):
             name = self.item(row, FILE)
             colour = colours.get(str(entry.path))
             name.setIcon(theme.swatch(colour) if colour else _transparent_icon())
@@ -107,14 +107,14 @@ class FileTable(QTableWidget):
             ):
                 self.item(row, column).setText(text)
                 self.item(row, column).setToolTip(widgets.plain_tip(text))
-            state, colour = file_texts.state_text(intake, entry)
+            state, colour = file_texts.state_text(input_files, entry)
             item = self.item(row, STATE)
             item.setText(state)
             item.setForeground(QColor(colour))
-            item.setIcon(file_texts.state_icon(intake, entry))
-            tip = "\n".join(map(message_text, intake.remarks(entry))) or state
+            item.setIcon(file_texts.state_icon(input_files, entry))
+            tip = "\n".join(map(message_text, input_files.remarks(entry))) or state
             item.setToolTip(widgets.plain_tip(tip))
-            out = intake.state(entry) == "out"
+            out = input_files.state(entry) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):
                 self.item(row, column).setForeground(QColor(theme.MUTED if out else theme.TEXT))
         if self.current is None and self._paths:

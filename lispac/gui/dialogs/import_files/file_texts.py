@@ -218,30 +218,30 @@ def frame_text(entry: InputFile) -> str:
     return gettext("North, east, down") if entry.role == "accuracy" else NO_VALUE
 
 
-def state_text(intake: InputFiles, entry: InputFile) -> tuple[str, str]:
+def state_text(input_files: InputFiles, entry: InputFile) -> tuple[str, str]:
     """Text and colour of the state of a file."""
-    match intake.state(entry):
+    match input_files.state(entry):
         case "pending":
             return gettext("Waiting to be read"), theme.MUTED
         case "fine":
             return gettext("OK"), theme.DONE
         case "error":
             return gettext("Error"), theme.ERROR
-        case "doubt":
-            warnings = sum(remark.level is Level.WARNING for remark in intake.remarks(entry))
+        case "warning":
+            warnings = sum(remark.level is Level.WARNING for remark in input_files.remarks(entry))
             text = gettext(Plural("{count:n} warning", "{count:n} warnings"), count=warnings)
             return text, theme.WARNING
     is_unknown = not entry.looks and not entry.pending
     return gettext("Unknown") if is_unknown else gettext("Not imported"), theme.MUTED
 
 
-def state_icon(intake: InputFiles, entry: InputFile) -> QIcon:
+def state_icon(input_files: InputFiles, entry: InputFile) -> QIcon:
     """Icon of the state of a file."""
     name = {
-        "pending": "timer-sand", "fine": "check-circle-outline", "doubt": "alert-outline",
+        "pending": "timer-sand", "fine": "check-circle-outline", "warning": "alert-outline",
         "error": "close-octagon-outline", "out": "minus-circle-outline",
-    }[intake.state(entry)]  # fmt: skip
-    return theme.icon(name, state_text(intake, entry)[1])
+    }[input_files.state(entry)]  # fmt: skip
+    return theme.icon(name, state_text(input_files, entry)[1])
 
 
 def option_name(name: str) -> str:

@@ -39,16 +39,16 @@ class ImportWorker(QObject):
 
     def __init__(self, mappings: dict[str, str], parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.intake = InputFiles()
+        self.input_files = InputFiles()
         self._mappings = mappings
         self._queued: dict[Path, InputFile] = {}
         self._done = 0
         self.runner = TaskRunner(self)
         self.runner.moved.connect(self.moved)
 
-    def begin(self, intake: InputFiles) -> None:
+    def begin(self, input_files: InputFiles) -> None:
         """Set the files of an open project."""
-        self.edit(intake)
+        self.edit(input_files)
 
     def add(self, paths: Iterable[Path]) -> None:
         """Add files and folders."""
@@ -61,16 +61,16 @@ class ImportWorker(QObject):
             if found[0] is not None:
                 self.project_found.emit(found[0])
             else:
-                self.edit(self.intake.with_files(found[1]))
+                self.edit(self.input_files.with_files(found[1]))
 
         self.runner.run(gettext("Listing the files"), work, done)
 
-    def edit(self, intake: InputFiles) -> None:
+    def edit(self, input_files: InputFiles) -> None:
         """Replace the import, and read the files that are pending."""
-        self.intake = intake
-        here = {entry.path for entry in intake.entries}
+        self.input_files = input_files
+        here = {entry.path for entry in input_files.entries}
         self._queued = {path: entry for path, entry in self._queued.items() if path in here}
-        for entry in intake.entries:
+        for entry in input_files.entries:
             if entry.pending and self._queued.get(entry.path) is not entry:
                 self._examine_file(entry)
         self.changed.emit()
@@ -82,22 +82,22 @@ class ImportWorker(QObject):
         self._done = 0
         entries = tuple(
             replace(e, pending=False, error=_stopped_error(e)) if e.pending else e
-            for e in self.intake.entries
+            for e in self.input_files.entries
         )
-        self.intake = replace(self.intake, entries=entries)
+        self.input_files = replace(self.input_files, entries=entries)
         self.changed.emit()
 
     @property
     def was_stopped(self) -> bool:
         """Whether some files were not read because the user stopped the reading."""
-        return any(_was_stopped(entry) for entry in self.intake.entries)
+        return any(_was_stopped(entry) for entry in self.input_files.entries)
 
     def read_skipped(self) -> None:
         """Read the files that were skipped when the reading was stopped."""
         entries = tuple(
-            replace(e, pending=True) if _was_stopped(e) else e for e in self.intake.entries
+            replace(e, pending=True) if _was_stopped(e) else e for e in self.input_files.entries
         )
-        self.edit(replace(self.intake, entries=entries))
+        self.edit(replace(self.input_files, entries=entries))
 
     @property
     def busy(self) -> bool:
@@ -110,7 +110,7 @@ class ImportWorker(QObject):
         task = self.runner.current
         if task is None:
             return ""
-        total = self._done + sum(entry.pending for entry in self.intake.entries)
+        total = self._done + sum(entry.pending for entry in self.input_files.entries)
         step = str(task.step or task.title)
         if total <= 1:
             return step
@@ -122,7 +122,7 @@ class ImportWorker(QObject):
     def fraction(self) -> float:
         """Share of the work that is done, from 0 to 1."""
         task = self.runner.current
-        total = self._done + sum(entry.pending for entry in self.intake.entries)
+        total = self._done + sum(entry.pending for entry in self.input_files.entries)
         return (self._done + (0.0 if task is None else task.fraction)) / max(total, 1)
 
     def close(self) -> None:
@@ -150,7 +150,7 @@ class ImportWorker(QObject):
                 return
             del self._queued[entry.path]
             self._done = self._done + 1 if self._queued else 0
-            self.edit(self.intake.with_entry(found).with_resolved_role(found.path))
+            self.edit(self.input_files.with_entry(found).with_resolved_role(found.path))
 
         title = gettext("Reading {file}", file=entry.path.name)
         self.runner.run(title, work, done, key=str(entry.path))

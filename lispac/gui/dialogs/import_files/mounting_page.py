@@ -60,7 +60,7 @@ class MountingPage(QScrollArea):
         )
 
     @property
-    def doubts(self) -> tuple[Message, ...]:
+    def mounting_warnings(self) -> tuple[Message, ...]:
         """Warnings about the mounting."""
         return lever_arm_warnings(self.lever_arm.value())
 

@@ -41,14 +41,14 @@ class OptionsForm(QWidget):
         if which != self._shown:
             self._shown = which
             self._build(options)
-        settled, stated = entry.options, entry.stated or {}
+        resolved, stated = entry.options, entry.stated or {}
         for option in options:
             field = self.fields[option.name]
             field.blockSignals(True)
             if isinstance(field, QComboBox):
-                field.setCurrentIndex(max(0, field.findData(settled[option.name])))
+                field.setCurrentIndex(max(0, field.findData(resolved[option.name])))
             elif not field.hasFocus() or not field.isModified():
-                field.setText(settled[option.name])
+                field.setText(resolved[option.name])
                 field.setCursorPosition(0)
             field.blockSignals(False)
             is_stated = option.name in stated

@@ -48,23 +48,23 @@ class TrajectoryQuality:
     axis: str
 
     @classmethod
-    def of(cls, intake: InputFiles) -> "TrajectoryQuality | None":
+    def of(cls, input_files: InputFiles) -> "TrajectoryQuality | None":
         """Collect the data of an import; None before its trajectory is read."""
-        if intake.track is None:
+        if input_files.track is None:
             return None
-        colours = theme.line_colours([str(line.path) for line in intake.lines])
+        colours = theme.line_colours([str(line.path) for line in input_files.lines])
         lines = tuple(
             (
-                intake.names[line.path],
+                input_files.names[line.path],
                 line.content.start + line.shift,
                 line.content.end + line.shift,
                 "#{:02x}{:02x}{:02x}".format(*colours[str(line.path)]),
             )
-            for line in intake.lines
+            for line in input_files.lines
             if isinstance(line.content, LineTimes)
         )
-        axis = time_axis_title(intake.time_base)
-        return cls(intake.track, intake.sigmas, lines, intake.longest_gap, axis)
+        axis = time_axis_title(input_files.time_base)
+        return cls(input_files.track, input_files.sigmas, lines, input_files.longest_gap, axis)
 
 
 def draw_accuracies(quality: TrajectoryQuality, figure: Figure) -> None:

@@ -61,17 +61,17 @@ class QualityPage(QWidget):
         layout.addWidget(self._empty)
         self._layout = layout
         self.canvas: QWidget | None = None
-        self._intake: InputFiles | None = None
-        self._stale = True
+        self._input_files: InputFiles | None = None
+        self._outdated = True
         self.choice.button(0).setChecked(True)
         self.choice.idClicked.connect(lambda _id: self._draw(anew=True))
 
-    def show_intake(self, intake: InputFiles) -> None:
+    def show_files(self, input_files: InputFiles) -> None:
         """Draw the trajectory, now or when the page is shown."""
-        before = self._intake
-        self._intake = intake
-        if before is None or _drawn_data(before) != _drawn_data(intake):
-            self._stale = True
+        before = self._input_files
+        self._input_files = input_files
+        if before is None or _drawn_data(before) != _drawn_data(input_files):
+            self._outdated = True
         if self.isVisible():
             self._draw()
 
@@ -81,16 +81,16 @@ class QualityPage(QWidget):
         self._draw()
 
     def _draw(self, anew: bool = False) -> None:
-        if self._intake is None or not (self._stale or anew):
+        if self._input_files is None or not (self._outdated or anew):
             return
-        ready = self._intake.track is not None
+        ready = self._input_files.track is not None
         self._empty.setVisible(not ready)
         self._hint.setVisible(ready)
         for each in self.choice.buttons():
             each.setEnabled(ready)
         if self.canvas is not None:
             self.canvas.setVisible(ready)
-        self._stale = False
+        self._outdated = False
         if not ready:
             return
         # Matplotlib is imported late, so that the dialogue starts without it.
@@ -101,7 +101,7 @@ class QualityPage(QWidget):
             self.canvas = Chart(300, 180, theme.PAPER)
             self.canvas.setObjectName("quality_canvas")
             self._layout.addWidget(self.canvas, 1)
-        quality = TrajectoryQuality.of(self._intake)
+        quality = TrajectoryQuality.of(self._input_files)
         assert quality is not None
         key = list(NAMES)[self.choice.checkedId()]
         self._hint.setText(
@@ -115,8 +115,10 @@ class QualityPage(QWidget):
         self.drawn.emit()
 
 
-def _drawn_data(intake: InputFiles) -> tuple[object, ...]:
+def _drawn_data(input_files: InputFiles) -> tuple[object, ...]:
     """Data of the figures; entries are compared by identity."""
-    lines = tuple((id(line.content), line.shift, intake.names[line.path]) for line in intake.lines)
-    base = intake.time_base
-    return id(intake.track), id(intake.sigmas), lines, intake.longest_gap, base
+    lines = tuple(
+        (id(line.content), line.shift, input_files.names[line.path]) for line in input_files.lines
+    )
+    base = input_files.time_base
+    return id(input_files.track), id(input_files.sigmas), lines, input_files.longest_gap, base

@@ -24,7 +24,7 @@ TALLEST = 150
 class RemarksView(QScrollArea):
     """List that is as tall as its remarks up to a limit, beyond which it scrolls."""
 
-    remedy_chosen = Signal(object, int)
+    action_chosen = Signal(object, int)
     """An `Action`, and the index of its message."""
 
     def __init__(self, name: str) -> None:
@@ -78,7 +78,7 @@ class RemarksView(QScrollArea):
         made = widgets.button(action_text(action), name, tip=action_tip(action))
         made.setAutoDefault(False)
         made.setAccessibleDescription(message_text(message))
-        made.clicked.connect(lambda: self.remedy_chosen.emit(action, place))
+        made.clicked.connect(lambda: self.action_chosen.emit(action, place))
         self.buttons.append(made)
         return made
 
@@ -117,14 +117,14 @@ def _remark_row(icon: str, kind: str, label: str, text: str) -> tuple[QWidget, Q
     bold.setBold(True)
     labels = (gettext(each) for *_, each in _MARKS.values())
     head.setFixedWidth(max(map(QFontMetrics(bold).horizontalAdvance, labels)) + 8)
-    said = widgets.label(text, wrap=True)
+    message_label = widgets.label(text, wrap=True)
     # Setting a policy after the wrapping resets its dependence of the height on the width.
-    policy = said.sizePolicy()
+    policy = message_label.sizePolicy()
     policy.setHeightForWidth(True)
-    said.setSizePolicy(policy)
-    said.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    message_label.setSizePolicy(policy)
+    message_label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     top = Qt.AlignmentFlag.AlignTop
     layout.addWidget(mark, 0, top)
     layout.addWidget(head, 0, top)
-    layout.addWidget(said, 1, top)
+    layout.addWidget(message_label, 1, top)
     return row, layout

@@ -50,13 +50,13 @@ class TimelineBar:
     is_line: bool
 
 
-def timeline_bars(intake: InputFiles) -> tuple[TimelineBar, ...]:
+def timeline_bars(input_files: InputFiles) -> tuple[TimelineBar, ...]:
     """Bars of a timeline, the trajectory first."""
     bars = []
-    track, entry = intake.track, intake.trajectory
+    track, entry = input_files.track, input_files.trajectory
     if track is not None and entry is not None:
         time = track.time
-        wide = np.flatnonzero(np.diff(time) > intake.longest_gap)
+        wide = np.flatnonzero(np.diff(time) > input_files.longest_gap)
         gaps = tuple((float(time[k]), float(time[k + 1])) for k in wide)
         text = (
             gettext(Plural("{count:n} gap", "{count:n} gaps"), count=len(gaps))
@@ -65,12 +65,12 @@ def timeline_bars(intake: InputFiles) -> tuple[TimelineBar, ...]:
         )
         bars.append(TimelineBar(entry.path, gettext("Trajectory"), theme.MUTED, float(time[0]),
                         float(time[-1]), gaps, text, True, False))  # fmt: skip
-    colours = theme.line_colours([str(line.path) for line in intake.lines])
-    for line in intake.lines:
+    colours = theme.line_colours([str(line.path) for line in input_files.lines])
+    for line in input_files.lines:
         if not isinstance(line.content, LineTimes):
             continue
         start, end = line.content.start + line.shift, line.content.end + line.shift
-        covered = intake.coverage(line)
+        covered = input_files.coverage(line)
         holes: tuple[tuple[float, float], ...] = ()
         sound = False
         if covered is not None and track is not None:
@@ -83,7 +83,7 @@ def timeline_bars(intake: InputFiles) -> tuple[TimelineBar, ...]:
             sound = covered.usable == covered.count
         text = _coverage_text(covered, line.shift if track is not None else 0.0)
         colour = QColor(*colours[str(line.path)]).name()
-        name = intake.names[line.path]
+        name = input_files.names[line.path]
         bars.append(TimelineBar(line.path, name, colour, start, end, holes, text, sound, True))
     return tuple(bars)
 
@@ -145,10 +145,10 @@ class TimelineView(QWidget):
         self._axis = ""
         self._current: Path | None = None
 
-    def show_intake(self, intake: InputFiles, current: Path | None) -> None:
+    def show_files(self, input_files: InputFiles, current: Path | None) -> None:
         """Draw the rows of an import."""
-        self.bars = timeline_bars(intake)
-        self._axis = time_axis_title(intake.time_base)
+        self.bars = timeline_bars(input_files)
+        self._axis = time_axis_title(input_files.time_base)
         self._current = current
         self.setAccessibleDescription("\n".join(map(_bar_description, self.bars)))
         self.setToolTip("" if self.bars else gettext("No file with times has been added yet"))

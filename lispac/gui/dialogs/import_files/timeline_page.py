@@ -18,9 +18,9 @@ from lispac.workflow.input_files import InputFiles
 class TimelinePage(QWidget):
     """Timeline, remarks on lines that are not covered, and the longest interpolated gap."""
 
-    remedy_chosen = Signal(object, object)
+    action_chosen = Signal(object, object)
     """Path, and `Action`."""
-    shift_all_asked = Signal()
+    shift_all_requested = Signal()
     gap_changed = Signal(float)
     file_selected = Signal(object)
 
@@ -30,7 +30,7 @@ class TimelinePage(QWidget):
         layout.setContentsMargins(10, 8, 10, 8)
         layout.setSpacing(theme.SPACE)
         self.remarks = RemarksView("import_time_remarks")
-        self.remarks.remedy_chosen.connect(self._on_action_chosen)
+        self.remarks.action_chosen.connect(self._on_action_chosen)
         layout.addWidget(self.remarks)
         self.view = TimelineView()
         self.view.file_selected.connect(self.file_selected)
@@ -57,7 +57,7 @@ class TimelinePage(QWidget):
         self.lost = widgets.label("", "muted", name="import_lost")
         self.all = widgets.button("", "import_shift_all", icon="clock-fast")
         self.all.setAutoDefault(False)
-        self.all.clicked.connect(self.shift_all_asked)
+        self.all.clicked.connect(self.shift_all_requested)
         bottom.addWidget(label)
         bottom.addWidget(self.gap)
         bottom.addSpacing(12)
@@ -66,30 +66,30 @@ class TimelinePage(QWidget):
         layout.addLayout(bottom)
         self._owners: list[Path] = []
 
-    def show_intake(self, intake: InputFiles, current: Path | None) -> None:
+    def show_files(self, input_files: InputFiles, current: Path | None) -> None:
         """Draw the bars and list the remarks."""
-        self.view.show_intake(intake, current)
+        self.view.show_files(input_files, current)
         self.gap.blockSignals(True)
-        self.gap.setValue(intake.longest_gap)
+        self.gap.setValue(input_files.longest_gap)
         self.gap.blockSignals(False)
-        self.gap.setEnabled(intake.into is None)
+        self.gap.setEnabled(input_files.into is None)
         found: list[tuple[Path, Message]] = []
-        for line in intake.lines:
-            for message in intake.time_messages(line):
-                params = {**message.params, "file": intake.names[line.path]}
+        for line in input_files.lines:
+            for message in input_files.time_messages(line):
+                params = {**message.params, "file": input_files.names[line.path]}
                 found.append((line.path, replace(message, params=params)))
         found.sort(key=lambda pair: pair[1].level is not Level.ERROR)
         self._owners = [path for path, _ in found]
         fine = ""
-        if intake.track is not None and intake.lines:
+        if input_files.track is not None and input_files.lines:
             fine = gettext(
                 Plural("The trajectory covers the line.", "The trajectory covers all lines."),
-                count=len(intake.lines),
+                count=len(input_files.lines),
             )
         self.remarks.setVisible(bool(found or fine))
         self.remarks.show_remarks([message for _, message in found], fine)
-        self.lost.setText(_share_in_gaps(intake))
-        offered = intake.proposed_shifts
+        self.lost.setText(_share_in_gaps(input_files))
+        offered = input_files.proposed_shifts
         self.all.setVisible(len(offered) > 1)
         shifts = {shift for _, shift in offered}
         if len(shifts) == 1:
@@ -105,12 +105,14 @@ class TimelinePage(QWidget):
             )
 
     def _on_action_chosen(self, action: Action, place: int) -> None:
-        self.remedy_chosen.emit(self._owners[place], action)
+        self.action_chosen.emit(self._owners[place], action)
 
 
-def _share_in_gaps(intake: InputFiles) -> str:
+def _share_in_gaps(input_files: InputFiles) -> str:
     """Share of the points of all lines in gaps that are not interpolated."""
-    found = [covered for line in intake.lines if (covered := intake.coverage(line)) is not None]
+    found = [
+        covered for line in input_files.lines if (covered := input_files.coverage(line)) is not None
+    ]
     count = sum(covered.count for covered in found)
     if not count:
         return ""
