@@ -268,7 +268,7 @@ class Project:
         """
         if which == "prior":
             settings = self.settings
-            return Mounting.near(
+            return Mounting.with_nearest_axes(
                 np.array(settings.lever_arm, dtype=float),
                 np.radians(settings.boresight_deg),
                 settings.range_offset,

@@ -53,7 +53,7 @@ NOTES = (
     note("import.excluded_outside", file="L2.laz", count=12, total=1_234_567),
 )
 
-STEEP = Mounting.near(np.array([-0.2, 0.04, 2.4]), np.radians([20.0, 89.3, 58.2]))
+STEEP = Mounting.with_nearest_axes(np.array([-0.2, 0.04, 2.4]), np.radians([20.0, 89.3, 58.2]))
 Change = Callable[[Project], Project]
 
 

@@ -367,7 +367,7 @@ def test_a_contradiction_is_told_from_so_many_sigmas_of_an_angle_on(few: Observa
     wrong = replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.04, 0.0, 0.0])
     problem = AdjustmentProblem.of(few, wrong, MODEL)
     first = problem.linearised(problem.start(wrong, fit_shapes(few, wrong)))
-    here = problem.linearised(first.step()[0])
+    here = problem.linearised(first.next_state()[0])
     (found,) = find_contradicted_parameters(here, least=1.0)
     assert 3.5 < abs(found.w) < 5.5  # beyond 6 it would be told whatever it does
     sigmas = np.abs(found.moved / np.sqrt(np.diag(here.normal.covariance)[:3])).max()

@@ -26,7 +26,7 @@ NOISE = np.random.default_rng(8).normal(0, 0.003, (len(SURVEY), 3))
 def adjusted(turn: np.ndarray) -> AdjustmentResult:
     """The survey with the axes of the scanner turned: what it reads is the same in other axes."""
     observations = replace(SURVEY, points_lidar=(SURVEY.points_lidar + NOISE) @ turn)
-    prior = Mounting.near(LEVER, rotation_angles(turn))
+    prior = Mounting.with_nearest_axes(LEVER, rotation_angles(turn))
     np.testing.assert_allclose(prior.rotation_body_lidar, turn, atol=1e-12)
     return adjust(observations, prior, StochasticModel("correlated"))
 
@@ -90,7 +90,7 @@ def test_mountings_in_between_give_the_same_answer(seed: int) -> None:
 
 @pytest.mark.parametrize("pitch", [-90.0, 90.0, -89.9, 88.0])
 def test_jacobians_at_a_steep_pitch_agree_with_differences(pitch: float) -> None:
-    mounting = Mounting.near(LEVER, np.radians([20.0, pitch, -35.0]))
+    mounting = Mounting.with_nearest_axes(LEVER, np.radians([20.0, pitch, -35.0]))
     assert mounting.axes is not None
     shapes = np.array([[*normal, -normal @ centre] for centre, normal in TARGETS.values()])
     rows = linearise(SURVEY, mounting, shapes).rows
@@ -111,13 +111,13 @@ def test_jacobians_at_a_steep_pitch_agree_with_differences(pitch: float) -> None
 
 def test_ordinary_mountings_are_as_before() -> None:
     for angles in ([0.3, -0.4, 0.6], [90.0, 0.0, -90.0], [180.0, 0.0, 0.0], [10.0, 55.0, 200.0]):
-        mounting = Mounting.near(LEVER, np.radians(angles))
+        mounting = Mounting.with_nearest_axes(LEVER, np.radians(angles))
         assert mounting.axes is None
         np.testing.assert_array_equal(mounting.boresight, np.radians(angles))
 
 
 def test_a_mounting_with_turned_axes_is_kept_in_a_project() -> None:
-    mounting = Mounting.near(LEVER, np.radians([5.0, -89.0, 10.0]), 0.01, 0.002, 0.0)
+    mounting = Mounting.with_nearest_axes(LEVER, np.radians([5.0, -89.0, 10.0]), 0.01, 0.002, 0.0)
     again = decode_value(json.loads(json.dumps(encode_value(mounting))), Mounting)
     assert again.axes is not None
     np.testing.assert_array_equal(again.rotation_body_lidar, mounting.rotation_body_lidar)

@@ -34,7 +34,9 @@ from tests.report_sample import sample_content, sample_project
 
 def _steep(project: Project) -> Project:
     assert project.result is not None
-    mounting = Mounting.near(project.result.mounting.lever_arm, np.radians([0.0, -90.0, 0.0]))
+    mounting = Mounting.with_nearest_axes(
+        project.result.mounting.lever_arm, np.radians([0.0, -90.0, 0.0])
+    )
     return replace(project, result=replace(project.result, mounting=mounting))
 
 

@@ -49,7 +49,7 @@ def test_the_tables_say_what_the_plan_says() -> None:
         targets=(
             wall.board("left", -3.25, 6.5, 90.0, (1.0, 0.8)),
             wall.board("nose", 4.0, 2.0, 130.0, (1.0, 0.8), off=0.5),
-            Ball("ball", wall.place(1.0, 0.0, 3.0), 0.145),
+            Ball("ball", wall.local_point(1.0, 0.0, 3.0), 0.145),
         ),
         lines=(
             Line(110.0, 12.5, True, 0.7),

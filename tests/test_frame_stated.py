@@ -62,7 +62,7 @@ def test_map_coordinates_stated_as_the_scanners_are_refused_everywhere(track, tm
     assert "not in the scanner frame" in input_files.files_problem_text() + said(
         input_files, "utm.las"
     )
-    assert input_files.state(named(input_files, "utm.las")) == "error"
+    assert input_files.state_of_file(named(input_files, "utm.las")) == "error"
     project: Project = create_project(
         tmp_path / "old", trajectory=track, settings=Settings(lever_arm=LEVER),
         lines=[LineSource("L", line, reading=Reading("las", (("frame", "scanner"),)))],
@@ -106,7 +106,7 @@ def test_a_system_that_is_stated_is_not_asked_for(track, tmp_path, capsys) -> No
     input_files = taken_in(InputFiles(), track, line)
     assert "points.no_system" in codes_about(input_files, "utm.las")
     input_files = taken_in(input_files.with_option(line, "crs", SYSTEM))
-    assert input_files.state(named(input_files, "utm.las")) == "fine"
+    assert input_files.state_of_file(named(input_files, "utm.las")) == "fine"
 
 
 def test_a_system_that_is_not_used_is_said(track, tmp_path) -> None:
@@ -118,4 +118,4 @@ def test_a_system_that_is_not_used_is_said(track, tmp_path) -> None:
     assert unused in survey.notes
     input_files = taken_in(taken_in(InputFiles(), track, line).with_option(line, "crs", SYSTEM))
     assert unused in input_files.remarks(named(input_files, "near.las"))
-    assert input_files.state(named(input_files, "near.las")) == "warning"
+    assert input_files.state_of_file(named(input_files, "near.las")) == "warning"

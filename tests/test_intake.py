@@ -53,11 +53,11 @@ def test_files_of_a_folder_are_sorted_by_what_they_are(whole: InputFiles) -> Non
         "pos.sbet": "trajectory", "smrmsg.out": "accuracy", "L1.laz": "points",
         "L2.las": "points", "letter.md": None,
     }  # fmt: skip
-    assert whole.problem("") == "Choose a folder for the project."
+    assert whole.import_problem("") == "Choose a folder for the project."
     assert whole.time_base is not None
     assert whole.time_base.key == "gps-week"
-    assert {whole.state(line) for line in whole.lines} == {"fine"}
-    assert whole.state(named(whole, "letter.md")) == "out"
+    assert {whole.state_of_file(line) for line in whole.lines} == {"fine"}
+    assert whole.state_of_file(named(whole, "letter.md")) == "out"
     assert codes_about(whole, "letter.md") == ["import.unknown_format"]
 
 
@@ -76,18 +76,18 @@ def test_a_project_among_the_files_is_found(files: Path, tmp_path: Path) -> None
 
 
 def test_what_is_missing_is_said_in_order(files: Path, tmp_path: Path) -> None:
-    assert InputFiles().problem("x").startswith("Add the files of the survey")
+    assert InputFiles().import_problem("x").startswith("Add the files of the survey")
     waiting = InputFiles().with_files([files / "L1.laz"])
-    assert waiting.problem("x") == "The files are being examined."
+    assert waiting.import_problem("x") == "The files are being examined."
     line = taken_in(InputFiles(), files / "L1.laz")
-    assert "The trajectory is missing" in line.problem("x")
+    assert "The trajectory is missing" in line.import_problem("x")
     track = taken_in(InputFiles(), files / "pos.sbet")
-    assert "There is no line" in track.problem("x")
+    assert "There is no line" in track.import_problem("x")
     (tmp_path / "project.json").write_text("{}")
     both = taken_in(line, files / "pos.sbet")
-    assert "already contains a project" in both.problem(str(tmp_path))
-    assert "This is a file" in both.problem(str(files / "L1.laz"))
-    assert both.problem(str(tmp_path / "new")) == ""
+    assert "already contains a project" in both.import_problem(str(tmp_path))
+    assert "This is a file" in both.import_problem(str(files / "L1.laz"))
+    assert both.import_problem(str(tmp_path / "new")) == ""
     assert proposed_folder(both) == files / "boresight"
 
 
@@ -96,10 +96,10 @@ def test_two_trajectories_are_one_too_many_until_one_is_left_out(
 ) -> None:
     second = write_records(tmp_path / "second.sbet", vessel(500))
     input_files = taken_in(whole, second)
-    assert "more than one file has the role of trajectory" in input_files.problem("x")
+    assert "more than one file has the role of trajectory" in input_files.import_problem("x")
     (leave_out,) = input_files.remarks(named(input_files, "second.sbet"))[0].actions
     mended = input_files.with_action(second, leave_out)
-    assert mended.state(mended.entry(second)) == "out"
+    assert mended.state_of_file(mended.entry(second)) == "out"
     assert mended.trajectory is not None
     assert mended.trajectory.path == files / "pos.sbet"
     assert mended.files_problem_text() == ""
@@ -134,9 +134,9 @@ def test_a_damaged_line_is_an_error_beside_the_others(
     content = (files / "L1.laz").read_bytes()
     damaged.write_bytes(content[: len(content) // 2])
     input_files = taken_in(whole, damaged)
-    assert input_files.state(input_files.entry(damaged)) == "error"
+    assert input_files.state_of_file(input_files.entry(damaged)) == "error"
     assert str(damaged) not in said(input_files, "damaged.laz")
-    assert input_files.problem("x").startswith("damaged.laz: ")
+    assert input_files.import_problem("x").startswith("damaged.laz: ")
     assert input_files.with_role(damaged, None).files_problem_text() == ""
 
 
@@ -181,10 +181,13 @@ def test_a_shift_that_another_one_rivals_stays_a_doubt(whole: InputFiles, tmp_pa
     first = input_files.remarks(input_files.entry(late))[0]
     assert len({action.params.get("shift") for action in first.actions} - {None}) == 2
     mended = input_files.with_action(late, first.actions[0])
-    assert mended.state(mended.entry(late)) == "warning"
+    assert mended.state_of_file(mended.entry(late)) == "warning"
     rivals = mended.remarks(mended.entry(late))[0]
     assert rivals.code == "import.other_bases_fit"
-    assert mended.with_action(late, rivals.actions[-1]).state(input_files.entry(late)) == "error"
+    assert (
+        mended.with_action(late, rivals.actions[-1]).state_of_file(input_files.entry(late))
+        == "error"
+    )
 
 
 def test_a_line_of_another_day_is_refused_with_the_distance(
@@ -237,7 +240,7 @@ def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
     (bridge,) = in_gaps.actions
     assert bridge.params["gap"] == pytest.approx(2.0, abs=0.11)
     bridged = input_files.with_action(files / "L2.las", bridge)
-    assert bridged.state(named(bridged, "L2.las")) == "fine"
+    assert bridged.state_of_file(named(bridged, "L2.las")) == "fine"
     assert gaps_of(bridged, "gap.sbet") == []
     (shorter,) = gaps_of(replace(input_files, longest_gap=0.5), "gap.sbet")
     assert (shorter.params["count"], shorter.params["limit"]) == (1, 0.5)

@@ -69,21 +69,23 @@ def opened(project: Project) -> InputFiles:
 def test_a_projects_own_files_are_there_and_stay(project: Project, files: Path) -> None:
     input_files = opened(project)
     assert [entry.role for entry in input_files.entries] == ["trajectory", "accuracy"]
-    assert input_files.track is not None
-    assert input_files.sigmas is not None
+    assert input_files.trajectory_content is not None
+    assert input_files.accuracy_content is not None
     assert (
         input_files.files_problem_text()
         == "There is no line. Add the scan file of at least one line."
     )
     for entry in input_files.entries:
-        assert input_files.without(entry.path).entries == input_files.entries
+        assert input_files.without_file(entry.path).entries == input_files.entries
         assert input_files.with_role(entry.path, "points") is input_files
     without = InputFiles.of_project(replace(project, accuracy=None))
     assert [entry.role for entry in without.entries] == ["trajectory"]
     more = taken_in(input_files, files / "L2.las")
     assert more.files_problem_text() == ""
     assert [(line.name, line.path.name) for line in more.sources()] == [("L2", "L2.las")]
-    assert more.without(files / "L2.las").files_problem_text() == input_files.files_problem_text()
+    assert (
+        more.without_file(files / "L2.las").files_problem_text() == input_files.files_problem_text()
+    )
 
 
 def test_a_line_that_is_there_already_can_only_be_left_out(project: Project, files: Path) -> None:
@@ -93,7 +95,7 @@ def test_a_line_that_is_there_already_can_only_be_left_out(project: Project, fil
     assert remark.params == {"file": "L1.laz", "line": "L1"}
     assert message_text(remark) in input_files.files_problem_text()
     left = input_files.with_action(files / "L1.laz", remark.actions[0])
-    assert left.state(left.entry(files / "L1.laz")) == "out"
+    assert left.state_of_file(left.entry(files / "L1.laz")) == "out"
 
 
 def test_gaps_are_bridged_for_a_new_project_and_not_for_one_that_is_there(
@@ -148,7 +150,7 @@ def test_before_there_is_a_trajectory_nothing_is_told_of_times(files: Path) -> N
 def test_a_file_that_waits_says_nothing(files: Path) -> None:
     waiting = InputFiles().with_files([files / "L1.laz"])
     entry = waiting.entries[0]
-    assert waiting.state(entry) == "pending"
+    assert waiting.state_of_file(entry) == "pending"
     assert waiting.remarks(entry) == ()
 
 

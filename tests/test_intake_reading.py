@@ -52,7 +52,7 @@ def write_unnamed(path: Path, seconds: float = 3.0) -> Path:
 def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_path: Path) -> None:
     text = write_unnamed(tmp_path / "one.txt")
     input_files = taken_in(InputFiles(), files / "pos.sbet", text)
-    assert input_files.state(input_files.entry(text)) == "error"
+    assert input_files.state_of_file(input_files.entry(text)) == "error"
     (missing,) = input_files.remarks(input_files.entry(text))
     assert missing.code == "import.columns_not_chosen"
     names = [note(f"column.{name}") for name in ("time", "x", "y", "z")]
@@ -64,7 +64,9 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
     )
     assert input_files.entry(text).columns == ("-", "y", "z", "time")
     input_files = taken_in(input_files.with_column(text, 0, "x"))
-    assert input_files.state(input_files.entry(text)) == "fine", said(input_files, "one.txt")
+    assert input_files.state_of_file(input_files.entry(text)) == "fine", said(
+        input_files, "one.txt"
+    )
     request = input_files.request(tmp_path / "p", Settings(lever_arm=LEVER))
     _, survey = new_project(
         request.folder, trajectory=request.trajectory, lines=request.lines,
@@ -76,11 +78,11 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
     after = taken_in(InputFiles(), files / "pos.sbet", second, mappings=input_files.column_mappings)
     assert after.entry(second).remembered
     assert after.entry(second).columns == ("x", "y", "z", "time")
-    assert after.state(after.entry(second)) == "fine"
+    assert after.state_of_file(after.entry(second)) == "fine"
     (action,) = after.remarks(after.entry(second))[0].actions
     assert action.code == "detect_columns"
     anew = taken_in(after.with_action(second, action))
-    assert anew.state(anew.entry(second)) == "error"
+    assert anew.state_of_file(anew.entry(second)) == "error"
 
 
 def test_columns_of_another_layout_are_not_taken_over(files: Path, tmp_path: Path) -> None:
@@ -111,8 +113,8 @@ def test_columns_of_a_trajectory_of_text_are_chosen(tmp_path: Path) -> None:
     for column, meaning in enumerate(order):
         input_files = taken_in(input_files.with_column(path, column, meaning))
     assert input_files.entry(path).error is None
-    assert input_files.track is not None
-    np.testing.assert_allclose(input_files.track.time, records[:, 0])
+    assert input_files.trajectory_content is not None
+    np.testing.assert_allclose(input_files.trajectory_content.time, records[:, 0])
 
 
 # -- places --------------------------------------------------------------------------------------
@@ -147,7 +149,9 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     place = input_files.entry(stated).place
     assert place is not None
     assert place.system.startswith("WGS 84 / UTM zone 18N")
-    assert input_files.state(input_files.entry(stated)) == "fine", said(input_files, "stated.laz")
+    assert input_files.state_of_file(input_files.entry(stated)) == "fine", said(
+        input_files, "stated.laz"
+    )
 
     bare = write_line(tmp_path / "bare.laz", times, points)
     input_files = taken_in(whole, bare)
@@ -175,15 +179,17 @@ def test_an_option_that_is_stated_goes_with_the_request(whole: InputFiles, files
     turned = taken_in(whole.with_option(pos, "pitch", "bow-down"))
     reading = turned.request(Path("p"), Settings(lever_arm=LEVER)).trajectory_reading
     assert (reading.format, dict(reading.options)) == ("sbet", {"pitch": "bow-down"})
-    assert whole.track is not None
-    assert turned.track is not None
-    np.testing.assert_allclose(turned.track.attitude[:, 1], -whole.track.attitude[:, 1])
+    assert whole.trajectory_content is not None
+    assert turned.trajectory_content is not None
+    np.testing.assert_allclose(
+        turned.trajectory_content.attitude[:, 1], -whole.trajectory_content.attitude[:, 1]
+    )
 
 
 def test_an_accuracy_of_another_time_is_an_error(whole: InputFiles, files: Path, tmp_path: Path):
     other = np.fromfile(files / "smrmsg.out").reshape(-1, 10)
     other[:, 0] += 5000
     write_records(tmp_path / "other.out", other)
-    input_files = taken_in(whole.without(files / "smrmsg.out"), tmp_path / "other.out")
+    input_files = taken_in(whole.without_file(files / "smrmsg.out"), tmp_path / "other.out")
     assert "import.accuracy_times" in codes_about(input_files, "other.out")
     assert replace(input_files, entries=whole.entries).files_problem_text() == ""

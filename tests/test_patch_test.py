@@ -121,12 +121,12 @@ def test_a_box_about_what_one_line_saw_goes_with_it(thinned: Opened, laid: Place
     sample = place_objects(project, survey, [MAST], right).sample
     best = max(sample.seen, key=lambda each: np.count_nonzero(each.inside))
     inside = np.arange(best.begin, best.end)[best.inside]
-    move = (sample.placed(off) - sample.placed(right))[inside].mean(axis=0)
+    move = (sample.placed_points(off) - sample.placed_points(right))[inside].mean(axis=0)
     assert np.linalg.norm(move) > 0.8
     there = replace(MAST, box=replace(MAST.box, centre=MAST.box.centre + move))
-    both = laid.joined(place_objects(project, survey, [there], off))
+    both = laid.joined_with(place_objects(project, survey, [there], off))
     assert np.isnan(both.boresight).all()
-    *others, mast = both.moved(right)
+    *others, mast = both.moved_to_boresight(right)
     assert np.linalg.norm(mast.box.centre - MAST.box.centre) < 0.1
     for each, before in zip(others, laid.objects, strict=True):
         assert np.linalg.norm(each.box.centre - before.box.centre) < 0.1
@@ -340,7 +340,7 @@ def test_the_answer_is_kept_where_it_has_a_sigma(
     np.testing.assert_allclose(np.degrees(kept.sigma), angles(numbers, "sigma_deg"))
     assert kept.surfaces == len(numbers["objects"])
     assert list(map(english_text, kept.remarks)) == numbers["remarks"]
-    few = find_boresight(*thinned, laid.only({each.name for each in laid.objects[:4]}))
+    few = find_boresight(*thinned, laid.select_objects({each.name for each in laid.objects[:4]}))
     with pytest.raises(AdjustmentError) as raised:
         patch_test_result(few)
     assert raised.value.code == "estimate.patch_test_without_sigma"

@@ -37,7 +37,7 @@ def test_what_is_written_is_read(tmp_path: Path, facing: float) -> None:
         *plan.targets,
         wall.board("floor", 3.0, -1.0, 0.0, (2.0, 3.0), off=4.0, flatness=0.004),
         wall.board('odd "name"', 1.0, 9.0, 120.0, (1.0, 0.5), facing_deg=300.0),
-        Ball("S1", wall.place(5.0, 1.0, 2.0), 0.15, False, 0.001),
+        Ball("S1", wall.local_point(5.0, 1.0, 2.0), 0.15, False, 0.001),
     )
     system = System(
         plan.system.mounting,

@@ -37,9 +37,9 @@ def test_a_long_strip_is_read_piece_by_piece_and_no_point_is_lost_or_doubled(
     section = section_between(
         middle - [6.0, 0.5, 0.0], middle + [6.0, 0.5, 0.0], height=1.5, thickness=0.6
     )  # fmt: skip
-    whole = section.flat(cloud.sample)
+    whole = section.to_section_axes(cloud.sample)
     assert len(whole) > 1000
-    np.testing.assert_array_equal(sorted_rows(section.cut(cloud)), sorted_rows(whole))
+    np.testing.assert_array_equal(sorted_rows(section.cut_points(cloud)), sorted_rows(whole))
     assert (np.abs(whole) <= [section.width / 2, section.height / 2]).all()
 
 
@@ -48,9 +48,9 @@ def test_the_strip_keeps_true_scale() -> None:
                       np.array([0.0, 0.0, 1.0]), 4.0, 2.0, 0.1)  # fmt: skip
     right, up, across = 1.25, -0.75, 0.04
     point = section.centre + right * section.right + up * section.up + across * section.across
-    np.testing.assert_allclose(section.flat(point[None]), [[right, up]], atol=1e-14)
-    assert len(section.flat((point + 0.02 * section.across)[None])) == 0
-    assert len(section.flat((point + section.right)[None])) == 0
+    np.testing.assert_allclose(section.to_section_axes(point[None]), [[right, up]], atol=1e-14)
+    assert len(section.to_section_axes((point + 0.02 * section.across)[None])) == 0
+    assert len(section.to_section_axes((point + section.right)[None])) == 0
 
 
 @pytest.mark.parametrize("level", [False, True])
@@ -87,7 +87,7 @@ def test_misalignment_is_seen_before_and_gone_after(calibrated: tuple[Project, S
             for line, points in cut.points.items():
                 np.testing.assert_allclose(
                     sorted_rows(points),
-                    sorted_rows(cut.section.flat(clouds[line].sample)), atol=1e-9,
+                    sorted_rows(cut.section.to_section_axes(clouds[line].sample)), atol=1e-9,
                 )  # fmt: skip
             # Each line's stroke: the board, within 0.15 m of the middle.
             strokes = [

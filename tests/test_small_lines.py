@@ -157,11 +157,13 @@ def test_named_columns_are_kept_to_for_a_text_and_for_no_other_file(folder: Path
 def test_what_is_shown_is_what_is_placed_with_a_picture_at_hand(project: Project) -> None:
     survey = load_survey(project)
     told: list[Step | None] = []
-    shown = survey.shown(project, "prior", progress=lambda _share, step=None: told.append(step))
+    shown = survey.displayed_clouds(
+        project, "prior", progress=lambda _share, step=None: told.append(step)
+    )
     assert list(map(str, told)) == ["Placing L1"]
     assert dict(shown) == dict(survey.clouds)
     with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
-        survey.shown(project, "estimated")
+        survey.displayed_clouds(project, "estimated")
 
 
 # -- writing --------------------------------------------------------------------------------------

@@ -191,7 +191,7 @@ NOTHING = ObjectSample(
 def test_where_no_lines_meet_there_is_no_mismatch() -> None:
     mismatch = Mismatch(NOTHING, ())
     assert np.isnan(mismatch(np.zeros(3)))
-    assert np.isnan(mismatch.curve(np.zeros(3), 0, np.radians([-1.0, 1.0]))).all()
+    assert np.isnan(mismatch.mismatch_curve(np.zeros(3), 0, np.radians([-1.0, 1.0]))).all()
 
 
 def test_angles_that_never_come_to_rest_are_said_not_to_have_settled(

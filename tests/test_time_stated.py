@@ -225,7 +225,7 @@ def test_the_dialogue_applies_a_lines_statement_and_takes_it_back(track, tmp_pat
     input_files = taken_in(before.with_option(line, "time_base", "utc-week"))
     assert named(input_files, "utc.las").shift == pytest.approx(18)
     assert "import.shift_follows" in codes_about(input_files, "utc.las")
-    assert input_files.state(named(input_files, "utc.las")) == "fine"
+    assert input_files.state_of_file(named(input_files, "utc.las")) == "fine"
     request = input_files.request(tmp_path / "p", Settings(lever_arm=LEVER))
     _, survey = new_project(
         request.folder, trajectory=request.trajectory, lines=request.lines,

@@ -206,7 +206,7 @@ def test_pairs_of_lines_show_and_hide_angles(
 
 
 def test_no_line_shows_the_z_lever_arm(terrestrial: VisibilityStudy) -> None:
-    shift, turn = terrestrial.spread("lever_z")
+    shift, turn = terrestrial.visibility_spread("lever_z")
     seen = np.isfinite(shift)
     assert seen.sum() == 14
     assert shift[seen] == pytest.approx(np.zeros(14), abs=1e-9)
@@ -253,7 +253,7 @@ def test_on_a_real_board_no_point_moves_farther_than_its_range_times_the_error()
 
 
 def test_pitch_has_the_possible_configurations_of_table_3_1(terrestrial: VisibilityStudy) -> None:
-    best = terrestrial.best("pitch")
+    best = terrestrial.best_configuration("pitch")
     assert set(map(frozenset, best.groups)) == {
         frozenset((0, 180)), frozenset((45, 135)), frozenset((225, 315)),
     }  # fmt: skip
@@ -298,19 +298,21 @@ def test_the_marine_site_beside_section_3_9(marine: VisibilityStudy) -> None:
     assert {error for error, each in rows.items() if not each.inclination_agrees} == {"roll"}
     # Of the inclinations the thesis considers the upright one is best for all three.
     for error in MARINE.errors:
-        assert marine.best(error, (0.0, np.pi / 2)).inclination == pytest.approx(0.0)
+        assert marine.best_configuration(error, (0.0, np.pi / 2)).inclination == pytest.approx(0.0)
 
 
 def test_the_reason_for_roll_holds(terrestrial: VisibilityStudy) -> None:
     """Near the board that faces the beams the lines hardly differ; the thesis's is one of them."""
     shift = dict(
         zip(
-            np.degrees(TERRESTRIAL.inclinations).round(), terrestrial.spread("roll")[0], strict=True
+            np.degrees(TERRESTRIAL.inclinations).round(),
+            terrestrial.visibility_spread("roll")[0],
+            strict=True,
         )
     )
     assert min(shift, key=lambda at: np.nan_to_num(shift[at], nan=9.0)) == -20
     assert shift[-40] < 0.6 * shift[20]
-    offset = terrestrial.spread("range_offset")[0]
+    offset = terrestrial.visibility_spread("range_offset")[0]
     assert offset[TERRESTRIAL.inclinations.index(np.radians(-60))] < 0.2 * np.nanmax(offset)
 
 
@@ -383,8 +385,8 @@ def test_what_no_inclination_keeps_is_told_by_the_thesis_alone(
     terrestrial: VisibilityStudy,
 ) -> None:
     blind = replace(terrestrial, type_one=0 * terrestrial.type_one)
-    assert blind.kept("pitch") == ()
-    assert blind.best("pitch").inclination is None
+    assert blind.kept_inclinations("pitch") == ()
+    assert blind.best_configuration("pitch").inclination is None
     (axes,) = visibility_figure(blind, "pitch", "orthogonal-distance").axes
     assert not axes.patches, "nothing is shaded"
     (pitch,) = (each for each in compare_with_thesis(blind) if each.best.error == "pitch")

@@ -145,12 +145,12 @@ class AdjustmentProblem:
         return replace(self, blocks=assign_surface_blocks(self.observations, self.prior))
 
     @property
-    def held(self) -> NDArray[np.bool_]:
+    def is_sighting_tied(self) -> NDArray[np.bool_]:
         """Whether each sighting is used (not rejected), shape (sightings,)."""
         return np.asarray(self.surface_sigma[:, 2] < RELEASED)
 
     @property
-    def usual_surface(self) -> Array:
+    def default_surface_sigmas(self) -> Array:
         """Sigmas of tilts and offset of the sightings that are used, shape (3,), metres."""
         return np.asarray(self.surface_sigma.min(axis=0))
 
@@ -325,7 +325,7 @@ class LinearisedProblem:
         """Normal equations of all points."""
         return self.problem.build_equations(self.state, self.sums, self.bases, self.departures)
 
-    def without(self, sightings: NDArray[np.bool_]) -> NormalEquations:
+    def normal_without_sightings(self, sightings: NDArray[np.bool_]) -> NormalEquations:
         """Normal equations without some sightings, shape (sightings,)."""
         return self.normal_without_groups(sightings[self.problem.groups.sighting])
 
@@ -338,7 +338,7 @@ class LinearisedProblem:
         """The same sums with the surface sigmas of another problem of the same points."""
         return replace(self, problem=problem)
 
-    def step(self) -> tuple[AdjustmentState, Array]:
+    def next_state(self) -> tuple[AdjustmentState, Array]:
         """Solve: the next state, and the corrections, shape (u,)."""
         problem, state, layout = self.problem, self.state, self.normal.layout
         correction, change = self.normal.solve()

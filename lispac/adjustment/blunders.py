@@ -65,7 +65,7 @@ class Blunder:
 
     def restore_in(self, problem: AdjustmentProblem) -> AdjustmentProblem:
         """Return the problem with these sightings used like all others."""
-        held = problem.usual_surface[self._surface_components]
+        held = problem.default_surface_sigmas[self._surface_components]
         return problem.with_sighting_surface_sigma(self.sightings, self._surface_components, held)
 
     @property
@@ -139,7 +139,7 @@ def _reduce_to_shift(linearised: LinearisedProblem, found: Blunder) -> Blunder:
 
 def _candidate_blunders(problem: AdjustmentProblem) -> Iterator[Blunder]:
     """Sightings and lines whose rejection leaves every target with enough others."""
-    observations, held = problem.observations, problem.held
+    observations, held = problem.observations, problem.is_sighting_tied
     owners = observations.target_of_sighting
     counts = np.bincount(owners[held], minlength=len(observations.targets))
     spare = held & (counts[owners] > LEFT)

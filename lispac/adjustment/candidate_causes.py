@@ -123,7 +123,7 @@ def _maximise_likelihood(
 
 def _trial_surface_sigmas(problem: AdjustmentProblem) -> Iterator[Array]:
     """Trial sigmas of tilts and offsets, each of shape (3,), metres."""
-    usual = problem.usual_surface
+    usual = problem.default_surface_sigmas
     if problem.model.surface is not None:
         yield usual
         return

@@ -104,7 +104,7 @@ def iterate(
         predicted_step = predicted_step and steps <= FORESEEN
         try:
             linearised = problem.linearised(state, loss, tangent=predicted_step)
-            state, correction = linearised.step()
+            state, correction = linearised.next_state()
         except (RankDeficient, np.linalg.LinAlgError):
             if not predicted_step:
                 raise

@@ -78,11 +78,11 @@ class LineShiftScores:
         score = flat @ here.state.effects.reshape(-1) / root
         return cls(lines, score, (variance + variance.T) / 2)
 
-    def chance(self, k: int) -> float:
+    def p_value_of_shift(self, k: int) -> float:
         """P-value of the score of a line."""
         from scipy.special import chdtrc
 
-        own, (information, directions) = self._of(k), self._information_shares(k)
+        own, (information, directions) = self._columns_of_line(k), self._information_shares(k)
         along = directions.T @ self.score[own]
         return (
             float(chdtrc(len(information), (along**2 / information).sum()))
@@ -90,9 +90,9 @@ class LineShiftScores:
             else 1.0
         )
 
-    def given(self, k: int) -> "LineShiftScores":
+    def without_line_shift(self, k: int) -> "LineShiftScores":
         """Scores of the other lines with the shift of one line as an unknown."""
-        own, (information, directions) = self._of(k), self._information_shares(k)
+        own, (information, directions) = self._columns_of_line(k), self._information_shares(k)
         share = self.variance[:, own] @ (directions / information) @ directions.T
         return LineShiftScores(
             self.lines,
@@ -108,22 +108,22 @@ class LineShiftScores:
         """
         count, scores, found = len(self.lines), self, set[int]()
         while len(found) < max(1, (count - 1) // 2):
-            chances = {k: scores.chance(k) for k in range(count) if k not in found}
+            chances = {k: scores.p_value_of_shift(k) for k in range(count) if k not in found}
             worst = min(chances, key=chances.__getitem__)
             if chances[worst] >= LEVEL:
                 break
             found.add(worst)
-            scores = scores.given(worst)
+            scores = scores.without_line_shift(worst)
         if found and count == 2:
             return self.lines
         return tuple(self.lines[k] for k in sorted(found))
 
-    def _of(self, k: int) -> slice:
+    def _columns_of_line(self, k: int) -> slice:
         return slice(AXES * k, AXES * (k + 1))
 
     def _information_shares(self, k: int) -> tuple[Array, Array]:
         """Eigenvalues and directions of the information on the shift of a line."""
-        own = self._of(k)
+        own = self._columns_of_line(k)
         shares, directions = np.linalg.eigh(self.variance[own, own])
         enough = shares > TOLD
         return shares[enough], directions[:, enough]

@@ -318,7 +318,7 @@ def _sigmas_without_groups(linearised: LinearisedProblem, gone: NDArray[np.bool_
     if len({s.line for s, g in zip(linearised.problem.observations.sightings, gone, strict=True)
             if not g}) < 2:  # fmt: skip
         return None
-    information = linearised.without(gone).information(3)
+    information = linearised.normal_without_sightings(gone).information(3)
     if np.linalg.eigvalsh(information)[0] < WORST_SIGMA**-2:
         return None
     return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))

@@ -95,12 +95,12 @@ def _test_omitted_parameter(
     k = int(np.searchsorted(problem.active, parameter.index))
     sigma = float(np.sqrt(let_go.normal.covariance[k, k]))
     moved = correction[:3] - before
-    surface = float(let_go.problem.usual_surface.max())
+    surface = float(let_go.problem.default_surface_sigmas.max())
     return ContradictedParameter(parameter.name, float(correction[k]), sigma, moved, surface)
 
 
 def _are_surfaces_exact(problem: AdjustmentProblem) -> bool:
-    return float(problem.usual_surface.max()) < 2 * SMALLEST_SURFACE
+    return float(problem.default_surface_sigmas.max()) < 2 * SMALLEST_SURFACE
 
 
 def _restrict_parameters(

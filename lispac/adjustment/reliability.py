@@ -67,7 +67,7 @@ def sighting_tests(linearised: LinearisedProblem) -> SightingTests:
     # Variance of the offset from all other data; infinite if only the prior determines it
     open_to_data = np.maximum(1 / after - 1 / prior, 1e-9)
     shift = linearised.departures[:, 2] / after / open_to_data
-    sigma = np.sqrt(problem.usual_surface[2] ** 2 + 1 / open_to_data)
+    sigma = np.sqrt(problem.default_surface_sigmas[2] ** 2 + 1 / open_to_data)
     return SightingTests(shift, sigma, covariance[:3, places].T / prior[:, None])
 
 
@@ -111,7 +111,7 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
                 largest_at=float(observations.time[worst]),
                 point_detectable=float(np.median(detectable[own])),
                 weight=float(mean_weight[s]),
-                released=bool(not problem.held[s] or mean_weight[s] < WEIGHTLESS),
+                released=bool(not problem.is_sighting_tied[s] or mean_weight[s] < WEIGHTLESS),
             )
         )
     return tuple(found)

@@ -408,12 +408,12 @@ class AdjustmentResult:
     @property
     def angles(self) -> Array:
         """Roll, pitch, yaw of the whole rotation, shape (3,), radians."""
-        return self.mounting.plain.boresight
+        return self.mounting.without_nominal_axes.boresight
 
     @property
     def prior_angles(self) -> Array:
         """Roll, pitch, yaw of the prior rotation, shape (3,), radians."""
-        return self.mounting.with_boresight(self.prior_boresight).plain.boresight
+        return self.mounting.with_boresight(self.prior_boresight).without_nominal_axes.boresight
 
     @property
     def with_formal_sigmas(self) -> "AdjustmentResult":

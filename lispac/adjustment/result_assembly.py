@@ -95,8 +95,8 @@ def assemble_result(
         sightings=sightings,
         rms_before=rms[0],
         rms_after=rms[1],
-        surface=float(problem.usual_surface[0]) if layout.surfaces else 0.0,
-        offset=float(problem.usual_surface[2]) if problem.has_own_offsets else None,
+        surface=float(problem.default_surface_sigmas[0]) if layout.surfaces else 0.0,
+        offset=float(problem.default_surface_sigmas[2]) if problem.has_own_offsets else None,
         observability=assess_observability(linearised, raised=factors, origins=origins)
         if diagnostics
         else None,

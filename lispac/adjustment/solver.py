@@ -433,7 +433,7 @@ def _iterate_with_majority(
 
 def _count_rejected_sightings(solution: IterationResult) -> int:
     """Number of rejected sightings."""
-    return int((~solution.linearised.problem.held).sum())
+    return int((~solution.linearised.problem.is_sighting_tied).sum())
 
 
 def _reject_disagreeing_sightings(
@@ -493,7 +493,7 @@ def _reject_unexplained_sightings(
             surfaces = explained.linearised.problem.surface_sigma
     if surfaces is None:
         return released
-    surfaces = np.where(surfaces >= RELEASED, RELEASED, problem.usual_surface)
+    surfaces = np.where(surfaces >= RELEASED, RELEASED, problem.default_surface_sigmas)
     problem = replace(problem, surface_sigma=surfaces)
     return iterate(problem, solution.state, progress, earlier=solution.path)
 
@@ -545,7 +545,7 @@ def _iterate_variance_components(
         if np.abs(np.log(factors)).max() < SCALE_SETTLED:
             break
         problem = solution.linearised.problem.with_sigmas(*factors)
-        problem = problem.with_surface_sigma(found.rough * problem.usual_surface)
+        problem = problem.with_surface_sigma(found.rough * problem.default_surface_sigmas)
         solution = iterate(problem, solution.state, progress, earlier=solution.path)
     final = estimate_variance_components(solution.linearised)
     return (

@@ -55,7 +55,7 @@ def need_own_offset_sigma(linearised: LinearisedProblem) -> bool:
     every = np.repeat(linearised.problem.surface_sigma[:, :1] < RELEASED, 3, axis=1)
     own = every & (np.arange(3) == 2)
     gain = _maximise_surface_likelihood(linearised, own)[1]
-    least = INSIST if linearised.problem.held.all() else INSIST + COMMONER
+    least = INSIST if linearised.problem.is_sighting_tied.all() else INSIST + COMMONER
     return gain > least and gain - _maximise_surface_likelihood(linearised, every)[1] > INSIST
 
 
@@ -161,7 +161,7 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
     free[0] = bool(problem.noise.max() < NOISY)
     free[3] = problem.model.surface is None
     enough = len(problem.observations.lines) >= FEWEST_LINES
-    usual = float(problem.usual_surface.max()) if free[3] else 1.0
+    usual = float(problem.default_surface_sigmas.max()) if free[3] else 1.0
     bounds = [
         *[(np.log(FACTORS[0]), np.log(FACTORS[1]))] * len(NAMES),
         (np.log(SMALLEST_SURFACE / usual), np.log(LARGEST_SURFACE / usual)),

@@ -140,7 +140,7 @@ def _print_input(given: ConversionInput) -> None:
     if convention.key != "lispac":
         _print_labelled("", str(setup.scanner_axes(mounting.rotation_body_lidar)))
     print()
-    _print_labelled("ORIENTATION", str(orientation_text(mounting.plain.boresight)))
+    _print_labelled("ORIENTATION", str(orientation_text(mounting.without_nominal_axes.boresight)))
     if given.has_lever_arm:
         _print_labelled("", str(lever_arm_text(mounting.lever_arm)))
     if offsets := offsets_note(mounting):
@@ -296,7 +296,7 @@ def conversion_values(given: ConversionInput, new: ReplacementSettings) -> dict[
     content: dict[str, Any] = {
         "from": _mounting_values(own, given.has_lever_arm),
         "to": _mounting_values(stated, new.has_lever_arm),
-        "in_words": str(orientation_text(given.mounting.plain.boresight)),
+        "in_words": str(orientation_text(given.mounting.without_nominal_axes.boresight)),
         "offsets": _optional_text(offsets_note(given.mounting)),
         "caution": _optional_text(given.caution),
     }

@@ -32,20 +32,20 @@ def campaign(arguments: Namespace) -> None:
                 "seed": arguments.seed,
                 "failed": found.failed,
                 "scatter_deg": np.degrees(found.empirical_sigma).tolist(),
-                "stated_sigma_deg": np.degrees(found.stated).tolist(),
+                "stated_sigma_deg": np.degrees(found.mean_stated_sigma).tolist(),
                 "foretold_sigma_deg": np.degrees(found.predicted).tolist(),
-                "hits_95": found.hits.tolist(),
+                "hits_95": found.interval_coverage.tolist(),
                 "bias_deg": np.degrees(found.bias).tolist(),
                 "bias_sigma_deg": np.degrees(found.sigma_bias).tolist(),
                 "chi_square": found.chi_square,
                 "chi_square_expected": list(found.chi_square_bounds),
-                "words": list(found.words),
+                "words": list(found.summary_texts),
             }
         )
         return
     print(result_heading(titled.title, found, arguments.surveys))
     print(scatter_table(found))
-    for sentence in found.words:
+    for sentence in found.summary_texts:
         print(sentence)
 
 

@@ -54,7 +54,7 @@ def design(arguments: Namespace) -> None:
         print(message_text(remark))
     print(f"{'target':12s}{'along m':>9s}{'off m':>9s}{'up m':>9s}{'inclination deg':>16s}")
     for target in found.plan.targets:
-        along, off, up = site.wall.seen(target.centre)
+        along, off, up = site.wall.wall_coordinates(target.centre)
         lean = (
             f"{site.wall.board_orientation(target)[0]:16.0f}" if isinstance(target, Board) else ""
         )
@@ -82,7 +82,7 @@ def _design_values(title: str, site: Site, found: DesignResult, usual: Plan) -> 
         "exact": found.exact,
         "looked_at": found.looked_at,
         "targets": [
-            {"name": t.name, "along_off_up_m": list(site.wall.seen(t.centre))}
+            {"name": t.name, "along_off_up_m": list(site.wall.wall_coordinates(t.centre))}
             for t in found.plan.targets
         ],
         "lines": [vars(line) for line in found.plan.lines],

@@ -162,7 +162,7 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
     settings.require_sound()
     observations, planes = read_plane_files(arguments.planes, settings.lidar_sigma)
     observations = calibration.with_lidar_noise(observations, settings)
-    mounting = Mounting.near(
+    mounting = Mounting.with_nearest_axes(
         np.array(arguments.lever_arm),
         np.radians(arguments.boresight or (0.0, 0.0, 0.0)),
         settings.range_offset,

@@ -43,7 +43,7 @@ def visibility(arguments: Namespace) -> None:
             {
                 "site": site.name,
                 "beams": found.beams,
-                "best": [_best_values(found.best(error)) for error in errors],
+                "best": [_best_values(found.best_configuration(error)) for error in errors],
                 "thesis": [] if arguments.struck else [
                     _thesis_values(each)
                     for each in compare_with_thesis(found)

@@ -56,12 +56,12 @@ class MonteCarloResult:
         return np.asarray(np.sqrt((self.errors**2).mean(axis=0)))
 
     @property
-    def stated(self) -> Array:
+    def mean_stated_sigma(self) -> Array:
         """Mean sigma of the adjustments, shape (3,), radians."""
         return np.asarray(self.sigmas.mean(axis=0))
 
     @property
-    def hits(self) -> Array:
+    def interval_coverage(self) -> Array:
         """Share of the 95 % confidence intervals that contain the truth, shape (3,)."""
         return np.asarray((np.abs(self.errors) < 1.96 * self.sigmas).mean(axis=0))
 
@@ -106,18 +106,18 @@ class MonteCarloResult:
             (title, *(number(float(value), decimals, sign=sign) for value in values))
             for title, values, decimals, sign in (
                 (gettext("scatter (deg)"), np.degrees(self.empirical_sigma), 4, False),
-                (gettext("stated σ (deg)"), np.degrees(self.stated), 4, False),
+                (gettext("stated σ (deg)"), np.degrees(self.mean_stated_sigma), 4, False),
                 (gettext("predicted σ (deg)"), np.degrees(self.predicted), 4, False),
                 (gettext("scatter / predicted σ"), self.ratio, 2, False),
                 (gettext("σ of this ratio"), self.ratio * self.ratio_sigma, 2, False),
-                (gettext("coverage (%)"), 100.0 * self.hits, 1, False),
+                (gettext("coverage (%)"), 100.0 * self.interval_coverage, 1, False),
                 (gettext("mean error (deg)"), np.degrees(self.bias), 4, True),
                 (gettext("σ of mean error"), np.degrees(self.sigma_bias), 4, False),
             )
         )
 
     @property
-    def words(self) -> tuple[str, ...]:
+    def summary_texts(self) -> tuple[str, ...]:
         """Conclusions as sentences."""
         chance = np.sqrt(0.95 * 0.05 / len(self.errors))
         names = tuple(map(gettext, ANGLE_NAMES))
@@ -127,7 +127,7 @@ class MonteCarloResult:
                 "the truth in {share:percent.0} % of the surveys.",
                 angle=angle, share=share,
             )
-            for angle, share in zip(names, self.hits, strict=True)
+            for angle, share in zip(names, self.interval_coverage, strict=True)
             if share < 0.95 - SURE * chance
         ]  # fmt: skip
         if not found:

@@ -92,5 +92,5 @@ def _simulate_target_points(
     if isinstance(target, Ball):
         points = target.cap(target.visible_radius * u, target.visible_radius * v, scanner)
         return points + off[2] * (points - np.array(target.centre)) / target.radius
-    points = target.placed(u * target.width / 2, v * target.height / 2)
+    points = target.points_on_board(u * target.width / 2, v * target.height / 2)
     return np.asarray(points + (u * off[0] + v * off[1] + off[2])[:, None] * target.facing)

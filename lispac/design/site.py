@@ -34,26 +34,30 @@ class Wall:
     facing_deg: float
 
     @property
-    def out(self) -> Array:
+    def outward(self) -> Array:
         """Unit vector towards the water, north and west, shape (2,)."""
         azimuth = np.radians(self.facing_deg)
         return np.array([np.cos(azimuth), -np.sin(azimuth)])
 
     @property
-    def right(self) -> Array:
+    def rightward(self) -> Array:
         """Unit vector to the right of one who looks at the wall, north and west, shape (2,)."""
-        out = self.out
+        out = self.outward
         return np.array([-out[1], out[0]])
 
-    def place(self, along: float, off: float, up: float) -> tuple[float, float, float]:
+    def local_point(self, along: float, off: float, up: float) -> tuple[float, float, float]:
         """Position from along (right), off (towards the water) and up, metres; local."""
-        north, west = np.array(self.middle[:2]) + along * self.right + off * self.out
+        north, west = np.array(self.middle[:2]) + along * self.rightward + off * self.outward
         return float(north), float(west), float(self.middle[2] + up)
 
-    def seen(self, place: Sequence[float]) -> tuple[float, float, float]:
-        """Along, off and up of a position; the inverse of `place`."""
+    def wall_coordinates(self, place: Sequence[float]) -> tuple[float, float, float]:
+        """Along, off and up of a position; the inverse of `local_point`."""
         offset = np.array(place[:2]) - self.middle[:2]
-        return float(offset @ self.right), float(offset @ self.out), place[2] - self.middle[2]
+        return (
+            float(offset @ self.rightward),
+            float(offset @ self.outward),
+            place[2] - self.middle[2],
+        )
 
     def board(
         self, name: str, along: float, up: float, inclination_deg: float,
@@ -74,9 +78,9 @@ class Wall:
         """
         facing = self if facing_deg is None else replace(self, facing_deg=facing_deg)
         lean = np.radians(inclination_deg)
-        level = np.sin(lean) * facing.out
+        level = np.sin(lean) * facing.outward
         normal = (float(level[0]), float(level[1]), float(np.cos(lean)))
-        return Board(name, self.place(along, off, up), normal, *size, flatness)
+        return Board(name, self.local_point(along, off, up), normal, *size, flatness)
 
     def board_orientation(self, board: Board) -> tuple[float, float]:
         """Inclination from level and azimuth of a board, degrees; a level one faces as the wall."""
@@ -207,7 +211,7 @@ def clearance_from_wall(plan: Plan, wall: Wall) -> tuple[float, ...]:
     found = []
     for course, (start, stop) in zip(plan.courses, plan.straight_extents, strict=True):
         ends = np.array(course.abeam) + np.outer([start, stop], course.direction[:2])
-        found.append(float(((ends - wall.middle[:2]) @ wall.out).min()))
+        found.append(float(((ends - wall.middle[:2]) @ wall.outward).min()))
     return tuple(found)
 
 

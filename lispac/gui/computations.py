@@ -185,7 +185,7 @@ class Computations(QObject):
 
         return self._runner.run(
             gettext("Georeferencing the lines with the estimated boresight"),
-            lambda progress: survey.shown(project, "estimated", progress=progress),
+            lambda progress: survey.displayed_clouds(project, "estimated", progress=progress),
             done,
             key=key,
         )

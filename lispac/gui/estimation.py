@@ -293,5 +293,7 @@ def _adjust(
     # The checks hold the very result they stand beside.
     estimated = replace(solved, result=replace(solved.result, elapsed=elapsed))
     progress(0.95, gettext_lazy("Georeferencing the lines with the estimated boresight"))
-    clouds = survey.shown(estimated, "estimated", progress=sub_progress(progress, 0.95, 1.0))
+    clouds = survey.displayed_clouds(
+        estimated, "estimated", progress=sub_progress(progress, 0.95, 1.0)
+    )
     return _EstimationResult(estimated, selection, clouds, None)

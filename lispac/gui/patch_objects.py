@@ -74,7 +74,7 @@ class PatchObjects(QObject):
         before = self._present()
         own = [] if before is None else [o.name for o in before.objects if o.name[0] == BY_HAND]
         if before is not None and own:
-            laid = before.only(own).joined(laid)
+            laid = before.select_objects(own).joined_with(laid)
         self.laid.emit(laid, "")
 
     def _toggle_tool(self, on: bool) -> None:
@@ -140,7 +140,7 @@ class PatchObjects(QObject):
             if isinstance(found, str):
                 self._controller.noted.emit(found)
                 return
-            self.laid.emit(found if before is None else before.joined(found), name)
+            self.laid.emit(found if before is None else before.joined_with(found), name)
 
         task = self._runner.run(gettext("Placing a box"), work, done)
         self._controller.cancel_on_edit(task)

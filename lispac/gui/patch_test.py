@@ -96,7 +96,7 @@ class PatchTestController(QObject):
     def _remove(self, name: str) -> None:
         if self._laid is not None and name:
             left = [each.name for each in self._laid.objects if each.name != name]
-            self._set_objects(self._laid.only(left) if left else None)
+            self._set_objects(self._laid.select_objects(left) if left else None)
 
     def _set_objects(self, laid: PlacedObjects | None, shown: str = "") -> None:
         panel = self.panel
@@ -186,7 +186,7 @@ class PatchTestController(QObject):
             return
         boresight = self.panel.angles.boresight
         across, up, size = _view_axes(each.box, self.panel.view.currentIndex())
-        placed = self._dense.placed(boresight) - each.box.centre
+        placed = self._dense.placed_points(boresight) - each.box.centre
         points = {
             seen.line: placed[seen.points] @ np.column_stack([across, up])
             for seen in self._dense.seen
@@ -229,7 +229,7 @@ class PatchTestController(QObject):
                 found = np.empty(many)
                 for k, value in enumerate(values):
                     progress(k / many)
-                    found[k] = mismatch.curve(boresight, angle, np.array([value]))[0]
+                    found[k] = mismatch.mismatch_curve(boresight, angle, np.array([value]))[0]
                 if curve_minimum(values, found) is not None:
                     break
             return values, found
@@ -289,7 +289,10 @@ class PatchTestController(QObject):
         project, survey = self._current_data()
         if project is None or survey is None or self._laid is None:
             return
-        laid, pairs = self._laid.only(self.panel.ticked_entries), self._ticked_line_pairs()
+        laid, pairs = (
+            self._laid.select_objects(self.panel.ticked_entries),
+            self._ticked_line_pairs(),
+        )
 
         def work(progress: Progress) -> PatchTestResult:
             start = survey.alignment.mounting.boresight

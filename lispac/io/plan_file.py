@@ -144,7 +144,7 @@ def _read_system(table: TomlTable) -> tuple[System, float]:
                 )
             ),
         )
-        errors = own.choice("pos_errors", POS_ERRORS, "correlated")
+        errors = own.one_of("pos_errors", POS_ERRORS, "correlated")
         flatness = own.number("flatness_m", Site.flatness, least=0.0)
     mounting = Mounting(np.array(lever), np.zeros(3))
     chosen = next(each for each in POS_ERRORS if each == errors)
@@ -175,7 +175,9 @@ def _read_targets(
         found.append(
             Ball(
                 each.text("name"),
-                wall.place(each.number("along_m"), each.number("off_m", 0.0), each.number("up_m")),
+                wall.local_point(
+                    each.number("along_m"), each.number("off_m", 0.0), each.number("up_m")
+                ),
                 each.number("radius_m", least=0.02),
                 each.boolean("radius_known", True),
                 each.number("flatness_m", None, least=0.0),
@@ -188,7 +190,7 @@ def _read_line(table: TomlTable) -> Line:
     return Line(
         table.number("heading_deg", least=-360.0, most=360.0),
         table.number("distance_m", over=0.0),
-        table.choice("site_on", SIDES) == "starboard",
+        table.one_of("site_on", SIDES) == "starboard",
         table.number("speed_m_s", 1.0, least=0.05),
     )
 
@@ -224,7 +226,7 @@ def _plan_text(titled: TitledPlan) -> str:
         f"flatness_m = {_number_text(plan.flatness)}",
     ]
     for target in plan.targets:
-        along, off, up = wall.seen(target.centre)
+        along, off, up = wall.wall_coordinates(target.centre)
         board = isinstance(target, Board)
         rows += ["", "[[boards]]" if board else "[[balls]]", f"name = {toml_string(target.name)}"]
         rows += [

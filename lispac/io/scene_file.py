@@ -77,7 +77,7 @@ def read_scene(path: Path) -> SceneFile:
         roles: dict[str, list[str]] = {role: [] for role in ROLES}
         for each in table.tables("surfaces"):
             name = each.text("name")
-            role = each.choice("role", ROLES, None)
+            role = each.one_of("role", ROLES, None)
             if role is not None:
                 _require_target_name(each, name, surfaces)
                 roles[role].append(name)
@@ -114,10 +114,10 @@ def _require_target_name(table: TomlTable, name: str, surfaces: list[Surface]) -
 
 
 def _read_surfaces(table: TomlTable, name: str, *, sought: bool) -> list[Surface]:
-    kind = table.choice("kind", KINDS)
+    kind = table.one_of("kind", KINDS)
     if sought and kind not in ("board", "wall", "sphere"):
         raise table.refuse("role", "scene.role_of_kind", kind=kind)
-    if sought and kind == "sphere" and table.choice("role", ROLES) == "validation":
+    if sought and kind == "sphere" and table.one_of("role", ROLES) == "validation":
         raise table.refuse("role", "scene.validation_sphere")
     reflectance = table.number("reflectance", 0.4, least=0, most=1)
     if kind == "board":
@@ -172,7 +172,7 @@ def _read_lines(table: TomlTable) -> tuple[tuple[StraightPass, ...], tuple[Traje
     for line in table.tables("lines"):
         if "start_s" in line:
             start = line.number("start_s")
-            side = line.choice("side", ("port", "starboard"))
+            side = line.one_of("side", ("port", "starboard"))
             stop = line.number("stop_s", over=start)
             stretches.append(TrajectoryStretch(start, stop, side == "starboard"))
             continue

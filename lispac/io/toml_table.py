@@ -55,7 +55,7 @@ class TomlTable:
             ) from failure
         table = cls(path, values)
         yield table
-        table.done()
+        table.require_no_other_keys()
 
     def __contains__(self, key: str) -> bool:
         self._known.add(key)
@@ -77,7 +77,7 @@ class TomlTable:
             raise self.refuse(key, "toml.control_character", value=_shortened_text(value))
         return value
 
-    def choice(self, key: str, words: Sequence[str], default: Any = NOTHING) -> str:
+    def one_of(self, key: str, words: Sequence[str], default: Any = NOTHING) -> str:
         """Read one of the given words."""
         value = self._value(key, default)
         if value is not default and value not in words:
@@ -133,7 +133,7 @@ class TomlTable:
             raise self.refuse(key, "toml.not_a_table", value=_shortened_text(value), table=key)
         inner = TomlTable(self.path, value, f"{self._place}{key}.")
         yield inner
-        inner.done()
+        inner.require_no_other_keys()
 
     def tables(self, key: str) -> "Iterator[TomlTable]":
         """Read the tables of a list, one after the other."""
@@ -143,13 +143,13 @@ class TomlTable:
         for k, each in enumerate(value):
             inner = TomlTable(self.path, each, f"{self._place}{key}[{k + 1}].")
             yield inner
-            inner.done()
+            inner.require_no_other_keys()
 
     def ignore_rest(self) -> None:
         """Accept all other keys of this table without reading them."""
         self._known |= set(self._values)
 
-    def done(self) -> None:
+    def require_no_other_keys(self) -> None:
         """Refuse keys that were not read.
 
         Raises

@@ -158,7 +158,7 @@ def _read_handling(table: TomlTable) -> VesselHandling:
 
 
 def _read_pos_errors(table: TomlTable) -> PosErrors:
-    kind = table.choice("kind", KINDS)
+    kind = table.one_of("kind", KINDS)
     position = table.three_numbers("position_m", least=0, most=LARGEST_POSITION)
     roll, pitch, heading = np.radians(
         table.three_numbers("attitude_deg", least=0, most=LARGEST_ATTITUDE)

@@ -43,12 +43,14 @@ def linearise_blocks(
         Work out how the gradients change with POS errors; zeros stand for that where not.
     """
     sample = mismatch.sample
-    moves = sample.moves(boresight).transpose(1, 2, 0)
-    sways = sample.sways(boresight).transpose(1, 2, 0) if pos_errors else None
+    moves = sample.boresight_derivatives(boresight).transpose(1, 2, 0)
+    sways = sample.pos_error_derivatives(boresight).transpose(1, 2, 0) if pos_errors else None
     many = len(mismatch.blocks)
     normal, gradient = np.zeros((many, 3, 3)), np.zeros((many, 3))
     swayed, meets = np.zeros((many, 2, 3, 6)), np.zeros(many, dtype=bool)
-    for k, (block, both) in enumerate(zip(mismatch.blocks, mismatch.met(boresight), strict=True)):
+    for k, (block, both) in enumerate(
+        zip(mismatch.blocks, mismatch.block_distances(boresight), strict=True)
+    ):
         total = sum(each.matched_points for each in both)
         if not has_enough_overlap(both):
             continue

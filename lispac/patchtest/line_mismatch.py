@@ -282,14 +282,14 @@ class Mismatch:
         other.scale = scale
         return other
 
-    def met(self, boresight: Array) -> list[tuple[SurfaceDistances, ...]]:
+    def block_distances(self, boresight: Array) -> list[tuple[SurfaceDistances, ...]]:
         """Distances of each block: first to second, second to first, and of a pole's middle.
 
         Parameters
         ----------
         boresight : ndarray of shape (3,), radians
         """
-        placed = self.sample.placed(boresight)
+        placed = self.sample.placed_points(boresight)
         if not self._near:
             for k, each in self._needed.items():
                 self._near[k] = neighbour_indices(build_tree(placed[each.points]))
@@ -314,7 +314,9 @@ class Mismatch:
         ----------
         boresight : ndarray of shape (3,), radians
         """
-        return np.array([robust_mean_square(both, self.scale) for both in self.met(boresight)])
+        return np.array(
+            [robust_mean_square(both, self.scale) for both in self.block_distances(boresight)]
+        )
 
     def __call__(self, boresight: Array) -> float:
         """Robust RMS distance of all blocks, metres; NaN where none has points.
@@ -329,7 +331,7 @@ class Mismatch:
             return float("nan")
         return float(np.sqrt((self.weights * squares)[good].sum() / self.weights[good].sum()))
 
-    def curve(self, boresight: Array, angle: int, values: Array) -> Array:
+    def mismatch_curve(self, boresight: Array, angle: int, values: Array) -> Array:
         """Mismatch for other values of one angle, shape (k,), metres.
 
         Parameters

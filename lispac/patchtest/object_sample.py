@@ -173,7 +173,7 @@ class ObjectSample:
             next(iter(clouds.values())).place.mounting,
         )
 
-    def placed(self, boresight: Array) -> Array:
+    def placed_points(self, boresight: Array) -> Array:
         """All points with a boresight, shape (n, 3), metres, local frame.
 
         Parameters
@@ -182,18 +182,20 @@ class ObjectSample:
         """
         return place_points(self.points_lidar, self.poses, self.mounting.with_boresight(boresight))
 
-    def moves(self, boresight: Array) -> Array:
+    def boresight_derivatives(self, boresight: Array) -> Array:
         """Derivatives of the points by each angle, shape (3, n, 3), metres per radian, local frame.
 
         Parameters
         ----------
         boresight : ndarray of shape (3,), radians
         """
-        placed = self.placed(boresight)
-        return np.stack([(self.placed(boresight + STEP * k) - placed) / STEP for k in np.eye(3)])
+        placed = self.placed_points(boresight)
+        return np.stack(
+            [(self.placed_points(boresight + STEP * k) - placed) / STEP for k in np.eye(3)]
+        )
 
-    def sways(self, boresight: Array) -> Array:
-        """Derivatives of the points by the POS's roll, pitch and heading, as `moves`.
+    def pos_error_derivatives(self, boresight: Array) -> Array:
+        """Derivatives by the POS's roll, pitch and heading, as `boresight_derivatives`.
 
         Parameters
         ----------
@@ -216,7 +218,7 @@ class ObjectSample:
             ]
         )
 
-    def joined(self, other: "ObjectSample") -> "ObjectSample":
+    def joined_with(self, other: "ObjectSample") -> "ObjectSample":
         """Join with the points of other objects."""
         begin = len(self.points_lidar)
         moved = [replace(e, begin=e.begin + begin, end=e.end + begin) for e in other.seen]

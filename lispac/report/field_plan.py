@@ -119,7 +119,7 @@ def _draw_plan_view(axes: Axes, plan: Plan, wall: Wall) -> None:
     aside = 0.02 * max(line.distance for line in plan.lines)  # opposite lines beside each other
     begins: dict[tuple[float, float], list[int]] = {}
     reach = max(line.distance for line in plan.lines) + 5.0
-    ends = middle + np.outer([-reach, reach], wall.right)
+    ends = middle + np.outer([-reach, reach], wall.rightward)
     axes.plot(*_east_north(ends), color=WALL, linewidth=3, zorder=1)
     for k, (line, (start, stop)) in enumerate(
         zip(plan.lines, plan.straight_extents, strict=True), start=1
@@ -193,7 +193,7 @@ def _draw_north_and_scale(axes: Axes) -> None:
 def _draw_front_view(axes: Axes, plan: Plan, wall: Wall) -> None:
     """The wall as seen from the water."""
     for target in plan.targets:
-        along = wall.seen(target.centre)[0]
+        along = wall.wall_coordinates(target.centre)[0]
         up = target.centre[2]
         if isinstance(target, Ball):
             wide = tall = 2 * target.radius
@@ -233,7 +233,7 @@ LINE_HEADS = (
 def _target_rows(plan: Plan, wall: Wall) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
     for target in plan.targets:
-        along, off, up = wall.seen(target.centre)
+        along, off, up = wall.wall_coordinates(target.centre)
         place = (target.name, _signed_metres(along), _signed_metres(off), fixed_number(up, 2))
         if isinstance(target, Ball):
             ball = gettext("sphere, r {radius:m.3}", radius=target.radius)

@@ -97,7 +97,7 @@ def visibility_figure(
     figure = blank_figure(figure, (6.3, 3.4))
     axes = figure.add_subplot()
     shown = CRITERIA[criterion]
-    best = found.best(error)
+    best = found.best_configuration(error)
     inclinations = np.degrees(found.site.inclinations)
     if best.kept:
         axes.axvspan(

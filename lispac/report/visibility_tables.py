@@ -44,7 +44,7 @@ def values_table(found: VisibilityStudy, errors: Sequence[str]) -> Table:
     """A row for each error, line and inclination; without points there are no values."""
     made = []
     for error in errors:
-        e, kept = found.site.errors.index(error), found.kept(error)
+        e, kept = found.site.errors.index(error), found.kept_inclinations(error)
         for k, heading in enumerate(HEADINGS_DEG):
             for j, inclination in enumerate(found.site.inclinations):
                 place = (e, k, j)
@@ -117,7 +117,7 @@ def _table_columns(titles: Sequence[str]) -> tuple[Column, ...]:
 
 def all_errors_text(found: VisibilityStudy) -> str:
     """Text on the lines that show every error, beside table 3.3 of the thesis."""
-    sets = fewest_sufficient_lines([found.best(error) for error in found.site.errors])
+    sets = fewest_sufficient_lines([found.best_configuration(error) for error in found.site.errors])
     if found.site.name != "terrestrial":
         template = N_("Smallest sets of lines that reveal all errors: {lines}.")
     elif do_fewest_lines_agree(found):

@@ -58,7 +58,7 @@ class Board:
             )
         )
         u, v = np.meshgrid(u, v)
-        return self.placed(u.ravel(), v.ravel())
+        return self.points_on_board(u.ravel(), v.ravel())
 
     def grid(self, k: int) -> Array:
         """``k`` x ``k`` points, with the centre and the second moments of the whole board.
@@ -72,7 +72,7 @@ class Board:
         middles = (np.arange(k) + 0.5) / k - 0.5
         middles /= np.sqrt(1 - 1 / k**2)  # middles of equal parts lie a little close together
         u, v = np.meshgrid(self.width * middles, self.height * middles)
-        return self.placed(u.ravel(), v.ravel())
+        return self.points_on_board(u.ravel(), v.ravel())
 
     @property
     def facing(self) -> Array:
@@ -87,7 +87,7 @@ class Board:
         across = np.cross([1.0, 0.0, 0.0] if abs(normal[2]) > 0.999 else [0.0, 0.0, 1.0], normal)
         return np.asarray(across / np.linalg.norm(across))
 
-    def placed(self, u: Array, v: Array) -> Array:
+    def points_on_board(self, u: Array, v: Array) -> Array:
         """Points ``u`` across and ``v`` up (n,) from its centre, shape (n, 3), metres, local."""
         across = self.across
         up = np.cross(self.facing, across)

@@ -90,7 +90,7 @@ def compare_with_thesis(found: VisibilityStudy) -> tuple[ThesisComparison, ...]:
     """Every error of a site beside what the thesis chose for it."""
     rows = []
     for error in found.site.errors:
-        best, stated = found.best(error), STATED[found.site.name][error]
+        best, stated = found.best_configuration(error), STATED[found.site.name][error]
         if stated.inclination_deg is None or best.inclination is None:
             lines = inclination = stated.inclination_deg is None and best.inclination is None
         else:
@@ -106,7 +106,7 @@ def compare_with_thesis(found: VisibilityStudy) -> tuple[ThesisComparison, ...]:
 
 def do_fewest_lines_agree(found: VisibilityStudy) -> bool:
     """Whether the fewest lines that show all errors are those of table 3.3."""
-    sets = fewest_sufficient_lines([found.best(error) for error in found.site.errors])
+    sets = fewest_sufficient_lines([found.best_configuration(error) for error in found.site.errors])
     return {frozenset(lines) for lines in sets} == ALL_ERRORS
 
 
@@ -121,7 +121,7 @@ def _disagreement_reason(
     if stated.inclination_deg is not None:
         places.append(int(np.mean(stated.inclination_deg)))
     rows = [int(np.argmax(degrees == place)) for place in places]
-    apart = [spread[rows] for spread in found.spread(best.error)]
+    apart = [spread[rows] for spread in found.visibility_spread(best.error)]
     differences = tuple(
         note("item.apart", distance=float(metres), angle=float(turn), inclination=np.radians(place))
         for place, metres, turn in zip(places, *apart, strict=True)

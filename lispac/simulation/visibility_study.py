@@ -65,7 +65,7 @@ class VisibilityStudy:
     orthogonal_distance: Array
     angular_deviation: Array
 
-    def best(
+    def best_configuration(
         self, error: str, considered: tuple[float, float] = (-np.inf, np.inf)
     ) -> "BestConfiguration":
         """The best configuration for an error.
@@ -75,7 +75,7 @@ class VisibilityStudy:
         considered : tuple of float, radians
             Lowest and highest inclination that may be chosen.
         """
-        kept = self.kept(error)
+        kept = self.kept_inclinations(error)
         low, high = considered
         chosen = self._most_visible_inclination(
             error, [each for each in kept if low <= each <= high]
@@ -86,7 +86,7 @@ class VisibilityStudy:
             error, kept, self.site.inclinations[chosen], self.groups(error, chosen)
         )
 
-    def kept(self, error: str) -> tuple[float, ...]:
+    def kept_inclinations(self, error: str) -> tuple[float, ...]:
         """Inclinations that Type I keeps: next to each other, about the upright board, radians."""
         good = (self.type_one[self.site.errors.index(error)] >= THRESHOLD).all(axis=0)
         upright = int(np.argmin(np.abs(self.site.inclinations)))
@@ -99,7 +99,7 @@ class VisibilityStudy:
             high += 1
         return self.site.inclinations[low : high + 1]
 
-    def spread(self, error: str) -> tuple[Array, Array]:
+    def visibility_spread(self, error: str) -> tuple[Array, Array]:
         """How far the lines differ at each inclination: metres and radians, each (inclinations,).
 
         NaN where a line has no points.
@@ -114,7 +114,7 @@ class VisibilityStudy:
         """
         among = [j for j, each in enumerate(self.site.inclinations) if each in kept]
         score = np.zeros(len(among))
-        for spread, least in zip(self.spread(error), LEAST, strict=True):
+        for spread, least in zip(self.visibility_spread(error), LEAST, strict=True):
             largest = spread[among].max(initial=0.0)
             if largest > least:
                 score += spread[among] / largest

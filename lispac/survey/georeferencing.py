@@ -85,7 +85,7 @@ class Mounting:
     axes: Annotated[Array, ArrayShape(3, 3)] | None = None
 
     @classmethod
-    def near(
+    def with_nearest_axes(
         cls,
         lever_arm: Array,
         boresight: Array,
@@ -122,7 +122,7 @@ class Mounting:
         return derivatives if self.axes is None else derivatives @ self.axes
 
     @property
-    def plain(self) -> "Mounting":
+    def without_nominal_axes(self) -> "Mounting":
         """Mounting without turned axes: its boresight is that of the whole rotation."""
         if self.axes is None:
             return self

@@ -47,7 +47,7 @@ class Section:
         """Unit vector across the picture, shape (3,)."""
         return np.asarray(np.cross(self.right, self.up))
 
-    def flat(self, points: Array) -> Array:
+    def to_section_axes(self, points: Array) -> Array:
         """Coordinates in the picture of those points that lie in the strip.
 
         Parameters
@@ -63,8 +63,8 @@ class Section:
         inside = np.all(np.abs(seen) <= half, axis=1)
         return np.asarray(seen[inside, :2])
 
-    def cut(self, cloud: Cloud) -> Array:
-        """`flat` of a line, shape (k, 2), of which only the surroundings are read."""
+    def cut_points(self, cloud: Cloud) -> Array:
+        """`to_section_axes` of a line, shape (k, 2), of which only the surroundings are read."""
         pieces = max(1, round(self.width / max(self.height, self.thickness)))
         step = self.width / pieces
         radius = 0.5 * float(np.linalg.norm([step, self.height, self.thickness])) * 1.001
@@ -75,7 +75,7 @@ class Section:
             # The last piece keeps its far end, so that no point counts twice and none is lost.
             along = (points - self.centre) @ self.right - offset
             own = (along >= -0.5 * step) & ((along < 0.5 * step) | (k == pieces - 1))
-            found.append(self.flat(points[own]))
+            found.append(self.to_section_axes(points[own]))
         return np.concatenate(found)
 
 

@@ -233,11 +233,11 @@ class LinePlaces:
     by_attitude: Array
     by_boresight: Array
 
-    def only(self, kept: NDArray[np.bool_]) -> "LinePlaces":
+    def select_places(self, kept: NDArray[np.bool_]) -> "LinePlaces":
         """Those of its places that are ``kept``, shape (n,)."""
         places = np.flatnonzero(kept)
         measured = MeasuredPlaces(
-            self.measured.before.part(places), self.measured.after.part(places),
+            self.measured.before.select_subset(places), self.measured.after.select_subset(places),
             self.measured.beyond[places],
         )  # fmt: skip
         return replace(
@@ -287,7 +287,9 @@ def check_points(
     """The mean over the lines at each part of the reference that any line saw; as `check_lines`."""
     found = []
     for group, (name, sigma) in enumerate(zip(names, group_sigma, strict=True)):
-        seen = [line.only(line.group == group) for line in lines if (line.group == group).any()]
+        seen = [
+            line.select_places(line.group == group) for line in lines if (line.group == group).any()
+        ]
         if seen:
             mean = _line_check(name, seen, group_sigma, correlation_times)
             found.append(

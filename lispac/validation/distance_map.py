@@ -101,7 +101,7 @@ def distance_map(
     common = np.intersect1d(found[0].at, found[1].at)
     if not len(common):
         return None
-    before, after = (np.round(state.only(common).distance, DIGITS) for state in found)
+    before, after = (np.round(state.select_cores(common).distance, DIGITS) for state in found)
     middles = cell * (np.floor(flat[chosen[common]] / cell) + 0.5)
     across, up = np.round(middles, DIGITS).T
     return DistanceMap(*lines, round(cell, DIGITS), across, up, before, after)

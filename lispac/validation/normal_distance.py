@@ -57,11 +57,11 @@ class NormalDistances:
     normals: Array
     at: NDArray[np.intp]
 
-    def only(self, cores: NDArray[np.intp]) -> "NormalDistances":
+    def select_cores(self, cores: NDArray[np.intp]) -> "NormalDistances":
         """Those at some of the core points, by their numbers ``cores`` (k,), ascending."""
-        return self.part(np.searchsorted(self.at, cores))
+        return self.select_subset(np.searchsorted(self.at, cores))
 
-    def part(self, kept: NDArray[np.intp]) -> "NormalDistances":
+    def select_subset(self, kept: NDArray[np.intp]) -> "NormalDistances":
         """Some of the distances, by their own numbers, ``kept`` (k,)."""
         return NormalDistances(
             self.cores[kept], self.distance[kept], self.half_width[kept],

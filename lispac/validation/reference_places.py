@@ -335,4 +335,4 @@ def _restrict_to_common_places(
     if not len(at):
         raise NotComparable(error("validation.no_place_in_both"))
     second = np.full(len(at), np.nan) if beyond is None else beyond[at]
-    return MeasuredPlaces(before.only(at), after.only(at), second)
+    return MeasuredPlaces(before.select_cores(at), after.select_cores(at), second)

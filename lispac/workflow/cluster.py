@@ -167,8 +167,8 @@ class _Cluster:
         answers: dict[int, list[Any]] = {}
         for k in range(len(chunks)):
             while k not in answers:
-                sent = self._next(back)
-                answer = self._answer(sent)
+                sent = self._wait_for_result(back)
+                answer = self._receive_result(sent)
                 if answer is None:
                     self._send_chunk(sent)
                 else:
@@ -182,7 +182,7 @@ class _Cluster:
         self.under_way.add(sent)
         sent.future.add_done_callback(sent.on_done)
 
-    def _next(self, back: "SimpleQueue[_ChunkInProgress]") -> "_ChunkInProgress":
+    def _wait_for_result(self, back: "SimpleQueue[_ChunkInProgress]") -> "_ChunkInProgress":
         """Wait for the next completed chunk while the connection holds.
 
         Raises
@@ -203,7 +203,7 @@ class _Cluster:
                 if monotonic() - alone_since > PATIENCE:
                     raise self._connection_error()
 
-    def _answer(self, sent: "_ChunkInProgress") -> list[Any] | None:
+    def _receive_result(self, sent: "_ChunkInProgress") -> list[Any] | None:
         """Results of a completed chunk; None if the scheduler gave it up and it may be repeated.
 
         Raises
@@ -215,16 +215,16 @@ class _Cluster:
 
         answer = None
         with self._report_lost_connection():
-            lost = self._asked(sent.future.exception)
+            lost = self._query_scheduler(sent.future.exception)
             if lost is None:
                 # Its worker may have been lost since: others do it again, or are lost by it, too
                 try:
-                    answer = list(self._asked(sent.future.result))
+                    answer = list(self._query_scheduler(sent.future.result))
                 except distributed.scheduler.KilledWorker as killed:
                     lost = killed
         if lost is not None and not isinstance(lost, distributed.scheduler.KilledWorker):
             raise lost
-        self._forget(sent)
+        self._discard_chunk(sent)
         if lost is not None and sent.times >= SENDINGS:
             raise LispacError(
                 error(
@@ -236,7 +236,7 @@ class _Cluster:
             )
         return answer
 
-    def _asked(self, ask: Callable[..., Any]) -> Any:
+    def _query_scheduler(self, ask: Callable[..., Any]) -> Any:
         """Value of a completed future; it is computed again if its worker was lost.
 
         Raises
@@ -274,7 +274,7 @@ class _Cluster:
         ) as failure:  # fmt: skip
             raise LispacError(error("cluster.connection_lost", address=self.address)) from failure
 
-    def _forget(self, sent: "_ChunkInProgress") -> None:
+    def _discard_chunk(self, sent: "_ChunkInProgress") -> None:
         sent.future.release()
         self.under_way.discard(sent)
 

@@ -118,7 +118,7 @@ class InputFiles:
         new = tuple(InputFile(path) for path in paths if path not in known)
         return replace(self, entries=self.entries + new)
 
-    def without(self, path: Path) -> "InputFiles":
+    def without_file(self, path: Path) -> "InputFiles":
         """Remove a file from the list, unless an open project has it."""
         kept = tuple(e for e in self.entries if e.path != path or e.given is not None)
         return replace(self, entries=kept)
@@ -198,7 +198,7 @@ class InputFiles:
         Text that may be a trajectory is a line beside one that certainly is.
         """
         entry = self.entry(path)
-        surest = {e.path: e.looks[0].sureness for e in self._of("trajectory") if e.looks}
+        surest = {e.path: e.looks[0].sureness for e in self.files_of_role("trajectory") if e.looks}
         if entry.role != "trajectory" or "points" not in entry.roles or len(surest) < 2:
             return self
         if surest[path] <= POSSIBLE and max(surest.values()) > POSSIBLE:
@@ -211,33 +211,34 @@ class InputFiles:
         """The entry of a file."""
         return next(entry for entry in self.entries if entry.path == path)
 
-    def _of(self, role: Kind) -> tuple[InputFile, ...]:
+    def files_of_role(self, role: Kind) -> tuple[InputFile, ...]:
+        """Files that have a role, in their order."""
         return tuple(entry for entry in self.entries if entry.role == role)
 
     @property
     def trajectory(self) -> InputFile | None:
         """The trajectory's entry, the first where there are several."""
-        return next(iter(self._of("trajectory")), None)
+        return next(iter(self.files_of_role("trajectory")), None)
 
     @property
     def accuracy(self) -> InputFile | None:
         """The accuracy's entry."""
-        return next(iter(self._of("accuracy")), None)
+        return next(iter(self.files_of_role("accuracy")), None)
 
     @property
     def lines(self) -> tuple[InputFile, ...]:
         """Entries of lines."""
-        return self._of("points")
+        return self.files_of_role("points")
 
     @property
-    def track(self) -> Trajectory | None:
+    def trajectory_content(self) -> Trajectory | None:
         """Trajectory read from its file; None before."""
         entry = self.trajectory
         content = None if entry is None else entry.content
         return content if isinstance(content, Trajectory) else None
 
     @property
-    def sigmas(self) -> TrajectoryAccuracy | None:
+    def accuracy_content(self) -> TrajectoryAccuracy | None:
         """Accuracies read from their file; None before."""
         entry = self.accuracy
         content = None if entry is None else entry.content
@@ -253,7 +254,9 @@ class InputFiles:
         if self._base.base is not None:
             return self._base.base
         return (
-            next(iter(plausible_bases(self.track.time)), None) if self.track is not None else None
+            next(iter(plausible_bases(self.trajectory_content.time)), None)
+            if self.trajectory_content is not None
+            else None
         )
 
     @cached_property
@@ -276,11 +279,15 @@ class InputFiles:
 
     def coverage(self, entry: InputFile) -> Coverage | None:
         """Coverage of a line by the trajectory; None before both are read."""
-        return None if self.track is None else line_coverage(entry, self.track, self.longest_gap)
+        return (
+            None
+            if self.trajectory_content is None
+            else line_coverage(entry, self.trajectory_content, self.longest_gap)
+        )
 
     @cached_property
     def _remarks(self) -> dict[Path, tuple[Message, ...]]:
-        counts = len(self._of("trajectory")), len(self._of("accuracy"))
+        counts = len(self.files_of_role("trajectory")), len(self.files_of_role("accuracy"))
         found = {
             entry.path: file_messages(entry, self.trajectory, *counts, self.longest_gap)
             for entry in self.entries
@@ -300,11 +307,11 @@ class InputFiles:
 
     def time_messages(self, entry: InputFile) -> tuple[Message, ...]:
         """Messages about the times of a line and those of the trajectory."""
-        if self.track is None or entry.role != "points":
+        if self.trajectory_content is None or entry.role != "points":
             return ()
-        return tuple(time_messages(entry, self.track, self.longest_gap, self._base))
+        return tuple(time_messages(entry, self.trajectory_content, self.longest_gap, self._base))
 
-    def state(self, entry: InputFile) -> State:
+    def state_of_file(self, entry: InputFile) -> State:
         """State of a file in the import."""
         if entry.pending:
             return "pending"
@@ -318,7 +325,7 @@ class InputFiles:
     @cached_property
     def proposed_shifts(self) -> tuple[tuple[InputFile, float], ...]:
         """Lines outside the trajectory, wholly or in good part, each with the shift for it."""
-        track = self.track
+        track = self.trajectory_content
         if track is None:
             return ()
         found = []
@@ -330,7 +337,7 @@ class InputFiles:
 
     # -- the end -----------------------------------------------------------------------------
 
-    def problem(self, folder: str) -> str:
+    def import_problem(self, folder: str) -> str:
         """Reason why no project can be made, in the language in use; empty if there is none."""
         return self.files_problem_text() or folder_problem(folder)
 
@@ -340,7 +347,7 @@ class InputFiles:
             return gettext("Add the files of the survey: drop them here, or press Add files.")
         if any(entry.pending for entry in self.entries):
             return gettext("The files are being examined.")
-        wrong = [entry for entry in self.entries if self.state(entry) == "error"]
+        wrong = [entry for entry in self.entries if self.state_of_file(entry) == "error"]
         if wrong:
             first = message_text(self.remarks(wrong[0])[0])
             if len(wrong) == 1:
@@ -364,7 +371,7 @@ class InputFiles:
         return gettext("Two lines are named {line}. Rename a file.", line=duplicates[0])
 
     def request(self, folder: Path, settings: Settings) -> ImportRequest:
-        """Arguments for the new project; only without a `problem`."""
+        """Arguments for the new project; only without a `import_problem`."""
         trajectory, accuracy = self.trajectory, self.accuracy
         assert trajectory is not None
         return ImportRequest(

@@ -142,7 +142,7 @@ def import_line(
         line.name,
         original,
         _store_dependencies(line, trajectory, mounting),
-        {"mounting": mounting.plain.values.tolist()},
+        {"mounting": mounting.without_nominal_axes.values.tolist()},
     )
     for far_copies in (False, True):
         source = _LineFileReader(
@@ -289,7 +289,7 @@ def _store_dependencies(
         "reading": json.loads(json.dumps(encode_value(line.reading))),  # as it comes back
         "columns": list(line.columns),
         "trajectory": _trajectory_fingerprint(trajectory),
-        "recovered_with": mounting.plain.values.tolist() if on_map else None,
+        "recovered_with": mounting.without_nominal_axes.values.tolist() if on_map else None,
         "latency": mounting.latency,
     }
 

@@ -80,7 +80,7 @@ def mounting_of_cloud(line: LineSource, prior: Mounting) -> tuple[Mounting, tupl
     if record is None:
         return prior, ()
     made, subject = record.mounting, Cause.of_line(line.name)
-    roll, pitch, yaw = (float(angle) for angle in made.plain.boresight)
+    roll, pitch, yaw = (float(angle) for angle in made.without_nominal_axes.boresight)
     found = [
         Message(
             "recovery.recorded_mounting", Level.NOTE,

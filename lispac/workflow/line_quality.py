@@ -96,12 +96,14 @@ class LineQuality:
     pairs: tuple[LineDifference, ...]
     not_compared: tuple[Message, ...]
 
-    def figures(self, pair: LineDifference, facing: Facing = "all") -> DifferenceStatistics | None:
+    def figures_of_pair(
+        self, pair: LineDifference, facing: Facing = "all"
+    ) -> DifferenceStatistics | None:
         """Statistics of a pair; None if too few places face that way."""
         own = pair.facing(facing)
         return _difference_statistics([own])
 
-    def together(self, facing: Facing = "all") -> DifferenceStatistics | None:
+    def pooled_figures(self, facing: Facing = "all") -> DifferenceStatistics | None:
         """Statistics of all pairs, with equal weight for each place."""
         figures = _difference_statistics([pair.facing(facing) for pair in self.pairs])
         return figures and replace(figures, median=None, robust_sigma=None)
@@ -117,9 +119,13 @@ class LineQuality:
                     found.append((one, other, facing, figures))
 
         for pair in self.pairs:
-            add(pair.first, pair.second, lambda facing, pair=pair: self.figures(pair, facing))  # type: ignore[misc]
+            add(
+                pair.first,
+                pair.second,
+                lambda facing, pair=pair: self.figures_of_pair(pair, facing),  # type: ignore[misc]
+            )
         if len(self.pairs) > 1:
-            add("all", "all", self.together)
+            add("all", "all", self.pooled_figures)
         return found
 
 

@@ -64,7 +64,7 @@ class PlacedObjects:
         """Blocks of points that some objects and pairs of lines compare."""
         return [b for b in pair_blocks(self.sample, pairs) if b.first.object.name in objects]
 
-    def only(self, names: Collection[str]) -> "PlacedObjects":
+    def select_objects(self, names: Collection[str]) -> "PlacedObjects":
         """Some of the objects."""
         kept = [k for k, each in enumerate(self.objects) if each.name in names]
         return PlacedObjects(
@@ -73,15 +73,15 @@ class PlacedObjects:
             self.sample.of_objects(names),
         )
 
-    def joined(self, other: "PlacedObjects") -> "PlacedObjects":
+    def joined_with(self, other: "PlacedObjects") -> "PlacedObjects":
         """These objects and others, of which none has the same name."""
         return PlacedObjects(
             self.objects + other.objects,
             self.placings + other.placings,
-            self.sample.joined(other.sample),
+            self.sample.joined_with(other.sample),
         )
 
-    def moved(self, boresight: Array) -> tuple[PatchObject, ...]:
+    def moved_to_boresight(self, boresight: Array) -> tuple[PatchObject, ...]:
         """Objects with their boxes moved along with the lines at another boresight.
 
         A box that was laid about what one line saw goes with the line that has most points in it.
@@ -90,8 +90,8 @@ class PlacedObjects:
         ----------
         boresight : ndarray of shape (3,), radians
         """
-        after = self.sample.placed(boresight)
-        before = {at.tobytes(): self.sample.placed(at) for at in self.placings}
+        after = self.sample.placed_points(boresight)
+        before = {at.tobytes(): self.sample.placed_points(at) for at in self.placings}
         found = []
         for each, at in zip(self.objects, self.placings, strict=True):
             parts = [
@@ -201,7 +201,7 @@ def find_boresight(
         laid = place_objects(
             project,
             survey,
-            laid.moved(together.boresight),
+            laid.moved_to_boresight(together.boresight),
             together.boresight,
             progress=sub_progress(progress, 0.4, 0.5),
         )

@@ -94,7 +94,7 @@ def find_target(
         if known is not None:
             _require_same_kind(project, known, target)
         place = SearchPlace.of(survey.alignment, centre, line, settings.radius)
-        patch = search.at(place.clouds[line], place.seed, settings)
+        patch = search.find_at_seed(place.clouds[line], place.seed, settings)
         if known is not None:
             _require_same_surface(known, search, place, line, patch)
         if known is not None and expected is not None:

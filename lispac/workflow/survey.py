@@ -89,7 +89,7 @@ class Survey:
             return self.clouds
         return place_clouds(self.clouds, project.mounting(which))
 
-    def shown(
+    def displayed_clouds(
         self,
         project: Project,
         which: Literal["prior", "estimated"],

@@ -142,5 +142,5 @@ def _section_points(
     points = {}
     for k, (line, cloud) in enumerate(clouds.items()):
         progress(k / len(clouds), gettext_lazy("Computing the section of {line}", line=line))
-        points[line] = section.cut(cloud)
+        points[line] = section.cut_points(cloud)
     return SectionPoints(which, section, points)

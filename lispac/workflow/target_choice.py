@@ -58,7 +58,7 @@ class CandidatePlanes:
         if key not in self._sigmas:
             sightings = self.linearised.problem.observations.sightings
             gone = np.array([sighting.target not in key for sighting in sightings])
-            information = self.linearised.without(gone).information(3)
+            information = self.linearised.normal_without_sightings(gone).information(3)
             determined = np.linalg.eigvalsh(information)[0] > 0.0
             self._sigmas[key] = (
                 np.sqrt(np.diag(np.linalg.inv(information))) if determined else np.full(3, np.inf)

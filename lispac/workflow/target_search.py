@@ -87,7 +87,7 @@ class TargetSearch:
         return cls(target.shape, target.sphere_radius)
 
     @property
-    def radii(self) -> RadiusRange:
+    def radius_range(self) -> RadiusRange:
         """Radii a sphere may have."""
         if self.sphere_radius is None:
             return RadiusRange()
@@ -127,7 +127,7 @@ class TargetSearch:
                 else error("pick.other_radius", target=known.name, radius=known.sphere_radius)
             )
 
-    def at(self, cloud: Cloud, seed: Array, settings: FinderSettings) -> Patch:
+    def find_at_seed(self, cloud: Cloud, seed: Array, settings: FinderSettings) -> Patch:
         """Find the target at the seed in one line.
 
         Parameters
@@ -141,7 +141,7 @@ class TargetSearch:
         if self.shape == "sphere":
             region = cloud.within(require_seed(seed), settings.radius)
             return _with_point_numbers(
-                find_sphere(region.points, seed, self.radii, settings), region
+                find_sphere(region.points, seed, self.radius_range, settings), region
             )
         region = cloud.within(require_seed(seed), settings.radius, most=SOUGHT)
         beside = _points_near_click(region, cloud, require_seed(seed))
@@ -165,7 +165,7 @@ class TargetSearch:
         every = np.arange(len(points))
         if self.shape == "plane":
             return replace(patch_of(points, every, UP), indices=indices)
-        patch = patch_on_sphere(points, every, self.radii)
+        patch = patch_on_sphere(points, every, self.radius_range)
         return replace(patch, indices=indices[patch.indices])
 
     def find_in_lines(
@@ -199,7 +199,7 @@ class TargetSearch:
             )
         regions, points = _search_regions(clouds, seed, settings)
         found, missing = find_spheres_in_lines(
-            points, seed, self.radii, settings, first_line=first_line, progress=progress
+            points, seed, self.radius_range, settings, first_line=first_line, progress=progress
         )
         numbered = {
             name: _with_point_numbers(patch, regions[name]) for name, patch in found.items()

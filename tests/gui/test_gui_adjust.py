@@ -390,7 +390,9 @@ def test_a_steep_pitch_is_shown_as_a_matrix_and_by_the_axes(
     driver.rest()
     shown = driver.window.results.rotation
     assert not shown.isVisible()
-    mounting = Mounting.near(np.array(estimated.settings.lever_arm), np.radians([20.0, 89.3, 58.2]))
+    mounting = Mounting.with_nearest_axes(
+        np.array(estimated.settings.lever_arm), np.radians([20.0, 89.3, 58.2])
+    )
     steep = replace(estimated, result=replace(estimated.result, mounting=mounting))
     driver.window.document.open(steep, demo.survey)
     driver.rest()

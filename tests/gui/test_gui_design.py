@@ -99,7 +99,7 @@ def test_a_board_is_dragged_up_the_wall(driver: Driver, design: DesignWindow) ->
     spot = view._box(edits.placed_targets(design.workspace.titled)[0]).center()
     to = view.pixel(view.place(spot) + np.array([-1.0, 1.5]))
     drag(driver, view, spot, to)
-    along, off, up = design.workspace.titled.wall.seen(plan(design).targets[0].centre)
+    along, off, up = design.workspace.titled.wall.wall_coordinates(plan(design).targets[0].centre)
     assert (along, off, up) == pytest.approx((-1.8, 0.0, 6.5), abs=0.11)
     assert shown(design) == predicted(design)
     assert shown(design)[1] < before[1], "boards farther apart show pitch better"
@@ -250,15 +250,15 @@ def test_in_3d_a_target_is_hung_and_moved_off_the_wall(
     before = shown(design)
     viewport.signals.handle_moved.emit("target 0", 2, 0.25)
     viewport.signals.handle_moved.emit("target 0", 2, 0.25)
-    assert wall.seen(plan(design).targets[0].centre) == pytest.approx((-0.8, 0.5, 5.0))
+    assert wall.wall_coordinates(plan(design).targets[0].centre) == pytest.approx((-0.8, 0.5, 5.0))
     assert shown(design) != before or predicted(design) == before
     viewport.signals.handle_let_go.emit("target 0")
     assert str(design.workspace.history.to_undo) == "Move T1"
     viewport.signals.seed_clicked.emit(PickedPoint("targets", plan(design).targets[1].centre))
     assert (design.workspace.target, str(design.workspace.history.to_undo)) == (1, "Move T1")
     viewport.signals.seed_clicked.emit(PickedPoint("targets", plan(design).targets[0].centre))
-    viewport.signals.seed_clicked.emit(PickedPoint("wall", wall.place(3.02, 0.0, 7.98)))
-    assert wall.seen(plan(design).targets[0].centre) == pytest.approx((3.0, 0.5, 8.0))
+    viewport.signals.seed_clicked.emit(PickedPoint("wall", wall.local_point(3.02, 0.0, 7.98)))
+    assert wall.wall_coordinates(plan(design).targets[0].centre) == pytest.approx((3.0, 0.5, 8.0))
     corners = np.array(viewport.sketches["target 0"].points)
     assert np.linalg.norm(corners[0] - corners[1]) == pytest.approx(1.23)
     driver.bot.keyClick(design, Key.Key_L, Control)

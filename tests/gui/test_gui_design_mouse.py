@@ -111,9 +111,11 @@ def test_ctrl_click_on_the_bare_wall_hangs_a_new_board(real: Driver) -> None:
         design.workspace.remove_target()
     assert design.workspace.target == -1
     real.bot.wait(400)
-    real.bot.mouseClick(viewport.canvas, Left, Control, pixel(design, wall.place(2.0, -0.05, 3.0)))
+    real.bot.mouseClick(
+        viewport.canvas, Left, Control, pixel(design, wall.local_point(2.0, -0.05, 3.0))
+    )
     (board,) = plan(design).targets
-    assert wall.seen(board.centre) == pytest.approx((2.0, 0.0, 3.0), abs=0.3)
+    assert wall.wall_coordinates(board.centre) == pytest.approx((2.0, 0.0, 3.0), abs=0.3)
     assert design.workspace.target == 0
     real.bot.keyClick(design, Key.Key_Z, Control)
     assert plan(design).targets == (), "one click is one step"

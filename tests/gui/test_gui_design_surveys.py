@@ -69,7 +69,7 @@ def test_simulated_surveys_say_what_the_command_line_says(
     rows = [[cell.replace("−", "-") for cell in row] for row in shown.cells]
     said = [line.replace(" %", "%").split()[-3:] for line in scatter_table(found).splitlines()]
     assert said == [[cell.replace(" %", "%") for cell in row[-3:]] for row in rows]
-    assert tuple(shown.words.text().split("\n")) == found.words
+    assert tuple(shown.words.text().split("\n")) == found.summary_texts
     assert not shown.stale.isVisible()
     driver.bot.keyClick(coarse, Key.Key_L, Control)
     assert shown.stale.isVisible(), "it is no answer about another plan"

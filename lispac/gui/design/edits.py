@@ -55,7 +55,7 @@ class PlacedTarget:
     @classmethod
     def of(cls, target: Board | Ball, wall: Wall) -> "PlacedTarget":
         """Convert a target of a plan."""
-        along, off, up = wall.seen(target.centre)
+        along, off, up = wall.wall_coordinates(target.centre)
         if isinstance(target, Ball):
             wide = 2 * target.radius
             return cls(target.name, along, off, up, 90.0, wall.facing_deg, wide, wide,
@@ -67,7 +67,7 @@ class PlacedTarget:
     def on(self, wall: Wall) -> Board | Ball:
         """Convert to a target of a plan at this wall."""
         if self.ball:
-            place = wall.place(self.along, self.off, self.up)
+            place = wall.local_point(self.along, self.off, self.up)
             return Ball(self.name, place, self.width / 2, self.radius_known, self.flatness)
         return wall.board(
             self.name, self.along, self.up, self.lean, (self.width, self.height), off=self.off,

@@ -81,8 +81,8 @@ class PlanView(DesignCanvas):
         """Draw the site from above."""
         titled = self.workspace.titled
         wall = titled.wall
-        right = np.array([-wall.right[1], wall.right[0]])
-        water = np.array([-wall.out[1], wall.out[0]])
+        right = np.array([-wall.rightward[1], wall.rightward[0]])
+        water = np.array([-wall.outward[1], wall.outward[0]])
         reach = 1.2 * max((line.distance for line in titled.plan.lines), default=10.0) + 5.0
         corners = [
             self._middle - reach * right, self._middle + reach * right,

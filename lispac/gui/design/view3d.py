@@ -71,10 +71,10 @@ class View3D(QObject):
         points = [np.array(plan.middle), *(np.array(t.centre) for t in plan.targets)]
         points += [end for ends in _line_ends(self._work.titled) for end in ends]
         everything = np.stack(points)
-        out = np.array([*wall.out, 0.0])
+        out = np.array([*wall.outward, 0.0])
         station = np.array(plan.middle) + 20.0 * out
         self.viewport.set_station((float(station[0]), float(station[1]), float(station[2])))
-        side = np.array([*wall.right, 0.0])
+        side = np.array([*wall.rightward, 0.0])
         self.viewport.look_along(-out + 0.5 * side - 0.55 * np.array([0.0, 0.0, 1.0]), everything)
 
     def _place_target(self, at: PickedPoint) -> None:
@@ -92,7 +92,8 @@ class View3D(QObject):
             self._work.select(target=int(np.argmin(away)))
             return
         along, _, up = (
-            edits.round_to_step(metres, STEP) for metres in titled.wall.seen(at.position)
+            edits.round_to_step(metres, STEP)
+            for metres in titled.wall.wall_coordinates(at.position)
         )
         if self._work.target < 0:
             self._work.add_target(place=(along, up))
@@ -134,7 +135,7 @@ def plan_sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketc
             tuple(map(_as_tuple, (first, last, *barbs))), ((0, 1), (1, 2), (1, 3)),
             theme.rgb("moved" if k == line else "before"), label=f"{k + 1}", at=_as_tuple(first),
         )  # fmt: skip
-    right, out, up = np.array([*wall.right, 0.0]), np.array([*wall.out, 0.0]), np.eye(3)[2]
+    right, out, up = np.array([*wall.rightward, 0.0]), np.array([*wall.outward, 0.0]), np.eye(3)[2]
     for k, each in enumerate(plan.targets):
         corners, edges = _target_outline(each)
         handles: tuple[Handle, ...] = ()
@@ -157,7 +158,7 @@ def plan_surfaces(titled: TitledPlan) -> dict[str, Array]:
     wide, high = _wall_extent(titled)
     along, up = np.meshgrid(np.arange(-wide, wide, WALL_POINTS), np.arange(-1.0, high, WALL_POINTS))
     wall = titled.wall
-    right, out = np.array([*wall.right, 0.0]), np.array([*wall.out, 0.0])
+    right, out = np.array([*wall.rightward, 0.0]), np.array([*wall.outward, 0.0])
     face = np.array(wall.middle) - 0.05 * out + along.reshape(-1, 1) * right
     face[:, 2] += up.ravel()
     generator = np.random.default_rng(1)
@@ -177,7 +178,7 @@ def _wall_extent(titled: TitledPlan) -> tuple[float, float]:
 
 def _wall_sketch(titled: TitledPlan) -> Sketch:
     wide, high = _wall_extent(titled)
-    place = titled.wall.place
+    place = titled.wall.local_point
     corners = [place(-wide, 0, -1.0), place(wide, 0, -1.0), place(wide, 0, high),
                place(-wide, 0, high)]  # fmt: skip
     return Sketch(tuple(corners), SQUARE, theme.rgb("wall"))

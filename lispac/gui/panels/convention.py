@@ -332,12 +332,12 @@ class ConventionPanel(QWidget):
 
     def _show_mounting_text(self, mounting: Mounting) -> None:
         sentences = (
-            f"<b>{boresight_sentence(mounting.plain.boresight)}</b>",
+            f"<b>{boresight_sentence(mounting.without_nominal_axes.boresight)}</b>",
             lever_arm_sentence(mounting.lever_arm),
             *map(message_text, filter(None, [offsets_note(mounting)])),
         )
         self.words.setText("<br>".join(sentence for sentence in sentences if sentence))
-        self.gizmo.show_boresight(np.asarray(mounting.plain.boresight, dtype=float))
+        self.gizmo.show_boresight(np.asarray(mounting.without_nominal_axes.boresight, dtype=float))
 
     def _show_matrix(self, stated: MountingInSystem) -> None:
         name = program_name(stated.setup.convention)

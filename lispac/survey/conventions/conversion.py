@@ -237,7 +237,7 @@ def convert_to_system(
     """
     convention, rotation = setup.convention, mounting.rotation_body_lidar
     if mounting.axes is not None:  # the covariance is that of a rotation about the body axes
-        mounting, covariance = mounting.plain, None
+        mounting, covariance = mounting.without_nominal_axes, None
     lever_arm = setup.permutation @ np.asarray(mounting.lever_arm, dtype=float)
     scanner = setup.scanner_matrix(rotation)
     coordinates = setup.permutation @ rotation @ scanner.T

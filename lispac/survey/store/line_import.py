@@ -225,7 +225,7 @@ def _fill_spool(
     ProjectError
         Where there is no point in it.
     """
-    known = spool.end
+    known = spool.read_end
     if known is not None:
         return known
     read, pace = spool.next_index, None
@@ -246,7 +246,7 @@ def _fill_spool(
         raise ProjectError(error("store.no_points", file=recipe.original.path))
     assumptions, audit = findings()
     end = SpoolSummary(read, assumptions, audit)
-    spool.complete(end)
+    spool.mark_complete(end)
     return end
 
 

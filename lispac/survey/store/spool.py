@@ -161,7 +161,7 @@ class Spool:
         return self.blocks[-1].running if self.blocks else RunningFingerprint()
 
     @property
-    def end(self) -> SpoolSummary | None:
+    def read_end(self) -> SpoolSummary | None:
         """What was known at the end of the file, None where it is not read to its end."""
         try:
             content = read_checked_json((self.folder / COMPLETE).read_text(encoding="utf-8"))
@@ -173,7 +173,7 @@ class Spool:
         except DAMAGED:
             return None
 
-    def complete(self, end: SpoolSummary) -> None:
+    def mark_complete(self, end: SpoolSummary) -> None:
         """Record that the file is read to its end."""
         content = {"points": self.points, **asdict(end)}
         write_text_atomically(self.folder / COMPLETE, json_with_checksum(content))
@@ -249,7 +249,7 @@ class Spool:
         self.blocks = []
 
     def _find_blocks(self) -> None:
-        while (found := self._sound(len(self.blocks))) is not None:
+        while (found := self._is_block_sound(len(self.blocks))) is not None:
             self.blocks.append(found)
         kept = {self._path(block.number, kind).name for block in self.blocks for kind in KINDS}
         kept |= {RECIPE, COMPLETE}
@@ -257,7 +257,7 @@ class Spool:
             if path.name not in kept and SPOOLED_NAME.fullmatch(path.name):
                 path.unlink()
 
-    def _sound(self, number: int) -> SpooledBlock | None:
+    def _is_block_sound(self, number: int) -> SpooledBlock | None:
         """A block of an earlier import, if it is whole: read again, so that no part is missing."""
         try:
             content = read_checked_json(self._path(number, "json").read_text(encoding="utf-8"))

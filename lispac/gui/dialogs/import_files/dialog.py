@@ -315,7 +315,7 @@ class ImportDialog(QDialog):
 
     def _problem_text(self) -> str:
         """Why the import is not complete; empty where it is."""
-        return self.input_files.problem(self.folder.text())
+        return self.input_files.import_problem(self.folder.text())
 
     def _hint(self) -> str:
         """Warning about the mounting before the import."""
@@ -342,7 +342,7 @@ class ImportDialog(QDialog):
     def _remove(self) -> None:
         path = self.table.current
         if path is not None:
-            self.work.edit(self.input_files.without(path))
+            self.work.edit(self.input_files.without_file(path))
 
     def _ask_files(self) -> None:
         names, _ = QFileDialog.getOpenFileNames(

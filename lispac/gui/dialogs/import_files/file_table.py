@@ -114,7 +114,7 @@ class FileTable(QTableWidget):
             item.setIcon(file_texts.state_icon(input_files, entry))
             tip = "\n".join(map(message_text, input_files.remarks(entry))) or state
             item.setToolTip(widgets.plain_tip(tip))
-            out = input_files.state(entry) == "out"
+            out = input_files.state_of_file(entry) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):
                 self.item(row, column).setForeground(QColor(theme.MUTED if out else theme.TEXT))
         if self.current is None and self._paths:

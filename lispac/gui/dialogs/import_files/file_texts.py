@@ -220,7 +220,7 @@ def frame_text(entry: InputFile) -> str:
 
 def state_text(input_files: InputFiles, entry: InputFile) -> tuple[str, str]:
     """Text and colour of the state of a file."""
-    match input_files.state(entry):
+    match input_files.state_of_file(entry):
         case "pending":
             return gettext("Waiting to be read"), theme.MUTED
         case "fine":
@@ -240,7 +240,7 @@ def state_icon(input_files: InputFiles, entry: InputFile) -> QIcon:
     name = {
         "pending": "timer-sand", "fine": "check-circle-outline", "warning": "alert-outline",
         "error": "close-octagon-outline", "out": "minus-circle-outline",
-    }[input_files.state(entry)]  # fmt: skip
+    }[input_files.state_of_file(entry)]  # fmt: skip
     return theme.icon(name, state_text(input_files, entry)[1])
 
 

@@ -50,7 +50,7 @@ class TrajectoryQuality:
     @classmethod
     def of(cls, input_files: InputFiles) -> "TrajectoryQuality | None":
         """Collect the data of an import; None before its trajectory is read."""
-        if input_files.track is None:
+        if input_files.trajectory_content is None:
             return None
         colours = theme.line_colours([str(line.path) for line in input_files.lines])
         lines = tuple(
@@ -64,7 +64,13 @@ class TrajectoryQuality:
             if isinstance(line.content, LineTimes)
         )
         axis = time_axis_title(input_files.time_base)
-        return cls(input_files.track, input_files.sigmas, lines, input_files.longest_gap, axis)
+        return cls(
+            input_files.trajectory_content,
+            input_files.accuracy_content,
+            lines,
+            input_files.longest_gap,
+            axis,
+        )
 
 
 def draw_accuracies(quality: TrajectoryQuality, figure: Figure) -> None:

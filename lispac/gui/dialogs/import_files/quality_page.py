@@ -83,7 +83,7 @@ class QualityPage(QWidget):
     def _draw(self, anew: bool = False) -> None:
         if self._input_files is None or not (self._outdated or anew):
             return
-        ready = self._input_files.track is not None
+        ready = self._input_files.trajectory_content is not None
         self._empty.setVisible(not ready)
         self._hint.setVisible(ready)
         for each in self.choice.buttons():
@@ -121,4 +121,10 @@ def _drawn_data(input_files: InputFiles) -> tuple[object, ...]:
         (id(line.content), line.shift, input_files.names[line.path]) for line in input_files.lines
     )
     base = input_files.time_base
-    return id(input_files.track), id(input_files.sigmas), lines, input_files.longest_gap, base
+    return (
+        id(input_files.trajectory_content),
+        id(input_files.accuracy_content),
+        lines,
+        input_files.longest_gap,
+        base,
+    )

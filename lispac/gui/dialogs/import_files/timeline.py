@@ -53,7 +53,7 @@ class TimelineBar:
 def timeline_bars(input_files: InputFiles) -> tuple[TimelineBar, ...]:
     """Bars of a timeline, the trajectory first."""
     bars = []
-    track, entry = input_files.track, input_files.trajectory
+    track, entry = input_files.trajectory_content, input_files.trajectory
     if track is not None and entry is not None:
         time = track.time
         wide = np.flatnonzero(np.diff(time) > input_files.longest_gap)

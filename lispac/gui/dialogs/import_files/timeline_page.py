@@ -81,7 +81,7 @@ class TimelinePage(QWidget):
         found.sort(key=lambda pair: pair[1].level is not Level.ERROR)
         self._owners = [path for path, _ in found]
         fine = ""
-        if input_files.track is not None and input_files.lines:
+        if input_files.trajectory_content is not None and input_files.lines:
             fine = gettext(
                 Plural("The trajectory covers the line.", "The trajectory covers all lines."),
                 count=len(input_files.lines),
