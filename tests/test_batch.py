@@ -140,4 +140,4 @@ def test_what_cannot_be_done_is_said_at_once(
     with pytest.raises(InputError, match="written as doc"):
         lispac.batch(projects, form="doc")
     assert main(["batch", str(projects), "--report-format", "pdf"]) == 2
-    assert "go with --reports DIR" in capsys.readouterr().err
+    assert "require --reports DIR" in capsys.readouterr().err

@@ -28,7 +28,7 @@ class Case:
 
     parameters: tuple[Parameter, ...] = ()
     surface_sigma: np.ndarray = field(default_factory=lambda: STATED)
-    usual_surface: np.ndarray = field(default_factory=lambda: STATED)
+    default_surface_sigmas: np.ndarray = field(default_factory=lambda: STATED)
 
     def with_parameters(self, parameters: tuple[Parameter, ...]) -> "Case":
         return replace(self, parameters=parameters)
@@ -79,10 +79,12 @@ def test_values_are_let_go_of_where_fewer_sightings_are_left(
         return Found(replace(solution.problem, surface_sigma=LET_GO), remain[wanted])
 
     for name, stand_in in {
-        "contradictions": lambda here, **_: [SimpleNamespace(name=n) for n in names[id(here)]],
+        "find_contradicted_parameters": lambda here, **_: [
+            SimpleNamespace(name=n) for n in names[id(here)]
+        ],
         "iterate": iterated,
-        "_without_blunders": agreeing,
-        "_let_go": lambda solution: solution.let_go,
+        "_reject_blunders": agreeing,
+        "_count_rejected_sightings": lambda solution: solution.let_go,
         "Parameter": lambda name: SimpleNamespace(name=name),
     }.items():
         monkeypatch.setattr(solver, name, stand_in)

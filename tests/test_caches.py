@@ -229,7 +229,7 @@ def test_compiled_code_is_kept_from_run_to_run_without_a_home(
     tmp_path: Path, temporary: Path
 ) -> None:
     words = ["-c", "import lispac; lispac.open; import lispac.survey.kernels as k; "
-             "print(k.bounds.stats.cache_path)"]  # fmt: skip
+             "print(k.bounds_and_reach.stats.cache_path)"]  # fmt: skip
     first, second = (ran(words, tmp_path / "missing") for _ in range(2))
     assert first.returncode == 0, first.stderr
     assert "cannot be written" in first.stderr

@@ -115,7 +115,10 @@ def test_kept_in_the_project_where_they_are_not_the_usual_ones(tmp_path: Path) -
     ]  # fmt: skip
     read = read_project(tmp_path / "p")
     assert [t.choices for t in read.targets] == [CHOSEN, *(USUAL for _ in project.targets[1:])]
-    for wrong, said in (({"min_points": 2}, "min_points = 2"), ({"surprise": 1}, "surprise")):
+    for wrong, said in (
+        ({"min_points": 2}, "min_points of the plane search cannot be 2"),
+        ({"surprise": 1}, "surprise"),
+    ):
         damaged = json.loads(json.dumps(content))
         damaged["targets"][0]["choices"] |= wrong
         (tmp_path / "p" / FILE_NAME).write_text(json.dumps(damaged))

@@ -246,7 +246,7 @@ def damaged(kind: str, raw: Path, folder: Path) -> tuple[Path, Path]:
 @pytest.mark.parametrize(
     ("kind", "said"),
     [
-        ("truncated trajectory", "cut short"),
+        ("truncated trajectory", "The file is truncated"),
         ("empty trajectory", "trajectory.sbet: this SBET file is empty"),
         ("nan in trajectory", "record 8 contains NaN"),
         ("no gps_time", "point format 0 has no GPS time"),
@@ -275,7 +275,7 @@ def test_text_line_with_named_columns(
     message = refused(
         capsys, *new_words(tmp_path / "other", raw, tmp_path / "line.csv"), "--columns", "time,x,y"
     )
-    assert "columns are missing: z" in message
+    assert "missing in the given column names: z " in message
 
 
 def test_a_refused_pick_leaves_the_project_as_it_was(

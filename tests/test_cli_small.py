@@ -118,16 +118,16 @@ class Bench:
         self.pairs: tuple[LinePair, ...] = ()
         self.line_pairs = patch_test.line_pairs
 
-    def propose(self, *_: object, count: int, **__: object) -> SimpleNamespace:
+    def propose_objects(self, *_: object, count: int, **__: object) -> SimpleNamespace:
         found = tuple(PatchObject(f"A0{k + 1}", SQUARE) for k in range(count))
-        return self.lay(None, None, found, np.radians([0.2, -1.0, 0.3]))
+        return self.place_objects(None, None, found, np.radians([0.2, -1.0, 0.3]))
 
-    def lay(
+    def place_objects(
         self, _: object, __: object, objects: Sequence[PatchObject], boresight: np.ndarray
     ) -> SimpleNamespace:
         return SimpleNamespace(objects=objects, boresight=boresight)
 
-    def find(
+    def find_boresight(
         self, _: object, __: object, laid: SimpleNamespace, *, pairs: tuple[LinePair, ...],
         **___: object,
     ) -> PatchTestResult:  # fmt: skip
@@ -184,7 +184,7 @@ def test_an_object_that_differs_is_marked(capsys: pytest.CaptureFixture[str]) ->
     assert rows[5].split() == ["pole", "1", "12.0", "roll", "+0.0100", "0.0500"]
     assert rows[6].split() == ["moved", "2", "40.0", "yaw", "-0.2000", "0.0500", "DIFFERS"]
     assert rows[7].split() == ["ball", "1", "20.0", "none", "+0.0000", "0.0000"], "not judged"
-    assert rows[-1].startswith("moved disagrees: ")
+    assert rows[-1].startswith("Object moved disagrees ")
 
 
 def _target(name: str, role: str, north: float, one_in: int = 1) -> Target:
@@ -312,7 +312,7 @@ def test_a_line_is_imported_again_where_what_is_kept_of_it_is_damaged(
     manifest.write_text("{")
     out, err = told(capsys, *words)
     assert "points/s" in out
-    assert err.startswith("note: L1_000 was imported again. ")
+    assert err.startswith("note: L1_000 was imported again, because ")
     assert "imported already" in told(capsys, *words)[0]
 
 
@@ -334,7 +334,7 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
     at_hand(pick)
     seen = undetermined_quality(50, 0.003, note("quality.few_points", count=50))
     monkeypatch.setattr(
-        "lispac.cli.pick_list.judge_target", lambda *_: {"L1_000": seen, "L2_180": seen}
+        "lispac.cli.pick_list.assess_target", lambda *_: {"L1_000": seen, "L2_180": seen}
     )
     monkeypatch.setattr("lispac.cli.pick_list.pick_seeds", picked)
     code, out, err = run(capsys, "pick", project.folder, "--seeds", seeds, "--json")

@@ -286,7 +286,7 @@ def test_halfway_between_two_axes_a_frame_is_taken_to_look_ahead() -> None:
 def test_axes_that_no_documentation_knows_are_not_verified(setup) -> None:
     assert setup.convention.status == "verified"
     assert setup.status == "unverified"
-    assert "not those of its documentation" in str(setup.assumption)
+    assert "axes differ from the documentation" in str(setup.assumption)
 
 
 def test_signs_are_told_for_the_axes_they_hold_for() -> None:

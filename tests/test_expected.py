@@ -51,7 +51,7 @@ def test_the_terminal_compares_and_keeps_it(
     assert main([*place, "--expected", "0", "1.22", "45"]) == 1
     assert "width and height must be above zero" in capsys.readouterr().err
     assert main([*place, "--shape", "sphere", "--expected", "1", "1", "45"]) != 0
-    assert "--expected is for planes" in capsys.readouterr().err
+    assert "--expected applies to planes only" in capsys.readouterr().err
 
 
 def test_a_project_file_without_it_reads_and_a_wrong_one_is_refused(copy: Project) -> None:

@@ -95,7 +95,7 @@ def test_the_limits(part, light):
     assert quality.light == light
     assert quality.share_shown == pytest.approx(part, abs=0.01)
     assert ("quality.shows_less" in codes(quality.reasons)) == (light != "good")
-    assert f"{100 * shown.share:.0f} % of what the other lines show" in quality_text(quality)
+    assert f"{100 * shown.share:.0f} % of the extent in the other lines" in quality_text(quality)
 
 
 def test_a_wall_cut_by_the_search_radius_is_not_compared():

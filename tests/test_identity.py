@@ -231,6 +231,6 @@ def test_dates_without_a_day_are_told(capsys: pytest.CaptureFixture[str], tmp_pa
     write_project(sample_project(folder))
     code, _, err = run(capsys, "identity", folder, "--dates", "32/13/2026")
     assert code == 0
-    assert "no day like 2026-03-04 is in the dates (32/13/2026)" in err
+    assert "the survey dates (32/13/2026) contain no date of the form 2026-03-04" in err
     _, _, err = run(capsys, "identity", folder, "--dates", "2026-03-04 and 2026-03-05")
     assert err == ""

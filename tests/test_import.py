@@ -166,10 +166,10 @@ def test_interrupted_command_says_how_to_go_on(project: Project, monkeypatch, ca
     def stop(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(spool.Spool, "complete", stop)
+    monkeypatch.setattr(spool.Spool, "mark_complete", stop)
     assert main(["import", str(project.folder)]) == 1
     told = capsys.readouterr().err
-    assert "import again to go on from there" in told
+    assert "Run lispac import again to continue." in told
     assert "stopped" in told
     monkeypatch.undo()
     assert main(["import", str(project.folder), "--check", "--json"]) == 0

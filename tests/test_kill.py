@@ -29,8 +29,8 @@ POINTS, BLOCK = 400_000, 20_000
 IMPORT = f"""
 import sys
 from pathlib import Path
-from lispac.survey.store import pieces, spool
-pieces.BLOCK = spool.BLOCK = {BLOCK}
+from lispac.survey.store import point_blocks, spool
+point_blocks.BLOCK = spool.BLOCK = {BLOCK}
 from lispac.survey.store.spatial_cells import octaves_near
 from lispac.survey.store.line_import import write_store
 from tests.store_lines import RECIPE, Line, place

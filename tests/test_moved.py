@@ -156,7 +156,7 @@ def test_at_the_command_line_and_in_a_script(
     assert main(["locate", str(home), str(usb / "quay" / "nav")]) == 1
     out, err = capsys.readouterr()
     assert out.count("was moved and is now read from") == 2
-    assert "not in this folder: " in err
+    assert "this folder does not contain " in err
     assert main(["locate", str(home), str(usb)]) == 0
     capsys.readouterr()
     assert main(["locate", str(home), str(usb)]) == 0

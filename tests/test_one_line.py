@@ -165,7 +165,7 @@ def test_what_was_sailed_of_a_plan_may_leave_the_boresight_open(planned: TitledP
     few = replace(project, targets=(replace(one, sightings=one.sightings[:2]),))
     found = compare_with_plan(few, only(survey, "L1", "L2"), planned)
     assert not np.isfinite(found.sailed).all()
-    assert "does not determine" in found.words[0]
+    assert "does not determine" in found.summary_texts[0]
     assert found.missing_targets == ("T2",)
     assert len(found.missing_lines) == 4
     assert len(found.costs) == 5

@@ -51,7 +51,7 @@ def test_what_is_no_plan_is_told(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert not is_plan(Path("port"))
     said = run(capsys, "simulate", PORT, "--output", tmp_path / "a", "--scanner", "zf-9012")
     assert said[0] == 2
-    assert "a plan has its own scanner and lines" in said[2]
+    assert "a survey plan contains its scanner and lines" in said[2]
     assert "no vessel named" in refused(
         capsys, "simulate", PORT, "--output", tmp_path / "a", "--vessel", "raft"
     )

@@ -157,7 +157,7 @@ def test_ripples_are_not_taken_for_the_work_of_the_boresight(off_deg):
     seen = scenery("rippled")
     project, survey = seen.opened(off_deg)
     clouds = survey.clouds
-    survey.__dict__["aligned"] = Alignment(clouds, clouds, 0.0, 0.0)
+    survey.__dict__["alignment"] = Alignment(clouds, clouds, 0.0, 0.0)
     target = find_target(project, survey, click(seen, clouds), name="T1")
     for line, quality in assess_target(project, survey, target).items():
         assert quality.share_shown is None

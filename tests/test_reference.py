@@ -38,7 +38,8 @@ def test_what_scripts_use_is_there_with_an_example(scripts: Path) -> None:
     assert {f"lispac.{name}" for name in lispac.__all__ if name != "__version__"} <= there
     steps = below("lispac.scripting.open_project") | below("lispac.scripting.loaded_project")
     own = {
-        name.replace("lispac.scripting.loaded_project.Held", "lispac.OpenProject") for name in steps
+        name.replace("lispac.scripting.loaded_project.LoadedProject", "lispac.OpenProject")
+        for name in steps
     }
     assert {"lispac.OpenProject.seed", "lispac.OpenProject.boresight_deg"} < own
     assert own <= there

@@ -194,7 +194,7 @@ def test_a_disk_that_fails_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
     path = tmp_path / "line.laz"
     path.write_bytes(b"LASF")
-    monkeypatch.setattr("lispac.io.files.require_unpacked", failing)
+    monkeypatch.setattr("lispac.io.files.require_uncompressed", failing)
     with pytest.raises(InputError) as refused:
         require_file(path, "line")
     assert refused.value.code == "file.not_readable"

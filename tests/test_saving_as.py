@@ -28,7 +28,7 @@ KILLED = """
 import os, signal, sys
 from pathlib import Path
 from lispac.io.project_file import read_project
-from lispac.workflow import saving_as
+from lispac.workflow import project_copy
 from lispac.workflow.survey import load_survey
 
 def die(*_, **named):
@@ -41,10 +41,10 @@ def copying(fraction, step=""):
 project = read_project(Path(sys.argv[1]))
 survey = load_survey(project)
 if sys.argv[3] == "copying":
-    saving_as.save_project_as(project, survey, Path(sys.argv[2]), progress=copying)
+    project_copy.save_project_as(project, survey, Path(sys.argv[2]), progress=copying)
 else:
-    saving_as.write_project = die
-    saving_as.save_project_as(project, survey, Path(sys.argv[2]))
+    project_copy.write_project = die
+    project_copy.save_project_as(project, survey, Path(sys.argv[2]))
 """
 
 

@@ -73,7 +73,7 @@ def test_a_list_gives_what_single_picks_give(
     assert "6 of 6" in table["T1"]
     assert "validation" in table["V1"]
     assert "none  " in table["Lost"]
-    assert out.endswith("3 of 4 seeds led to a target\n")
+    assert out.endswith("Targets found for 3 of 4 seeds\n")
     project = read_project(folder)
     assert [t.name for t in project.targets] == ["T1", "T2", "V1"]
     assert [t.role for t in project.targets] == ["target", "target", "validation"]

@@ -116,7 +116,7 @@ def test_the_spread_has_one_name_and_the_halves_are_told_once(
     assert "first minus second half of the data (roll " in printed
     assert "Spread,<br>one line omitted" in spread_text(checks)
     names = [row.cells[0].text for row in check_rows(checks)]
-    assert [name for name in names if "half" in name] == ["First half minus second half"]
+    assert [name for name in names if "half" in name] == ["First minus second half"]
     content = sample_content(sample_project(tmp_path / "report"))
     tables = [
         b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"
@@ -225,7 +225,7 @@ def test_the_point_farthest_off_is_told_with_its_time_everywhere(
     told = result_values(result, None)["reliability"]
     assert (told[0]["largest_w"], told[0]["largest_w_time_s"]) == (12.34, 416012.5)
     assert told[1]["largest_w_time_s"] is None
-    place = [column.title for column in sighting_columns()].index("Largest point w")
+    place = [column.title for column in sighting_columns()].index("Largest w of a point")
     cells = [row.cells[place] for row in sighting_rows(result)]
     assert (cells[0].text, cells[0].value) == ("12.3 at 416012.500 s", 12.34)
     assert cells[1].text == "2.9"

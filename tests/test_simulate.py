@@ -161,7 +161,7 @@ def test_balls_of_a_scene_get_a_list_of_seeds_of_their_own(
     ).splitlines()  # fmt: skip
     seeds, balls = folder / "targets.csv", folder / "balls.csv"
     assert rows[-2] == f"seeds      {seeds} (for lispac pick --seeds)"
-    assert rows[-1] == f"balls      {balls} (for lispac pick --shape sphere --seeds)"
+    assert rows[-1] == f"spheres    {balls} (for lispac pick --shape sphere --seeds)"
     assert "B1" not in seeds.read_text()
     name, *place, _ = balls.read_text().splitlines()[1].split(",")
     assert name == "B1"

@@ -160,7 +160,7 @@ def test_what_is_shown_is_what_is_placed_with_a_picture_at_hand(project: Project
     shown = survey.displayed_clouds(
         project, "prior", progress=lambda _share, step=None: told.append(step)
     )
-    assert list(map(str, told)) == ["Placing L1"]
+    assert list(map(str, told)) == ["Computing the point positions of L1"]
     assert dict(shown) == dict(survey.clouds)
     with pytest.raises(ProjectError, check=lambda e: e.code == "project.not_estimated"):
         survey.displayed_clouds(project, "estimated")

@@ -218,7 +218,7 @@ def test_the_command_line_picks_balls(balls, capsys):
     assert main([*words, "--shape", "sphere"]) == 0
     out = capsys.readouterr().out
     assert "centre" in out
-    assert "(found)" in out
+    assert "(estimated)" in out
     assert "% of the surface seen" in out
     assert open_project(balls.project.folder).target("S1").sphere_radius is None
     assert main([*words, "--sphere-radius", "0.1"]) == 2

@@ -254,4 +254,4 @@ def test_what_cannot_be_mixed_is_refused(
     assert raised.value.code == "targetless.no_target"
     code, out, err = run(capsys, "targetless", tmp_path, "--keep", "--with-targets")
     assert (code, out) == (2, "")
-    assert "no second opinion" in err
+    assert "not independent" in err

@@ -61,7 +61,7 @@ def design(arguments: Namespace) -> None:
         print(f"{target.name:12s}{along:9.2f}{off:9.2f}{up:9.2f}{lean}")
     for k, line in enumerate(found.plan.lines, start=1):
         print(f"line {k}      {line.name}, {line.speed:g} m/s")
-    print(f"{'sigma_text':12s}{'deg':>16s}")
+    print(f"{'without':12s}{'deg':>16s}")
     for each in found.worth:
         print(f"{each.name:12s}{sigma_text(each.without):>16s}")
     print(f"{'minutes':12s}{'deg':>10s}  targets x lines")

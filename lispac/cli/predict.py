@@ -55,6 +55,6 @@ def predict(arguments: Namespace) -> None:
         counts = (found.points.get((target.name, c.name)) for c in plan.courses)
         cells = "".join(f"{'-' if n is None else f'{n:,.0f}':>8s}" for n in counts)
         print(f"{target.name:12s}{cells}")
-    print(f"{'sigma_text':12s}{'largest sigma, deg':>20s}")
+    print(f"{'without':12s}{'largest sigma, deg':>20s}")
     for each in valued:
         print(f"{each.name:12s}{sigma_text(each.without):>20s}")

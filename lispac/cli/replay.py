@@ -38,5 +38,5 @@ def replay(arguments: Namespace) -> None:
     print(f"{'standard deviation (deg)':38s}" + "".join(f"{angle:>9s}" for angle in ANGLES))
     for name, *cells in found.rows:
         print(f"{name:38s}" + "".join(f"{cell:>9s}" for cell in cells))
-    for sentence in found.words:
+    for sentence in found.summary_texts:
         print(sentence)

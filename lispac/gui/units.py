@@ -103,7 +103,7 @@ def figure(value: float, base: Base, form: str) -> str:
     shown = _used[base]
     fixed = _FORM.fullmatch(form)
     if fixed is not None and shown.finer:
-        form = f"{fixed['before']}.{shown_decimals(int(fixed['shown_decimals']), base)}f"
+        form = f"{fixed['before']}.{shown_decimals(int(fixed['decimals']), base)}f"
     return f"{value * shown.factor:{form}}"
 
 

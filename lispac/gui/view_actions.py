@@ -152,10 +152,8 @@ SWITCHES = ("orthographic", "section_points", "measure_distance", "measure_angle
 
 KEYS = (
     (N_("View"), (
-        (N_("Drag, arrows"), N_("rotate about the point under the mouse (drag) or about the "
-                                "centre (arrows)")),
-        (N_("Shift + drag, Shift + arrows"), N_("pan the view; also drag with the right or "
-                                                "middle button")),
+        (N_("Drag, arrows"), N_("rotate about the point under the mouse or the centre")),
+        (N_("Shift + drag, Shift + arrows"), N_("pan the view; or drag with another button")),
         (N_("Wheel, Page up and down"), N_("zoom in and out")),
         (N_("Double click"), N_("centre the view on the point")),
         (N_("F, Shift + F"), N_("zoom to all points, zoom to the selected target")),
@@ -165,19 +163,16 @@ KEYS = (
         ("+, −", N_("larger, smaller points")),
         ("C", N_("colour by line, height, intensity, range, time, residual")),
         ("B", N_("switch between before and after")),
-        ("W", N_("before and after in a split view; move the divider with the mouse or with "
-                 "Ctrl + arrows")),
+        ("W", N_("before and after in a split view; Ctrl + arrows move the divider")),
         (N_("P, Shift + P"), N_("save the picture of the view, copy it")),
     )),
     (N_("Designing a site (Ctrl + Shift + D)"), (
         (N_("Drag a line or its arrow"),
-         N_("move the line nearer or farther, or turn it; with Shift continuously")),
+         N_("move or turn the line; with Shift continuously")),
         (N_("Drag a target"),
-         N_("move the target along the wall and up or down; in 3D, drag its dots, also away "
-            "from the wall")),
+         N_("move the target along the wall and in height")),
         (N_("Page up and down"), N_("select a line or target")),
-        (N_("Arrows, Shift + arrows"), N_("move or turn the selected line or target in small "
-                                          "steps")),
+        (N_("Arrows, Shift + arrows"), N_("move or turn the selection in small steps")),
         (N_("Insert, Delete"), N_("add or remove a line or target")),
         (N_("Ctrl + D, Alt + Up, Down"), N_("duplicate the line, move it up or down in the "
                                             "order")),
@@ -193,8 +188,7 @@ KEYS = (
         (N_("M, Shift + M"), N_("measure a distance, an angle")),
         ("X", N_("show or remove the clip box around the selected target")),
         ("H", N_("outline the plane that a Ctrl+click would pick")),
-        (N_("Ctrl + T, Ctrl + Shift + T"), N_("show the patch test, put a patch-test box "
-                                              "around an object")),
+        (N_("Ctrl + T, Ctrl + Shift + T"), N_("show the patch test, add a box around an object")),
         (N_("Esc"), N_("end the measurement, the section or the lasso")),
     )),
     (N_("Targets"), (
@@ -202,7 +196,7 @@ KEYS = (
         (N_("F3, Shift + F3"), N_("enter the coordinates of a seed, read a list of seeds")),
         (N_("Enter, Esc"), N_("accept or reject the detected target")),
         (N_("F5, Shift + F5"), N_("propose targets, search for the selected target again")),
-        ("F6, F7", N_("pick an adjustment target, a validation plane with the next Ctrl + click")),
+        ("F6, F7", N_("next Ctrl + click picks a target, a validation plane")),
         ("F8", N_("turn the target into a validation plane, or the reverse")),
         (N_("L, Shift + L"), N_("lasso: add points to the selected target, remove points")),
     )),
@@ -210,8 +204,7 @@ KEYS = (
         (N_("Ctrl + 1, 2, 3, 4, 5"), N_("go to a step of the workflow")),
         ("F9, F10", N_("estimate the boresight, validate")),
         (N_("Shift + F9"), N_("run the subsampling study")),
-        (N_("Shift + F10, F11"), N_("check against a reference, compare calibrations over the "
-                                    "years")),
+        (N_("Shift + F10, F11"), N_("check against a reference, compare calibrations")),
         ("F12", N_("list all warnings")),
         (N_("Ctrl + ."), N_("cancel the running task")),
         (N_("Ctrl + E, Ctrl + Shift + E"), N_("export the report, the georeferenced lines")),

@@ -81,7 +81,7 @@ class PlanComparison:
         )
 
     @property
-    def words(self) -> tuple[str, ...]:
+    def summary_texts(self) -> tuple[str, ...]:
         """Deviations from the plan and their effect, as sentences."""
         planned, estimated = self.flatness
         found = []

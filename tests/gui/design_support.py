@@ -74,7 +74,7 @@ def settled(driver: Driver) -> None:
 
 
 def middle_of(view, k: int) -> QPointF:
-    first, last = view._drawn(k, view._ends()[k])
+    first, last = view._line_pixels(k, view._line_ends()[k])
     return (first + last) / 2
 
 

@@ -68,7 +68,7 @@ def test_the_arrow_of_a_line_turns_it(
     driver: Driver, design: DesignWindow, modifier, whole: bool
 ) -> None:
     view = design.plan_view
-    _, tip = view._drawn(0, view._ends()[0])
+    _, tip = view._line_pixels(0, view._line_ends()[0])
     place = view.place(tip)
     turn = np.radians(-22.0)  # clockwise seen from above is positive
     east, north = place
@@ -84,7 +84,7 @@ def test_the_arrow_of_a_line_turns_it(
 def test_escape_gives_a_drag_up(driver: Driver, design: DesignWindow) -> None:
     view = design.wall_view
     before = design.workspace.titled
-    spot = view._box(edits.placed_targets(before)[0]).center()
+    spot = view._target_rect(edits.placed_targets(before)[0]).center()
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(40, -60), NoModifier))
     assert design.workspace.titled is not before
@@ -96,7 +96,7 @@ def test_escape_gives_a_drag_up(driver: Driver, design: DesignWindow) -> None:
 
 def test_a_board_is_dragged_up_the_wall(driver: Driver, design: DesignWindow) -> None:
     view, before = design.wall_view, shown(design)
-    spot = view._box(edits.placed_targets(design.workspace.titled)[0]).center()
+    spot = view._target_rect(edits.placed_targets(design.workspace.titled)[0]).center()
     to = view.pixel(view.place(spot) + np.array([-1.0, 1.5]))
     drag(driver, view, spot, to)
     along, off, up = design.workspace.titled.wall.wall_coordinates(plan(design).targets[0].centre)

@@ -99,13 +99,13 @@ def test_answers_about_a_plan_stay(hands: Hands) -> None:
     answer = dark.surveys.answer
     assert answer.head.text() == str(head)
     assert [row[0] for row in answer.cells[1:]] == [row[0] for row in found.rows]
-    assert answer.stale.isVisibleTo(dark.surveys)  # of the plan before
+    assert answer.outdated.isVisibleTo(dark.surveys)  # of the plan before
     assert dark.pictures.which.count() == 1
     turn_to(hands, dark.views, 2)
     figure = dark.pictures.pages.currentWidget().figure
     hands.bot.waitUntil(lambda: len(figure.axes) == 3, timeout=WAIT_MS)
-    assert "0.0363" in dark.search.said.text()
-    assert "250" in dark.search.said.text()
+    assert "0.0363" in dark.search.message_label.text()
+    assert "250" in dark.search.message_label.text()
 
 
 def test_a_plan_whose_window_is_closed_stays_too(hands: Hands) -> None:

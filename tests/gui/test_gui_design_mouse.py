@@ -39,7 +39,7 @@ def test_a_search_that_ends_during_a_drag_ends_the_drag(
     if which == "plan_view":
         spot = middle_of(view, 5)
     else:
-        spot = view._box(edits.placed_targets(design.workspace.titled)[1]).center()
+        spot = view._target_rect(edits.placed_targets(design.workspace.titled)[1]).center()
     before = design.workspace.titled
     searching(driver, design, tmp_path)
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
@@ -60,7 +60,7 @@ def test_a_search_that_ends_during_a_drag_ends_the_drag(
 
 def test_a_view_that_is_hidden_during_a_drag_lets_go(driver: Driver, design: DesignWindow) -> None:
     view, before = design.wall_view, design.workspace.titled
-    spot = view._box(edits.placed_targets(before)[0]).center()
+    spot = view._target_rect(edits.placed_targets(before)[0]).center()
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(30, -40), NoModifier))
     assert design.workspace.is_dragging
@@ -75,7 +75,7 @@ def test_what_is_saved_during_a_drag_is_the_plan_before_it(
     driver: Driver, design: DesignWindow, tmp_path: Path
 ) -> None:
     view, before = design.wall_view, design.workspace.titled
-    spot = view._box(edits.placed_targets(before)[0]).center()
+    spot = view._target_rect(edits.placed_targets(before)[0]).center()
     driver.dialogs.path = tmp_path / "quay.toml"
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(30, -40), NoModifier))

@@ -70,7 +70,7 @@ def test_an_edit_stops_what_was_being_weighed(driver: Driver, design: DesignWind
 
 def test_sigmas_follow_a_drag_before_it_ends(driver: Driver, design: DesignWindow) -> None:
     view = design.wall_view
-    spot = view._box(edits.placed_targets(design.workspace.titled)[0]).center()
+    spot = view._target_rect(edits.placed_targets(design.workspace.titled)[0]).center()
     before = shown(design)
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -80), NoModifier))

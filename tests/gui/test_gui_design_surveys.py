@@ -70,11 +70,11 @@ def test_simulated_surveys_say_what_the_command_line_says(
     said = [line.replace(" %", "%").split()[-3:] for line in scatter_table(found).splitlines()]
     assert said == [[cell.replace(" %", "%") for cell in row[-3:]] for row in rows]
     assert tuple(shown.words.text().split("\n")) == found.summary_texts
-    assert not shown.stale.isVisible()
+    assert not shown.outdated.isVisible()
     driver.bot.keyClick(coarse, Key.Key_L, Control)
-    assert shown.stale.isVisible(), "it is no answer about another plan"
+    assert shown.outdated.isVisible(), "it is no answer about another plan"
     driver.bot.keyClick(coarse, Key.Key_Z, Control)
-    assert not shown.stale.isVisible()
+    assert not shown.outdated.isVisible()
     assert coarse.workspace.titled is before
     assert coarse.views.currentWidget() is coarse.pictures
     figure = coarse.pictures.pages.currentWidget().figure
@@ -102,7 +102,7 @@ def test_a_cancelled_campaign_shows_what_was_finished_if_it_is_enough(
     settled(driver)
     head = surveys.answer.head.text()
     assert head.startswith("Site: cancelled after ")
-    assert head.endswith(" of 5,000 surveys")
+    assert head.endswith(" of 5,000 simulated surveys")
     finished = int(head.split()[3].replace(",", ""))
     assert 40 <= finished < 5000
     assert f"{finished} surveys can show" in surveys.answer.words.text()
@@ -124,7 +124,7 @@ def test_a_campaign_that_ends_during_a_drag_lets_it_go_on(
     driver: Driver, coarse: DesignWindow
 ) -> None:
     view, surveys = coarse.wall_view, coarse.surveys
-    spot = view._box(edits.placed_targets(coarse.workspace.titled)[0]).center()
+    spot = view._target_rect(edits.placed_targets(coarse.workspace.titled)[0]).center()
     driver.bot.keyClicks(surveys.surveys, "20")
     driver.bot.keyClick(surveys.start, Key.Key_Space)
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
@@ -168,7 +168,7 @@ def test_an_answer_leaves_nothing_of_the_one_before(driver: Driver, coarse: Desi
     counts, head = [], gettext_lazy("Simulate surveys")
     for k in range(30):
         rows = [("scatter (deg)", f"{k}", "0.2", "-0.3")] * 7
-        shown.show_result(head, SimpleNamespace(rows=rows, words=("remark",)), plan_)
+        shown.show_result(head, SimpleNamespace(rows=rows, summary_texts=("remark",)), plan_)
         coarse.pictures.show_errors(surveyed_once())
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         counts.append(len(coarse.findChildren(QObject)))
@@ -187,7 +187,7 @@ def test_the_open_project_is_compared_with_the_plan(adjusted: Driver) -> None:
     found = compare_with_plan(document.project, document.survey, design.workspace.titled)
     shown = design.compared
     assert [row for row in shown.cells if row[0]] == [list(row) for row in found.rows]
-    assert shown.words.text().split("\n") == list(found.words)
+    assert shown.words.text().split("\n") == list(found.summary_texts)
     assert str(found.costs[0]) in shown.words.text()
     assert document.project.name in shown.head.text()
     assert read_plan(PORT).title in shown.head.text()

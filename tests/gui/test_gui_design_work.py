@@ -53,7 +53,7 @@ def test_the_best_plan_is_one_undo_step(driver: Driver, design: DesignWindow, tm
     assert search.cancel.isEnabled()
     settled(driver)
     assert driver.dialogs.errors == []
-    assert "all 250 possible plans" in search.said.text()
+    assert "all 250 possible plans" in search.message_label.text()
     assert [t.name for t in plan(design).targets] == ["T1", "tower"]
     assert design.workspace.titled.title == "Pier"
     assert design.pictures.which.count() == 1

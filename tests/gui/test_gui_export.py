@@ -40,16 +40,16 @@ def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: De
     assert asked.system == utm_zone(demo.survey.trajectory)
     assert (asked.what, asked.which, asked.form) == ("lines", "estimated", "laz")
     assert asked.output == dialog._project.folder / "export"
-    assert "UTM zone" in dialog.said.text()
+    assert "UTM zone" in dialog.message_label.text()
     dialog.system.setCurrentIndex(dialog.system.count() - 1)
     assert dialog.request().system == "local"
-    assert "north, west and up" in dialog.said.text()
+    assert "north, west and up" in dialog.message_label.text()
     dialog.system.setCurrentIndex(0)
-    assert "No datum transformation is applied" in dialog.said.text()
-    assert "at the epoch of the trajectory" in dialog.said.text()
+    assert "No datum transformation is applied" in dialog.message_label.text()
+    assert "at the epoch of the trajectory" in dialog.message_label.text()
     dialog.what.setCurrentIndex(list(CONTENTS).index("trajectory"))
-    assert dialog.said.isVisible()
-    assert "in the datum and at the epoch of" in dialog.said.text()
+    assert dialog.message_label.isVisible()
+    assert "in the datum and at the epoch of" in dialog.message_label.text()
 
 
 def test_a_wrong_system_is_told_of_while_it_is_typed(dialog: ExportDialog, qtbot: QtBot) -> None:
@@ -60,10 +60,10 @@ def test_a_wrong_system_is_told_of_while_it_is_typed(dialog: ExportDialog, qtbot
     assert not ok(dialog).isEnabled()
     qtbot.wait(REST_MS + 200)
     assert not ok(dialog).isEnabled()
-    assert "EPSG:2" in dialog.said.text()
+    assert "EPSG:2" in dialog.message_label.text()
     qtbot.keyClicks(field, "959")
     qtbot.waitUntil(ok(dialog).isEnabled, timeout=5000)
-    assert "NAD83(CSRS)" in dialog.said.text()
+    assert "NAD83(CSRS)" in dialog.message_label.text()
     assert dialog.request().system == "EPSG:2959"
     dialog.folder.selectAll()
     qtbot.keyClick(dialog.folder, Key.Key_Delete)
@@ -74,12 +74,12 @@ def test_a_system_of_another_part_of_the_world_is_doubted(
     dialog: ExportDialog, qtbot: QtBot
 ) -> None:
     dialog.system.lineEdit().setText("EPSG:32660")
-    dialog._judge()
-    assert dialog.said.property("role") == "error"
-    assert "the UTM zone of the trajectory is EPSG:32618" in dialog.said.text()
+    dialog._check_input()
+    assert dialog.message_label.property("role") == "error"
+    assert "the UTM zone of the trajectory is EPSG:32618" in dialog.message_label.text()
     dialog.system.lineEdit().setText("EPSG:32619")  # the next zone, as a survey near its edge has
-    dialog._judge()
-    assert "the UTM zone of the trajectory" not in dialog.said.text()
+    dialog._check_input()
+    assert "the UTM zone of the trajectory" not in dialog.message_label.text()
     dialog.height.setText("5703")
     dialog.system.setCurrentIndex(dialog.system.count() - 1)
     qtbot.waitUntil(lambda: not dialog.height.isEnabled(), timeout=5000)
@@ -137,13 +137,13 @@ def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Pat
     asked = dialog.request()
     assert (asked.system, asked.trajectory_datum, asked.epoch) == ("", None, None)
     assert not dialog.datum.isEnabled()
-    own = dialog.said.text()
+    own = dialog.message_label.text()
     assert "The trajectory is in ITRF2014" in own
     dialog.system.lineEdit().setText(NAD83)
-    dialog._judge()
+    dialog._check_input()
     asked = dialog.request()
     assert (asked.system, asked.trajectory_datum, asked.epoch) == (NAD83, ITRF, 2023.5)
-    assert dialog.said.text() == own
+    assert dialog.message_label.text() == own
     for field, text, words in (
         (dialog.epoch, "soon", "decimal year"),
         (dialog.epoch, "99999", "decimal year"),
@@ -153,19 +153,19 @@ def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Pat
         good = field.text()
         field.setText(text)
         assert not ok(dialog).isEnabled()
-        dialog._judge()
-        assert words in dialog.said.text()
+        dialog._check_input()
+        assert words in dialog.message_label.text()
         assert not ok(dialog).isEnabled()
         field.setText(good)
-        dialog._judge()
+        dialog._check_input()
         assert ok(dialog).isEnabled()
     dialog.datum.clear()
-    dialog._judge()
-    assert "has no effect without the datum" in dialog.said.text()
+    dialog._check_input()
+    assert "has no effect without the datum" in dialog.message_label.text()
     dialog.epoch.clear()
-    dialog._judge()
+    dialog._check_input()
     assert dialog.request().trajectory_datum == ""
-    assert "No datum transformation is applied" in dialog.said.text()
+    assert "No datum transformation is applied" in dialog.message_label.text()
 
 
 def test_lines_of_two_epochs_leave_the_choice_to_the_user(qtbot: QtBot, tmp_path: Path) -> None:
@@ -178,11 +178,11 @@ def test_lines_of_two_epochs_leave_the_choice_to_the_user(qtbot: QtBot, tmp_path
     qtbot.addWidget(dialog)
     assert dialog.system.itemData(0) == utm_zone(track())
     dialog.system.lineEdit().setText(NAD83)
-    dialog._judge()
-    assert "datum differs between lines" in dialog.said.text()
+    dialog._check_input()
+    assert "datum differs between lines" in dialog.message_label.text()
     assert not ok(dialog).isEnabled()
     dialog.datum.setText(ITRF)
     dialog.epoch.setText("2010")
-    dialog._judge()
+    dialog._check_input()
     assert ok(dialog).isEnabled()
     assert dialog.request().epoch == 2010.0

@@ -253,7 +253,7 @@ def test_another_language_waits_for_the_work_on_a_plan(session: Session, qtbot: 
     former.rebuild_window()
     qtbot.wait(200)
     assert session.window is former
-    assert "when the running task has ended" in former.log.toPlainText()
+    assert "used when it has ended" in former.log.toPlainText()
     goes_on.set()
     qtbot.waitUntil(lambda: session.window is not former, timeout=SOON_MS)
     assert ended == [None]

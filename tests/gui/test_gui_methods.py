@@ -54,7 +54,7 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
         names = [dialog.table.item(row, 0).text() for row in range(dialog.table.rowCount())]
         assert names == ["Targets", "Natural planes", "Targetless", "Patch test"]
         assert dialog.table.item(2, 3).text() == "\N{EN DASH}"
-        assert not dialog.said.isVisible()
+        assert not dialog.message_label.isVisible()
         assert dialog.ask.isEnabled()
         adjusted.bot.mouseClick(dialog.ask, Left)
 
@@ -66,11 +66,11 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
         names = [dialog.table.item(row, 0).text() for row in range(dialog.table.rowCount())]
         assert names == ["Targets", "Targetless", "Patch test", "Natural planes"]
         assert float(dialog.table.item(1, 5).text()) > 3
-        words = dialog.said.text()
+        words = dialog.message_label.text()
         assert "Natural planes: " in words, "too few of them"
         differs = "Significant difference between the targetless method and the targets in roll"
         assert differs in words
-        assert "Targetless: Targets adjusted with them: 30." in words
+        assert "natural surfaces: 30." in words
         assert not dialog.ask.isEnabled()
 
     answered(adjusted, second)
@@ -102,7 +102,10 @@ def test_what_a_method_cannot_answer_is_told(
     answered(adjusted, lambda dialog: adjusted.bot.mouseClick(dialog.ask, Left))
 
     def told(dialog: MethodsDialog) -> None:
-        assert "Natural planes: the lines share too little for natural planes" in dialog.said.text()
+        assert (
+            "Natural planes: the lines share too little for natural planes"
+            in dialog.message_label.text()
+        )
         assert not dialog.ask.isEnabled()
 
     answered(adjusted, told)

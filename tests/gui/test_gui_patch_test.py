@@ -76,7 +76,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     assert answer is not None
     assert answer.sigma is not None
     assert "result" in shown.angles.found[PITCH].text()
-    assert shown.said.text().startswith("The result is based on")
+    assert shown.message_label.text().startswith("The result is based on")
     truth = np.radians(opened.project.truth_deg)
     assert (np.abs(answer.boresight - truth) < 3 * answer.sigma).all()
 
@@ -116,7 +116,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     opened.rest()
     alone = shown.angles.boresight
     assert abs(alone[PITCH] - answer.boresight[PITCH]) < 0.2 * answer.sigma[PITCH]
-    assert "mismatch is smallest" in shown.said.text()
+    assert "mismatch is smallest" in shown.message_label.text()
 
 
 def test_keys_turn_by_a_thousandth_and_the_picture_follows(opened: Driver) -> None:
@@ -181,10 +181,10 @@ def test_what_was_found_is_forgotten_with_another_choice(opened: Driver) -> None
     opened.rest()
     click(opened, shown.angles.finds[ROLL])
     opened.rest()
-    assert "mismatch is smallest" in shown.said.text()
+    assert "mismatch is smallest" in shown.message_label.text()
     tick(opened, shown.objects, 0)
     assert shown.objects.item(0).checkState() == Qt.CheckState.Unchecked
-    assert shown.said.text() == ""
+    assert shown.message_label.text() == ""
     many = len(shown.ticked_entries)
     assert many == shown.objects.count() - 1
     for row in range(shown.pairs.count()):

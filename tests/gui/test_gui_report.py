@@ -133,11 +133,11 @@ def test_a_bad_template_is_said_at_once_and_refused(adjusted: Driver, tmp_path: 
     adjusted.dialogs.path = tmp_path / "own.toml"
     adjusted.dialogs.path.write_text("colour = 'red'")
     click(adjusted, panel.findChild(QPushButton, "report_template_choose"))
-    assert "has no colour" in panel.template_error.text()
+    assert "colour is not a key" in panel.template_error.text()
     assert panel.template_error.isVisible()
     click(adjusted, panel.report)
     (error,) = adjusted.dialogs.errors
-    assert "has no colour" in str(error)
+    assert "colour is not a key" in str(error)
     assert not adjusted.window.runner.active
 
 
@@ -380,7 +380,7 @@ def test_no_report_is_proposed_into_the_cache(
     """It may be emptied at any time; a project elsewhere keeps its report beside it."""
     folder = adjusted.project.folder
     place = folder.parent if cached else folder / "cache"
-    monkeypatch.setattr("lispac.gui.proposed_folders.cache_place", lambda: place)
+    monkeypatch.setattr("lispac.gui.proposed_folders.usable_cache_folder", lambda: place)
     adjusted.window.actions_["report"].trigger()
     proposed = adjusted.dialogs.proposed
     assert proposed.name == f"{adjusted.project.name}.pdf"

@@ -209,31 +209,31 @@ def test_what_cannot_be_kept_is_said_while_it_is_typed(qtbot: QtBot, tmp_path: P
     qtbot.addWidget(editor)
     editor.show()
     qtbot.waitUntil(lambda: in_front(editor))
-    assert editor.said.text() == ""
+    assert editor.message_label.text() == ""
     qtbot.keyClick(editor.title, Key.Key_Tab)
-    assert "needs a title" in editor.said.text()
+    assert "needs a title" in editor.message_label.text()
     qtbot.keyClicks(editor.title, "Profiler 16")
-    assert editor.said.text() == ""
+    assert editor.message_label.text() == ""
     qtbot.mouseClick(editor.keep, Left)
-    assert "source of the specifications" in editor.said.text()
+    assert "source of the specifications" in editor.message_label.text()
     assert editor.parts[0].origin.source.hasFocus()
     assert not editor.keep.isEnabled()
     qtbot.keyClicks(editor.parts[0].origin.source, "Certificate")
-    assert "already" in editor.said.text()
+    assert "already" in editor.message_label.text()
     assert not editor.keep.isEnabled()
     qtbot.keyClicks(editor.title, " B")
-    assert editor.said.text() == ""
+    assert editor.message_label.text() == ""
     assert editor.keep.isEnabled()
 
     pos = SensorEditor(tmp_path, NEW_POS, "")
     qtbot.addWidget(pos)
     pos.show()
     qtbot.keyClicks(pos.title, "My INS")
-    assert pos.said.text() == ""
+    assert pos.message_label.text() == ""
     qtbot.mouseClick(pos.keep, Left)
-    assert "source of the specifications" in pos.said.text()
+    assert "source of the specifications" in pos.message_label.text()
     pos.parts[1].stated.setChecked(False)
-    assert "at least one GNSS solution" in pos.said.text()
+    assert "at least one GNSS solution" in pos.message_label.text()
 
 
 def test_a_broken_file_is_named_above_the_buttons(
@@ -244,7 +244,7 @@ def test_a_broken_file_is_named_above_the_buttons(
     path.write_text('title = "Mine"\n')
     dialog = SettingsDialog(Preferences(), tmp_path)
     qtbot.addWidget(dialog)
-    assert dialog.library.said.text() == f"{path}: range_sigma_m is missing. Add it."
+    assert dialog.library.message_label.text() == f"{path}: range_sigma_m is missing. Add it."
 
 
 def test_a_new_project_begins_with_the_usual_sensors_and_names_them(
@@ -308,12 +308,12 @@ def test_a_cache_is_shown_and_emptied_after_a_question(
     (place / "numba" / "kernel").write_bytes(bytes(2_500_000))
     (tmp_path / "file").write_text("")
     page.cache.take(tmp_path / "file")
-    assert "the cache cannot be written here" in page.cache.said.text()
+    assert "the cache cannot be written here" in page.cache.message_label.text()
     page.cache.take(tmp_path / "disk")
     assert page.preferences.cache == tmp_path / "disk"
     assert page.cache.place.text() == str(place)
     assert page.cache.size.text() == "2.5 MB"
-    assert page.cache.said.text() == ""
+    assert page.cache.message_label.text() == ""
 
     for button, left in (("Cancel", True), ("Empty cache", False)):
         QTimer.singleShot(200, lambda button=button: answer_box(qtbot, button))
@@ -333,6 +333,6 @@ def test_an_open_demo_is_not_removed(page: SettingsDialog, qtbot: QtBot, tmp_pat
     lock = QLockFile(str(demo / LOCK_NAME))
     assert lock.tryLock(0)
     qtbot.mouseClick(page.cache.empty, Left)
-    assert page.cache.said.text().startswith("The demo survey is open")
+    assert page.cache.message_label.text().startswith("The demo survey is open")
     assert (demo / "raw" / "demo").is_file()
     lock.unlock()

@@ -152,7 +152,7 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
         assert rows == len(found.lines) + 1
         mean = 1000 * found.together.after.signed.mean
         assert dialog.table.item(rows - 1, 5).text().replace("−", "-") == f"{mean:+.1f}"
-        assert "mean" in dialog.said.text().lower()
+        assert "mean" in dialog.message_label.text().lower()
         assert len(dialog.canvas.figure.axes) == 1
 
     QTimer.singleShot(0, adjusted.window.actions_["check"].trigger)
@@ -211,10 +211,10 @@ def test_visible_errors_are_chosen_read_off_and_copied(
         assert best["Lever arm Z 10 cm"] == "not visible"
         dialog.table.selectRow(0)
         assert dialog.error.currentText() == "Roll 2 deg"
-        assert "Appendix C.2.1" in dialog.said.text()
+        assert "Appendix C.2.1" in dialog.message_label.text()
         dialog.table.selectRow(2)
         assert dialog.error.currentText() == "Yaw 2 deg"
-        assert "Appendix" not in dialog.said.text()
+        assert "Appendix" not in dialog.message_label.text()
         dialog.criterion.setCurrentIndex(1)
         (axes,) = dialog.canvas.figure.axes
         assert "Yaw" in axes.get_title(loc="left")

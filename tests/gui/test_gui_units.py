@@ -274,7 +274,7 @@ def test_what_was_measured_is_metric_in_a_picture_for_a_file(
     measuring = opened.window.findChild(Measurements)
     opened.window.actions_["measure_distance"].trigger()
     for place in ((0.0, 0.0, 0.0), (3.0, 0.0, -4.0)):
-        measuring._take(PickedPoint(opened.project.lines[0].name, place))
+        measuring._add_point(PickedPoint(opened.project.lines[0].name, place))
     sketch = opened.viewport.sketches["measure"]
     assert label_text(sketch).startswith(f"Slope distance {5 / FOOT:.3f}\u00a0ft")
     with units.standard_units():

@@ -284,7 +284,7 @@ def test_the_window_does_not_wait_for_the_list(adjusted: Driver, monkeypatch) ->
 
     listed(adjusted)
     monkeypatch.setattr(warning_list, "warnings_of", slow)
-    adjusted.window.warning_list._watch()
+    adjusted.window.warning_list._on_project_changed()
     longest, started = 0.0, time.perf_counter()
     while not adjusted.window.warning_list.is_current:
         before = time.perf_counter()

@@ -27,7 +27,7 @@ class AnglesResult(Protocol):
         """Title, roll, pitch and yaw of each row."""
 
     @property
-    def words(self) -> Sequence[str]:
+    def summary_texts(self) -> Sequence[str]:
         """Remarks."""
 
 
@@ -78,7 +78,7 @@ class AnglesTable(QWidget):
                 if row:
                     shown.setAccessibleName(f"{name}, {angle}")
                 self._grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
-        self.words.setText("\n".join(result.words))
+        self.words.setText("\n".join(result.summary_texts))
         self.hint.hide()
         for each in (self.head, self.words):
             each.show()

@@ -23,7 +23,7 @@ FACTORS = {
 class SearchPanel(QScrollArea):
     """Form of the search, which emits the request of the user."""
 
-    request = Signal()
+    requested = Signal()
     cancel_requested = Signal()
     file_requested = Signal()
 
@@ -117,7 +117,7 @@ class SearchPanel(QScrollArea):
         self.setWidget(body)
         self.read.clicked.connect(lambda: self.file_requested.emit())
         self.forget.clicked.connect(self.limits.use_form)
-        self.find.clicked.connect(lambda: self.request.emit())
+        self.find.clicked.connect(lambda: self.requested.emit())
         self.cancel.clicked.connect(lambda: self.cancel_requested.emit())
         self.limits.changed.connect(self._check_limits)
         workspace.changed.connect(self._check_limits)

@@ -32,7 +32,7 @@ class SimulationRequest:
 class SurveysPanel(QScrollArea):
     """Form of the simulation and table of its result."""
 
-    request = Signal()
+    requested = Signal()
     cancel_requested = Signal()
 
     def __init__(self) -> None:
@@ -94,7 +94,7 @@ class SurveysPanel(QScrollArea):
         both.addLayout(left, 2)
         both.addWidget(self.answer, 3)
         self.setWidget(body)
-        self.start.clicked.connect(lambda: self.request.emit())
+        self.start.clicked.connect(lambda: self.requested.emit())
         self.cancel.clicked.connect(lambda: self.cancel_requested.emit())
 
     def copy_state_from(self, former: "SurveysPanel") -> None:

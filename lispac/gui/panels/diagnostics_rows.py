@@ -130,7 +130,7 @@ def check_columns() -> tuple[Column, ...]:
     degrees = units.local_sign("°")
     columns = [
         Column(
-            gettext("Subset of the data"),
+            gettext("Subset"),
             gettext("Line or target that was omitted, or halves that were compared"),
             True,
         )
