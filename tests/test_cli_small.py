@@ -151,7 +151,7 @@ def test_objects_and_pairs_of_a_patch_test_are_those_asked_for(
     bench = Bench()
     monkeypatch.setattr(patchtest, "workflow", bench)
     placed = SimpleNamespace(mounting=project.mounting("prior"))
-    shown = SimpleNamespace(heading=survey.heading, clouds=survey.clouds, aligned=placed)
+    shown = SimpleNamespace(heading=survey.heading, clouds=survey.clouds, alignment=placed)
     monkeypatch.setattr(patchtest, "load_survey", lambda *_, **__: shown)
 
     def objects(*words: object) -> list[str]:

@@ -31,7 +31,7 @@ import sys
 from pathlib import Path
 from lispac.survey.store import point_blocks, spool
 point_blocks.BLOCK = spool.BLOCK = {BLOCK}
-from lispac.survey.store.spatial_cells import octaves_near
+from lispac.survey.store.spatial_cells import octave_runs_in_sphere
 from lispac.survey.store.line_import import write_store
 from tests.store_lines import RECIPE, Line, place
 line = Line({POINTS})

@@ -163,7 +163,7 @@ KEYS = (
         ("+, −", N_("larger, smaller points")),
         ("C", N_("colour by line, height, intensity, range, time, residual")),
         ("B", N_("switch between before and after")),
-        ("W", N_("before and after in a split view; Ctrl + arrows move the divider")),
+        ("W", N_("split view before and after; Ctrl + arrows move the divider")),
         (N_("P, Shift + P"), N_("save the picture of the view, copy it")),
     )),
     (N_("Designing a site (Ctrl + Shift + D)"), (
