@@ -39,7 +39,7 @@ def to_las(
 ) -> laspy.LasData:
     """Georeference a LAS file along the test track."""
     mapper = PointMapper(system, track(), MOUNTING)
-    chunks = LAS.read(source, LAS.settled({})) if chunk is None else [chunk]
+    chunks = LAS.read(source, LAS.resolved({})) if chunk is None else [chunk]
     write_cloud(
         chunks, path, path, mapper, lambda _: layout_of_las(source),
         compressed=path.suffix == ".laz",
@@ -167,7 +167,7 @@ def test_what_is_written_is_read_back(tmp_path: Path, code: str, height: str, nu
     choice = {**LAS.look(path, {}).choice, "height": grid}
     if number < 6 and code == "EPSG:4326":
         choice["frame"] = "georeferenced"
-    found = crs_of_options(LAS.settled(choice))
+    found = crs_of_options(LAS.resolved(choice))
     assert found is not None
     trajectory = track()
     recovery = RecoverySetup(found, trajectory, MOUNTING)

@@ -28,7 +28,7 @@ def test_utm_points_and_their_ecef_twins_agree(
     for name in ("points.las", "points_ecef.las"):
         path = shared_data / "leeward" / name
         choice = LAS.look(path, {}).choice
-        system = crs_of_options(LAS.settled(choice))
+        system = crs_of_options(LAS.resolved(choice))
         assert system is not None
         cloud = laspy.read(path).xyz
         clouds.append(cloud)

@@ -85,7 +85,7 @@ def test_a_project_goes_to_the_map_and_comes_back(
     written = laspy.read(done[0].path)
     np.testing.assert_array_equal(written.gps_time, raw.gps_time)  # the original ones
     choice = LAS.look(done[0].path, {}).choice
-    system = crs_of_options(LAS.settled(choice))
+    system = crs_of_options(LAS.resolved(choice))
     assert system is not None
     chunks = (replace(c, time=c.time + 18.0) for c in LAS.read(done[0].path, choice))
     recovery = RecoverySetup(system, trajectory, project.mounting("prior"))

@@ -21,7 +21,7 @@ SOUND = PatchTestResult(
     lines=("L1", "L2"),
     objects=(),
     rounds=4,
-    settled=True,
+    converged=True,
 )
 FIRST = note("patch_test.basis", count=0, lines=2)
 FALL = note("patch_test.mismatch_reduced", limit=SCALE, before=0.2041, after=0.0123)
@@ -36,7 +36,7 @@ def test_a_sound_result_has_no_further_remarks() -> None:
     ("change", "remark"),
     [
         ({"covariance": None}, note("patch_test.no_sigma", count=0, needed=FEWEST)),
-        ({"settled": False}, note("patch_test.not_converged")),
+        ({"converged": False}, note("patch_test.not_converged")),
         (
             {"one_by_one": np.radians([1.005, 2.0, -1.05])},
             note(

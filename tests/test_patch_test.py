@@ -81,7 +81,7 @@ def test_each_angle_is_within_three_sigma_of_the_truth(
     assert (error(clean, thinned[0]) < 3).all()
     assert clean.sigma is not None
     assert np.degrees(clean.sigma).max() < 0.03
-    assert clean.settled
+    assert clean.converged
     assert clean.disagreeing == ()
     assert clean.lines == thinned[1].lines
     assert clean.mismatch < 0.5 * clean.mismatch_before

@@ -88,7 +88,7 @@ def test_a_look_states_frame_unit_time_base_and_assumptions(valid: tuple[FileFor
     assert found.assumptions
     assert len(found.rows) == 11
     assert len({len(row) for row in found.rows}) == 1
-    format_.settled(found.choice)
+    format_.resolved(found.choice)
     assert all(fact_text(fact) for fact in found.facts.values())
 
 
@@ -205,8 +205,8 @@ def test_las_states_its_time_base_and_system(tmp_path: Path) -> None:
     assert "times.base_contradicted" in codes(found.file_warnings)  # they are of the week
     assert "points.small_coordinates" in codes(found.file_warnings)
     with pytest.raises(InputError, check=has_code("crs.grid_missing_geoid")):  # its geoid
-        crs_of_options(FORMATS["las"].settled(found.choice))
-    settled = FORMATS["las"].settled({**found.choice, "height": "ellipsoid"})
+        crs_of_options(FORMATS["las"].resolved(found.choice))
+    settled = FORMATS["las"].resolved({**found.choice, "height": "ellipsoid"})
     system = crs_of_options(settled)
     assert system is not None
     assert "MTM" in system.name

@@ -87,7 +87,7 @@ def test_a_packed_file_whose_checksum_is_wrong(tmp_path: Path) -> None:
 
 
 def test_an_epoch_that_is_no_year() -> None:
-    choice = TEXT.settled({"frame": "georeferenced", "crs": "EPSG:32619", "epoch": "May"})
+    choice = TEXT.resolved({"frame": "georeferenced", "crs": "EPSG:32619", "epoch": "May"})
     with pytest.raises(InputError) as told:
         crs_of_options(choice)
     assert told.value.message == error("file.epoch", epoch="May")

@@ -33,7 +33,7 @@ def test_points_lie_between_their_knots(observations) -> None:
     np.testing.assert_allclose(after - before, KNOTS, rtol=0, atol=1e-9)
     placed = before + knots.fraction * KNOTS
     np.testing.assert_allclose(placed, observations.time, rtol=0, atol=1e-9)
-    np.testing.assert_allclose(knots.stray, knots.fraction * (1 - knots.fraction), atol=1e-12)
+    np.testing.assert_allclose(knots.outlying, knots.fraction * (1 - knots.fraction), atol=1e-12)
 
 
 def test_the_precision_is_the_inverse_of_an_exponential_covariance(observations) -> None:
@@ -77,6 +77,6 @@ def test_points_in_another_order_keep_their_knots(observations) -> None:
     order = np.random.default_rng(3).permutation(len(observations))
     knots = PosErrorKnots.of(observations, MODEL)
     again = knots.reordered(order)
-    for name in ("left", "fraction", "stray"):
+    for name in ("left", "fraction", "outlying"):
         np.testing.assert_array_equal(getattr(again, name), getattr(knots, name)[order])
     np.testing.assert_array_equal(again.precision_beside, knots.precision_beside)

@@ -73,7 +73,7 @@ def written(
 
 def system_in(path: Path) -> CoordinateSystem:
     """By what the header states alone."""
-    system = crs_of_options(LAS.settled(LAS.look(path, {}).choice))
+    system = crs_of_options(LAS.resolved(LAS.look(path, {}).choice))
     assert system is not None
     return system
 

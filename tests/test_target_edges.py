@@ -202,9 +202,9 @@ def test_angles_that_never_come_to_rest_are_said_not_to_have_settled(
         mismatch_minimisation, "_angle_step", lambda _, __, turned: np.radians(np.ones(len(turned)))
     )
     found = mismatch_minimisation.minimise_mismatch(NOTHING, (), np.zeros(3), (0, 2))
-    assert not found.settled
+    assert not found.converged
     steps = mismatch_minimisation.STEPS * len(mismatch_minimisation.SCALES)
     np.testing.assert_allclose(np.degrees(found.boresight), [steps, 0.0, steps])
     one_by_one = mismatch_minimisation.minimise_angle_by_angle(NOTHING, (), np.zeros(3))
-    assert (one_by_one.rounds, one_by_one.settled) == (mismatch_minimisation.ROUNDS, False)
+    assert (one_by_one.rounds, one_by_one.converged) == (mismatch_minimisation.ROUNDS, False)
     np.testing.assert_allclose(np.degrees(one_by_one.boresight), [mismatch_minimisation.ROUNDS] * 3)

@@ -79,7 +79,7 @@ def test_each_angle_is_within_three_sigma_of_the_truth(
     assert (off < 3).all(), off
     assert np.degrees(clean.result.sigma).max() < 0.02
     assert clean.disagreeing == ()
-    assert len(clean.remarks) == 1 + (not clean.settled)
+    assert len(clean.remarks) == 1 + (not clean.converged)
     assert clean.candidates >= len(clean.project.targets)
     assert clean.result.observability is not None
 

@@ -26,7 +26,7 @@ def new(
     line_reading: Reading = USUAL,
     trajectory_reading: Reading = USUAL,
     accuracy_reading: Reading = USUAL,
-    resolved: bool = False,
+    settled: bool = False,
     truth_deg: Triple | None = None,
     progress: Progress = no_progress,
     **settings: Any,
@@ -45,7 +45,7 @@ def new(
         smrmsg, or a text that holds the accuracies of the trajectory.
     line_reading, trajectory_reading, accuracy_reading : Reading
         Options of the formats; ``lispac look FILE`` lists them.
-    resolved : bool
+    settled : bool
         Whether the readings are complete, as a script of a project has them: nothing is looked for
         in the files then.
     truth_deg : degrees, optional
@@ -69,7 +69,7 @@ def new(
         truth_deg=truth_deg,
         trajectory_reading=trajectory_reading,
         accuracy_reading=accuracy_reading,
-        resolved=resolved,
+        resolved=settled,
         progress=progress,
     )
     return OpenProject(project, survey, progress=progress)

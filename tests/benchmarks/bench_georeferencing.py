@@ -219,7 +219,7 @@ def test_file_to_laz_beside_laspy_reading_and_writing(tmp_path, count, ending):
     for _ in range(3):
         copied.append(timed(through))
         made.append(timed(lambda: write_cloud(
-            LAS.read(source, LAS.settled({})), ours, ours, mapper,
+            LAS.read(source, LAS.resolved({})), ours, ours, mapper,
             lambda _: layout_of_las(source))))  # fmt: skip
     print(
         f"\n{count:,} points from {ending} to UTM LAZ: {rate(count, made)}, laspy reading and "
