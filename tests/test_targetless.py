@@ -84,6 +84,14 @@ def test_each_angle_is_within_three_sigma_of_the_truth(
     assert clean.result.observability is not None
 
 
+def test_the_weakest_direction_is_that_of_the_stated_covariance(clean: TargetlessResult) -> None:
+    """Also where the scatter of subsets has raised the sigmas."""
+    observability = clean.result.observability
+    assert observability is not None
+    spread = np.linalg.eigvalsh(clean.result.covariance)
+    np.testing.assert_allclose(1 / observability.eigenvalues, spread[::-1], rtol=1e-9)
+
+
 @pytest.mark.parametrize(
     "off", [(2.0, -2.0, 2.0), pytest.param((-2.0, 2.0, -2.0), marks=pytest.mark.long)]
 )

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.excess_scatter import sigmas_without
 from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.normal_equations import scaled_inverse
 from lispac.adjustment.parameters import LIMITS, ParameterEstimate
 from lispac.adjustment.result import ANGLES, Observability, UncheckedPart
 from lispac.errors import RankDeficient
@@ -228,6 +229,7 @@ def assess_observability(
     linearised: LinearisedProblem,
     *,
     raised: Array | None = None,
+    covariance: Array | None = None,
     origins: Array | None = None,
     progress: Progress = no_progress,
 ) -> Observability:
@@ -237,11 +239,15 @@ def assess_observability(
     ----------
     raised : ndarray of shape (3,), optional
         Factors by which the sigmas of the angles are raised.
+    covariance : ndarray of shape (3, 3), radians squared, optional
+        Covariance of the angles as stated, if it is not that of ``linearised`` with the factors.
     origins : ndarray of shape (targets, 3), metres, local, optional
         Where the targets are.
     """
     factors = np.ones(3) if raised is None else raised
     information = linearised.normal.information(3) / np.outer(factors, factors)
+    if covariance is not None:
+        information = scaled_inverse(covariance)
     eigenvalues, directions = np.linalg.eigh(information)
     sigma = np.sqrt(np.diag(np.linalg.inv(information)))
     observations = linearised.problem.observations

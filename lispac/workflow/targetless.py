@@ -192,7 +192,10 @@ def targetless(
         )
         if raised_result.observability is not None and raised_result.raised is not None:
             seen = assess_observability(
-                solved.here, raised=raised_result.raised, origins=solved.origins
+                solved.here,
+                raised=raised_result.raised,
+                covariance=raised_result.covariance,
+                origins=solved.origins,
             )
             raised_result = replace(raised_result, observability=seen)
         shifted = LineShiftScores.of(solved.here).shifted_lines()
