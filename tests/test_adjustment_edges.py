@@ -108,7 +108,7 @@ def test_a_step_that_cannot_be_solved_is_an_adjustment_that_ran_away(
     def singular(self: LinearisedProblem) -> None:
         raise np.linalg.LinAlgError
 
-    monkeypatch.setattr(LinearisedProblem, "step", singular)
+    monkeypatch.setattr(LinearisedProblem, "next_state", singular)
     with pytest.raises(NotConverged, check=has_code("adjustment.diverged")):
         adjust(few, PRIOR, MODEL)
 
