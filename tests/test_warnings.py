@@ -143,7 +143,7 @@ def test_an_answer_that_an_edit_has_dropped_is_missed(
     """Until there is another one, and not before there was any."""
     project = sample_project(tmp_path)
     project = project if estimated else replace(project, result=None, validation=())
-    found = coded(project, stale=stale).get("project.out_of_date")
+    found = coded(project, outdated=stale).get("project.out_of_date")
     expected = note("project.out_of_date", subject=Cause.of_step("Adjust"))
     assert found == (expected if stale and not estimated else None)
 
