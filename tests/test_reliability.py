@@ -103,7 +103,7 @@ def test_a_shift_and_its_sigma_are_those_of_dense_matrices_without_the_prior(lin
     """The prior of one offset taken out of the whole normal matrix, which is solved anew."""
     tests, problem = sighting_tests(linearised), linearised.problem
     covariance = dense(linearised)
-    full, usual = np.linalg.inv(covariance), problem.usual_surface[2]
+    full, usual = np.linalg.inv(covariance), problem.default_surface_sigmas[2]
     for s, place in enumerate(linearised.normal.layout.surfaces):
         offset = place.stop - 1
         weight = problem.surface_sigma[s, 2] ** -2
