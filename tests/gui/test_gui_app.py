@@ -20,7 +20,7 @@ from PySide6.QtGui import QFileOpenEvent
 from lispac.gui.app import Application
 
 application, asked = Application(sys.argv[:1]), []
-application.document_asked.connect(asked.append)
+application.document_requested.connect(asked.append)
 event = QFileOpenEvent(sys.argv[1])
 assert QCoreApplication.sendEvent(application, event)
 QCoreApplication.sendEvent(application, QEvent(QEvent.Type.ApplicationFontChange))

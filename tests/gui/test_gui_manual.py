@@ -57,5 +57,5 @@ def test_its_tables_are_those_of_the_window_and_the_readers(
 
 def test_a_key_keeps_its_letter_in_french() -> None:
     rows = (folder("fr") / "keys.md").read_text(encoding="utf-8").splitlines()
-    assert any(row.startswith("| W | avant et après en vue partagée") for row in rows)
+    assert any(row.startswith("| W | vue partagée avant et après") for row in rows)
     assert len([row for row in rows if row.startswith("| O |")]) == 1
