@@ -109,7 +109,7 @@ def test_without_what_was_kept_the_loss_is_said(
         assert "export.file_and_header_gone" in codes(notes)
         capsys.readouterr()
         assert main(["import", str(project.folder), "--check"]) == 0
-        assert "header that were kept at the import have changed" in capsys.readouterr().err
+        assert "header records stored with them are damaged" in capsys.readouterr().err
     header.unlink()
     assert "export.file_and_header_gone" in codes(written(project, tmp_path / "two")[1])
 

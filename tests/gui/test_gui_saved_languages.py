@@ -58,7 +58,7 @@ def listed(driver: Driver) -> dict[str, Message]:
 
 def french(driver: Driver) -> set[str]:
     """Texts of a window that are those of the French catalogue."""
-    only = set(FRENCH.values()) - set(FRENCH)
+    only = {each for each in set(FRENCH.values()) - set(FRENCH) if any(map(str.isalpha, each))}
     return {text for text in texts(driver.window) if any(each in only for each in pieces(text))}
 
 
