@@ -134,7 +134,7 @@ SECONDS = 5000 + np.arange(200) / 100
 
 
 @pytest.mark.parametrize(
-    ("time", "doubts"),
+    ("time", "file_warnings"),
     [
         (SECONDS, ()),
         (SECONDS.astype(np.float32), (warning("times.coarse", file="a", step=2.0**-11),)),
@@ -144,7 +144,7 @@ SECONDS = 5000 + np.arange(200) / 100
          (warning("times.decreasing_points", file="a", count=199, total=200),)),
     ],
 )  # fmt: skip
-def test_doubts_about_times(time: np.ndarray, file_warnings: tuple[Message, ...]) -> None:
+def test_warnings_about_times(time: np.ndarray, file_warnings: tuple[Message, ...]) -> None:
     """Near 5,000 a float of 32 bits has steps of 2**-11."""
     assert check_first_points(NEAR, time, file="a", crs="").file_warnings == file_warnings
 

@@ -121,7 +121,7 @@ def test_a_heading_across_the_course_is_doubted(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("position", "attitude_deg", "doubts"),
+    ("position", "attitude_deg", "file_warnings"),
     [
         (0.02, 0.01, []),
         (0.0, 0.01, ["accuracy.all_zero"]),
@@ -130,7 +130,7 @@ def test_a_heading_across_the_course_is_doubted(tmp_path: Path) -> None:
         (200.0, 0.01, ["accuracy.large"]),
     ],
 )
-def test_standard_deviations_that_are_doubted(
+def test_implausible_standard_deviations_are_warned_about(
     position: float, attitude_deg: float, file_warnings: list[str]
 ) -> None:
     sigmas = np.full((5, 3), position), np.full((5, 3), np.radians(attitude_deg))

@@ -39,7 +39,7 @@ def test_the_lines_are_shown_as_they_were(
     after, shading = session.window.viewport.clouds, session.window.viewport.shading
     assert not same(after, before)
     assert shading is not None
-    monkeypatch.setattr(type(demo.survey), "shown", None)
+    monkeypatch.setattr(type(demo.survey), "displayed_clouds", None)
     for looks in ("Dark", "Light"):
         change(session, qtbot, looks)
         window = session.window
