@@ -3,7 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.parallel_chunks import kernel, run_in_chunks
+from lispac.adjustment.parallel_chunks import run_in_chunks
+from lispac.compiled_code import kernel
 
 Array = NDArray[np.float64]
 

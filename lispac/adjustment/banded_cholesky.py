@@ -11,7 +11,7 @@ import numpy as np
 import scipy.linalg
 from numpy.typing import NDArray
 
-from lispac.adjustment.parallel_chunks import kernel
+from lispac.compiled_code import kernel
 
 Array = NDArray[np.float64]
 

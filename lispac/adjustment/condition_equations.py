@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.attitude_trigonometry import attitude_cosines_sines
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.parallel_chunks import kernel, run_in_chunks
+from lispac.adjustment.parallel_chunks import run_in_chunks
+from lispac.compiled_code import kernel
 from lispac.geometry.rotations import rotation_matrix
 from lispac.survey.georeferencing import Mounting
 

@@ -20,9 +20,10 @@ from lispac.adjustment.condition_equations import (
     point_pose,
 )
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.parallel_chunks import kernel, run_in_chunks
+from lispac.adjustment.parallel_chunks import run_in_chunks
 from lispac.adjustment.robust_loss import Loss, influence_slope, loss_weight
 from lispac.adjustment.stochastic_model import PosErrorKnots
+from lispac.compiled_code import kernel
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]

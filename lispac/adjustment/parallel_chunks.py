@@ -3,18 +3,9 @@
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from functools import partial
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
-
-kernel = partial(
-    njit, nogil=True, cache=True, error_model="numpy",
-    fastmath={"contract", "reassoc", "nsz", "arcp"},
-)  # fmt: skip
-"""Decorator of what is compiled for a pass over all points; NumPy's way with errors and sums in any
-order halve its time."""
 
 FEW = 20_000  # points that are dealt with before the threads have started
 CHUNKS = 16  # tasks for the threads: enough that they end together

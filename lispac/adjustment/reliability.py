@@ -15,9 +15,10 @@ from lispac.adjustment.group_sums import (
     write_group_row,
 )
 from lispac.adjustment.normal_equations import NormalEquations, unknown_directions
-from lispac.adjustment.parallel_chunks import kernel, run_in_chunks
+from lispac.adjustment.parallel_chunks import run_in_chunks
 from lispac.adjustment.result import SightingReliability
 from lispac.adjustment.robust_loss import loss_weight
+from lispac.compiled_code import kernel
 
 Array = NDArray[np.float64]
 

@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.parallel_chunks import kernel
+from lispac.compiled_code import kernel
 
 LossName = Literal["none", "huber", "tukey"]
 LOSSES: tuple[LossName, ...] = ("none", "huber", "tukey")

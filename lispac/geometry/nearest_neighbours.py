@@ -8,8 +8,9 @@ asked in spatial order, so that one after the other walks through the same leave
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from lispac.compiled_code import njit
 
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree

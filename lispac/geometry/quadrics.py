@@ -6,8 +6,9 @@ Over the plane through each group, as CloudCompare has them in its local models.
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from lispac.compiled_code import njit
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]

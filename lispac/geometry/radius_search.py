@@ -9,8 +9,9 @@ import os
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from lispac.compiled_code import njit
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from lispac.compiled_code import njit
 from lispac.errors import SphereNotFound
 from lispac.geometry.planes import LINE_SHARE
 from lispac.messages import error

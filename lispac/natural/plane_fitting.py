@@ -1,8 +1,9 @@
 """Fit planes to many points with biweight weights (Beaton and Tukey 1974)."""
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from lispac.compiled_code import njit
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

@@ -9,10 +9,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations, Sighting
+from lispac.compiled_code import njit
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
 from lispac.survey.georeferencing import Mounting, to_lidar
 from lispac.survey.trajectory import Poses

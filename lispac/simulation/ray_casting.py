@@ -1,7 +1,8 @@
 """Intersections of rays with analytic surfaces: compiled, in double precision."""
 
 import numpy as np
-from numba import njit
+
+from lispac.compiled_code import njit
 
 
 @njit(nogil=True, cache=True, error_model="numpy")

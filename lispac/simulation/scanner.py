@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from lispac.compiled_code import njit
 from lispac.geometry.rotations import rotation_matrix
 from lispac.simulation.scene import Scene
 from lispac.survey.georeferencing import Mounting

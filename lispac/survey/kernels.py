@@ -8,7 +8,8 @@ implementation of each step, and no array of intermediate results.
 """
 
 import numpy as np
-from numba import njit
+
+from lispac.compiled_code import njit
 
 TILE = 2048
 SHORT = 0.1

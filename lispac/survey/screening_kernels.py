@@ -8,7 +8,8 @@ a line of any length is screened in constant memory.
 """
 
 import numpy as np
-from numba import njit
+
+from lispac.compiled_code import njit
 
 KEPT, NOT_FINITE, NO_RANGE, TOO_FAR, DUPLICATE, EXCLUDED = range(6)
 """What became of a point."""

@@ -7,9 +7,9 @@ translation that aligns one line's surroundings with the other's gives the place
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from lispac.compiled_code import njit
 from lispac.geometry.radius_search import cell_keys, finite_bounds
 
 Array = NDArray[np.float64]

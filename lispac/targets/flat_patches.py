@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from math import cos, radians
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from lispac.compiled_code import njit
 from lispac.geometry.nearest_neighbours import build_tree, local_planes
 from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, plane_axes
 from lispac.geometry.radius_search import cell_keys, finite_bounds

@@ -1,9 +1,9 @@
 """Outline of a flat patch: connected raster cells of points on a plane."""
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from lispac.compiled_code import njit
 from lispac.geometry.radius_search import cell_keys, finite_bounds
 
 Array = NDArray[np.float64]

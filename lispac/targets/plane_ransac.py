@@ -3,9 +3,9 @@
 from math import radians
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from lispac.compiled_code import njit
 from lispac.geometry.planes import Plane
 from lispac.targets.finder_settings import FinderSettings
 

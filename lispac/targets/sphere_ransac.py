@@ -1,9 +1,9 @@
 """Spheres drawn through neighbouring points and judged by votes (RANSAC with local sampling)."""
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from lispac.compiled_code import njit
 from lispac.geometry.spheres import Sphere
 from lispac.targets.finder_settings import FinderSettings
 from lispac.targets.plane_ransac import AGAINST, BATCH, BESIDE, MOST_BATCHES

@@ -15,9 +15,9 @@ distance measures.
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from lispac.compiled_code import njit
 from lispac.errors import InputError, NotComparable
 from lispac.geometry.nearest_neighbours import local_planes_kernel
 from lispac.geometry.radius_search import Cells, PointGrid, gather_within_radius

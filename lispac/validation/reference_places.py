@@ -9,9 +9,9 @@ surveyed point, if the point's foot lies within them.
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from lispac.compiled_code import njit
 from lispac.errors import NotComparable
 from lispac.geometry.planes import plane_axes
 from lispac.geometry.radius_search import Cells, PointGrid, gather_within_radius

@@ -12,9 +12,9 @@ are.
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from lispac.compiled_code import njit
 from lispac.geometry.radius_search import Cells, PointGrid, gather_within_radius
 
 Array = NDArray[np.float64]

@@ -4,8 +4,9 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from lispac.compiled_code import njit
 
 Runs = NDArray[np.int64]
 """Shape (k, 2): first row and the one behind the last, increasing and apart."""

@@ -10,8 +10,9 @@ trajectory is read along.
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from lispac.compiled_code import njit
 
 Array = NDArray[np.float64]
 Keys = NDArray[np.uint64]

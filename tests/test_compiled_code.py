@@ -1,0 +1,118 @@
+"""Machine code in the cache is never older than the source files that it was made from."""
+
+import ast
+import os
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from lispac import compiled_code
+from lispac.compiled_code import MARK, PACKAGES, UNUSED_S, cache_folder, source_state
+
+CHECKOUT = Path(__file__).resolve().parents[1]
+
+
+def compiled_files() -> dict[Path, ast.Module]:
+    found = {}
+    for path in sorted((CHECKOUT / "lispac").rglob("*.py")):
+        text = path.read_bytes()
+        if MARK in text and path.name != "compiled_code.py":
+            found[path] = ast.parse(text)
+    return found
+
+
+def test_all_compiled_functions_are_in_files_that_are_watched() -> None:
+    files = compiled_files()
+    assert {path.relative_to(CHECKOUT / "lispac").parts[0] for path in files} <= set(PACKAGES)
+    others = [
+        path for path in (CHECKOUT / "lispac").rglob("*.py")
+        if re.search(r"^\s*(from|import) numba\b", path.read_text(encoding="utf-8"), re.MULTILINE)
+    ]  # fmt: skip
+    assert [path.stem for path in others] == ["compiled_code"]
+
+
+def test_compiled_functions_use_only_what_is_watched() -> None:
+    """Also constants become part of the machine code."""
+    files = compiled_files()
+    modules = {".".join(path.relative_to(CHECKOUT).with_suffix("").parts) for path in files}
+    for path, tree in files.items():
+        imported = {
+            alias.asname or alias.name: node.module
+            for node in tree.body if isinstance(node, ast.ImportFrom)
+            for alias in node.names if (node.module or "").startswith("lispac")
+        }  # fmt: skip
+        for node in tree.body:
+            if isinstance(node, ast.FunctionDef) and any(
+                isinstance(call, ast.Call) and getattr(call.func, "id", "") in {"njit", "kernel"}
+                for call in node.decorator_list
+            ):
+                used = {name.id for part in node.body for name in ast.walk(part)
+                        if isinstance(name, ast.Name)}  # fmt: skip
+                unwatched = {imported[name] for name in used & set(imported)} - modules
+                assert not unwatched, (path.name, node.name)
+
+
+@pytest.mark.parametrize("what", ["function", "constant"])
+def test_code_is_compiled_again_when_what_it_uses_changes_in_another_file(
+    tmp_path: Path, what: str
+) -> None:
+    """The file of the caller stays as it is; by itself Numba would go on with its old code."""
+    copy = tmp_path / "lispac"
+    for name in ("__init__.py", "compiled_code.py", "geometry/__init__.py"):
+        (copy / name).parent.mkdir(exist_ok=True)
+        (copy / name).write_bytes((CHECKOUT / "lispac" / name).read_bytes())
+    called = copy / "geometry" / "called.py"
+    (copy / "geometry" / "caller.py").write_text(
+        "from lispac.compiled_code import njit\n"
+        "from lispac.geometry.called import SUMMAND, used\n"
+        "@njit(cache=True)\ndef call(x):\n    return used(x) + SUMMAND\n"
+    )
+
+    def run(factor: int, summand: int) -> float:
+        called.write_text(
+            "from lispac.compiled_code import njit\n"
+            f"SUMMAND = {summand}.0\n"
+            f"@njit(cache=True)\ndef used(x):\n    return {factor}.0 * x\n"
+        )
+        done = subprocess.run(
+            [sys.executable, "-c", "from lispac.geometry.caller import call; print(call(1.0))"],
+            cwd=tmp_path, capture_output=True, text=True, check=True,
+            env=os.environ | {"PYTHONPATH": str(tmp_path), "NUMBA_CACHE_DIR": str(tmp_path / "c")},
+        )  # fmt: skip
+        return float(done.stdout)
+
+    assert run(2, 0) == 2.0
+    assert run(2, 0) == 2.0
+    assert (run(3, 0) if what == "function" else run(2, 1)) == 3.0
+
+
+def test_only_folders_unused_for_a_month_are_removed(tmp_path: Path) -> None:
+    old, recent = (cache_folder(tmp_path, state) for state in ("old", "recent"))
+    other = tmp_path / "geometry_0123"
+    other.mkdir()
+    for folder in (old, other):
+        os.utime(folder, (time.time() - 2 * UNUSED_S,) * 2)
+    cache_folder(tmp_path, "new")
+    assert not old.exists()
+    assert recent.is_dir()
+    assert other.is_dir()
+
+
+def test_the_state_is_that_of_the_contents_of_compiled_files(tmp_path: Path) -> None:
+    kernels, others = tmp_path / "survey" / "kernels.py", tmp_path / "survey" / "others.py"
+    kernels.parent.mkdir()
+    kernels.write_text("from lispac.compiled_code import njit")
+    first = source_state(tmp_path)
+    others.write_text("1")
+    assert source_state(tmp_path) == first
+    kernels.write_text("from lispac.compiled_code import njit as compiled")
+    assert source_state(tmp_path) != first
+
+
+def test_numba_has_the_folder_of_this_state() -> None:
+    state = source_state(CHECKOUT / "lispac")
+    assert Path(compiled_code.config.CACHE_DIR).name == f"sources-{state}"
