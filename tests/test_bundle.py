@@ -238,6 +238,7 @@ def test_what_is_never_asked_for_stays_out_on_every_system(
         apart.join([plugins, "platforms", file.format("qoffscreen")]),
         apart.join([plugins, "imageformats", file.format("qsvg")]),
         apart.join([translations, "qtbase_fr.qm"]),
+        apart.join(["babel", "locale-data", "fr_FR.dat"]),
         apart.join(["numpy", "testing.py"]),
     ]
     unused = [
@@ -245,6 +246,7 @@ def test_what_is_never_asked_for_stays_out_on_every_system(
         apart.join([plugins, "imageformats", file.format("qpdf")]),
         apart.join([plugins, "tls", file.format("qopensslbackend")]),
         apart.join([translations, "qtbase_de.qm"]),
+        apart.join(["babel", "locale-data", "de.dat"]),
         apart.join(["numpy", "tests", "test_x.py"]),
     ]
     entries = [(place, "/source", "BINARY") for place in [*used, *unused]]
@@ -285,6 +287,46 @@ def test_a_bundle_that_tells_another_version_is_refused(
 def test_modules_of_lispac_are_no_test_data() -> None:
     places = [path.relative_to(CHECKOUT).as_posix() for path in (CHECKOUT / "lispac").rglob("*.py")]
     assert trimming.unwanted(f"_internal/{place}" for place in places) == []
+
+
+def test_what_the_program_imports_is_not_excluded() -> None:
+    """Campaigns on a cluster and building the manual need the installation with Python."""
+    imported = set()
+    for path in (CHECKOUT / "lispac").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_bytes())):
+            if isinstance(node, ast.Import):
+                imported |= {alias.name for alias in node.names}
+            elif isinstance(node, ast.ImportFrom) and node.module:
+                imported |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+    excluded = {
+        name for name in trimming.UNUSED_MODULES
+        if any(each == name or each.startswith(f"{name}.") for each in imported)
+    }  # fmt: skip
+    assert excluded <= {"dask", "distributed", "sphinx"}
+
+
+READS_NUMBERS = """
+import sys
+opened = []
+sys.addaudithook(lambda event, args: opened.append(args[0]) if event == "open" else None)
+from datetime import datetime
+from lispac import language
+for code in language.LANGUAGES:
+    language.use_language(code)
+    language.number(1.5), language.join_names(["a", "b"]), language.short_datetime(datetime.now())
+print(*(path for path in opened if str(path).endswith(".dat")), sep="\\n")
+"""
+
+
+def test_locale_data_of_all_languages_are_kept() -> None:
+    command = [sys.executable, "-c", READS_NUMBERS]
+    done = subprocess.run(command, cwd=CHECKOUT, capture_output=True, text=True, check=True)
+    opened = [Path(line) for line in done.stdout.splitlines()]
+    assert {"en.dat", "fr.dat"} <= {path.name for path in opened}
+    entries = [
+        (path.as_posix()[path.as_posix().rindex("babel/") :], str(path), "DATA") for path in opened
+    ]
+    assert trimming.without_unused(entries) == entries
 
 
 def test_vtk_modules_of_the_view_are_kept() -> None:

@@ -15,7 +15,6 @@ UNUSED_MODULES = [
     "PyQt6",
     "PySide6.QtNetwork",
     "_tkinter",
-    "babel",
     "dash",
     "dask",
     "distributed",
@@ -58,6 +57,7 @@ UNUSED_FILES = [
     r"PySide6/(Qt/)?plugins/platformthemes/libqgtk3\.",
     r"PySide6/(Qt/)?plugins/imageformats/(lib)?q(icns|pdf|tga|tiff|wbmp|webp)\.",
     r"PySide6/(Qt/)?translations/(?!qt(base)?_(en|fr)\.qm$)",
+    r"babel/locale-data/(?!(root|en|en_001|en_GB|fr|fr_FR)\.dat$)",
     r"matplotlib/mpl-data/(sample_data|plot_directive)/",
     r"pillow\.libs/libavif|PIL/(_avif|\.dylibs/libavif)",
     r"(.*/)?tests?/",
@@ -128,7 +128,7 @@ NEVER = [
     r"(^|/)(nbextension|labextension)(/|$)",
     r"(^|/)tests?(/|$)|(^|/)(sample_data|testdata|baseline_images)(/|$)|libvtkTesting",
     r"(^|/)(pytest|hypothesis|mypy|ruff|pip|setuptools|hatchling)(/|$)",
-    r"(^|/)(sphinx|docutils|myst_parser|furo|babel)(/|$)",
+    r"(^|/)(sphinx|docutils|myst_parser|furo)(/|$)",
     r"(^|/)lib(gtk|gdk)-3",
 ]
 """What a check of the finished folder refuses, by path."""
