@@ -180,6 +180,7 @@ def test_what_is_no_mesh_is_refused(tmp_path: Path) -> None:
         (cloud, "mesh.no_triangles"), (other, "mesh.format"),
         (tmp_path / "none.stl", "file.not_found"),
         (of_triangle("nan 0 0", "1 1 0"), "mesh.not_finite"),
+        (of_triangle("1e160 0 0", "1 1 0"), "mesh.too_far"),
         (of_triangle("0 0 0", "2 0 0"), "mesh.no_area"),
     ):  # fmt: skip
         with pytest.raises(InputError) as refused:

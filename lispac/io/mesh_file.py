@@ -20,6 +20,7 @@ from lispac.errors import InputError
 from lispac.io.files import library_path, require_file
 from lispac.messages import error
 from lispac.simulation.meshes import Mesh
+from lispac.survey.point_screening import LARGEST as LARGEST_COORDINATE
 
 Array = NDArray[np.float64]
 
@@ -77,7 +78,7 @@ def read_mesh(
     Raises
     ------
     InputError
-        Where the file is missing, of another kind, or holds no triangle.
+        Where the file is missing, of another kind, without triangles, or damaged.
     """
     path = require_file(Path(path), "mesh")
     ending = _mesh_ending(path)
@@ -92,6 +93,8 @@ def read_mesh(
         raise InputError(error("mesh.missing_vertex", file=str(path)))
     if not np.isfinite(vertices).all():
         raise InputError(error("mesh.not_finite", file=str(path)))
+    if np.abs(vertices).max() > LARGEST_COORDINATE:
+        raise InputError(error("mesh.too_far", file=str(path), limit=LARGEST_COORDINATE))
     a, b, c = (vertices[column] for column in triangles.T)
     wide = np.linalg.norm(np.cross(b - a, c - a), axis=1) > 0
     if not wide.any():

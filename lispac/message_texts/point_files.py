@@ -333,6 +333,9 @@ TEXTS: Mapping[str, Template] = {
         "{file}: a triangle refers to a vertex that is not in the file. Export the mesh again."
     ),
     "mesh.not_finite": N_("{file}: a vertex contains NaN or infinity. Export the mesh again."),
+    "mesh.too_far": N_(
+        "{file}: a vertex is more than {limit:km.0} km from the origin. Export the mesh again."
+    ),
     "mesh.no_area": N_("{file}: all triangles have zero area. Export the mesh again."),
     "mesh.vertex": N_(
         '{file}: row {row:n} is not a valid vertex ("{text}"). Export the mesh again.'
