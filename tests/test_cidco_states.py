@@ -94,6 +94,39 @@ def test_what_is_no_trajectory_is_refused(tmp_path: Path) -> None:
     assert refused.value.code == "cidco.one_state"
 
 
+@pytest.mark.parametrize(
+    ("column", "value", "code"),
+    [
+        (3, np.nan, "file.record_not_finite"),
+        (3, np.inf, "file.record_not_finite"),
+        (10, np.nan, "cidco.inconsistent_point"),
+        (16, -np.inf, "cidco.inconsistent_point"),
+        (21, np.nan, "cidco.inconsistent_point"),
+        (3, 1e300, "file.record_too_large"),
+        ([2, 18], 2e5, "trajectory.height_in_record"),
+        (11, 4.0, "trajectory.attitude_in_record"),
+    ],
+)
+def test_impossible_states_are_refused(
+    tmp_path: Path, column: int | list[int], value: float, code: str
+) -> None:
+    path = point_files.cidco(tmp_path / "a")
+    rows = np.fromfile(path, "<f8").reshape(-1, 22)
+    rows[2, column] = value
+    path.write_bytes(rows.tobytes())
+    with pytest.raises(InputError) as refused:
+        STATES.read(path, {})
+    assert refused.value.code == code
+
+
+def test_standard_deviations_are_warned_about_as_in_other_formats(tmp_path: Path) -> None:
+    path = point_files.cidco(tmp_path / "a")
+    rows = np.fromfile(path, "<f8").reshape(-1, 22)
+    rows[:, [13, 14, 15, 19, 20, 21]] = 0.0
+    path.write_bytes(rows.tobytes())
+    assert codes(SIGMAS.look(path, {}).file_warnings) == ["accuracy.all_zero"]
+
+
 def test_the_vessel_is_calibrated_from_the_command_line(
     files: dict[str, Path], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

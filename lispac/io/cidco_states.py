@@ -16,9 +16,12 @@ from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import rotation_angles, rotation_matrix
 from lispac.io.cidco import NAMES, record_chunks
 from lispac.io.cidco import sniff as sniff_points
+from lispac.io.files import require_numbers
 from lispac.io.format_types import NOT, POSSIBLE, Choice, Fact, FilePreview, FormatOption
 from lispac.io.point_reading import CHUNK, PREVIEW, preview_table, report_damage, require_not_empty
+from lispac.io.trajectory_checks import require_attitude, require_heights
 from lispac.io.trajectory_facts import span_facts
+from lispac.io.trajectory_preview import accuracy_facts
 from lispac.language import N_
 from lispac.messages import Message, error, note, warning
 from lispac.survey.line_source import printable
@@ -72,7 +75,9 @@ def read_states(path: Path, choice: Choice) -> Trajectory:
     """
     states = _state_table(path)
     frame = _origin_frame(choice)
+    require_attitude(path, states[:, 0], tuple(states[:, 1:4].T))
     latitude, longitude, height = frame.to_geodetic(states[:, 7:10])
+    require_heights(path, height)
     rotation_level_local = np.swapaxes(frame.rotation_local_level(latitude, longitude), -1, -2)
     attitude = rotation_angles(rotation_level_local @ rotation_matrix(*states[:, 1:4].T))
     return Trajectory(states[:, 0], latitude, longitude, height, attitude, _assumptions(choice))
@@ -80,7 +85,10 @@ def read_states(path: Path, choice: Choice) -> Trajectory:
 
 def preview_sigmas(path: Path, choice: Choice) -> FilePreview:
     """Read the whole file and describe the standard deviations of its states."""
-    return FilePreview(_state_facts(_state_table(path)), _preview_rows(path))
+    facts, file_warnings = accuracy_facts(read_sigmas(path, choice), printable(path.name))
+    return FilePreview(
+        _state_facts(_state_table(path)) | facts, _preview_rows(path), {}, file_warnings
+    )
 
 
 def read_sigmas(path: Path, choice: Choice) -> TrajectoryAccuracy:
@@ -106,6 +114,7 @@ def _state_table(path: Path) -> Array:
     with report_damage(path, "CIDCO binary"):
         records = np.concatenate(list(record_chunks(path, CHUNK)))
     states = np.column_stack([records[:, 3], records[:, STATES]])
+    require_numbers(states, path, "CIDCO binary")
     states = states[np.argsort(states[:, 0], kind="stable")]
     repeated = np.diff(states[:, 0]) == 0
     unlike = repeated & (np.abs(np.diff(states[:, 1:], axis=0)) > SAME).any(axis=1)

@@ -157,6 +157,23 @@ def read_records(
         raise InputError(
             error("file.not_readable", file=str(path), reason=str(failure))
         ) from failure
+    require_numbers(records, path, what)
+    return records.astype(np.float64, copy=False)
+
+
+def require_numbers(records: NDArray[np.float64], path: Path, what: str) -> None:
+    """Refuse records with NaN, infinite or impossibly large values.
+
+    Parameters
+    ----------
+    records : ndarray of shape (n, k)
+        In the order of the file, whose kind is ``what``.
+
+    Raises
+    ------
+    InputError
+    """
+    kind = file_kind_message(what)
     bad = ~np.isfinite(records).all(axis=1)
     if bad.any():
         first, count = int(np.argmax(bad)) + 1, int(bad.sum())
@@ -167,7 +184,6 @@ def read_records(
     if huge.any():
         first = int(np.argmax(huge)) + 1
         raise InputError(error("file.record_too_large", file=str(path), kind=kind, record=first))
-    return records.astype(np.float64, copy=False)
 
 
 def require_increasing(
