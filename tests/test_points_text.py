@@ -157,6 +157,17 @@ def test_small_coordinates_of_a_named_system(crs: str, doubted: bool) -> None:
     assert codes(found.file_warnings) == (["points.small_coordinates"] if doubted else [])
 
 
+@pytest.mark.parametrize("value", [1e300, -1e200, np.nan, np.inf])
+def test_unusable_points_do_not_determine_the_frame(value: float) -> None:
+    """One of them among others changes no warning, and alone causes no overflow."""
+    xyz = NEAR.copy()
+    xyz[3, 1] = value
+    assert check_first_points(xyz, SECONDS, file="a", crs="") == check_first_points(
+        np.delete(NEAR, 3, axis=0), np.delete(SECONDS, 3), file="a", crs=""
+    )
+    check_first_points(xyz[3:4], SECONDS[3:4], file="a", crs="")
+
+
 @pytest.mark.parametrize(
     ("text", "found"),
     [

@@ -16,9 +16,11 @@ from lispac.io.point_reading import (
     NO_SYSTEM,
     SCANNER,
     time_resolution,
+    usable_mask,
 )
 from lispac.messages import Message, note, warning
 from lispac.survey.crs import ELLIPSOID, coordinate_system
+from lispac.survey.point_screening import LARGEST
 from lispac.survey.time_quality import assess_times
 from lispac.survey.time_rollover import find_rollover, resolve_rollover
 
@@ -69,6 +71,13 @@ def check_first_points(
         Bounds the header states, where it does.
     """
     file_warnings: list[Message] = []
+    usable = usable_mask(xyz, time)
+    if not usable.all():  # their number is reported where all points are read
+        low = high = None
+        if usable.any():
+            xyz, time = xyz[usable], time[usable]
+        else:
+            xyz = np.nan_to_num(xyz).clip(-LARGEST, LARGEST)
     is_filled = (xyz[:, 0] == xyz[:, 1]) & (xyz[:, 1] == xyz[:, 2])  # no echo: 0 or -9999 say
     if is_filled.any() and not is_filled.all():
         xyz, time, low, high = xyz[~is_filled], time[~is_filled], None, None
