@@ -101,12 +101,13 @@ def test_every_dependency_is_locked() -> None:
 
 
 def test_every_dependency_has_its_reason() -> None:
-    reasons = (CHECKOUT / "CONTRIBUTING.md").read_text(encoding="utf-8").lower()
+    table = "resources/developers/dependencies.md"
+    reasons = (CHECKOUT / table).read_text(encoding="utf-8").lower()
     project = pyproject()["project"]
     extras = project["optional-dependencies"].values()
     for requirement in chain(project["dependencies"], *extras):
         name = normalised(requirement)
-        assert f"`{name}`" in reasons, f"CONTRIBUTING.md gives no reason for {name}"
+        assert f"`{name}`" in reasons, f"{table} gives no reason for {name}"
 
 
 def test_version_is_written_in_one_place() -> None:

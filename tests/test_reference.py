@@ -47,6 +47,12 @@ def test_what_scripts_use_is_there_with_an_example(scripts: Path) -> None:
     assert 'class="n">reject</span>' in text
 
 
+def test_the_documents_for_developers_are_there(scripts: Path) -> None:
+    for source in pages.DEVELOPERS.rglob("*.md"):
+        page = scripts / "developers" / source.relative_to(pages.DEVELOPERS)
+        assert page.with_suffix(".html").is_file(), source.name
+
+
 @pytest.mark.long
 def test_a_name_that_leads_nowhere_fails(tmp_path: Path) -> None:
     sources = tmp_path / "sources"

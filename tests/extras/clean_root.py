@@ -23,7 +23,7 @@ from pathlib import Path
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 NETWORK = ["/etc/resolv.conf", "/etc/hosts"]
-# What README.md names for the bundle, and a screen to look at it
+# What the installation page of the manual names for the bundle
 LIBRARIES = (
     "libgl1 libegl1 libglx-mesa0 libx11-xcb1 libwayland-cursor0 libwayland-egl1 libfontconfig1 "
     "libusb-1.0-0 fonts-dejavu-core"

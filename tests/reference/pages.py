@@ -1,4 +1,4 @@
-"""The pages of the API reference: what scripts use, then every room with a page for each module."""
+"""The API reference: what scripts use, the documents for developers, a page for each module."""
 
 import ast
 import os
@@ -14,6 +14,7 @@ from tests.reference.resolving import offered
 HERE = Path(__file__).resolve().parent
 CHECKOUT = HERE.parents[1]
 MANUAL = CHECKOUT / "resources" / "manual" / "en"
+DEVELOPERS = CHECKOUT / "resources" / "developers"
 ROOMS = {
     "workflow": "Use cases",
     "io": "Files",
@@ -65,7 +66,8 @@ def write(sources: Path, *, whole: bool = True) -> None:
     """Write the sources of the pages into a new folder."""
     shutil.copytree(HERE / "texts", sources)
     shutil.copy(MANUAL / "scripts.md", sources / "scripts.txt")
-    listed = _list_of("", ["scripts_api"])
+    _copy_developer_pages(sources / "developers")
+    listed = _list_of("", ["scripts_api", "developers/index"])
     if whole:
         modules = [name.removesuffix(".py").replace("/", ".") for name in trees()]
         modules = [name for name in modules if name not in ("lispac.__init__", "lispac.__main__")]
@@ -74,6 +76,24 @@ def write(sources: Path, *, whole: bool = True) -> None:
         listed += _list_of("Rooms", list(ROOMS))
     with (sources / "index.rst").open("a", encoding="utf-8") as index:
         index.write("\n".join(listed))
+
+
+def _copy_developer_pages(folder: Path) -> None:
+    """Copy the documents for developers and add the lists of pages that Sphinx needs."""
+    shutil.copytree(DEVELOPERS, folder)
+    for index, pages in {
+        "index.md": (
+            "architecture",
+            "language",
+            "testing",
+            "dependencies",
+            "recipes/*",
+            "decisions/index",
+        ),
+        "decisions/index.md": ("[0-9]*",),
+    }.items():
+        with (folder / index).open("a", encoding="utf-8") as file:
+            file.write("\n".join(["", "```{toctree}", ":hidden:", ":glob:", *pages, "```", ""]))
 
 
 def _room_of(module: str) -> str:
