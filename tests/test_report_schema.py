@@ -65,7 +65,7 @@ def _broken(content: ReportContent) -> list[dict[str, Any]]:
         lambda data: data.pop("identity"),
         lambda data: data["angles"][0].update(estimated_deg="0.4"),
         lambda data: data["adjustment"].pop("s44"),
-        lambda data: data["cautions"].append(
+        lambda data: data["warnings"].append(
             {"code": "x", "former_code": "x", "severity": "grave", "text": "", "params": {}}
         ),
         lambda data: data["matrix"].update(transform=None),

@@ -158,7 +158,7 @@ class Document:
     verdict: str
     identity: Table
     serious: tuple[str, ...]
-    cautions: tuple[str, ...]
+    warnings: tuple[str, ...]
     summary: tuple[Block, ...]
     sections: tuple[Section, ...]
     page: Page = "a4"

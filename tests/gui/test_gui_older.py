@@ -26,7 +26,7 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
     adjusted.dialogs.path = report
     reporting.export()
     adjusted.rest()
-    told = [each for each in json.loads(report.read_text())["cautions"] if words in each["text"]]
+    told = [each for each in json.loads(report.read_text())["warnings"] if words in each["text"]]
     assert [(each["severity"], each["code"]) for each in told] == [
         ("serious", "adjustment.refused_since")
     ]
