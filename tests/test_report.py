@@ -119,7 +119,9 @@ def _shown_numbers(data: dict) -> list[str]:
         numbers += [f"{1000 * v:+.1f}" for v in sighting["pos_error_m"]]
     checks = data["cross_checks"]
     numbers += [f"{v:.4f}" for v in checks["sigma_deg"] + checks["spread_lines_deg"]]
-    for part in checks["parts"][:-1]:  # the second half is the first with the other sign
+    # The first half is the second with the other sign.
+    parts = [part for part in checks["parts"] if (part["kind"], part["part"]) != ("half", "first")]
+    for part in parts:
         numbers += [f"{v:+.4f}" for v in part["difference_deg"] or ()]
         numbers += [f"{v:+.1f}" for v in part["significance"] or ()]
     for plane in data["validation"]:

@@ -222,7 +222,7 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     plain = _tables(report_document(sample_content(project), {}))
     rows = plain["Results of subsets of the data: differences from the full adjustment"].rows
     assert [row[0] for row in rows[-3:]] == [
-        "Without target T1", "Without target T2", "First minus second half",
+        "Without target T1", "Without target T2", "Second minus first half",
     ]  # fmt: skip
     assert rows[-3][-1] == "no result"
     words = _words(report_document(sample_content(project), {}), "Cross-checks")

@@ -113,10 +113,10 @@ def test_the_spread_has_one_name_and_the_halves_are_told_once(
     printed = capsys.readouterr().out
     assert "\nSpread, one line omitted " in printed
     assert printed.count("half") == 1
-    assert "first minus second half of the data (roll " in printed
+    assert "second minus first half of the data (roll " in printed
     assert "Spread,<br>one line omitted" in spread_text(checks)
     names = [row.cells[0].text for row in check_rows(checks)]
-    assert [name for name in names if "half" in name] == ["First minus second half"]
+    assert [name for name in names if "half" in name] == ["Second minus first half"]
     content = sample_content(sample_project(tmp_path / "report"))
     tables = [
         b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"

@@ -492,7 +492,7 @@ class CrossCheck:
     boresight, sigma : ndarray of shape (3,) or None, radians
         None where the part does not determine the angles.
     difference : ndarray of shape (3,) or None, radians
-        From the answer of all points, or between the two halves.
+        This part minus the result of all points, or a half minus the other half.
     significance : ndarray of shape (3,) or None
         The difference over the standard deviation it should have.
     reason : Message or None

@@ -134,8 +134,8 @@ def _cross_check_notes(_: AdjustmentResult, checks: CrossChecks | None) -> Itera
     parts = [part for part in checks.parts if part.disagrees] if checks else []
     halves = [part for part in parts if part.kind == "half"]
     apart = [_disagreeing_part_item(part) for part in parts if part.kind != "half"]
-    # Two halves differ from each other: the second one gives the same message.
-    apart += [_disagreeing_part_item(part) for part in halves[:1]]
+    # Two halves differ from each other: the first one gives the same message.
+    apart += [_disagreeing_part_item(part) for part in halves[-1:]]
     if apart:
         yield note(
             "adjustment.cross_check",

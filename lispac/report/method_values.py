@@ -13,7 +13,7 @@ Three = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class MethodValues:
-    """Result of a method; the differences are from the first method, which has none.
+    """Result of a method; the differences are this method minus the first, which has none.
 
     Attributes
     ----------

@@ -225,7 +225,8 @@ class VarianceComponent:
 class CrossCheckPart:
     """Result of a part of the data; None where the part does not determine the angles.
 
-    The difference of a half is that from the other half, of all other parts that from the whole.
+    The difference is this part minus what it is compared with: a half minus the other half, any
+    other part minus the result of all points.
     """
 
     kind: str
