@@ -116,4 +116,4 @@ def test_page_one_has_a_line_of_every_check(tmp_path: Path, off: float, code: st
     assert len(said) + len(warnings) == 1
     for each in warnings:
         assert each.params["mean"] == abs(off)
-        assert message_text(each) in document.serious
+        assert message_text(each) in document.warnings

@@ -298,7 +298,7 @@ def test_a_script_that_cannot_find_a_file_says_so(
     assert err == f"note: {english_text(note('script.missing_files', files=(str(line),)))}\n"
     assert "project.import_lines(['L1_000'])" in out
     numbers = answer(capsys, "script", project.folder)
-    assert numbers == {"script": out, "remarks": [err.removeprefix("note: ").rstrip("\n")]}
+    assert numbers == {"script": out, "messages": [err.removeprefix("note: ").rstrip("\n")]}
 
 
 def test_a_line_is_imported_again_where_what_is_kept_of_it_is_damaged(

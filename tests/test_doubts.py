@@ -21,12 +21,13 @@ from lispac.adjustment.result import (
 from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.adjustment.warnings import RULES, result_warnings
 from lispac.cli.estimate import print_result, result_values
+from lispac.cli.messages import message_values
 from lispac.gui.panels import result_words
 from lispac.io.project_file import read_project, write_project
 from lispac.language import in_language
 from lispac.message_texts import message_text
 from lispac.message_texts.former_codes import former_code
-from lispac.messages import Level, Message, note, plain_params
+from lispac.messages import Level, Message, note
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
 from tests.report_sample import sample_content, sample_project
@@ -271,10 +272,8 @@ def test_a_doubt_is_told_alike_everywhere(
     assert text.isascii()
     print_result(result, checks)
     assert f"- {text}\n" in capsys.readouterr().out
-    told = {
-        "code": found.code, "former_code": former_code(found), "serious": serious, "text": text,
-        "params": plain_params(found),
-    }  # fmt: skip
+    told = message_values(found) | {"former_code": former_code(found)}
+    assert told["text"] == text
     assert told in result_values(result, checks)["warnings"]
     assert "are realistic" not in result_words.fit_verdict(result, checks)
     assert [each for each in sample_content(changed).warnings if each.code == found.code] == [found]

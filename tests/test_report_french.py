@@ -216,7 +216,7 @@ def test_report_in_french_says_so_and_counts_what_is_not(project: Project) -> No
     document = report_document(content, {}, FRENCH)
     assert document.language == "fr"
     assert document.title == "Rapport d’étalonnage des angles de visée"
-    assert document.warnings == ()
+    assert document.notes == ()
     assert report_document(content, {}) == drawn_document(undrawn_document(content, {}))
 
 
@@ -261,7 +261,7 @@ def test_texts_tables_and_figures_have_one_decimal_sign(project: Project, varian
         for figure in figures:
             FigureCanvasAgg(figure).draw()
             shown += [text.get_text() for text in figure.findobj(Text)]
-    texts = [*document.serious, *document.warnings]
+    texts = [*document.warnings, *document.notes]
     for block in blocks:
         if isinstance(block, Table):
             texts += [cell for row in block.rows for cell in row]
@@ -271,7 +271,7 @@ def test_texts_tables_and_figures_have_one_decimal_sign(project: Project, varian
             texts.append(block.text)
     left = [NUMBERS_OF_NAMES.sub("", text) for text in (*texts, *shown)]
     assert [text for text in left if re.search(r"\d\.\d", text)] == []
-    warnings = (*document.serious, *document.warnings)
+    warnings = (*document.warnings, *document.notes)
     assert [text for text in (*shown, *warnings) if re.search(r"(?<!\w)-\d", text)] == []
     assert sum(bool(re.search(r"\d,\d", text)) for text in shown) > 10
 

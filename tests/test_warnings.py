@@ -228,9 +228,11 @@ def test_the_command_prints_the_list(
     assert main(["warnings", str(demo_project.folder), "--json"]) == 0
     told = json.loads(capsys.readouterr().out)["warnings"]
     subjects = [each.subject for each in found]
-    assert [each["cause"]["kind"] for each in told] == [each.kind for each in subjects if each]
+    assert [each["subject"] and each["subject"]["kind"] for each in told] == [
+        each and each.kind for each in subjects
+    ]
     assert [each["code"] for each in told] == [each.code for each in found]
-    assert {each["severity"] for each in told} <= {"serious", "caution"}
+    assert [each["level"] for each in told] == [each.level for each in found]
     assert main(["warnings", str(demo_project.folder / "nowhere")]) == 1
 
 
@@ -244,7 +246,7 @@ def test_a_report_in_json_holds_code_severity_text_and_parameters(tmp_path: Path
         assert each == {
             "code": message.code,
             "former_code": former_code(message),
-            "severity": "serious" if message.is_serious else "caution",
+            "level": message.level,
             "text": message_text(message),
             "params": plain_params(message),
         }

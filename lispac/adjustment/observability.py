@@ -237,7 +237,7 @@ def assess_observability(
 
     Parameters
     ----------
-    angle_sigma_factors : ndarray of shape (3,), optional
+    angle_sigma_factors : ndarray of shape (3,), no unit, optional
         Factors by which the sigmas of the angles are raised.
     covariance : ndarray of shape (3, 3), radians squared, optional
         Covariance of the angles as stated, if it is not that of ``linearised`` with the factors.

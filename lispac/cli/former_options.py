@@ -18,6 +18,7 @@ FORMER_OPTIONS = {
     "quality": {"--reach": "--search-distance", "--with": "--boresight"},
     "simulate": {"--lever-error": "--lever-arm-error"},
     "targetless": {"--keep": "--save"},
+    "visibility": {"--struck": "--hit-beams"},
 }
 """New names of options by the former ones, by command."""
 

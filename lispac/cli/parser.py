@@ -482,7 +482,7 @@ def _add_visibility(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="formats of the figures (default png)",
     )  # fmt: skip
     visibility.add_argument(
-        "--struck", action="store_true",
+        "--hit-beams", action="store_true",
         help="use the beams that hit the board in the presence of the error, as in a real survey, "
              "instead of the beams aimed at it, as in the thesis",
     )  # fmt: skip

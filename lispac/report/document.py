@@ -90,8 +90,8 @@ def undrawn_document(
         status=status,
         verdict=verdict,
         identity=identity_form(content),
-        serious=serious,
-        warnings=notes,
+        warnings=serious,
+        notes=notes,
         summary=(
             *sections.summary_blocks(content),
             *(Paragraph(text) for text in options.closing.split("\n\n") if text),
@@ -109,7 +109,7 @@ def undrawn_document(
             made=gettext("Made {when} by {program}"),
             page=gettext("Page {page} of {pages}"),
             warnings=gettext("Serious warnings"),
-            remarks=gettext("Other warnings"),
+            notes=gettext("Other warnings"),
             contents=gettext("Contents"),
         ),
     )

@@ -27,8 +27,8 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
     reporting.export()
     adjusted.rest()
     told = [each for each in json.loads(report.read_text())["warnings"] if words in each["text"]]
-    assert [(each["severity"], each["code"]) for each in told] == [
-        ("serious", "adjustment.refused_since")
+    assert [(each["level"], each["code"]) for each in told] == [
+        ("warning", "adjustment.refused_since")
     ]
     set_language("fr")
     french = message_text(outdated_result_warning(refusal))
