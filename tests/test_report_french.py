@@ -141,7 +141,7 @@ def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
     return AbsoluteCheck(
         reference="quay.xyz", size_bytes=12_345, sha256="a" * 64, kind=kind,
         system="the local frame" if kind == "scan" else "WGS 84 / UTM zone 19N", sigma=0.002,
-        reach=0.5, lines=lines, all_lines=LineCheck(ALL_LINES, state(-0.08), state(mean)),
+        search_distance=0.5, lines=lines, all_lines=LineCheck(ALL_LINES, state(-0.08), state(mean)),
         not_compared=(
             note(
                 "check.line_not_compared",

@@ -418,7 +418,7 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
         f"{second.name} on {one}: The sighting has only 7 points. The surface is curved, by 4.0 "
         "mm over its extent. See" in said
     )
-    french = report_document(worse, {}, ReportOptions(language="fr")).warnings
+    french = report_document(worse, {}, ReportOptions(language="fr")).notes
     assert any("4 observations sont utilisées" in t and "que 7 points" in t for t in french)
     # One that is left out is none of the answer's.
     left = replace(first, sightings=tuple(replace(s, used=False) for s in first.sightings))
