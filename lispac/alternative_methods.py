@@ -29,7 +29,7 @@ class AlternativeResult:
         That the answer rests on.
     surfaces : int
         Planes, natural surfaces or objects that it rests on.
-    remarks : tuple of Message
+    messages : tuple of Message
         What it is based on, and what limits it.
     """
 
@@ -38,7 +38,7 @@ class AlternativeResult:
     covariance: Array
     lines: tuple[str, ...]
     surfaces: int
-    remarks: tuple[Message, ...] = ()
+    messages: tuple[Message, ...] = ()
 
     @property
     def sigma(self) -> Array:

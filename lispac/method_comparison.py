@@ -35,14 +35,14 @@ class MethodResult:
         That the answer rests on.
     against : CalibrationDifference or None
         From the first answer to this one; None for the first.
-    remarks : tuple of Message
+    messages : tuple of Message
     """
 
     calibration: Calibration
     lines: int
     surfaces: int
     against: CalibrationDifference | None
-    remarks: tuple[Message, ...]
+    messages: tuple[Message, ...]
 
     @property
     def method(self) -> str:
@@ -65,10 +65,10 @@ def method_results(project: Project) -> tuple[MethodResult, ...]:
             Calibration(TARGETS, result.boresight, result.covariance),
             len({each.line for each in seen}), len({each.target for each in seen}), (),
         )  # fmt: skip
-    for each in project.opinions:
+    for each in project.alternative_results:
         add(
             Calibration(each.method, each.boresight, each.covariance),
-            len(each.lines), each.surfaces, each.remarks,
+            len(each.lines), each.surfaces, each.messages,
         )  # fmt: skip
     return tuple(found)
 

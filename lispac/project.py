@@ -18,6 +18,7 @@ from lispac.adjustment.robust_loss import LOSSES, LossName
 from lispac.adjustment.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
 from lispac.alternative_methods import METHODS, AlternativeResult, Method
 from lispac.errors import InputError, ProjectError
+from lispac.former_names import accept_script_names
 from lispac.identity import BLANK, Identity
 from lispac.messages import Message, error, note
 from lispac.picked_targets import ROLES as ROLES
@@ -59,6 +60,7 @@ OUT_OF_RANGE: Mapping[Unit, str] = {
 }  # fmt: skip
 
 
+@accept_script_names
 @dataclass(frozen=True)
 class Settings:
     """Settings of the system and the adjustment.
@@ -82,7 +84,7 @@ class Settings:
     loss : None for the model's own: ``tukey`` with ``correlated``, ``none`` in thesis mode
     parameters : values of the mounting to estimate besides the boresight
     variance_components : whether to estimate how large LiDAR and POS errors really are
-    accept_one_facing : whether to answer where all targets are planes that face one way
+    accept_single_orientation : whether to answer where all targets are planes that face one way
     longest_gap : seconds between two states of the trajectory that may be bridged; points in longer
         gaps are excluded
     """
@@ -106,7 +108,7 @@ class Settings:
     loss: LossName | None = None
     parameters: tuple[Parameter, ...] = ()
     variance_components: bool = False
-    accept_one_facing: bool = False
+    accept_single_orientation: bool = False
     longest_gap: float = LONGEST_GAP
 
     @property
@@ -246,7 +248,7 @@ class Project:
     identity: Identity = BLANK
     absolute: AbsoluteCheck | None = None
     """The lines against a static scan or surveyed points, where that has been checked."""
-    opinions: tuple[AlternativeResult, ...] = ()
+    alternative_results: tuple[AlternativeResult, ...] = ()
     """Results of alternative methods on the same lines, at most one of each method."""
     data_messages: tuple[Message, ...] = ()
     """Warnings and notes about the imported files, as of the last time they were read."""
@@ -344,7 +346,7 @@ class Project:
         """Change the settings; what follows from them has to be computed again."""
         return replace(
             self, settings=settings, result=None, cross_checks=None, validation=(),
-            not_compared={}, absolute=None, opinions=(),
+            not_compared={}, absolute=None, alternative_results=(),
         )  # fmt: skip
 
     def with_result(self, result: AdjustmentResult) -> "Project":
@@ -373,13 +375,13 @@ class Project:
 
     def alternative_result(self, method: Method) -> AlternativeResult | None:
         """Result of an alternative method; None if it has not been run."""
-        return next((each for each in self.opinions if each.method == method), None)
+        return next((each for each in self.alternative_results if each.method == method), None)
 
-    def with_alternative_result(self, opinion: AlternativeResult) -> "Project":
+    def with_alternative_result(self, alternative: AlternativeResult) -> "Project":
         """Set the result of an alternative method."""
-        others = [each for each in self.opinions if each.method != opinion.method]
-        kept = sorted([*others, opinion], key=lambda each: METHODS.index(each.method))
-        return replace(self, opinions=tuple(kept))
+        others = [each for each in self.alternative_results if each.method != alternative.method]
+        kept = sorted([*others, alternative], key=lambda each: METHODS.index(each.method))
+        return replace(self, alternative_results=tuple(kept))
 
     def _edited(self, targets: tuple[Target, ...], roles: set[Role]) -> "Project":
         # A validation plane takes no part in the adjustment, so its edit keeps the angles.
@@ -392,9 +394,9 @@ class Project:
             validation=(),
             not_compared={},
             absolute=self.absolute if kept else None,
-            opinions=tuple(
+            alternative_results=tuple(
                 each
-                for each in self.opinions
+                for each in self.alternative_results
                 if each.method != "natural planes" or "validation" not in roles
             ),
         )

@@ -154,7 +154,7 @@ def answer(kind: str, seed: int) -> Answer:
         np.degrees(result.sigma),
         np.degrees(result.with_formal_sigmas.sigma),
         tuple(doubt.code for doubt in result_warnings(result, None) if doubt.is_serious),
-        result.stated_times is not None,
+        result.given_correlation_times is not None,
     )
 
 

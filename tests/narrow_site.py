@@ -6,7 +6,7 @@ from lispac.installation_paths import resource_path
 
 NARROWED = {
     "along_m = [-8, -4, -1, 1, 4, 8]": "along_m = [-1, 1]",
-    "from_level_deg = [90, 60, 45, 120, 135]": "from_level_deg = [90, 45]",
+    "inclination_deg = [90, 60, 45, 120, 135]": "inclination_deg = [90, 45]",
     "lines = 6": "lines = 3",
     "headings_deg = [0, 45, 90, 135, 180, 225, 270, 315]": "headings_deg = [0, 45, 135]",
     "distances_m = [10, 15, 20, 30, 40]": "distances_m = [15]",

@@ -54,12 +54,12 @@ def _reliability(sighting: SightingResidual, k: int) -> SightingReliability:
         detectable=float(rng.uniform(0.02, 0.04)),
         effect=np.radians(rng.normal(0, 0.004, 3)),
         redundancy=float(rng.uniform(0.95, 0.99)),
-        strays=0,
+        outliers=0,
         largest_w=2.9,
         largest_at=416012.375 + k,
         point_detectable=0.0071,
         weight=0.98,
-        released=False,
+        rejected=False,
     )
 
 
@@ -71,7 +71,7 @@ def _observability(sigma: np.ndarray, lines: dict[str, float]) -> Observability:
         sigma_without_line={
             line: None if k == 5 else (1.1 + 0.05 * k) * sigma for k, line in enumerate(lines)
         },
-        remarks=(
+        messages=(
             note(
                 "observability.directions",
                 weakest=mounting_value_name("yaw"), weakest_sigma=sigma[2],

@@ -43,7 +43,7 @@ def schema_text() -> str:
 
 def _in_json() -> type:
     """The content with its messages as they are in JSON."""
-    hints = get_type_hints(ReportContent) | {"cautions": tuple[JsonWarning, ...]}
+    hints = get_type_hints(ReportContent) | {"warnings": tuple[JsonWarning, ...]}
     each = [
         (it.name, hints[it.name], field(default=it.default))
         if it.default is not MISSING
@@ -61,7 +61,7 @@ def _with_texts(value: Any) -> Any:
         return value
     if value.get("$ref") in ("#/$defs/Message", "#/$defs/LazyText"):
         return {"type": "string"}
-    unused = ("Message", "Level", "Cause", "Action", "Value", "LazyText", "Plural")
+    unused = ("Message", "Cause", "Action", "Value", "LazyText", "Plural")
     return {
         key: _with_texts(
             {name: each for name, each in item.items() if name not in unused}

@@ -124,7 +124,7 @@ def _components(project: Project) -> Project:
         VarianceComponent("POS position", 1.3, 0.6, 2.9, applied=True),
         VarianceComponent("POS attitude", 1.3, 0.1, 2.9),
     )
-    return with_result(components=found, left_out=1)(project)
+    return with_result(components=found, excluded_outliers=1)(project)
 
 
 VARIANTS: dict[str, Change] = {
@@ -146,7 +146,7 @@ VARIANTS: dict[str, Change] = {
     "by beam": with_settings(lidar_beam_sigma=(0.006, 0.02), range_offset=0.012, latency=0.001),
     "by axis": with_settings(lidar_sigma_xyz=(0.003, 0.004, 0.005), scan_angle_offset_deg=0.1),
     "typed": lambda p: replace(
-        with_settings(subsample=0.0, accept_one_facing=True)(p), accuracy=None
+        with_settings(subsample=0.0, accept_single_orientation=True)(p), accuracy=None
     ),
     "origin": with_settings(origin_deg_m=(45.5, -73.5, -25.6)),
     "file gone": lambda p: replace(p, trajectory=p.folder / "gone.sbet"),
@@ -159,7 +159,7 @@ def content_of_sample(project: Project) -> ReportContent:
     """Of the sample, with sentences and notes as the program makes them."""
     result = project.result
     if result is not None and result.observability is not None:
-        seen = replace(result.observability, remarks=REMARKS)
+        seen = replace(result.observability, messages=REMARKS)
         parts = tuple(
             replace(p, reason=p.reason and note("cross_check.no_common_target"))
             if p.kind != "half"

@@ -79,8 +79,8 @@ def test_a_known_shift_of_a_scan_comes_back(
         assert line.after.signed.mean == pytest.approx(off, abs=0.001)
         # The shift is what the mean may be off by: 12 mm of the POS, 5 mm of the reference.
         assert abs(line.after.signed.mean + shift) <= line.after.interval_95
-    assert check.together.before.distances.rms > 5 * check.together.after.distances.rms
-    mean = check.together.after.mean_sigma
+    assert check.all_lines.before.distances.rms > 5 * check.all_lines.after.distances.rms
+    mean = check.all_lines.after.mean_sigma
     assert mean.reference == 0.005
     assert mean.scatter < 0.001
 
@@ -89,9 +89,9 @@ def test_errors_beyond_the_stated_ones_are_significant(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     check = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",), shift=(0.0, 0.08, 0.0)))
-    assert check.together.after.significant
+    assert check.all_lines.after.significant
     assert all(line.after.significant for line in check.lines)
-    mean, _, lines, *_ = AbsoluteCheckValues.of(check).in_words
+    mean, _, lines, *_ = AbsoluteCheckValues.of(check).messages
     assert mean.code == "absolute.after_farther"
     assert mean.params["finding"] == note("absolute.not_explained")
     assert (lines.code, lines.params["count"]) == ("report.absolute_line_off", len(check.lines))
@@ -131,7 +131,7 @@ def test_lines_far_apart_in_time_average_out_and_near_ones_do_not(
         check = checked(one, tmp_path / "s.xyz", tripod_scan(("V5",)))
         share = 1.0 / len(check.lines)
         own = np.array([line.after.mean_sigma.position for line in check.lines])
-        sigmas.append((check.together.after.mean_sigma.position, share, own))
+        sigmas.append((check.all_lines.after.mean_sigma.position, share, own))
     apart, share, own = sigmas[0]
     assert apart == pytest.approx(np.linalg.norm(share * own), rel=0.01)
     near, share, own = sigmas[1]
@@ -153,7 +153,7 @@ def test_far_lines_have_as_many_places_beside_near_ones_as_alone(
         assert found[name].after.signed.n == sum(counts)
         mean = np.average([line.after.signed.mean for line in apart], weights=counts)
         assert found[name].after.signed.mean == pytest.approx(mean, abs=1e-4)
-    together = both.together.after
+    together = both.all_lines.after
     assert together.signed.n == sum(line.after.signed.n for line in both.lines)
     means = [line.after.signed.mean for line in both.lines]
     assert together.signed.mean == pytest.approx(np.mean(means))
@@ -161,7 +161,7 @@ def test_far_lines_have_as_many_places_beside_near_ones_as_alone(
     assert together.distances.rms == pytest.approx(np.sqrt(np.mean(squares)))
     scatters = [line.after.mean_sigma.scatter for line in both.lines]
     assert together.mean_sigma.scatter == pytest.approx(np.linalg.norm(scatters) / len(scatters))
-    assert AbsoluteCheckValues.of(both).in_words[-1].code == "absolute.lines_alike"
+    assert AbsoluteCheckValues.of(both).messages[-1].code == "absolute.lines_alike"
 
 
 def test_a_line_that_is_not_compared_says_what_would_help(
@@ -242,7 +242,7 @@ def test_surveyed_points_and_planes(
     for name in ("A0", "A1"):
         assert 2 <= found[name].lines <= len(seen)
         assert min(seen) - 0.012 <= found[name].after <= max(seen) - 0.008
-    assert check.together.before.distances.rms > 2 * check.together.after.distances.rms
+    assert check.all_lines.before.distances.rms > 2 * check.all_lines.after.distances.rms
 
     content = sample_content(sample.with_absolute(check))
     (section,) = (
@@ -352,7 +352,7 @@ def test_the_project_keeps_it_and_the_report_tells_it(
     )
     tables = [block for block in section.blocks if isinstance(block, Table)]
     shown = tables[0].rows[-1]
-    together = check.together.after
+    together = check.all_lines.after
     assert shown[:3] == ("all lines", "after", f"{together.signed.n:,}")
     assert shown[3].replace("\N{MINUS SIGN}", "-") == f"{1000 * together.signed.mean:+.1f}"
     assert shown[6] == f"{1000 * together.distances.rms:.1f}"
@@ -383,7 +383,7 @@ def test_the_command(
     code, out, err = run(capsys, "check", project.folder, "--reference", path)
     assert code == 0
     assert english_text(note("assumed.local_frame")) in err
-    for sentence in found["in_words"]:
+    for sentence in found["messages"]:
         assert sentence in out
     assert read_project(project.folder).absolute == check
     assert "none.laz: this static scan file does not exist" in refused(

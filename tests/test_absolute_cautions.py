@@ -53,7 +53,7 @@ def told(folder: Path, found: AbsoluteCheck) -> dict[str, tuple[Level, str]]:
     content = sample_content(sample_project(folder).with_absolute(found))
     return {
         each.code: (each.level, message_text(each))
-        for each in content.cautions
+        for each in content.warnings
         if each.code.startswith("report.absolute")
     }
 
@@ -107,13 +107,13 @@ def test_page_one_has_a_line_of_every_check(tmp_path: Path, off: float, code: st
     found = check({ALL_LINES: off})
     content = sample_content(sample_project(tmp_path).with_absolute(found))
     document = undrawn_document(content, {}, ReportOptions())
-    first = message_text(AbsoluteCheckValues.of(found).in_words[0])
+    first = message_text(AbsoluteCheckValues.of(found).messages[0])
     said = [b.text for b in document.summary if isinstance(b, Paragraph) and first in b.text]
     warnings = [
-        each for each in content.cautions if "nearer" in each.code or "farther" in each.code
+        each for each in content.warnings if "nearer" in each.code or "farther" in each.code
     ]
     assert [each.code for each in warnings] == ([] if code is None else [code])
     assert len(said) + len(warnings) == 1
     for each in warnings:
         assert each.params["mean"] == abs(off)
-        assert message_text(each) in document.serious
+        assert message_text(each) in document.warnings

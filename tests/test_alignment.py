@@ -111,7 +111,7 @@ def test_a_twin_is_told_where_the_scene_does_not_tell_them_apart() -> None:
     clicked = survey.clouds["L1"][np.flatnonzero(seen.on("L1", "T1"))].mean(axis=0)
     judged = assess_target(project, survey, find_target(project, survey, clicked, name="T1"))
     for quality in judged.values():
-        assert quality.light == "doubtful"
+        assert quality.rating == "doubtful"
         # A metre apart, as a boresight off by two degrees lays them.
         (mistakable,) = [r for r in quality.reasons if r.code == "quality.mistakable"]
         assert mistakable.params["distance"] == pytest.approx(1.0, abs=0.1)
@@ -119,7 +119,7 @@ def test_a_twin_is_told_where_the_scene_does_not_tell_them_apart() -> None:
     project, survey = alone.opened((0.0, 0.0, 2.0))
     clicked = survey.clouds["L1"][np.flatnonzero(alone.on("L1", "T1"))].mean(axis=0)
     judged = assess_target(project, survey, find_target(project, survey, clicked, name="T1"))
-    assert [quality.light for quality in judged.values()] == ["good", "good"]
+    assert [quality.rating for quality in judged.values()] == ["good", "good"]
 
 
 def test_lines_with_nothing_in_common_stay_where_they_are(calibrated: tuple) -> None:

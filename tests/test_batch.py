@@ -71,7 +71,7 @@ def test_every_project_has_a_row(
     ):  # fmt: skip
         row = rows[str(projects / name)]
         assert row["verdict"] == "refused"
-        assert why in row["remarks"]
+        assert why in row["messages"]
         assert row["roll_deg"] == row["sigma_0"] == row["rms_after_m"] == ""
         assert f"{name}: " in out
 
@@ -96,9 +96,9 @@ def test_every_project_has_a_row(
     assert reports == ["good-2.json", "good.json", "unvalidated.json"]
     report = json.loads((tmp_path / "good.json").read_text(encoding="utf-8"))
     assert good["verdict"] == (
-        "doubtful" if any(c["severity"] == "serious" for c in report["cautions"]) else "remarks"
+        "warnings" if any(c["level"] != "note" for c in report["warnings"]) else "notes"
     )
-    assert len(good["remarks"].split(" | ")) == len(report["cautions"])
+    assert len(good["messages"].split(" | ")) == len(report["warnings"])
     unvalidated = rows[str(projects / "unvalidated")]
     assert unvalidated["rms_after_m"] == ""
     assert unvalidated["roll_deg"] == good["roll_deg"]
@@ -124,7 +124,7 @@ def test_a_table_holds_what_was_typed(tmp_path: Path) -> None:
     write_table([row], tmp_path / "table.csv")
     (read,) = table(tmp_path / "table.csv").values()
     assert read["project"] == 'the "first"'
-    assert read["remarks"] == "one\ntwo | three"
+    assert read["messages"] == "one\ntwo | three"
     assert read["vessel"] == "Léonie, II"
 
 

@@ -44,7 +44,7 @@ def test_it_is_called_what_it_is(change, kind, monkeypatch: pytest.MonkeyPatch) 
     first = said[0]
     assert first is not None
     assert (first.kind, first.sightings) == (kind, (4,))
-    assert survey(24, 0.1).sightings[4] in found.suspects
+    assert survey(24, 0.1).sightings[4] in found.rejected_sightings
 
 
 def test_sigmas_are_taken_again_from_what_is_left() -> None:
@@ -52,6 +52,6 @@ def test_sigmas_are_taken_again_from_what_is_left() -> None:
     stated = shifted(survey(24, 0.1), 4, 0.1).with_sigmas(1.0, 0.4, 1.0)
     model = StochasticModel(loss="tukey")
     found = adjust(stated, PRIOR, model, components=True)
-    assert [stated.sightings.index(each) for each in found.suspects] == [4]
+    assert [stated.sightings.index(each) for each in found.rejected_sightings] == [4]
     position = found.components[1]
     assert position.lower < 2.5 < position.upper

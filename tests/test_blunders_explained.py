@@ -64,8 +64,8 @@ def test_values_are_let_go_of_where_fewer_sightings_are_left(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     """Four sightings without them; each value counts as one. What is hidden is passed over."""
-    start, released = Found(Case(), 0), Found(Case(surface_sigma=LET_GO), 4)
-    names = dict(zip((id(start), id(released)), judged, strict=True))
+    start, rejected = Found(Case(), 0), Found(Case(surface_sigma=LET_GO), 4)
+    names = dict(zip((id(start), id(rejected)), judged, strict=True))
 
     def iterated(problem: Case, *_rest: object, **_more: object) -> Found:
         if any(each.name == "hidden" for each in problem.parameters):
@@ -74,7 +74,7 @@ def test_values_are_let_go_of_where_fewer_sightings_are_left(
 
     def agreeing(solution: Found, *_rest: object) -> Found:
         if solution is start:
-            return released
+            return rejected
         wanted = tuple(each.name for each in solution.problem.parameters)
         return Found(replace(solution.problem, surface_sigma=LET_GO), remain[wanted])
 
@@ -89,7 +89,7 @@ def test_values_are_let_go_of_where_fewer_sightings_are_left(
     }.items():
         monkeypatch.setattr(solver, name, stand_in)
     found = solver._reject_unexplained_sightings(start, [], no_progress)  # type: ignore[arg-type]
-    assert (found is not released) == taken
+    assert (found is not rejected) == taken
     if taken:  # the values themselves stay as they were stated
         problem = found.linearised.problem
         assert problem.parameters == ()
@@ -110,7 +110,7 @@ def test_what_was_taken_back_is_not_let_go_of_again(monkeypatch: pytest.MonkeyPa
     )
     model = StochasticModel(loss="tukey")
     result = adjust(survey(2, 0.1), PRIOR, model)
-    assert result.suspects == ()
+    assert result.rejected_sightings == ()
     assert spared[:2] == [set(), {found}]
 
 

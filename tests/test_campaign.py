@@ -100,7 +100,7 @@ def test_at_the_command_line(
     words = ("campaign", PORT, "--surveys", 4)
     here = answer(capsys, *words, "--workers", 1)
     assert answer(capsys, *words, "--cluster", cluster.scheduler_address) == here
-    assert len(here["hits_95"]) == 3
+    assert len(here["coverage_95"]) == 3
     code, out, err = run(capsys, *words, "--workers", 2, "--flatness-known")
     assert code == 0, err
     assert "4 surveys simulated and adjusted" in out

@@ -86,7 +86,10 @@ def test_a_wrong_value_of_the_mounting_is_named_alone(kind: str, seed: int) -> N
     assert abs(cause.size[0] - WRONG[kind][1]) < 4 * cause.sigma[0] + 0.1 * WRONG[kind][1]
     wide = adjust(data, PRIOR, MODEL, parameters=(Parameter(kind),))
     moved = wide.boresight - result.boresight
-    assert np.abs(cause.moved - moved).max() < 0.4 * wide.sigma.max() + 0.05 * np.abs(moved).max()
+    assert (
+        np.abs(cause.angle_change - moved).max()
+        < 0.4 * wide.sigma.max() + 0.05 * np.abs(moved).max()
+    )
     assert places(wide) == []
     found = [each for each in result_warnings(result, None) if each.is_serious]
     assert f"contradicted_{kind}" in map(former_code, found)
@@ -113,7 +116,9 @@ def test_two_components_of_the_lever_arm_are_both_named() -> None:
     )
     assert {group[0][0] for group in places(result)} == {"lever_x", "lever_y"}
     assert result.causes is not None
-    mended = result.boresight + sum(group[0].moved for group in result.causes) - KNOWN.boresight
+    mended = (
+        result.boresight + sum(group[0].angle_change for group in result.causes) - KNOWN.boresight
+    )
     assert (np.abs(mended) < 4 * result.sigma).all()
 
 

@@ -150,9 +150,9 @@ def test_one_plane_file_is_refused_unless_accepted(
     words = ("estimate", "--planes", plane, "--lever-arm", 0, 0, 0)
     message = refused(capsys, *words)
     assert "is the only target, so" in message
-    assert "--accept-one-facing" in message
-    numbers = answer(capsys, *words, "--accept-one-facing", "--no-cross-checks")
-    assert "is the only target" in numbers["observability"]["in_words"][-1]
+    assert "--accept-single-orientation" in message
+    numbers = answer(capsys, *words, "--accept-single-orientation", "--no-cross-checks")
+    assert "is the only target" in numbers["observability"]["messages"][-1]
 
 
 @pytest.mark.parametrize(

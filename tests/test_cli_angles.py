@@ -64,7 +64,7 @@ def test_without_arguments_every_system_is_listed(capsys) -> None:
 
 def test_to_applanix(capsys) -> None:
     text = said(capsys, 0.4395, -1.8681, 0.3992, "--to", "applanix",
-                "--lever", -0.185596, 0.037658, 2.419063)  # fmt: skip
+                "--lever-arm", -0.185596, 0.037658, 2.419063)  # fmt: skip
     assert row(text, "given") == [0.4395, -1.8681, 0.3992]
     assert row(text, "ENTER") == [0.4395, 1.8681, 0.3992]
     assert "Applanix POS MV, LVX, POSPac: verified" in text
@@ -94,8 +94,8 @@ def test_nothing_that_is_assumed_is_called_type_in(capsys, key: str) -> None:
 
 def test_there_and_back_by_the_command_line(capsys) -> None:
     for key in ("applanix", "novatel", "hypack", "opals", "phoenix", "terrascan"):
-        there = answer(capsys, 0.4, -1.9, 0.5, "--lever", 1, -2, 3, "--to", key)["to"]
-        back = answer(capsys, *there["angles_deg"].values(), "--lever", *there["lever_arm_m"],
+        there = answer(capsys, 0.4, -1.9, 0.5, "--lever-arm", 1, -2, 3, "--to", key)["to"]
+        back = answer(capsys, *there["angles_deg"].values(), "--lever-arm", *there["lever_arm_m"],
                       "--from", key)["to"]  # fmt: skip
         assert list(back["angles_deg"].values()) == pytest.approx([0.4, -1.9, 0.5], abs=1e-9)
         assert back["lever_arm_m"] == pytest.approx([1, -2, 3], abs=1e-9)
@@ -141,7 +141,7 @@ def test_lines_already_turned(capsys) -> None:
 
 
 def test_the_matrix_for_pdal_and_back(capsys, tmp_path: Path) -> None:
-    words = (0.4395, -1.8681, 0.3992, "--lever", -0.185596, 0.037658, 2.419063)
+    words = (0.4395, -1.8681, 0.3992, "--lever-arm", -0.185596, 0.037658, 2.419063)
     text = said(capsys, *words, "--to", "pdal")
     rows = [line for line in text.splitlines() if line.count(".") == 4 and line[0] == " "]
     assert len(rows) == 4
@@ -158,7 +158,7 @@ def test_the_matrix_for_pdal_and_back(capsys, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("key", ["applanix", "opals", "phoenix", "hypack"])
 def test_a_matrix_is_read_as_it_is_printed(capsys, tmp_path: Path, key: str) -> None:
-    there = answer(capsys, 0.4, -1.9, 0.5, "--lever", 1, -2, 3, "--to", key)["to"]
+    there = answer(capsys, 0.4, -1.9, 0.5, "--lever-arm", 1, -2, 3, "--to", key)["to"]
     file = tmp_path / "matrix.txt"
     file.write_text(json.dumps(there["transform"]))
     back = answer(capsys, "--from", key, "--from-matrix", file)["to"]
@@ -167,7 +167,7 @@ def test_a_matrix_is_read_as_it_is_printed(capsys, tmp_path: Path, key: str) -> 
 
 
 def test_axes_of_an_imu_can_be_stated(capsys) -> None:
-    words = (0, 0, 0, "--lever", 1, 2, 3, "--to", "phoenix")
+    words = (0, 0, 0, "--lever-arm", 1, 2, 3, "--to", "phoenix")
     content = answer(capsys, *words, "--body-axes", "down", "starboard", "aft")["to"]
     assert content["lever_arm_m"] == [-3, -2, -1]
     assert "is assumed" not in content["assumption"]
@@ -230,7 +230,7 @@ def test_wrong_usage(capsys, tmp_path: Path) -> None:
     assert "three numbers" in refused(capsys, 1, "two", 3, code=2)
     assert "finite" in refused(capsys, 1, "inf", 3, code=2)
     assert "--current" in refused(capsys, 1, 2, 3, "--current-applied", code=2)
-    assert "contains its lever arm" in refused(capsys, tmp_path, "--lever", 1, 2, 3, code=2)
+    assert "contains its lever arm" in refused(capsys, tmp_path, "--lever-arm", 1, 2, 3, code=2)
     assert "give only one of" in refused(capsys, 1, 2, 3, "--from-matrix", "x", code=2)
 
 
@@ -240,7 +240,7 @@ def test_an_uncalibrated_project_is_refused(capsys, demo_project: Project) -> No
 
 def given_matrix(capsys, angles, *words) -> list[float]:
     """Scanner to body of some angles as the command prints it."""
-    found = answer(capsys, *angles, "--lever", 0, 0, 0, *words)["from"]["transform"]
+    found = answer(capsys, *angles, "--lever-arm", 0, 0, 0, *words)["from"]["transform"]
     return np.round(np.array(found)[:3, :3], 12).ravel().tolist()
 
 
@@ -298,12 +298,12 @@ def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path)
     printed = text.splitlines()[-4:]
     np.testing.assert_allclose(np.loadtxt(printed), new, atol=1e-10)
     # Given: replaces the present one
-    found = answer(capsys, *words, "--lever", 0.1, 0.3, -2.4)
+    found = answer(capsys, *words, "--lever-arm", 0.1, 0.3, -2.4)
     assert found["to"]["lever_arm_m"] == pytest.approx([0.1, -0.3, 2.4], abs=1e-12)
     np.testing.assert_allclose(
         np.array(found["correction"]["transform"]) @ now, found["to"]["transform"], atol=1e-11
     )
-    text = said(capsys, *words, "--lever", 0.1, 0.3, -2.4)
+    text = said(capsys, *words, "--lever-arm", 0.1, 0.3, -2.4)
     assert "new X forward +0.1000 m, Y starboard -0.3000 m, Z down +2.4000 m" in text
     assert "replaces the lever arm of the current matrix" in text
     assert "shifted by the current 4x4" in " ".join(

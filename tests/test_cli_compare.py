@@ -46,8 +46,8 @@ def test_three_surveys(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> No
         np.degrees(np.sqrt(2) * first.result.sigma).tolist()
     )
     assert bumped["displacement_m"] == pytest.approx(np.radians(0.2) * np.array([10, 50, 100]))
-    assert found["together"]["differ"]
-    assert found["remarks"] == []
+    assert found["combined"]["differ"]
+    assert found["messages"] == []
     code, out, _ = run(capsys, "compare", *projects)
     assert code == 0
     assert "+0.2000" in out
@@ -65,7 +65,7 @@ def test_what_the_two_share_is_told(capsys: pytest.CaptureFixture[str], tmp_path
     (tmp_path / "b").mkdir()
     write_project(other)
     shutil.copytree(tmp_path / "a" / "sightings", tmp_path / "b" / "sightings", dirs_exist_ok=True)
-    remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["remarks"]
+    remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["messages"]
     for found in (
         note("repeat.same_lines", name="b", other="a"),
         note("repeat.lever_arm", name="b", other="a"),
@@ -75,7 +75,7 @@ def test_what_the_two_share_is_told(capsys: pytest.CaptureFixture[str], tmp_path
         first, folder=tmp_path / "c", lines=surveyed_again(tmp_path / "c", (0, 0, 0)).lines
     )
     write_project(replace(part, lines=(first.lines[0], *part.lines[1:])))
-    remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "c")["remarks"]
+    remarks = answer(capsys, "compare", tmp_path / "a", tmp_path / "c")["messages"]
     found = note("repeat.shared_lines", name="c", other="a", count=1)
     assert english_text(found) in remarks
 
@@ -86,11 +86,11 @@ def test_copies_count_once(capsys: pytest.CaptureFixture[str], tmp_path: Path) -
     surveyed_again(tmp_path / "c", (0.01, 0.0, 0.0))
     assert first.result is not None
     sigma = np.degrees(first.result.sigma)
-    two = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["together"]
+    two = answer(capsys, "compare", tmp_path / "a", tmp_path / "b")["combined"]
     assert two["counted"] == ["a"]
     assert two["sigma_deg"] == pytest.approx(sigma.tolist())
     assert two["spread_deg"] is None
-    three = answer(capsys, "compare", *(tmp_path / name for name in "abc"))["together"]
+    three = answer(capsys, "compare", *(tmp_path / name for name in "abc"))["combined"]
     assert three["counted"] == ["a", "c"]
     assert three["sigma_deg"] == pytest.approx((sigma / np.sqrt(2)).tolist())
     _, out, err = run(capsys, "compare", tmp_path / "a", tmp_path / "b")

@@ -44,13 +44,13 @@ def test_predict(capsys: pytest.CaptureFixture[str]) -> None:
 def test_what_is_not_determined_is_said(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     text = PORT.read_text()
     one_way = tmp_path / "one-way.toml"
-    one_way.write_text(text.replace("from_level_deg = 45\n", ""))
+    one_way.write_text(text.replace("inclination_deg = 45\n", ""))
     assert "All targets have the same orientation" in told(capsys, "predict", one_way)
     one_line = tmp_path / "one-line.toml"
     one_line.write_text(text[: text.index("[[lines]]", text.index("[[lines]]") + 1)])
     found = answer(capsys, "predict", one_line)
     assert found["sigma_deg"] is None
-    assert found["words"] == [
+    assert found["messages"] == [
         "This survey plan does not determine the boresight. Add lines in other directions."
     ]
     assert "survey plan file does not exist" in refused(capsys, "predict", tmp_path / "none.toml")
@@ -76,7 +76,7 @@ def test_design(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     site.write_text(narrow_site({"up_m = [2, 5, 8]": "up_m = [2, 8]"}))
     found = answer(capsys, "design", site, "--workers", 1, "--output", folder)
     assert found["exact"]
-    assert found["looked_at"] == 28 * 27
+    assert found["plans_evaluated"] == 28 * 27
     assert {path.name for path in folder.iterdir()} == {
         "plan.toml", "field-plan.pdf", "front.svg", "front.csv",
     }  # fmt: skip
@@ -119,7 +119,10 @@ def test_replay_of_the_built_in_survey(
     folder = tmp_path / "port"
     shutil.copytree(calibrated[0].folder, folder)
     found = answer(capsys, "replay", folder, "--plan", PORT)
-    stated, predicted = np.array(found["obtained_sigma_deg"]), np.array(found["as_flat_sigma_deg"])
+    stated, predicted = (
+        np.array(found["obtained_sigma_deg"]),
+        np.array(found["surveyed_with_form_error_sigma_deg"]),
+    )
     assert stated == pytest.approx(predicted, rel=0.05)
     assert found["missing_lines"] == []
     assert found["missing_targets"] == []
@@ -134,8 +137,8 @@ def test_replay_of_the_built_in_survey(
     far = tmp_path / "far.toml"
     far.write_text(PORT.read_text().replace("distance_m = 15", "distance_m = 30", 1))
     off = answer(capsys, "replay", folder, "--plan", far)
-    assert off["words"] == ["Line 1 (000 deg, 30 m to starboard) was surveyed at 15 m."]
-    assert off["sailed_sigma_deg"] == pytest.approx(found["sailed_sigma_deg"], rel=0.02)
+    assert off["messages"] == ["Line 1 (000 deg, 30 m to starboard) was surveyed at 15 m."]
+    assert off["surveyed_sigma_deg"] == pytest.approx(found["surveyed_sigma_deg"], rel=0.02)
     strange = tmp_path / "strange.toml"
     text = PORT.read_text().replace('"T1"', '"A"').replace('"T2"', '"B"')
     strange.write_text(text)

@@ -66,9 +66,9 @@ def test_a_matrix_that_holds_the_lever_arm_leaves_no_room_for_another(
     matrix = tmp_path / "m.txt"
     np.savetxt(matrix, np.eye(4))
     words = ("angles", "--from-matrix", matrix, "--to", "lispac")
-    code, out, err = run(capsys, *words, "--lever", 1, 2, 3)
+    code, out, err = run(capsys, *words, "--lever-arm", 1, 2, 3)
     assert (code, out) == (2, "")
-    assert err == "lispac: angles: the 4x4 matrix contains the lever arm; omit --lever.\n"
+    assert err == "lispac: angles: the 4x4 matrix contains the lever arm; omit --lever-arm.\n"
     assert run(capsys, *words)[0] == 0
 
 

@@ -212,7 +212,7 @@ def test_the_visibility_study_is_told_beside_the_thesis(
     assert not any(row.startswith("Roll 2 deg: ") for row in rows[4:]), "it is as in the thesis"
     assert not any(row.startswith("Pitch") for row in rows), "it is not asked for"
     assert rows[-1] == f"1 files in {tmp_path}"
-    assert told(capsys, *words, "--struck")[0] == f"1 files in {tmp_path}\n"
+    assert told(capsys, *words, "--hit-beams")[0] == f"1 files in {tmp_path}\n"
 
 
 def test_what_goes_with_the_angles_of_a_project_is_told(

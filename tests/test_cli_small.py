@@ -236,13 +236,13 @@ def test_the_answer_of_the_scene_is_printed_and_kept_where_wanted(
     remarks = list(map(english_text, found.remarks))
     assert out.splitlines()[-len(remarks) :] == remarks
     assert "boresight  " in out
-    assert read_project(project.folder).opinions == ()
-    numbers = answer(capsys, "targetless", project.folder, "--keep")
+    assert read_project(project.folder).alternative_results == ()
+    numbers = answer(capsys, "targetless", project.folder, "--save")
     assert list(numbers["boresight_deg"].values()) == pytest.approx(
         np.degrees(found.result.boresight).tolist()
     )
-    assert numbers["remarks"] == remarks
-    wanted = {"rounds": 3, "settled": False, "candidates": 40, "targets": 0}
+    assert numbers["messages"] == remarks
+    wanted = {"iterations": 3, "converged": False, "candidates": 40, "targets": 0}
     assert {key: numbers[key] for key in wanted} == wanted
     assert numbers["disagreeing_lines"] == ["L6"]
     kept = read_project(project.folder).alternative_result("targetless")
@@ -298,7 +298,7 @@ def test_a_script_that_cannot_find_a_file_says_so(
     assert err == f"note: {english_text(note('script.missing_files', files=(str(line),)))}\n"
     assert "project.import_lines(['L1_000'])" in out
     numbers = answer(capsys, "script", project.folder)
-    assert numbers == {"script": out, "remarks": [err.removeprefix("note: ").rstrip("\n")]}
+    assert numbers == {"script": out, "messages": [err.removeprefix("note: ").rstrip("\n")]}
 
 
 def test_a_line_is_imported_again_where_what_is_kept_of_it_is_damaged(

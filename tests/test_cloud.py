@@ -172,7 +172,7 @@ def test_same_boresight_validation_and_exports(
     for comparison in validated.validation:
         assert comparison.after.rms == pytest.approx(before[comparison.name].after.rms, rel=0.02)
     assert len(export_targets(solved, stored, tmp_path)) == len(solved.targets)
-    assert report_content_of(validated, stored).cautions is not None
+    assert report_content_of(validated, stored).warnings is not None
 
 
 def test_large_line_is_imported_when_the_project_is_opened(

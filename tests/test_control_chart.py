@@ -111,7 +111,7 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert [each["moved"] for each in first["calibrations"]] == [False, False, True]
     assert first["calibrations"][2]["difference_deg"][1] == pytest.approx(0.2995, abs=1e-6)
     assert [each["name"] for each in other["calibrations"]] == ["other"]
-    assert any("undated: its survey dates (last summer)" in remark for remark in found["remarks"])
+    assert any("undated: its survey dates (last summer)" in remark for remark in found["messages"])
     # A copy of a survey, estimated again, is no further survey.
     copy = tmp_path / "a copy"
     shutil.copytree(tmp_path / "autumn", copy)
@@ -119,7 +119,7 @@ def test_the_history_of_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: P
     assert [each["day"] for each in again["systems"][0]["calibrations"]] == [
         "2024-05-02", "2025-05-02", "2025-09-30",
     ]  # fmt: skip
-    assert any("same lines as" in remark for remark in again["systems"][0]["remarks"])
+    assert any("same lines as" in remark for remark in again["systems"][0]["messages"])
     shutil.rmtree(copy)
     assert picture.read_bytes().startswith(b"\x89PNG")
     code, out, error = run(capsys, "history", tmp_path, "--vessel", "AURORA")
@@ -143,7 +143,7 @@ def test_what_is_no_history_is_refused(capsys: pytest.CaptureFixture[str], tmp_p
     found = answer(capsys, "history", tmp_path)
     assert any(
         "b" in remark and remark.startswith("A project is not used: ")
-        for remark in found["remarks"]
+        for remark in found["messages"]
     )
 
 

@@ -52,11 +52,11 @@ def test_a_little_more_than_chance_is_told() -> None:
 
 
 def test_strays_are_noise_unless_a_loss_takes_their_weight() -> None:
-    strays, _ = with_strays(survey(1, 0.3), 3)
+    outliers, _ = with_strays(survey(1, 0.3), 3)
     noise, scale = {}, {}
     for loss in LOSSES:
         problem = AdjustmentProblem.of(
-            strays, TRUTH, StochasticModel(loss=loss)
+            outliers, TRUTH, StochasticModel(loss=loss)
         ).with_noise_blocks()
         state = problem.start(TRUTH, fit_shapes(survey(1, 0.3), TRUTH))
         told = reestimate_noise(problem, state)

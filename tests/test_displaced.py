@@ -42,7 +42,7 @@ def survey(seed: int, displaced: float = 0.0, boards: tuple[Board, ...] = FIVE) 
 
 def few_are_let_go_of(results: list[AdjustmentResult]) -> None:
     """And errors are as large as their sigmas say, by chi-square at one in a thousand."""
-    let_go = [bool(result.suspects) for result in results]
+    let_go = [bool(result.rejected_sightings) for result in results]
     assert sum(let_go) <= len(results) / 3
     ratios = np.array([(result.boresight - TRUTH.boresight) / result.sigma for result in results])
     lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], len(results)) / len(results))
@@ -85,14 +85,14 @@ def test_one_sighting_that_is_off_is_a_blunder_and_no_matter_of_all(boards) -> N
     clean = survey(700, 0.0, boards)
     found = adjust(shifted(clean, 8, 0.05), PRIOR, MODEL)
     assert found.offset is None
-    assert found.suspects == (clean.sightings[8],)
+    assert found.rejected_sightings == (clean.sightings[8],)
 
 
 def test_a_line_that_jumped_is_no_matter_of_all() -> None:
     clean = survey(700)
     found = adjust(jumped(clean, "L6", [0.0, 0.1, 0.05]), PRIOR, MODEL)
     assert found.offset is None
-    assert found.suspect_lines == ("L6",)
+    assert found.rejected_lines == ("L6",)
 
 
 @pytest.mark.parametrize("boards", [BOARDS, FIVE])
@@ -108,7 +108,7 @@ def test_a_wrong_lever_arm_and_a_blunder_are_named_among_displaced_targets() -> 
     clean = survey(407, 0.005)
     stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
     assert [each.name for each in adjust(clean, stated, MODEL).contradictions] == ["lever_x"]
-    assert clean.sightings[8] in adjust(shifted(clean, 8, 0.06), PRIOR, MODEL).suspects
+    assert clean.sightings[8] in adjust(shifted(clean, 8, 0.06), PRIOR, MODEL).rejected_sightings
 
 
 @pytest.mark.long

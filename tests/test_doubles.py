@@ -121,9 +121,9 @@ def test_an_answer_with_shared_points_is_in_doubt_everywhere(
     assert result_warnings(result, checks, duplicate_warnings(both))[0] == doubt
     print_result(result, checks, duplicate_warnings(both))
     assert f"- {text}\n" in capsys.readouterr().out
-    assert text in [each["text"] for each in project_result_values(both)["doubts"]]
+    assert text in [each["text"] for each in project_result_values(both)["warnings"]]
     assert "can be used" not in result_words.fit_verdict(result, checks, duplicate_warnings(both))
-    assert doubt in sample_content(both).cautions
+    assert doubt in sample_content(both).warnings
     step = step_statuses(both, None, waiting=False, refusal="")[2]
     assert ("with warnings" in step.sentence) == serious
 
@@ -170,7 +170,7 @@ def test_at_the_command_line(
     assert "\n- Validation planes have points in common with targets: V1 with T2 (" in out
     code, out, _ = run(capsys, "validate", folder)
     assert "\nnote: Validation planes have points in common with targets: V1 with T2 (" in out
-    said = json.loads(run(capsys, "validate", folder, "--json")[1])["doubts"]
+    said = json.loads(run(capsys, "validate", folder, "--json")[1])["warnings"]
     assert [each.split(":")[0] for each in said] == [
         "Targets have points in common",
         "Validation planes have points in common with targets",

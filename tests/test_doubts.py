@@ -21,12 +21,13 @@ from lispac.adjustment.result import (
 from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.adjustment.warnings import RULES, result_warnings
 from lispac.cli.estimate import print_result, result_values
+from lispac.cli.messages import message_values
 from lispac.gui.panels import result_words
 from lispac.io.project_file import read_project, write_project
 from lispac.language import in_language
 from lispac.message_texts import message_text
 from lispac.message_texts.former_codes import former_code
-from lispac.messages import Level, Message, note, plain_params
+from lispac.messages import Level, Message, note
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
 from tests.report_sample import sample_content, sample_project
@@ -105,7 +106,7 @@ def _shorter(project: Project) -> Project:
     assert project.result is not None
     model = StochasticModel(position_time=30.0, attitude_time=60.0)
     return replace(
-        project, result=replace(project.result, model=model, stated_times=(300.0, 600.0))
+        project, result=replace(project.result, model=model, given_correlation_times=(300.0, 600.0))
     )
 
 
@@ -152,7 +153,7 @@ def _sighting(**values: object) -> Callable[[Project], Project]:
 def _line_gone(project: Project) -> Project:
     assert project.result is not None
     items = tuple(
-        replace(item, released=item.sighting.line == "L3") for item in project.result.reliability
+        replace(item, rejected=item.sighting.line == "L3") for item in project.result.reliability
     )
     return replace(project, result=replace(project.result, reliability=items))
 
@@ -228,12 +229,12 @@ CASES = [
     ("independent_pos_errors", True, _model(pos_errors="independent"), "uncorrelated POS errors"),
     ("steep_pitch", False, _steep, "The boresight pitch exceeds 60 deg"),
     ("surface_held", False, _model(surface=0.0), "The surface roughness is fixed at 0"),
-    ("released", False, _sighting(released=True, shift=-0.0483, w=-9.34), "was rejected: "
+    ("released", False, _sighting(rejected=True, shift=-0.0483, w=-9.34), "was rejected: "
      "T1 on line L1 (displaced by 48.3 mm, test value w = -9.3)."),
     ("sighting_disagrees", False, _sighting(shift=0.02, w=5.5), "but is used: T1 on line "
      "L1 (displaced by 20.0 mm, test value w = +5.5)."),
     ("line_jumped", False, _line_gone, "All targets are displaced on line L3"),
-    ("strays_full_weight", False, _sighting(strays=60), "60 of"),
+    ("strays_full_weight", False, _sighting(outliers=60), "60 of"),
     ("noise", False, _noise(1.0, 2.4), "on T2 are larger than the LiDAR noise or correlated over "
      "the surface. They correspond to 2.4 times the given noise. The surface"),
     ("noise", False, _noise(2.2, 2.4), "on T2 and T1 are larger than the LiDAR noise or correlated "
@@ -249,7 +250,7 @@ CASES = [
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
-    return sample_project(tmp_path_factory.mktemp("doubts") / "harbour")
+    return sample_project(tmp_path_factory.mktemp("warnings") / "harbour")
 
 
 @pytest.mark.parametrize(
@@ -271,13 +272,11 @@ def test_a_doubt_is_told_alike_everywhere(
     assert text.isascii()
     print_result(result, checks)
     assert f"- {text}\n" in capsys.readouterr().out
-    told = {
-        "code": found.code, "former_code": former_code(found), "serious": serious, "text": text,
-        "params": plain_params(found),
-    }  # fmt: skip
-    assert told in result_values(result, checks)["doubts"]
+    told = message_values(found) | {"former_code": former_code(found)}
+    assert told["text"] == text
+    assert told in result_values(result, checks)["warnings"]
     assert "are realistic" not in result_words.fit_verdict(result, checks)
-    assert [each for each in sample_content(changed).cautions if each.code == found.code] == [found]
+    assert [each for each in sample_content(changed).warnings if each.code == found.code] == [found]
 
 
 @pytest.mark.parametrize("case", CASES, ids=[f"{c[0]}-{k}" for k, c in enumerate(CASES)])
@@ -345,7 +344,7 @@ def test_a_doubt_outlives_saving(project: Project, tmp_path: Path) -> None:
         saved.result, saved.cross_checks
     )
     (found,) = opened.result.contradictions
-    np.testing.assert_array_equal(found.moved, saved.result.contradictions[0].moved)
+    np.testing.assert_array_equal(found.angle_change, saved.result.contradictions[0].angle_change)
 
 
 @pytest.mark.parametrize("points", [1, 2, 50, 999, 2_215, 1_000_000])

@@ -196,7 +196,7 @@ def test_the_command_and_the_report_say_the_same(
     assert found == json.loads(json.dumps(asdict(english_values(budget))))
     code, out, _ = run(capsys, "budget", project.folder, "--distance", 50)
     assert code == 0
-    for sentence in found["in_words"]:
+    for sentence in found["messages"]:
         assert sentence in out
     content = replace(sample_content(sample), budget=budget)
     section = report_document(content, {}).sections[0]
@@ -208,7 +208,7 @@ def test_the_command_and_the_report_say_the_same(
     assert last[4] == f"{100 * at_50['horizontal_m']:.2f}"
     assert last[6] == f"{100 * at_50['across_beam_m']:.2f}"
     assert any(
-        isinstance(b, Bullets) and b.items == tuple(map(message_text, budget.in_words))
+        isinstance(b, Bullets) and b.items == tuple(map(message_text, budget.messages))
         for b in section.blocks
     )
     write_project(replace(project, result=None))

@@ -33,7 +33,7 @@ def test_a_usual_board_is_as_expected_and_a_larger_one_is_told(
         sighting.line for sighting in wrong.sightings
     }
     for quality in assess_target(project, survey, wrong).values():
-        assert quality.light != "good"
+        assert quality.rating != "good"
         assert {"quality.narrower", "quality.steeper"} <= set(codes(quality.reasons))
 
 

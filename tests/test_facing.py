@@ -47,7 +47,7 @@ def test_nothing_is_said_of_one_target_and_where_it_is_accepted(
     assert do_targets_face_one_way(alike, survey) != do_targets_face_one_way(
         only(project, "T1"), survey
     )
-    accepted = alike.with_settings(replace(alike.settings, accept_one_facing=True))
+    accepted = alike.with_settings(replace(alike.settings, accept_single_orientation=True))
     assert not do_targets_face_one_way(accepted, survey)
     assert "project.one_facing" not in [each.code for each in warnings_of(project, survey)]
 

@@ -93,7 +93,7 @@ def test_all_of_it_is_on_the_page(lines: int, balls: int) -> None:
         (*plan.targets, *(Ball(f"B{k}", (k, 0.0, 4.0), 0.1) for k in range(balls)))
     )
     page = field_plan_figure(
-        plan, site.wall, "Quay", cautions=["Line 1 would run through the wall."] * balls
+        plan, site.wall, "Quay", warnings=["Line 1 would run through the wall."] * balls
     )
     page.draw_without_rendering()
     whole = page.bbox

@@ -122,7 +122,7 @@ def test_reports_of_folders_whose_names_are_not_utf8(copy: Project, ending: str)
 
 
 WRONG_VALUES = [
-    ("validation/0/pairs/1/after/planes/turn_level_95", "/dev/zero"),
+    ("validation/0/pairs/1/after/planes/rotation_horizontal_axis_95", "/dev/zero"),
     ("validation/0/pairs/1/before/distances/outliers", float("nan")),
     ("validation/0/pairs/0/before/distances/n", {}),
     ("validation/0/pairs/0/before/distances/mean", True),

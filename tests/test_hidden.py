@@ -92,8 +92,8 @@ def test_the_limits(part, light):
     quality = plane_quality(
         points, points, np.arange(len(points)), fit_plane(points), NOISE, shown=shown
     )
-    assert quality.light == light
-    assert quality.share_shown == pytest.approx(part, abs=0.01)
+    assert quality.rating == light
+    assert quality.visible_share == pytest.approx(part, abs=0.01)
     assert ("quality.shows_less" in codes(quality.reasons)) == (light != "good")
     assert f"{100 * shown.share:.0f} % of the extent in the other lines" in quality_text(quality)
 
@@ -121,12 +121,12 @@ def test_on_the_demo_a_half_is_told_and_the_others_are_judged_anew(
     project = replace(project, result=None)
     line = project.target("T1").sightings[0].line
     whole = assess_sightings(project, survey)
-    assert whole["T1", line].quality.share_shown > 0.95
-    assert whole["V5", line].quality.share_shown is None  # cut by the search radius
+    assert whole["T1", line].quality.visible_share > 0.95
+    assert whole["V5", line].quality.visible_share is None  # cut by the search radius
     half = narrowed(project, survey, "T1", line)
     judged = assess_sightings(half, survey, known=whole)
     quality = judged["T1", line].quality
-    assert quality.light != "good"
+    assert quality.rating != "good"
     assert "quality.shows_less" in codes(quality.reasons)
     # The others rest on it too, and what they rest on has changed.
     assert all(each is not whole[key] for key, each in judged.items() if key[0] == "T1")
@@ -136,4 +136,4 @@ def test_on_the_demo_a_half_is_told_and_the_others_are_judged_anew(
     alone = replace(
         target, sightings=tuple(replace(s, used=s.line == line) for s in target.sightings)
     )
-    assert assess_target(half, survey, alone)[line].share_shown is None
+    assert assess_target(half, survey, alone)[line].visible_share is None

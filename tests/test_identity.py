@@ -138,7 +138,7 @@ def test_page_one_says_it_and_blanks_are_lines(tmp_path: Path) -> None:
     assert [word for word in _page(page).words if word == FULL.company] == [FULL.company] * 2
     blank = report_document(sample_content(project), {})
     assert {value for _, value in blank.identity.rows} == {""}
-    assert blank.cautions == ()
+    assert blank.warnings == ()
 
 
 def test_it_is_a_table_among_the_others(tmp_path: Path) -> None:

@@ -304,12 +304,12 @@ def test_points_without_a_pose_are_left_out_and_counted(
     )  # fmt: skip
     stored = import_line(project, project.lines[0], short).stored
     inside = short.covers(scan.time)
-    assert 0 < stored.manifest.left_out == np.count_nonzero(~inside)
+    assert 0 < stored.manifest.excluded_points == np.count_nonzero(~inside)
     rows = in_file_order(stored)
     np.testing.assert_array_equal(stored.time[rows], scan.time[inside])
     np.testing.assert_array_equal(stored.indices_in_file(rows), np.flatnonzero(inside))
     counts = [each.params["count"] for each in assumptions_of(stored) if "count" in each.params]
-    assert sum(counts) == stored.manifest.left_out
+    assert sum(counts) == stored.manifest.excluded_points
 
 
 def test_line_outside_the_trajectory_leaves_nothing(survey: Survey, project, trajectory) -> None:

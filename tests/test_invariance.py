@@ -31,7 +31,7 @@ def mixed(given: Observations, seed: int) -> Observations:
 
 @pytest.mark.parametrize("spacing", [0.0, 0.1])
 def test_order_does_not_change_the_answer(spacing) -> None:
-    """Of points, sightings and targets; with strays, a blunder and, above, averages."""
+    """Of points, sightings and targets; with outliers, a blunder and, above, averages."""
     given = shifted(with_strays(survey(3), 1)[0], 4, 0.05)
     answers = []
     for seed in (None, 1, 2):
@@ -40,7 +40,7 @@ def test_order_does_not_change_the_answer(spacing) -> None:
             points = average_points_in_cells(points, PRIOR, spacing, strays_apart=True)
         answers.append(adjust(points, PRIOR, MODEL, diagnostics=True))
     for other in answers[1:]:
-        assert set(other.suspects) == set(answers[0].suspects) != set()
+        assert set(other.rejected_sightings) == set(answers[0].rejected_sightings) != set()
         assert np.abs(other.boresight - answers[0].boresight).max() < SAME
         assert np.abs(other.sigma - answers[0].sigma).max() < SAME
 
@@ -66,7 +66,7 @@ def test_strays_and_a_shifted_sighting_together_do_no_harm(sighting) -> None:
     result = adjust(dirty, PRIOR, MODEL)
     without = clean.of_sightings(np.arange(len(clean.sightings)) != sighting)
     best = adjust(without, PRIOR, MODEL, diagnostics=False)
-    assert result.suspects == (clean.sightings[sighting],)
+    assert result.rejected_sightings == (clean.sightings[sighting],)
     assert (np.abs(result.boresight - best.boresight) < best.sigma).all()
 
 

@@ -47,11 +47,11 @@ def test_a_wall_behind_a_board_is_not_the_board(
         assert line.after.signed.mean == pytest.approx(expected[line.line], abs=0.003)
         assert line.after.distances.p99 < abs(expected[line.line]) + 0.02
         assert line.before.distances.rms < 0.2
-    assert check.others
-    assert all(0.2 < other.distance < 1.0 for other in check.others)
-    texts = map(english_text, AbsoluteCheckValues.of(check).in_words)
+    assert check.other_surfaces
+    assert all(0.2 < other.distance < 1.0 for other in check.other_surfaces)
+    texts = map(english_text, AbsoluteCheckValues.of(check).messages)
     (said,) = (each for each in texts if "A second surface" in each)
-    assert all(other.line in said for other in check.others)
+    assert all(other.line in said for other in check.other_surfaces)
 
 
 def test_a_line_nearer_to_the_wall_than_to_the_board_before_is_found() -> None:

@@ -119,9 +119,9 @@ def test_the_command_prints_draws_and_lists(
     assert "prior boresight, mm" in out
     assert "RMSD" in out
     assert "have not been estimated" in refused(
-        capsys, "quality", project.folder, "--with", "estimated"
+        capsys, "quality", project.folder, "--boresight", "estimated"
     )
-    refusal = command_error("quality", project.folder, "--reach", "11")
+    refusal = command_error("quality", project.folder, "--search-distance", "11")
     assert refusal.code == "check.search_distance"
 
 

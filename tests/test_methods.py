@@ -1,4 +1,4 @@
-"""Second opinions: kept, dropped with what they rest on, held against the targets."""
+"""Results of alternative methods: kept, dropped with their basis, compared with targets."""
 
 import json
 from collections.abc import Callable
@@ -23,7 +23,7 @@ from tests.report_sample import sample_project
 from tests.test_cli import answer, refused, run
 
 
-def opinion(
+def alternative(
     project: Project, method: Method, off_deg: tuple[float, float, float]
 ) -> AlternativeResult:
     """Off the targets' answer by so much, and as certain."""
@@ -41,8 +41,10 @@ def opinion(
 def test_each_is_held_against_the_targets(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     assert project.result is not None
-    project = project.with_alternative_result(opinion(project, "targetless", (0.3, 0.0, 0.0)))
-    project = project.with_alternative_result(opinion(project, "natural planes", (0.0, 0.001, 0.0)))
+    project = project.with_alternative_result(alternative(project, "targetless", (0.3, 0.0, 0.0)))
+    project = project.with_alternative_result(
+        alternative(project, "natural planes", (0.0, 0.001, 0.0))
+    )
     found = method_results(project)
     assert [each.method for each in found] == ["targets", "natural planes", "targetless"]
     assert (found[0].lines, found[0].surfaces, found[0].against) == (6, 2, None)
@@ -73,28 +75,30 @@ def test_each_is_held_against_the_targets(tmp_path: Path) -> None:
 def test_one_of_each_method_is_kept_and_dropped_with_what_it_rests_on(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
     for method, off in (("targetless", 1.0), ("natural planes", 0.0), ("targetless", 0.0)):
-        project = project.with_alternative_result(opinion(project, method, (off, 0.0, 0.0)))  # type: ignore[arg-type]
-    assert [each.method for each in project.opinions] == ["natural planes", "targetless"]
+        project = project.with_alternative_result(alternative(project, method, (off, 0.0, 0.0)))  # type: ignore[arg-type]
+    assert [each.method for each in project.alternative_results] == ["natural planes", "targetless"]
     assert project.result is not None
     kept = project.alternative_result("targetless")
     assert kept is not None
     np.testing.assert_array_equal(kept.boresight, project.result.boresight)
     without = project.without_target("V1")
-    assert [each.method for each in without.opinions] == ["targetless"]
-    assert len(project.without_target("T1").opinions) == 2
-    assert project.with_settings(Settings((0.0, 0.0, 1.0))).opinions == ()
+    assert [each.method for each in without.alternative_results] == ["targetless"]
+    assert len(project.without_target("T1").alternative_results) == 2
+    assert project.with_settings(Settings((0.0, 0.0, 1.0))).alternative_results == ()
 
 
 def test_they_come_back_as_they_were_and_what_cannot_be_one_is_refused(tmp_path: Path) -> None:
     project = sample_project(tmp_path)
-    project = project.with_alternative_result(opinion(project, "patch test", (0.01, 0.02, 0.03)))
+    project = project.with_alternative_result(
+        alternative(project, "patch test", (0.01, 0.02, 0.03))
+    )
     write_project(project)
-    (again,) = read_project(tmp_path).opinions
-    (kept,) = project.opinions
+    (again,) = read_project(tmp_path).alternative_results
+    (kept,) = project.alternative_results
     np.testing.assert_array_equal(again.covariance, kept.covariance)
     np.testing.assert_array_equal(again.boresight, kept.boresight)
-    assert (again.method, again.lines, again.surfaces, again.remarks) == (
-        kept.method, kept.lines, kept.surfaces, kept.remarks,
+    assert (again.method, again.lines, again.surfaces, again.messages) == (
+        kept.method, kept.lines, kept.surfaces, kept.messages,
     )  # fmt: skip
     np.testing.assert_array_equal(again.sigma, np.sqrt(np.diag(kept.covariance)))
     path = tmp_path / FILE_NAME
@@ -102,7 +106,7 @@ def test_they_come_back_as_they_were_and_what_cannot_be_one_is_refused(tmp_path:
 
     def spoilt(change: Callable[[dict[str, object]], None]) -> Message:
         content = json.loads(json.dumps(sound))
-        change(content["opinions"][0])
+        change(content["alternative_results"][0])
         path.write_text(json.dumps(content))
         with pytest.raises(ProjectError) as caught:
             read_project(tmp_path)
@@ -148,18 +152,20 @@ def test_the_command_shows_them_side_by_side(
     assert code == 0
     assert out.count("\n") == 2, "the targets alone"
     assert err.count("note: no result of ") == 3
-    project = project.with_alternative_result(opinion(project, "targetless", (0.3, 0.0, 0.0)))
+    project = project.with_alternative_result(alternative(project, "targetless", (0.3, 0.0, 0.0)))
     write_project(project)
     found = answer(capsys, "compare", tmp_path / "p")
     assert [each["method"] for each in found["methods"]] == ["targets", "targetless"]
-    assert found["methods"][0]["less_first_deg"] is None
-    assert found["methods"][1]["less_first_deg"] == pytest.approx([0.3, 0.0, 0.0])
+    assert found["methods"][0]["difference_deg"] is None
+    assert found["methods"][1]["difference_deg"] == pytest.approx([0.3, 0.0, 0.0])
     assert found["methods"][1]["differ"]
     assert found["missing"] == ["natural planes", "patch test"]
     _, out, _ = run(capsys, "compare", tmp_path / "p")
     assert "+0.3000" in out
     assert f"targetless: {english_text(note('patch_test.not_converged'))}" in out
-    write_project(replace(project, result=None, opinions=(), validation=(), absolute=None))
+    write_project(
+        replace(project, result=None, alternative_results=(), validation=(), absolute=None)
+    )
     assert "Run lispac estimate" in refused(capsys, "compare", tmp_path / "p")
 
 
@@ -179,7 +185,7 @@ def test_compute_asks_keeps_and_says_what_cannot_be_asked(
     found = answer(capsys, "compare", project.folder, "--compute")
     assert [each["method"] for each in found["methods"]] == ["targetless", "patch test"]
     assert "two validation planes" in found["refused"]["natural planes"]
-    kept = read_project(project.folder).opinions
+    kept = read_project(project.folder).alternative_results
     assert [each.method for each in kept] == ["targetless", "patch test"]
     for one, told in zip(kept, found["methods"], strict=True):
         assert np.degrees(one.boresight) == pytest.approx(told["boresight_deg"])

@@ -35,7 +35,7 @@ def test_the_proposal_is_checked_and_says_its_sigmas() -> None:
     assert result.sigma == pytest.approx(proposal.sigma, rel=1e-6)
     assert (np.abs(result.boresight - seen.boresight) < 3.3 * result.sigma).all()
     # Each angle is determined without any one of the targets.
-    one_way = project.with_settings(replace(project.settings, accept_one_facing=True))
+    one_way = project.with_settings(replace(project.settings, accept_single_orientation=True))
     for kept in combinations(targets, len(targets) - 1):
         part = estimate(replace(one_way, targets=kept), survey, cross_check=False).result
         assert part is not None

@@ -127,8 +127,8 @@ def test_plane_offsets_and_turns_come_back_within_their_intervals() -> None:
         found = plane_offset(moved, wall(rng, 700, noise=0.005), EAST)
         held.append([
             abs(found.offset - offset) <= found.offset_95,
-            abs(found.turn_level - angle) <= found.turn_level_95,
-            abs(found.turn_upright + angle) <= found.turn_upright_95,
+            abs(found.rotation_horizontal_axis - angle) <= found.rotation_horizontal_axis_95,
+            abs(found.rotation_slope_axis + angle) <= found.rotation_slope_axis_95,
         ])  # fmt: skip
     assert np.all(np.abs(np.mean(held, axis=0) - 0.95) <= 0.02)
 
@@ -139,7 +139,7 @@ def test_the_angle_is_that_between_the_normals() -> None:
     moved = wall(rng, 4000, noise=0.0, tilt=tilt, turn=tilt)
     found = plane_offset(moved, wall(rng, 4000, noise=0.0), EAST)
     assert found.angle == pytest.approx(np.arctan(np.hypot(np.tan(tilt), np.tan(tilt))), rel=1e-6)
-    assert found.strays == 0
+    assert found.outliers == 0
 
 
 def test_strays_are_left_out_and_counted() -> None:
@@ -147,8 +147,8 @@ def test_strays_are_left_out_and_counted() -> None:
     moved = wall(rng, 2000, offset=0.005)
     moved[:60, 1] -= 0.08
     found = plane_offset(moved, wall(rng, 2000), EAST)
-    assert found.strays >= 60
-    assert found.strays < 75
+    assert found.outliers >= 60
+    assert found.outliers < 75
     assert abs(found.offset - 0.005) < 2 * found.offset_95
 
 
@@ -156,7 +156,7 @@ def test_lines_far_apart_do_not_tilt_the_frame() -> None:
     rng = np.random.default_rng(9)
     moved = wall(rng, 2000, offset=0.8, tilt=np.radians(0.5)) + [0.7, 0.0, 0.6]
     found = plane_offset(moved, wall(rng, 2000), EAST)
-    assert np.degrees(found.turn_level) == pytest.approx(0.5, abs=0.01)
+    assert np.degrees(found.rotation_horizontal_axis) == pytest.approx(0.5, abs=0.01)
 
 
 def test_too_few_points_make_no_plane() -> None:

@@ -68,7 +68,7 @@ def test_a_geometry_that_fails_is_refused_with_its_reason(
     courses = tuple(six_courses()[k] for k in lines)
     points, model = survey(targets, courses, still=True), StochasticModel(pos_errors)
     with pytest.raises(RankDeficient) as refused:
-        adjust(points, PRIOR, model, accept_one_facing=accepted)
+        adjust(points, PRIOR, model, accept_single_orientation=accepted)
     assert reason_of(refused.value) == reason
 
 
@@ -148,18 +148,18 @@ def test_parts_of_a_survey_may_face_one_way() -> None:
 
 def test_one_board_on_six_lines_answers_with_the_sigmas_it_deserves() -> None:
     """Where that is accepted: the data can tell, and the sigmas say how well."""
-    one = adjust(survey((UPRIGHT,)), PRIOR, StochasticModel(), accept_one_facing=True)
+    one = adjust(survey((UPRIGHT,)), PRIOR, StochasticModel(), accept_single_orientation=True)
     two = adjust(survey(), PRIOR, StochasticModel())
     assert (one.sigma > two.sigma).all()
-    assert one.observability.remarks[-1] == note("adjustment.one_target", target="T1")
-    assert "adjustment.one_target" not in codes(two.observability.remarks)
+    assert one.observability.messages[-1] == note("adjustment.one_target", target="T1")
+    assert "adjustment.one_target" not in codes(two.observability.messages)
     assert (np.abs(one.boresight - TRUTH.boresight) < 3.5 * one.sigma).all()
 
 
 def test_nothing_is_said_of_the_inclination_of_a_sphere() -> None:
     ball = Ball("B1", (0.0, 15.0, 4.0), 0.3)
     result = adjust(survey((ball,)), PRIOR, StochasticModel())
-    assert result.observability.remarks[-1] == note("observability.one_sphere", target="B1")
+    assert result.observability.messages[-1] == note("observability.one_sphere", target="B1")
     first = six_courses()[0]
     twice = (first, replace(first, name="L2", time=first.time + 90))
     with pytest.raises(RankDeficient, match="Add another target, or lines in other directions"):
@@ -168,8 +168,8 @@ def test_nothing_is_said_of_the_inclination_of_a_sphere() -> None:
 
 def test_boards_that_face_one_way_are_told_of() -> None:
     points = survey((UPRIGHT, facing(0)))
-    result = adjust(points, PRIOR, StochasticModel(), accept_one_facing=True)
-    assert result.observability.remarks[-1] == note("adjustment.one_facing")
+    result = adjust(points, PRIOR, StochasticModel(), accept_single_orientation=True)
+    assert result.observability.messages[-1] == note("adjustment.one_facing")
     assert (np.abs(result.boresight - TRUTH.boresight) < 3.5 * result.sigma).all()
 
 
@@ -183,8 +183,8 @@ def test_directions_and_condition_are_those_of_the_covariance() -> None:
     )
     assert seen.condition == pytest.approx(np.linalg.cond(information), rel=1e-6)
     weakest = ("roll", "pitch", "yaw")[int(np.argmax(np.abs(seen.directions[:, 0])))]
-    assert seen.remarks[0].code == "observability.directions"
-    assert english_text(seen.remarks[0]).startswith(f"Least precisely determined: {weakest}")
+    assert seen.messages[0].code == "observability.directions"
+    assert english_text(seen.messages[0]).startswith(f"Least precisely determined: {weakest}")
 
 
 def test_sigmas_without_a_line_are_those_of_the_adjustment_without_it() -> None:
@@ -241,7 +241,7 @@ def test_a_sighting_that_was_let_go_of_promises_nothing() -> None:
     clean = survey(courses=six_courses()[:5])
     data, model = shifted(clean, 9, 0.3), StochasticModel(loss="tukey")
     result = adjust(data, PRIOR, model)
-    assert result.suspects == (data.sightings[9],)
+    assert result.rejected_sightings == (data.sightings[9],)
     without = data.of_sightings(np.arange(len(data.sightings)) != 9)
     plain = adjust(without, PRIOR, model)
     told = {line.heading: line.sigma for line in further_lines(data, result)}

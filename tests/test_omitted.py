@@ -28,7 +28,7 @@ def test_what_does_harm_is_named_first(name, seed) -> None:
         return
     assert first.name == name
     assert abs(first.change - 0.1) < 4 * first.sigma
-    mended = result.boresight + first.moved - KNOWN.boresight
+    mended = result.boresight + first.angle_change - KNOWN.boresight
     assert (np.abs(mended) < 4 * result.sigma).all()
     assert (np.abs(mended) <= np.maximum(off, 2 * result.sigma)).all()
 
@@ -47,7 +47,7 @@ def test_a_wrong_lever_arm_is_no_jump_of_good_lines(wrong, names) -> None:
         stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + wrong)
         points = survey(KNOWN, 200 + seed)
         result = adjust(points, stated, MODEL)
-        assert result.suspects == ()
+        assert result.rejected_sightings == ()
         assert {each.name for each in result.contradictions} == names
         for each in result.contradictions:
             off = wrong["xyz".index(each.name[-1])]
@@ -61,7 +61,7 @@ def test_a_shifted_sighting_is_named_beside_a_wrong_lever_arm() -> None:
     stated = replace(PRIOR, lever_arm=PRIOR.lever_arm + [0.1, 0.0, 0.0])
     points = survey(KNOWN, 221)
     result = adjust(shifted(points, 4, 0.3), stated, MODEL)
-    assert result.suspects == (points.sightings[4],)
+    assert result.rejected_sightings == (points.sightings[4],)
     assert [each.name for each in result.contradictions] == ["lever_x"]
 
 
@@ -72,13 +72,13 @@ def test_estimating_it_settles_the_matter() -> None:
     held = adjust(data, PRIOR, MODEL)
     estimated = adjust(data, PRIOR, MODEL, parameters=(Parameter("lever_x"),))
     assert [each.name for each in held.contradictions] == ["lever_x"]
-    assert 0 < held.contradictions[0].surface < held.surface
+    assert 0 < held.contradictions[0].surface_sigma < held.surface
     assert not estimated.contradictions
     # One step of a score test foretells the adjustment with the value let go of.
     (found,) = estimated.parameters
     assert held.contradictions[0].change == pytest.approx(found.value - found.prior, abs=0.002)
     moved = estimated.boresight - held.boresight
-    assert np.abs(held.contradictions[0].moved - moved).max() < 0.3 * estimated.sigma.max()
+    assert np.abs(held.contradictions[0].angle_change - moved).max() < 0.3 * estimated.sigma.max()
 
 
 @pytest.mark.parametrize("bent", [pytest.param(0.0, marks=pytest.mark.long), 0.003])

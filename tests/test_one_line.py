@@ -117,7 +117,7 @@ def test_an_answer_that_says_nothing_of_what_is_seen_gets_no_advice() -> None:
     assert told.result is not None
     assert told.result.observability is not None
     assert project.result.observability is not None
-    more = len(told.result.observability.remarks) - len(project.result.observability.remarks)
+    more = len(told.result.observability.messages) - len(project.result.observability.messages)
     assert more in (0, 1)
 
 

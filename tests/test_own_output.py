@@ -83,7 +83,7 @@ def test_targets_come_back_from_csv(
     sightings = project.target("T1").used_sightings
     parts = [survey.scans[s.line].take(s.indices) for s in sightings]
     (look, *_) = check_file(path)
-    assert (look.format.key, look.sureness) == ("target", 1.0)
+    assert (look.format.key, look.confidence) == ("target", 1.0)
     _, found = read_back(project, path, tmp_path / "new")
     require_same_points(found, *(np.concatenate([part[k] for part in parts]) for k in (0, 1)))
     (chunk,) = read_chunks(look.format.read(path, {}))
@@ -111,7 +111,7 @@ def test_plane_files_come_back_as_a_line(
     project, survey = calibrated
     (path,) = export_planes(project, survey, tmp_path / "out", which, names=["T1"])
     (look, *_) = check_file(path)
-    assert (look.format.key, look.sureness) == ("planes", 1.0)
+    assert (look.format.key, look.confidence) == ("planes", 1.0)
     parts = [survey.scans[s.line].take(s.indices) for s in project.target("T1").used_sightings]
     _, found = read_back(project, path, tmp_path / "new")
     require_same_points(found, *(np.concatenate([part[k] for part in parts]) for k in (0, 1)))
@@ -129,7 +129,7 @@ def test_trajectories_come_back(tmp_path: Path, form: Any, place_deg: tuple[floa
     write_sbet(tmp_path / "sbet.out", known)
     path = export_trajectory(project, tmp_path / f"trajectory.{form}", form)
     (look, *_) = check_file(path)
-    assert (look.format.kind, look.sureness) == ("trajectory", 1.0)
+    assert (look.format.kind, look.confidence) == ("trajectory", 1.0)
     assert look.finding is not None
     assert look.finding.choice["time"] == "gps-week"
     if form == "text":

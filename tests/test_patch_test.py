@@ -317,8 +317,8 @@ def test_the_command_line_says_the_same(
     np.testing.assert_allclose(
         angles(numbers, "boresight_deg"), np.degrees(clean.boresight), atol=1e-9
     )
-    assert numbers["remarks"] == list(map(english_text, clean.remarks))
-    assert open_project(folder).opinions == ()
+    assert numbers["messages"] == list(map(english_text, clean.remarks))
+    assert open_project(folder).alternative_results == ()
     # One more object, of five numbers: no box.
     assert main(["patchtest", str(folder), "--object", "pole=1,2,3,4,5"]) == 2
     assert "is not NAME=N,W,U,A,L,H" in capsys.readouterr().err
@@ -333,13 +333,13 @@ def test_the_answer_is_kept_where_it_has_a_sigma(
 ) -> None:
     folder = tmp_path / "copy"
     shutil.copytree(thinned[0].folder, folder)
-    numbers = answer(capsys, "patchtest", folder, "--count", 8, "--keep")
+    numbers = answer(capsys, "patchtest", folder, "--count", 8, "--save")
     kept = open_project(folder).alternative_result("patch test")
     assert kept is not None
     np.testing.assert_allclose(np.degrees(kept.boresight), angles(numbers, "boresight_deg"))
     np.testing.assert_allclose(np.degrees(kept.sigma), angles(numbers, "sigma_deg"))
     assert kept.surfaces == len(numbers["objects"])
-    assert list(map(english_text, kept.remarks)) == numbers["remarks"]
+    assert list(map(english_text, kept.messages)) == numbers["messages"]
     few = find_boresight(*thinned, laid.select_objects({each.name for each in laid.objects[:4]}))
     with pytest.raises(AdjustmentError) as raised:
         patch_test_result(few)

@@ -114,7 +114,7 @@ def test_a_plan_without_lines_or_boards_is_refused(tmp_path: Path) -> None:
 
 def test_a_site_with_unequal_sizes_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "site.toml"
-    path.write_text("[hang]\nwidth_m = [1, 2]\n")
+    path.write_text("[board_choices]\nwidth_m = [1, 2]\n")
     with pytest.raises(InputError) as refusal:
         read_site(path)
     assert refusal.value.code == "plan.sizes_differ"
@@ -123,7 +123,7 @@ def test_a_site_with_unequal_sizes_is_refused(tmp_path: Path) -> None:
 
 def test_whole_numbers_are_whole(tmp_path: Path) -> None:
     path = tmp_path / "site.toml"
-    path.write_text("[hang]\nboards = 2.7\n")
+    path.write_text("[board_choices]\nboards = 2.7\n")
     with pytest.raises(InputError) as refusal:
         read_site(path)
     assert refusal.value.code == "plan.not_whole"

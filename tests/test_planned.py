@@ -30,7 +30,7 @@ def test_a_plan_keeps_its_promise(capsys: pytest.CaptureFixture[str], tmp_path: 
     found = answer(capsys, "replay", folder, "--plan", PORT)
     assert found["missing_lines"] == []
     # The plan has two and a half times as many points, which matters little
-    ratio = np.array(found["obtained_sigma_deg"]) / found["as_flat_sigma_deg"]
+    ratio = np.array(found["obtained_sigma_deg"]) / found["surveyed_with_form_error_sigma_deg"]
     assert ((ratio > 0.9) & (ratio < 1.35)).all(), ratio
 
 

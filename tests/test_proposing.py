@@ -128,7 +128,7 @@ def test_what_is_seen_poorly_on_most_lines_is_not_proposed(
         for k, plane in enumerate(detected)
         if mostly_on(seen, "deck", {line: patch.indices for line, patch in plane.found.items()})
     ]
-    lights = [each.light for (name, _), each in judged[0].items() if name == f"P{deck + 1}"]
+    lights = [each.rating for (name, _), each in judged[0].items() if name == f"P{deck + 1}"]
     flat = [each.flatness for (name, _), each in judged[0].items() if name == f"P{deck + 1}"]
     assert lights.count("poor") >= len(lights) / 2
     assert "poor" not in flat
@@ -147,7 +147,7 @@ def test_what_a_plane_is_good_for(poor: int, rough: int, use: str) -> None:
     lines = {
         f"L{k + 1}": replace(
             usual,
-            light="poor" if k < poor else "doubtful",
+            rating="poor" if k < poor else "doubtful",
             flatness="poor" if k < rough else "good",
         )
         for k in range(4)
@@ -220,7 +220,7 @@ def test_planes_that_all_face_one_way_are_proposed_where_that_is_accepted() -> N
     with pytest.raises(AdjustmentError) as caught:
         propose_targets(project, survey)
     assert caught.value.code == "propose.one_orientation"
-    accepted = replace(project.settings, accept_one_facing=True)
+    accepted = replace(project.settings, accept_single_orientation=True)
     project = project.with_settings(accepted)
     proposal = propose_targets(project, survey)
     assert [target.name for target in proposal.targets] == ["T1", "T2"]

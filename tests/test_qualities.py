@@ -39,9 +39,9 @@ def test_every_sighting_of_the_demo_is_judged(calibrated: tuple[Project, Survey]
     assert all(quality.smear < 0.004 for quality in before.values())
     # A board that faces up is seen from the side: the beams meet it steeply, and nothing is bent.
     for key in keys:
-        assert after[key].light != "poor", (key, after[key].words)
+        assert after[key].rating != "poor", (key, after[key].words)
         assert not after[key].curvature > 0.006, (key, after[key].words)
-        assert before[key].light == after[key].light, (key, before[key].words, after[key].words)
+        assert before[key].rating == after[key].rating, (key, before[key].words, after[key].words)
 
 
 def test_what_still_holds_is_not_judged_again(calibrated: tuple[Project, Survey]) -> None:
@@ -67,7 +67,7 @@ def test_points_on_a_row_are_poor_with_the_reason(calibrated: tuple[Project, Sur
     line = target.sightings[0].line
     few = with_fewer(replace(project, result=None), target.name, line, 2)
     quality = sighting_qualities(few, survey)[target.name, line]
-    assert quality.light == "poor"
+    assert quality.rating == "poor"
     assert codes(quality.reasons) == ["target.plane_few_points"]
 
 
@@ -87,9 +87,9 @@ def test_what_the_prior_explains_is_not_called_a_bend():
     plane, every = fit_plane(points), np.arange(len(points))
     told = plane_quality(points, points, every, plane, NOISE)
     assert told.curved
-    assert told.light == "poor"
+    assert told.rating == "poor"
     spared = plane_quality(points, points, every, plane, NOISE, turns_local=moves)
-    assert spared.light == "good", spared.words
+    assert spared.rating == "good", spared.words
     assert spared.smear == pytest.approx(0.3 * radians(1.0) * 0.5, rel=0.1)
     # More than the prior can be off by is the board's own.
     points, moves = smeared(bend=0.06)
@@ -113,10 +113,10 @@ def test_the_terminal_says_how_good_each_sighting_is(
     folder = str(copy.folder)
     assert main(["estimate", folder, "--no-cross-checks", "--json"]) == 0
     said = json.loads(capsys.readouterr().out)["qualities"]
-    assert {each["light"] for each in said} <= {"good", "doubtful"}
+    assert {each["rating"] for each in said} <= {"good", "doubtful"}
     for each in said:
         assert each["points"] > 50
-        assert len(each["reasons"]) == (each["light"] != "good") or each["reasons"]
+        assert len(each["reasons"]) == (each["rating"] != "good") or each["reasons"]
         assert 0 < each["incidence_deg"] < 90
-        assert each["share_shown"] is None or 0.9 < each["share_shown"] <= 1
-    assert {each["target"] for each in said if each["share_shown"] is not None} >= {"T1", "T2"}
+        assert each["visible_share"] is None or 0.9 < each["visible_share"] <= 1
+    assert {each["target"] for each in said if each["visible_share"] is not None} >= {"T1", "T2"}

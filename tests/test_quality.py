@@ -36,7 +36,7 @@ def board(shape=lambda x, z: 0 * x, *, count=3000, size=(1.2, 1.0), noise=NOISE)
 
 def test_a_flat_board_is_good_and_its_numbers_are_true():
     quality = judged(board(), scanner_local=np.zeros(3))
-    assert quality.light == "good"
+    assert quality.rating == "good"
     assert quality.reasons == ()
     assert quality.points == 3000
     assert quality.rms == pytest.approx(NOISE, rel=0.05)
@@ -46,7 +46,7 @@ def test_a_flat_board_is_good_and_its_numbers_are_true():
     assert quality.coverage > 0.97
     assert np.degrees(quality.incidence) < 2.0
     assert not quality.curved
-    assert quality.unevenness < 0.0004
+    assert quality.roughness < 0.0004
 
 
 def test_a_bend_is_measured_and_said():
@@ -54,9 +54,9 @@ def test_a_bend_is_measured_and_said():
     quality = judged(board(lambda x, z: 4 * sagitta * (x / 1.2) ** 2))
     assert quality.curved
     assert quality.curvature == pytest.approx(sagitta, rel=0.1)
-    assert quality.light == "doubtful"
+    assert quality.rating == "doubtful"
     assert quality.reasons[0].code == "quality.curved"
-    assert judged(board(lambda x, z: 0.04 * (x / 1.2) ** 2)).light == "poor"
+    assert judged(board(lambda x, z: 0.04 * (x / 1.2) ** 2)).rating == "poor"
 
 
 def test_chance_alone_is_not_called_a_bend():
@@ -82,7 +82,7 @@ def test_chance_alone_is_not_called_a_bend():
 )
 def test_what_is_wrong_is_said(points, light, code):
     quality = judged(points)
-    assert quality.light == light
+    assert quality.rating == light
     assert code in codes(quality.reasons)
 
 
@@ -93,7 +93,7 @@ def test_grazing_incidence_is_poor():
     )
     quality = judged(points, scanner_local=scanner)
     assert np.degrees(quality.incidence) == pytest.approx(78, abs=0.5)
-    assert quality.light == "poor"
+    assert quality.rating == "poor"
     assert quality.reasons[0].code == "quality.oblique"
 
 
@@ -107,7 +107,7 @@ def test_a_sphere_shows_its_share():
         points = sphere.centre + cap * (sphere.radius + rng.normal(0, NOISE, (len(cap), 1)))
         quality = sphere_quality(points, points, np.arange(len(points)), sphere, NOISE)
         assert quality.coverage == pytest.approx((1 - edge) / 2, abs=0.02)
-        assert quality.light == light, quality
+        assert quality.rating == light, quality
         assert quality.rms == pytest.approx(NOISE, rel=0.1)
 
 
@@ -144,7 +144,7 @@ def test_on_simulated_sites(name, expected, off_deg):
     for line, (light, words) in expected.items():
         quality = found[line]
         assert re.search(words, texts(quality.reasons)), (line, quality.reasons)
-        assert quality.light == light, (line, quality.reasons)
+        assert quality.rating == light, (line, quality.reasons)
         assert quality.flatness == ("poor" if name == "rippled" else "good"), (
             line,
             texts(quality.reasons),
@@ -160,8 +160,8 @@ def test_ripples_are_not_taken_for_the_work_of_the_boresight(off_deg):
     survey.__dict__["alignment"] = Alignment(clouds, clouds, 0.0, 0.0)
     target = find_target(project, survey, click(seen, clouds), name="T1")
     for line, quality in assess_target(project, survey, target).items():
-        assert quality.share_shown is None
-        assert quality.light == "poor", line
+        assert quality.visible_share is None
+        assert quality.rating == "poor", line
         assert "beyond the threshold of 10 mm" in texts(quality.reasons)
         assert "The surface is not flat" in texts(quality.reasons), (line, quality.reasons)
         assert "curved" not in texts(quality.reasons), (line, quality.reasons)
@@ -200,4 +200,4 @@ def test_the_planes_side_does_not_matter():
         for each in (plane, turned)
     )
     assert first.curvature == pytest.approx(second.curvature, rel=0.05)
-    assert first.light == second.light
+    assert first.rating == second.rating

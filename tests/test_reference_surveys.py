@@ -113,7 +113,7 @@ def test_drone(
     numbers = answer(capsys, "estimate", project)
     error = np.abs(angles(numbers, "boresight_deg") - reference["boresight_deg"])
     assert (error < (0.1 if name == "lanl_truck" else [0.1, 0.3, 0.3])).all(), error
-    assert "surfaces_differ" in {each["former_code"] for each in numbers["doubts"]}
+    assert "surfaces_differ" in {each["former_code"] for each in numbers["warnings"]}
     # The points others labelled, not those picked here, tell how well the lines fit.
     opened = open_project(project)
     survey = load_survey(opened)

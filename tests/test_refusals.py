@@ -71,7 +71,7 @@ def test_a_target_on_one_line_only_takes_no_part(
         found, headings_deg=dict.fromkeys(survey.lines, 0.0), counts={}, track_local={}, notes=(),
         generated=datetime(2026, 1, 1, tzinfo=UTC), digests=False,
     )  # fmt: skip
-    assert "targets.single_line_targets" in {each.code for each in report.cautions}
+    assert "targets.single_line_targets" in {each.code for each in report.warnings}
 
 
 def test_targets_on_one_line_each_are_refused(calibrated: tuple[Project, Survey]) -> None:

@@ -140,7 +140,7 @@ def test_what_is_detectable_is_four_sigmas_and_what_it_does(linearised) -> None:
         assert item.detectable == pytest.approx(4.13 * tests.sigma[s])
         np.testing.assert_allclose(item.effect, tests.effect[s] * item.detectable)
         assert (item.shift, item.w) == (tests.shift[s], tests.w[s])
-        assert not item.released
+        assert not item.rejected
     assert pytest.approx(-ndtri(0.0005) - ndtri(0.2), abs=0.005) == POWER
     assert pytest.approx(-ndtri(0.0005), abs=0.005) == CRITICAL
 
@@ -199,7 +199,7 @@ def test_the_point_farthest_off_is_named_by_its_time() -> None:
         assert found.sighting == data.sightings[4]
         assert found.largest_at == data.time[k]
         assert found.largest_w > 6
-        assert found.strays == clean.reliability[4].strays + 1
+        assert found.outliers == clean.reliability[4].outliers + 1
         for item, sighting in zip(clean.reliability, data.sightings, strict=True):
             own = data.time[[data.sightings[s] == sighting for s in data.sighting]]
             assert item.largest_at in own
@@ -328,14 +328,14 @@ def test_cross_checks_agree_on_a_clean_survey_and_name_what_is_odd() -> None:
     odd = average_points_in_cells(shifted(shifted(survey(40), 0, 0.08), 1, -0.08), PRIOR, 0.1)
     plain = replace(model, loss="none")
     said = cross_checks(odd, PRIOR, adjust(odd, PRIOR, plain))
-    assert {"L1", "L2"} & {c.without for c in said.disagreements}
+    assert {"L1", "L2"} & {c.part for c in said.disagreements}
 
 
 def test_parts_that_determine_nothing_say_why() -> None:
     generator = np.random.default_rng(5)
     exact = error_free_survey(TRUTH, BOARDS[1:], six_courses()[:3], 0.1, generator)
     data = add_errors(exact, HYDROGRAPHIC_INS, generator)
-    result = adjust(data, PRIOR, StochasticModel(surface=0.0), accept_one_facing=True)
+    result = adjust(data, PRIOR, StochasticModel(surface=0.0), accept_single_orientation=True)
     checks = cross_checks(data, PRIOR, result)
     alone = next(c for c in checks.parts if c.kind == "target")
     assert alone.boresight is None

@@ -45,7 +45,7 @@ def content(project: Project) -> ReportContent:
 
 
 def _codes(content: ReportContent) -> set[str]:
-    return {caution.code for caution in content.cautions}
+    return {caution.code for caution in content.warnings}
 
 
 def _pdf_text(path: Path, *options: str) -> str:
@@ -119,7 +119,9 @@ def _shown_numbers(data: dict) -> list[str]:
         numbers += [f"{1000 * v:+.1f}" for v in sighting["pos_error_m"]]
     checks = data["cross_checks"]
     numbers += [f"{v:.4f}" for v in checks["sigma_deg"] + checks["spread_lines_deg"]]
-    for part in checks["parts"][:-1]:  # the second half is the first with the other sign
+    # The first half is the second with the other sign.
+    parts = [part for part in checks["parts"] if (part["kind"], part["part"]) != ("half", "first")]
+    for part in parts:
         numbers += [f"{v:+.4f}" for v in part["difference_deg"] or ()]
         numbers += [f"{v:+.1f}" for v in part["significance"] or ()]
     for plane in data["validation"]:
@@ -144,9 +146,9 @@ def _signed_numbers(places: dict, planes: dict) -> list[str]:
         f"{100 * places['significant_share']:.0f}",
         f"{1000 * planes['offset_m']:+.1f}",
         f"{1000 * planes['offset_interval95_m']:.1f}",
-        f"{planes['turn_level_deg']:+.3f}",
-        f"{planes['turn_upright_deg']:+.3f}",
-        f"{planes['turn_upright_interval95_deg']:.3f}",
+        f"{planes['rotation_horizontal_axis_deg']:+.3f}",
+        f"{planes['rotation_slope_axis_deg']:+.3f}",
+        f"{planes['rotation_slope_axis_interval95_deg']:.3f}",
     ]
 
 
@@ -188,7 +190,7 @@ def test_missing_file_is_a_warning_and_no_failure(project: Project, tmp_path: Pa
 
 
 def test_finished_project_warns_of_nothing(content: ReportContent) -> None:
-    assert content.cautions == ()
+    assert content.warnings == ()
 
 
 def test_rules_speak_up(project: Project) -> None:
@@ -210,7 +212,7 @@ def test_rules_speak_up(project: Project) -> None:
     worse = replace(plane, before=plane.after, after=plane.before)
     found = sample_content(replace(project, validation=(worse,)))
     assert "report.validation_worse" in _codes(found)
-    assert found.cautions[0].level is Level.WARNING
+    assert found.warnings[0].level is Level.WARNING
 
 
 def test_targets_seen_on_few_lines(project: Project) -> None:
@@ -218,9 +220,9 @@ def test_targets_seen_on_few_lines(project: Project) -> None:
     few = replace(first, sightings=first.sightings[:1], missing={"L2": note("finder.not_alike")})
     some = replace(second, sightings=second.sightings[:2])
     content = sample_content(replace(project, targets=(few, some, *rest)))
-    codes = [each.code for each in content.cautions if "T1" in message_text(each)]
+    codes = [each.code for each in content.warnings if "T1" in message_text(each)]
     assert codes == ["targets.single_line_targets", "report.not_found_target"]
-    (few,) = [each for each in content.cautions if each.code == "report.target_on_few_lines"]
+    (few,) = [each for each in content.warnings if each.code == "report.target_on_few_lines"]
     assert (few.params["target"], few.params["count"], few.params["total"]) == ("T2", 2, 6)
     html = html_text(content, {})
     assert "T1 was not found on L2. No surface on this line resembles the target and its" in html
@@ -230,7 +232,7 @@ def test_truth_of_a_simulated_survey(project: Project) -> None:
     content = sample_content(replace(project, truth_deg=(0.44, -1.87, 0.6)))
     assert content.angles[0].error_deg == pytest.approx(0.43951 - 0.44)
     assert {"report.simulated", "report.truth_outside"} <= _codes(content)
-    outside = next(c for c in content.cautions if c.code == "report.truth_outside")
+    outside = next(c for c in content.warnings if c.code == "report.truth_outside")
     assert note("quantity.yaw") in outside.params["angles"]
     assert note("quantity.roll") not in outside.params["angles"]
 
@@ -239,7 +241,7 @@ def test_json_holds_full_precision(content: ReportContent, tmp_path: Path) -> No
     path = tmp_path / "report.json"
     write_json(content, path)
     data = json.loads(path.read_text(encoding="utf-8"))
-    assert data["schema_version"] == 2
+    assert data["schema_version"] == 3
     assert data["angles"][1]["estimated_deg"] == content.angles[1].estimated_deg
     assert content.adjustment is not None
     assert data["adjustment"]["rms_after_m"] == content.adjustment.rms_after_m
@@ -294,7 +296,7 @@ def test_uncalibrated_project_says_so_on_page_one(
 ) -> None:
     bare = replace(project, result=None, validation=())
     content = sample_content(bare if picked else replace(bare, targets=()))
-    assert content.cautions[0].code == "report.not_calibrated"
+    assert content.warnings[0].code == "report.not_calibrated"
     assert _page(html_text(content, {})).words[:30].count("NOT CALIBRATED") == 1
     write_json(content, tmp_path / "r.json")
     assert json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))["calibrated"] is False

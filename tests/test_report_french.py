@@ -141,7 +141,7 @@ def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
     return AbsoluteCheck(
         reference="quay.xyz", size_bytes=12_345, sha256="a" * 64, kind=kind,
         system="the local frame" if kind == "scan" else "WGS 84 / UTM zone 19N", sigma=0.002,
-        reach=0.5, lines=lines, together=LineCheck(ALL_LINES, state(-0.08), state(mean)),
+        search_distance=0.5, lines=lines, all_lines=LineCheck(ALL_LINES, state(-0.08), state(mean)),
         not_compared=(
             note(
                 "check.line_not_compared",
@@ -151,7 +151,7 @@ def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
         ),
         bin_edges=(-0.1, 0.0, 0.1), counts_before=(40, 10), counts_after=(20, 30),
         points=() if kind == "scan" else (PointCheck("yes", 2, 0.002, -0.08, mean, 0.004),),
-        others=None if mean < 0 else (OtherSurface("L1", 10, 0.62),) if mean else (),
+        other_surfaces=None if mean < 0 else (OtherSurface("L1", 10, 0.62),) if mean else (),
     )  # fmt: skip
 
 
@@ -166,7 +166,7 @@ def test_second_opinions_are_told_in_french(project: Project) -> None:
         project = project.with_alternative_result(said)
     content = content_of_sample(project)
     assert [each.method for each in content.methods[1:]] == list(METHODS)
-    assert "report.methods_differ" in {each.code for each in content.cautions}
+    assert "report.methods_differ" in {each.code for each in content.warnings}
     assert _english_left(content) == ()
 
 
@@ -216,7 +216,7 @@ def test_report_in_french_says_so_and_counts_what_is_not(project: Project) -> No
     document = report_document(content, {}, FRENCH)
     assert document.language == "fr"
     assert document.title == "Rapport d’étalonnage des angles de visée"
-    assert document.cautions == ()
+    assert document.notes == ()
     assert report_document(content, {}) == drawn_document(undrawn_document(content, {}))
 
 
@@ -261,7 +261,7 @@ def test_texts_tables_and_figures_have_one_decimal_sign(project: Project, varian
         for figure in figures:
             FigureCanvasAgg(figure).draw()
             shown += [text.get_text() for text in figure.findobj(Text)]
-    texts = [*document.serious, *document.cautions]
+    texts = [*document.warnings, *document.notes]
     for block in blocks:
         if isinstance(block, Table):
             texts += [cell for row in block.rows for cell in row]
@@ -271,7 +271,7 @@ def test_texts_tables_and_figures_have_one_decimal_sign(project: Project, varian
             texts.append(block.text)
     left = [NUMBERS_OF_NAMES.sub("", text) for text in (*texts, *shown)]
     assert [text for text in left if re.search(r"\d\.\d", text)] == []
-    warnings = (*document.serious, *document.cautions)
+    warnings = (*document.warnings, *document.notes)
     assert [text for text in (*shown, *warnings) if re.search(r"(?<!\w)-\d", text)] == []
     assert sum(bool(re.search(r"\d,\d", text)) for text in shown) > 10
 

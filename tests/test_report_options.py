@@ -194,7 +194,7 @@ def test_page_one_ends_with_the_signature(
         note("report.not_compared", reason=f"{k}: {remark} Nothing else is known.")
         for k in range(4)
     )
-    content = replace(content, cautions=said)
+    content = replace(content, warnings=said)
     plane = content.validation[0]
     content = replace(content, validation=tuple(replace(plane, name=f"V{k}") for k in range(1, 6)))
     path = tmp_path / "r.pdf"
@@ -203,7 +203,7 @@ def test_page_one_ends_with_the_signature(
     assert all(f"{k}: {remark}" in re.sub(r"\s+", " ", first) for k in range(4))
     assert re.search("Place and date|Lieu et date", first)
     # Too much for one page: the signature moves on, and what stands above it goes along.
-    many = replace(content, cautions=said * 10)
+    many = replace(content, warnings=said * 10)
     write_pdf(many, path, {}, options)
     pages = _pdf_text(path).split("\f")
     (at,) = (k for k, text in enumerate(pages) if re.search("Place and date|Lieu et date", text))
@@ -299,7 +299,7 @@ def test_report_tells_values_and_how_sure_they_are(
         for angle in found.angles:
             assert f"{angle.value_deg:+.4f}" in text
             assert f"{angle.sigma_deg:.4f}" in text
-        assert str(found.status_in_words) in text
+        assert str(found.status_text) in text
         assert (message_text(CHECK_FIRST) in text) == (found.status != "verified")
         assert found.assumption is None or str(found.assumption)[:40] in text
     assert bool(found.angles) == convention_of_key(key).has_angles
@@ -310,7 +310,7 @@ def test_thesis_mode_says_that_its_sigmas_are_too_small(tmp_path: Path) -> None:
         sample_project(tmp_path / "t", model="independent"), convention="qinsy"
     )
     assert content.in_convention is not None
-    assert content.in_convention.caution == THESIS_MODE
+    assert content.in_convention.warning == THESIS_MODE
     assert message_text(THESIS_MODE) in "".join(_page(html_text(content, {})).words)
 
 

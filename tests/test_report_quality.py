@@ -51,8 +51,8 @@ def _result(project: Project) -> AdjustmentResult:
 
 
 def _caution(content: ReportContent, code: str) -> str:
-    texts = [message_text(each) for each in content.cautions if each.code == code]
-    assert len(texts) == 1, (code, [caution.code for caution in content.cautions])
+    texts = [message_text(each) for each in content.warnings if each.code == code]
+    assert len(texts) == 1, (code, [caution.code for caution in content.warnings])
     return texts[0]
 
 
@@ -99,7 +99,7 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
     assert "T1" not in said["Estimated LiDAR noise"]
     assert said["Surface sigma"].startswith("0.4\u00a0mm, as given")
     assert "beyond 4.7 standard deviations" in said["Outliers"]
-    assert "adjustment.noise" not in {caution.code for caution in noisy.cautions}
+    assert "adjustment.noise" not in {caution.code for caution in noisy.warnings}
     assert "T2" in _caution(
         changed(targets=(first, replace(second, noise=2.4))), "adjustment.noise"
     )
@@ -184,7 +184,7 @@ def test_heat_map_only_beside_extra_parameters(project: Project, tmp_path: Path)
 
 def test_released_sighting_is_named_on_page_one(project: Project, changed: Changed) -> None:
     first, second, *rest = _result(project).reliability
-    gone = replace(first, released=True, shift=0.0483, w=9.34)
+    gone = replace(first, rejected=True, shift=0.0483, w=9.34)
     content = changed(reliability=(gone, replace(second, w=-4.2), *rest))
     text = _caution(content, "adjustment.released")
     assert "was rejected: T1 on line L1 (displaced by 48.3 mm, test value w = +9.3)" in text
@@ -206,10 +206,10 @@ def test_sighting_that_nothing_checks_shows_no_number(project: Project, changed:
 
 def test_strays_beyond_what_chance_explains(project: Project, changed: Changed) -> None:
     reliability = _result(project).reliability
-    few = tuple(replace(item, strays=1) for item in reliability[:3]) + reliability[3:]
-    codes = {caution.code for caution in changed(reliability=few).cautions}
+    few = tuple(replace(item, outliers=1) for item in reliability[:3]) + reliability[3:]
+    codes = {caution.code for caution in changed(reliability=few).warnings}
     assert not any(code.startswith("adjustment.strays") for code in codes)
-    many = (*reliability[:-1], replace(reliability[-1], strays=60))
+    many = (*reliability[:-1], replace(reliability[-1], outliers=60))
     text = _caution(changed(reliability=many), "adjustment.strays_full_weight")
     assert text.startswith("60 of")
     assert "Most of them are on T2, line L6" in text
@@ -222,7 +222,7 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     plain = _tables(report_document(sample_content(project), {}))
     rows = plain["Results of subsets of the data: differences from the full adjustment"].rows
     assert [row[0] for row in rows[-3:]] == [
-        "Without target T1", "Without target T2", "First minus second half",
+        "Without target T1", "Without target T2", "Second minus first half",
     ]  # fmt: skip
     assert rows[-3][-1] == "no result"
     words = _words(report_document(sample_content(project), {}), "Cross-checks")
@@ -247,7 +247,7 @@ def test_failed_chi_square_is_serious_in_thesis_mode_alone(
     ):
         content = changed(chi_square=test, model=StochasticModel(model))  # type: ignore[arg-type]
         assert [
-            (c.level, c.code) for c in content.cautions if c.code.startswith("report.chi_square")
+            (c.level, c.code) for c in content.warnings if c.code.startswith("report.chi_square")
         ] == [(level, code)]
 
 
@@ -319,7 +319,7 @@ def test_a_large_sigma_is_serious_and_its_cause_named(project: Project, changed:
     said = _caution(content, "adjustment.large_sigma_unseen")
     assert "roll 0.50 deg" in said
     assert "scan-angle offset" in said
-    assert not [c for c in changed().cautions if "large_sigma" in c.code]
+    assert not [c for c in changed().warnings if "large_sigma" in c.code]
 
 
 def test_noise_is_only_spoken_of_where_some_was_found(project: Project, changed: Changed) -> None:
@@ -340,7 +340,7 @@ def test_one_plane_alone_is_serious(project: Project, changed: Changed) -> None:
     assert f"{first.target} is the only target" in said
     assert not [
         c
-        for c in changed().cautions
+        for c in changed().warnings
         if c.code in ("adjustment.one_target", "adjustment.one_facing")
     ]
 
@@ -348,24 +348,26 @@ def test_one_plane_alone_is_serious(project: Project, changed: Changed) -> None:
 def test_planes_that_face_one_way_are_serious(project: Project, changed: Changed) -> None:
     first, second = _result(project).targets
     content = changed(targets=(first, replace(second, plane=first.plane)))
-    levels = [c.level for c in content.cautions if c.code == "adjustment.one_facing"]
+    levels = [c.level for c in content.warnings if c.code == "adjustment.one_facing"]
     assert levels == [Level.WARNING]
 
 
 def test_accepting_one_facing_is_shown_where_it_is_on(project: Project) -> None:
     for accepted in (False, True):
-        other = replace(project, settings=replace(project.settings, accept_one_facing=accepted))
+        other = replace(
+            project, settings=replace(project.settings, accept_single_orientation=accepted)
+        )
         content = sample_content(other)
         shown = dict(_tables(report_document(content, {}))["System and points"].rows)  # type: ignore[arg-type]
         assert ("Targets that all face the same way" in shown) == accepted
-        assert json.loads(json_text(content))["settings"]["accept_one_facing"] == accepted
+        assert json.loads(json_text(content))["settings"]["accept_single_orientation"] == accepted
 
 
 def test_sightings_edited_by_hand_are_named(project: Project) -> None:
     target = project.targets[0]
     first, second, *others = target.sightings
     edited = replace(target, sightings=(first, replace(second, by_hand=True), *others))
-    quality = replace(judged(board()), share_shown=0.512)
+    quality = replace(judged(board()), visible_share=0.512)
     content = report_content(
         project.with_target(edited), headings_deg={}, counts={}, track_local={}, notes=(),
         qualities={(target.name, line): quality for line in (first.line, second.line)},
@@ -377,22 +379,22 @@ def test_sightings_edited_by_hand_are_named(project: Project) -> None:
     ]  # fmt: skip
     assert [row[-2] for row in table.rows] == ["51", "51"]
     said = json.loads(json_text(content))["qualities"]
-    assert [each["share_shown"] for each in said] == [0.512, 0.512]
+    assert [each["visible_share"] for each in said] == [0.512, 0.512]
     assert [each["edited_by_hand"] for each in said] == [False, True]
 
 
 def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     few = (note("quality.few_points", count=7), note("quality.curved", sagitta=0.004))
     first, second = project.targets[:2]
-    good = replace(judged(board()), light="good", reasons=())
+    good = replace(judged(board()), rating="good", reasons=())
     oblique = [
         replace(
-            good, light="doubtful", incidence=np.radians(deg),
+            good, rating="doubtful", incidence=np.radians(deg),
             reasons=(note("quality.oblique", angle=np.radians(deg)),),
         )
         for deg in (73, 75)
     ]  # fmt: skip
-    rough = replace(good, light="poor", reasons=few)
+    rough = replace(good, rating="poor", reasons=few)
 
     def content(*sightings: tuple[str, str, SightingQuality]) -> ReportContent:
         return report_content(
@@ -404,7 +406,7 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     one, two, three = (s.line for s in first.sightings[:3])
     assert first.role == second.role == "target"
     fine = content((first.name, one, good), (first.name, two, good))
-    assert "report.sightings" not in {caution.code for caution in fine.cautions}
+    assert "report.sightings" not in {caution.code for caution in fine.warnings}
     some = (first.name, one, oblique[0]), (first.name, two, oblique[1]), (first.name, three, good)
     said = _caution(content(*some), "report.sightings")
     assert said.startswith("3 sightings are used, including 0 poor and 2 doubtful ones.")
@@ -416,7 +418,7 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
         f"{second.name} on {one}: The sighting has only 7 points. The surface is curved, by 4.0 "
         "mm over its extent. See" in said
     )
-    french = report_document(worse, {}, ReportOptions(language="fr")).cautions
+    french = report_document(worse, {}, ReportOptions(language="fr")).notes
     assert any("4 observations sont utilisées" in t and "que 7 points" in t for t in french)
     # One that is left out is none of the answer's.
     left = replace(first, sightings=tuple(replace(s, used=False) for s in first.sightings))
@@ -424,4 +426,4 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
         project.with_target(left), headings_deg={}, counts={}, track_local={}, notes=(),
         qualities={(first.name, one): rough}, generated=MADE,
     )  # fmt: skip
-    assert "report.sightings" not in {caution.code for caution in out.cautions}
+    assert "report.sightings" not in {caution.code for caution in out.warnings}

@@ -65,8 +65,8 @@ def _broken(content: ReportContent) -> list[dict[str, Any]]:
         lambda data: data.pop("identity"),
         lambda data: data["angles"][0].update(estimated_deg="0.4"),
         lambda data: data["adjustment"].pop("s44"),
-        lambda data: data["cautions"].append(
-            {"code": "x", "former_code": "x", "severity": "grave", "text": "", "params": {}}
+        lambda data: data["warnings"].append(
+            {"code": "x", "former_code": "x", "level": "grave", "text": "", "params": {}}
         ),
         lambda data: data["matrix"].update(transform=None),
         lambda data: data.update(schema_version=1),

@@ -53,7 +53,7 @@ def test_stray_points_move_no_angle_by_a_sigma(seed) -> None:
     dirty, stray = with_strays(clean, seed)
     before, after = adjust(clean, PRIOR, model), adjust(dirty, PRIOR, model)
     assert (np.abs(after.boresight - before.boresight) < before.sigma).all()
-    found = sum(item.strays for item in after.reliability)
+    found = sum(item.outliers for item in after.reliability)
     # Those of the noise itself: one in a thousand at the test's level
     assert stray.sum() <= found < stray.sum() + 0.006 * len(clean)
 
@@ -79,7 +79,7 @@ def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, Adjustme
     """
     model = StochasticModel(loss="tukey")
     found = adjust(dirty, PRIOR, model)
-    gone = [dirty.sightings.index(s) for s in found.suspects]
+    gone = [dirty.sightings.index(s) for s in found.rejected_sightings]
     with pytest.MonkeyPatch.context() as patch:
         todo = [Blunder("shift", (s,)) for s in gone]
         patch.setattr(solver, "worst_blunder", lambda *_: todo.pop() if todo else None)
@@ -93,8 +93,8 @@ def harm(clean: Observations, dirty: Observations) -> tuple[np.ndarray, Adjustme
 def test_a_shifted_sighting_is_named_and_does_no_harm(sighting) -> None:
     clean = survey(20 + sighting)
     done, after = harm(clean, shifted(clean, sighting, 0.05))
-    assert clean.sightings[sighting] in after.suspects
-    assert {s.line for s in after.suspects} == {clean.sightings[sighting].line}
+    assert clean.sightings[sighting] in after.rejected_sightings
+    assert {s.line for s in after.rejected_sightings} == {clean.sightings[sighting].line}
     assert (done < 0.1).all()
     found = after.reliability[sighting]
     assert abs(found.shift) == pytest.approx(0.05, abs=3 * abs(found.shift / found.w))
@@ -110,8 +110,8 @@ def test_whichever_sighting_is_shifted_it_is_named_and_no_other_line() -> None:
         before = adjust(clean, PRIOR, model, diagnostics=False)
         for s, sighting in enumerate(clean.sightings):
             after = adjust(shifted(clean, s, 0.05), PRIOR, model)
-            assert {found.line for found in after.suspects} <= {sighting.line}
-            named += sighting in after.suspects
+            assert {found.line for found in after.rejected_sightings} <= {sighting.line}
+            named += sighting in after.rejected_sightings
             assert (np.abs(after.boresight - before.boresight) < 2 * after.sigma).all()
     assert named >= 22
 
@@ -121,7 +121,7 @@ def test_another_surface_metres_away_does_no_harm(seed) -> None:
     """It is named, or its target is seen to scatter and counts for little: both are said."""
     clean = survey(7000 + seed, 0.1)
     after = adjust(shifted(clean, 10, 3.5), PRIOR, StochasticModel(loss="tukey"))
-    assert after.suspects == (clean.sightings[10],) or after.targets[1].noise > 100
+    assert after.rejected_sightings == (clean.sightings[10],) or after.targets[1].noise > 100
     assert (np.abs(after.boresight - TRUTH.boresight) < 4 * after.sigma).all()
 
 
@@ -143,7 +143,7 @@ def test_a_surface_metres_off_is_named_and_does_no_harm(seed, sighting, metres) 
     """A board of a metre: the plane through its points on all lines would stand across it."""
     clean = survey(7000 + seed, 0.1)
     done, after = harm(clean, shifted(clean, sighting, metres))
-    assert after.suspects == (clean.sightings[sighting],)
+    assert after.rejected_sightings == (clean.sightings[sighting],)
     assert all(target.noise < 1.5 for target in after.targets)
     assert (done < 1).all()
 
@@ -154,7 +154,7 @@ def test_a_start_far_off_lets_go_of_nothing() -> None:
     model = StochasticModel(loss="tukey")
     far = PRIOR.with_boresight(TRUTH.boresight + np.radians([8.0, -8.0, 8.0]))
     near, found = adjust(clean, PRIOR, model), adjust(clean, far, model)
-    assert not found.suspects
+    assert not found.rejected_sightings
     assert np.degrees(np.abs(found.boresight - near.boresight)).max() < 1e-3
 
 
@@ -170,7 +170,7 @@ def jumped(clean: Observations, line: str, metres: list[float]) -> Observations:
 def test_a_jump_of_the_position_on_a_line_is_named_and_does_no_harm(line) -> None:
     clean = survey(40 + int(line[1]), 0.1)
     done, after = harm(clean, jumped(clean, line, [0.0, 0.1, 0.05]))
-    assert {s.line for s in after.suspects} == {line}
+    assert {s.line for s in after.rejected_sightings} == {line}
     assert (done < 1).all()
 
 
@@ -180,8 +180,8 @@ def test_boards_that_are_interchanged_on_a_line_are_named_and_do_no_harm() -> No
     sighting = clean.sighting.copy()
     sighting[clean.sighting == first], sighting[clean.sighting == second] = second, first
     done, after = harm(clean, replace(clean, sighting=sighting))
-    assert set(after.suspects) == {clean.sightings[first], clean.sightings[second]}
-    assert after.suspect_lines == ("L4",)
+    assert set(after.rejected_sightings) == {clean.sightings[first], clean.sightings[second]}
+    assert after.rejected_lines == ("L4",)
     assert (done < 1).all()
 
 
@@ -194,13 +194,13 @@ def test_what_was_let_go_of_by_mistake_is_taken_back() -> None:
         own = solver.worst_blunder
         patch.setattr(solver, "worst_blunder", lambda *given: todo.pop() if todo else own(*given))
         found = adjust(dirty, PRIOR, StochasticModel(loss="tukey"))
-    assert set(found.suspects) == {clean.sightings[2], clean.sightings[5]}
+    assert set(found.rejected_sightings) == {clean.sightings[2], clean.sightings[5]}
 
 
 def test_clean_surveys_have_no_suspects() -> None:
     """At one in a hundred by chance, none of twenty is likely."""
     model = StochasticModel(loss="tukey")
-    named = [adjust(survey(100 + k, 0.12), PRIOR, model).suspects for k in range(20)]
+    named = [adjust(survey(100 + k, 0.12), PRIOR, model).rejected_sightings for k in range(20)]
     assert sum(map(bool, named)) <= 1, named
 
 

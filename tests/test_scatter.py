@@ -106,7 +106,7 @@ def test_two_surfaces_tell_nothing_of_surfaces(thinned: Opened, clean: Targetles
     few = replace(clean.project, targets=clean.project.targets[:4], result=None)
     prior = few.mounting("prior")
     observations = observations_of(few, thinned[1], mounting=clean.result.mounting)
-    result = adjust(observations, prior, model, accept_one_facing=True)
+    result = adjust(observations, prior, model, accept_single_orientation=True)
     more = excess_variance(*parts_of(solved(result, observations, prior)))
     assert np.isfinite(more).all()
     assert (more >= 0).all()

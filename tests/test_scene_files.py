@@ -289,7 +289,7 @@ def test_mistakes_in_a_vessel_are_told(
         ('axis = "x"', 'axis = "y"', "toml.not_a_choice", {"choices": ("x", "z")}),
         ("divergence_mrad", "divergence_deg", "toml.wrong_key", {"wanted": "divergence_mrad"}),
         ("max_range_m = 90", "max_range_m = 90\nelevations_deg = []", "scanner.no_elevations", {}),
-        ("title", "from_memory = 1\ntitle", "toml.not_true_or_false", {"key": "from_memory"}),
+        ("title", "unverified = 1\ntitle", "toml.not_true_or_false", {"key": "unverified"}),
     ],
 )
 def test_mistakes_in_a_scanner_are_told(

@@ -191,9 +191,9 @@ def test_what_is_found_in_the_files_is_told_where_the_project_tells_it(
     )  # fmt: skip
     again = lispac.open(quay.project.folder)
     assert len(quay.notes) > len(again.notes)
-    assert "settled=True" not in made(quay).text
+    assert "resolved=True" not in made(quay).text
     same_numbers(quay, made(quay), tmp_path / "made")
-    assert "settled=True" in made(again).text
+    assert "resolved=True" in made(again).text
     same_numbers(again, made(again), tmp_path / "opened")
 
 
@@ -228,14 +228,14 @@ def test_a_check_is_repeated_where_its_reference_is_found(
     quay = answered
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
-    quay.check(reference(elsewhere), reach=0.8)
+    quay.check(reference(elsewhere), search_distance=0.8)
     if beside:
         quay.save_as(elsewhere / "quay")
         assert not made(quay).remarks
         same_numbers(quay, made(quay), tmp_path)
         reference(elsewhere).write_text("another list")
     script = made(quay)
-    assert "# project.check('board.csv', reach=0.8)" in script.text
+    assert "# project.check('board.csv', search_distance=0.8)" in script.text
     (remark,) = script.remarks
     assert remark == note("script.no_reference", file="board.csv")
 

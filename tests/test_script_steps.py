@@ -110,7 +110,7 @@ def test_lines_stand_in_the_script_as_they_are_read(tmp_path: Path) -> None:
     assert given["trajectory"] == data / "pos.txt"
     assert given["trajectory_reading"] == text
     assert "accuracy_reading" not in given
-    assert given["settled"] is True
+    assert given["resolved"] is True
     stated = given["lines"]
     assert isinstance(stated, list)
     assert stated[0] == data / "L1.laz"  # its name and its way of being read are the usual ones
@@ -147,7 +147,7 @@ def test_a_check_is_repeated_with_the_very_file_of_that_name(
     other = path.read_text().replace("B0", "C0") if beside else "another list"
     (project.trajectory.parent / "board.csv").write_text(other)
     script = script_of(project, survey)
-    assert call_text("project.check", path, reach=0.8) in script.text
+    assert call_text("project.check", path, search_distance=0.8) in script.text
     assert not any(remark.params.get("file") == "board.csv" for remark in script.remarks)
 
 
@@ -157,5 +157,5 @@ def test_a_list_that_was_changed_since_is_not_taken_for_the_reference(
     project, survey, path = checked
     path.write_text(path.read_text().replace("B0", "C0"))
     script = script_of(project, survey)
-    assert "# project.check('board.csv', reach=0.8)" in script.text
+    assert "# project.check('board.csv', search_distance=0.8)" in script.text
     assert note("script.no_reference", file="board.csv") in script.remarks

@@ -176,7 +176,7 @@ def test_the_list_has_every_sensor_with_its_source(
     sensors.store_sensor(own, MINE)
     listed = answer(capsys, "sensors")
     assert listed["folder"] == str(own)
-    assert listed["scanners"]["maker-s-new-one-2"]["own"]
+    assert listed["scanners"]["maker-s-new-one-2"]["user_defined"]
     assert listed["pos"]["hydrins"]["states"][0]["source"].startswith("Thesis")
     code, out, _ = run(capsys, "sensors")
     assert code == 0

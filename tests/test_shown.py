@@ -90,8 +90,8 @@ def test_a_sighting_is_marked_where_the_report_says_that_it_disagrees(sample: Sa
     assert critical is not None
     assert critical > 3.1
     first, second, *rest = result.reliability
-    near = replace(first, w=critical - 0.01, released=False, strays=0)
-    beyond = replace(second, w=-critical - 0.01, released=False, strays=0)
+    near = replace(first, w=critical - 0.01, rejected=False, outliers=0)
+    beyond = replace(second, w=-critical - 0.01, rejected=False, outliers=0)
     rows = sighting_rows(replace(result, reliability=(near, beyond, *rest)))
     assert sighting_columns()[-1].title == "Remark"
     assert [row.marked for row in rows[:2]] == [False, True]
@@ -113,10 +113,10 @@ def test_the_spread_has_one_name_and_the_halves_are_told_once(
     printed = capsys.readouterr().out
     assert "\nSpread, one line omitted " in printed
     assert printed.count("half") == 1
-    assert "first minus second half of the data (roll " in printed
+    assert "second minus first half of the data (roll " in printed
     assert "Spread,<br>one line omitted" in spread_text(checks)
     names = [row.cells[0].text for row in check_rows(checks)]
-    assert [name for name in names if "half" in name] == ["First minus second half"]
+    assert [name for name in names if "half" in name] == ["Second minus first half"]
     content = sample_content(sample_project(tmp_path / "report"))
     tables = [
         b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"
@@ -142,7 +142,7 @@ def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> 
     result = sample[0]
     one = replace(
         result, targets=result.targets[:1], sightings=result.sightings[:1],
-        reliability=result.reliability[:1], left_out=1,
+        reliability=result.reliability[:1], excluded_outliers=1,
     )  # fmt: skip
     print_result(one, None)
     printed = capsys.readouterr().out
@@ -178,7 +178,7 @@ def test_a_variance_component_is_told_alike_everywhere(
     assert content.adjustment is not None
     (told,) = content.adjustment.components
     assert told.applied == component.applied
-    assert told.in_words == finding
+    assert told.text == finding
     tables = [
         b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"
     ]

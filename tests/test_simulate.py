@@ -84,7 +84,7 @@ def test_files_and_truth_close_with_all_errors(
     done(
         capsys, "simulate", "marine", "--output", folder, "--points-per-second", 20_000,
         "--no-noise", "--no-pos-errors", "--boresight", *BORESIGHT_DEG,
-        "--lever-error", 0.1, -0.2, 0.3,
+        "--lever-arm-error", 0.1, -0.2, 0.3,
         "--range-offset", -0.05, "--scan-angle-offset", 0.4, "--latency", 0.02,
     )  # fmt: skip
     mounting, project = true_mounting(folder), open_project(folder)

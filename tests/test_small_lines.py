@@ -57,9 +57,9 @@ def test_points_that_a_latency_takes_out_of_the_trajectory_are_left_out(
     stored = import_line(project, line, trajectory).stored
     moved = times + latency
     inside = (moved >= trajectory.time[0]) & (moved <= trajectory.time[-1])
-    assert stored.manifest.left_out == np.count_nonzero(~inside)
+    assert stored.manifest.excluded_points == np.count_nonzero(~inside)
     assert len(stored) == np.count_nonzero(inside)
-    assert (stored.manifest.left_out > 0) == (latency != 0)
+    assert (stored.manifest.excluded_points > 0) == (latency != 0)
     survey = load_survey(project)
     assert survey.scans["all"].first_time == times[inside][0]
 

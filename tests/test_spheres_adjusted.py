@@ -214,7 +214,7 @@ def test_the_command_line_picks_balls(balls, capsys):
         # Placed without a boresight, so a degree of error at 15 m
         assert np.linalg.norm(np.array(line["centre_m"]) - BALLS["S1"][0]) < 0.5
         assert line["sphere_radius_m"] == 0.15
-        assert 0.3 < line["share_seen"] < 0.5
+        assert 0.3 < line["visible_share"] < 0.5
     assert main([*words, "--shape", "sphere"]) == 0
     out = capsys.readouterr().out
     assert "centre" in out

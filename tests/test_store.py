@@ -37,7 +37,7 @@ def test_every_point_comes_back_once_with_all_its_columns(tmp_path: Path) -> Non
         assert found.extra[name].dtype == values.dtype, name
         np.testing.assert_array_equal(found.extra[name], values[numbers], name)
     assert found.intensity is found.extra["intensity"]
-    assert found.manifest.left_out == LINE.index[-1] + 1 - len(LINE)
+    assert found.manifest.excluded_points == LINE.index[-1] + 1 - len(LINE)
     found.require_sound()
     assert sorted(path.name for path in (tmp_path / "L1").iterdir()) == ["columns-1", "store.json"]
 
@@ -320,4 +320,4 @@ def test_recipe_and_original_are_kept(tmp_path: Path) -> None:
     assert manifest.placed_with == recipe.placed_with
     assert manifest.assumptions == ("read as it is",)
     assert manifest.audit == {"read": 3}
-    assert manifest.left_out == LINE.index[-1] + 1 - len(LINE)
+    assert manifest.excluded_points == LINE.index[-1] + 1 - len(LINE)

@@ -63,7 +63,7 @@ def test_results_of_a_former_project_have_its_sentences() -> None:
     assert project.cross_checks is not None
     assert project.absolute is not None
     former = content["result"]["observability"]["sentences"]
-    assert project.result.observability.remarks == tuple(
+    assert project.result.observability.messages == tuple(
         note("project.former_text", reason=text) for text in former
     )
     assert project.absolute.not_compared == tuple(

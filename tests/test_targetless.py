@@ -260,6 +260,6 @@ def test_what_cannot_be_mixed_is_refused(
     with pytest.raises(AdjustmentError) as raised:
         targetless(*thinned, count=FEW, with_targets=True)
     assert raised.value.code == "targetless.no_target"
-    code, out, err = run(capsys, "targetless", tmp_path, "--keep", "--with-targets")
+    code, out, err = run(capsys, "targetless", tmp_path, "--save", "--with-targets")
     assert (code, out) == (2, "")
     assert "not independent" in err

@@ -38,7 +38,7 @@ def surveyed(folder: Path, seed: int) -> tuple[Project, Survey, Mounting]:
     return project, load_survey(project), truth
 
 
-def over_sigma(folder: Path, seed: int) -> np.ndarray:
+def significance(folder: Path, seed: int) -> np.ndarray:
     """Errors of roll, pitch, yaw over their sigmas."""
     *opened, truth = surveyed(folder, seed)
     found = targetless(*opened, count=16).result
@@ -53,7 +53,7 @@ def test_intervals_hold_what_they_say(tmp_path: Path) -> None:
     for seed in range(1, 1 + SCENES):
         folder = tmp_path / str(seed)
         folder.mkdir()
-        found.append(over_sigma(folder, seed))
+        found.append(significance(folder, seed))
         print(seed, np.round(found[-1], 2), flush=True)
         rmtree(folder)
     off = np.array(found)

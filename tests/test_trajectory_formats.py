@@ -74,8 +74,8 @@ def test_smrmsg_is_recognised_and_shown(tmp_path: Path) -> None:
     time = 486_000 + np.arange(100.0)
     accuracy = TrajectoryAccuracy(time, np.full((100, 3), 0.02), np.full((100, 3), 2e-4))
     write_smrmsg(tmp_path / "smrmsg.out", accuracy)
-    ((format, sureness),) = recognise_formats(tmp_path / "smrmsg.out", "accuracy")
-    assert (format.key, sureness) == ("smrmsg", SURE)
+    ((format, confidence),) = recognise_formats(tmp_path / "smrmsg.out", "accuracy")
+    assert (format.key, confidence) == ("smrmsg", SURE)
     assert recognise_formats(tmp_path / "smrmsg.out", "trajectory") == []
     finding = format.look(tmp_path / "smrmsg.out", {})
     assert finding.facts["Records"] == 100
@@ -212,9 +212,9 @@ def test_generic_text(tmp_path: Path, separator: str, header: str) -> None:
     np.savetxt(
         path, table(records), "%.12f", separator, header=header.format(separator), comments="# "
     )
-    format, sureness = recognise_formats(path, "trajectory")[0]
+    format, confidence = recognise_formats(path, "trajectory")[0]
     assert format is ASCII
-    assert sureness == (LIKELY if header else 0.3)
+    assert confidence == (LIKELY if header else 0.3)
     finding = ASCII.look(path, {})
     assert finding.choice["columns"] == "time latitude longitude height roll pitch heading"
     assert ("trajectory.columns_assumed" in codes(finding.file_warnings)) == (not header)

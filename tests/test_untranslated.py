@@ -49,7 +49,7 @@ NOT_SHOWN: dict[str, set[str]] = {
         "# Trajectory written by LISPAC.",
         "# roll positive starboard down, pitch positive bow up, heading clockwise from "
         "true north, in degrees (Applanix).",
-        "# up from the vessel's POS; from_level_deg 90 is upright, less leans back.",
+        "# up from the vessel's POS; inclination_deg 90 is upright, less leans back.",
         "Built-in survey; each run of the demo replaces it.\n",
         "Simulated survey; each simulation replaces it.\n",
         "This file opens the LISPAC project in its folder.\n",

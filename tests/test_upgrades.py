@@ -38,20 +38,20 @@ def test_an_older_project_opens_and_is_saved_as_a_new_one(folder: Path, tmp_path
 
 def test_a_project_from_before_a_setting_has_its_usual_value(tmp_path: Path) -> None:
     project = sample_project(tmp_path / "p")
-    project = replace(project, settings=replace(project.settings, accept_one_facing=True))
+    project = replace(project, settings=replace(project.settings, accept_single_orientation=True))
     write_project(project)
-    assert read_project(project.folder).settings.accept_one_facing
+    assert read_project(project.folder).settings.accept_single_orientation
     path = project.folder / FILE_NAME
     content = json.loads(path.read_text())
-    del content["settings"]["accept_one_facing"]
+    del content["settings"]["accept_single_orientation"]
     path.write_text(json.dumps(content))
-    assert not read_project(project.folder).settings.accept_one_facing
+    assert not read_project(project.folder).settings.accept_single_orientation
 
 
 def test_a_check_of_before_says_what_it_does_not_know() -> None:
     check = read_project(OLDER[5]).absolute
     assert check is not None
-    assert check.others is None
+    assert check.other_surfaces is None
     assert "absolute.former_version" in codes(absolute_check_remarks(check))
 
 

@@ -342,7 +342,7 @@ def test_a_real_board_is_not_held_against_the_thesis(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     found = answer(
-        capsys, "visibility", "marine", "--output", tmp_path, "--error", "pitch", "--struck"
+        capsys, "visibility", "marine", "--output", tmp_path, "--error", "pitch", "--hit-beams"
     )
     assert found["beams"] == "struck"
     assert found["thesis"] == []

@@ -53,7 +53,7 @@ def test_it_holds_the_messages_of_the_report(tmp_path: Path) -> None:
     project = full_of_cautions(tmp_path)
     found = warnings_of(project, None)
     codes = set()
-    for message in sample_content(project).cautions:
+    for message in sample_content(project).warnings:
         if message.code not in LISTED_SINGLY:
             codes.add(message.code)
             assert message in found
@@ -185,9 +185,9 @@ def test_a_sighting_that_is_not_good_is_told_where_it_is() -> None:
     project, survey = picked()
     found = dict(sighting_qualities(project, survey))
     where = ("T2", "L3")
-    found = {key: replace(each, light="good", reasons=()) for key, each in found.items()}
+    found = {key: replace(each, rating="good", reasons=()) for key, each in found.items()}
     found[where] = replace(
-        found[where], light="poor", reasons=(note("quality.oblique", angle=1.41),)
+        found[where], rating="poor", reasons=(note("quality.oblique", angle=1.41),)
     )
     code = "project.poor_sighting"
     (told,) = [each for each in warnings_of(project, survey, found) if each.code == code]
@@ -228,9 +228,11 @@ def test_the_command_prints_the_list(
     assert main(["warnings", str(demo_project.folder), "--json"]) == 0
     told = json.loads(capsys.readouterr().out)["warnings"]
     subjects = [each.subject for each in found]
-    assert [each["cause"]["kind"] for each in told] == [each.kind for each in subjects if each]
+    assert [each["subject"] and each["subject"]["kind"] for each in told] == [
+        each and each.kind for each in subjects
+    ]
     assert [each["code"] for each in told] == [each.code for each in found]
-    assert {each["severity"] for each in told} <= {"serious", "caution"}
+    assert [each["level"] for each in told] == [each.level for each in found]
     assert main(["warnings", str(demo_project.folder / "nowhere")]) == 1
 
 
@@ -238,13 +240,13 @@ def test_a_report_in_json_holds_code_severity_text_and_parameters(tmp_path: Path
     """In English whatever the language; its schema knows no cause."""
     content = sample_content(full_of_cautions(tmp_path))
     with in_language("fr"):
-        told = json.loads(json_text(content))["cautions"]
+        told = json.loads(json_text(content))["warnings"]
     assert told
-    for each, message in zip(told, content.cautions, strict=True):
+    for each, message in zip(told, content.warnings, strict=True):
         assert each == {
             "code": message.code,
             "former_code": former_code(message),
-            "severity": "serious" if message.is_serious else "caution",
+            "level": message.level,
             "text": message_text(message),
             "params": plain_params(message),
         }

@@ -179,7 +179,7 @@ def test_a_plane_that_cannot_be_compared_does_not_stop_the_others(
     assert [c.name for c in validated.validation] == ["V2", "V3", "V4", "V5"]
     reason = validated.not_compared["V1"]
     assert reason.code == "validation.plane_in_one_line"
-    found = export.report_content_of(validated, survey).cautions
+    found = export.report_content_of(validated, survey).warnings
     said = [each.params["reason"] for each in found if each.code == "report.not_compared"]
     assert said == [reason]
 

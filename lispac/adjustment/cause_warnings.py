@@ -190,7 +190,7 @@ def _wrong_value_warning(result: AdjustmentResult, cause: CandidateCause) -> Mes
             change=float(moved),
             ratio=float(abs(moved) / its_sigma),
         )
-        for angle, moved, its_sigma in zip(ANGLES, cause.moved, result.sigma, strict=True)
+        for angle, moved, its_sigma in zip(ANGLES, cause.angle_change, result.sigma, strict=True)
         if abs(moved) > OF_CONSEQUENCE * its_sigma
     ]
     code = f"adjustment.contradicted_{cause.kind}"
@@ -232,7 +232,7 @@ def _line_jump_warnings(
 ) -> tuple[Message, ...]:
     """Warning about lines whose sightings were all rejected and that no cause explains."""
     named = {each.line for group in causes for each in group}
-    jumped = sorted(set(result.suspect_lines) - named)
+    jumped = sorted(set(result.rejected_lines) - named)
     if not jumped:
         return ()
     make = warning if _are_many_lines_wrong(result, len(jumped)) else note
@@ -314,6 +314,6 @@ def _causes_of_earlier_version(
 
     def cause(found: ContradictedParameter) -> CandidateCause:
         size, sigma = np.array([found.change]), np.array([found.sigma])
-        return CandidateCause(found.name, "", "", size, sigma, found.moved, 0.0, found.w**2)
+        return CandidateCause(found.name, "", "", size, sigma, found.angle_change, 0.0, found.w**2)
 
     return tuple((cause(found),) for found in result.contradictions)

@@ -69,7 +69,7 @@ def apply_rejections_and_noise(
     """
     kept = np.array(
         [
-            s not in result.suspects and s.target not in result.excluded_targets
+            s not in result.rejected_sightings and s.target not in result.excluded_targets
             for s in observations.sightings
         ]
     )
@@ -102,8 +102,10 @@ def _fix_undetermined_parameters(
     seen = tuple(each for each in parameters if each.name not in unseen)
     if not any(each.name in unseen and each.prior_sigma is not None for each in result.parameters):
         return result, seen
-    whole = adjust(observations, start, result.model, parameters=seen, accept_one_facing=True,
-                   diagnostics=False)  # fmt: skip
+    whole = adjust(
+        observations, start, result.model, parameters=seen, accept_single_orientation=True,
+        diagnostics=False,
+    )  # fmt: skip
     return replace(result, covariance_all=whole.covariance_all, estimated=whole.estimated), seen
 
 
@@ -138,7 +140,7 @@ def _cross_check_part(
     try:
         part = adjust(
             observations.of_sightings(keep), start, result.model,
-            parameters=parameters, accept_one_facing=True, diagnostics=False,
+            parameters=parameters, accept_single_orientation=True, diagnostics=False,
         )  # fmt: skip
     except AdjustmentError as failure:
         return CrossCheck(kind, name, reason=as_message(failure.reason))
@@ -173,7 +175,7 @@ def _compare_halves(found: list[CrossCheck]) -> Iterator[CrossCheck]:
     significance = difference / np.hypot(first.sigma, second.sigma)
     for half, sign in ((first, 1), (second, -1)):
         yield CrossCheck(
-            "half", half.without, half.boresight, half.sigma, sign * difference, sign * significance
+            "half", half.part, half.boresight, half.sigma, sign * difference, sign * significance
         )
 
 

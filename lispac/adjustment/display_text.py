@@ -100,7 +100,7 @@ Standing = Literal["left out", "not checked", "disagrees", "agrees"]
 
 def sighting_status(item: SightingReliability, critical: float) -> Standing:
     """Status of a sighting; ``critical`` is the critical test value."""
-    if item.released:
+    if item.rejected:
         return "left out"
     if not item.detectable < UNCHECKED:
         return "not checked"

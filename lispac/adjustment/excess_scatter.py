@@ -73,7 +73,9 @@ def with_raised_sigmas(result: AdjustmentResult, factors: Array) -> AdjustmentRe
     return replace(
         result,
         covariance_all=result.covariance_all * np.outer(whole, whole),
-        raised=factors if result.raised is None else factors * result.raised,
+        angle_sigma_factors=factors
+        if result.angle_sigma_factors is None
+        else factors * result.angle_sigma_factors,
     )
 
 

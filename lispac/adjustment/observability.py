@@ -228,7 +228,7 @@ def _have_targets_one_orientation(linearised: LinearisedProblem) -> bool:
 def assess_observability(
     linearised: LinearisedProblem,
     *,
-    raised: Array | None = None,
+    angle_sigma_factors: Array | None = None,
     covariance: Array | None = None,
     origins: Array | None = None,
     progress: Progress = no_progress,
@@ -237,14 +237,14 @@ def assess_observability(
 
     Parameters
     ----------
-    raised : ndarray of shape (3,), optional
+    angle_sigma_factors : ndarray of shape (3,), no unit, optional
         Factors by which the sigmas of the angles are raised.
     covariance : ndarray of shape (3, 3), radians squared, optional
         Covariance of the angles as stated, if it is not that of ``linearised`` with the factors.
     origins : ndarray of shape (targets, 3), metres, local, optional
         Where the targets are.
     """
-    factors = np.ones(3) if raised is None else raised
+    factors = np.ones(3) if angle_sigma_factors is None else angle_sigma_factors
     information = linearised.normal.information(3) / np.outer(factors, factors)
     if covariance is not None:
         information = scaled_inverse(covariance)

@@ -53,7 +53,7 @@ class Observations:
         all others are planes.
     apart : ndarray of shape (n,) or None, seconds
         Mean time between two of the points that an average stands for; None for single points.
-    left_out : int
+    excluded_outliers : int
         Points that stood out from their sighting and went into no average.
     """
 
@@ -70,7 +70,7 @@ class Observations:
     pose_rate: Array | None = None
     latency: float = 0.0
     radii: Mapping[str, float | None] = field(default_factory=dict)
-    left_out: int = 0
+    excluded_outliers: int = 0
     apart: Array | None = None
 
     def __len__(self) -> int:

@@ -67,9 +67,9 @@ def find_contradicted_parameters(
         worst = max(tests, key=lambda test: abs(test.w), default=None)
         if worst is None or abs(worst.w) <= CRITICAL:
             break
-        if abs(worst.w) > PLAIN or (np.abs(worst.moved) >= least * sigma_now).any():
+        if abs(worst.w) > PLAIN or (np.abs(worst.angle_change) >= least * sigma_now).any():
             found.append(worst)
-        gone, moved = (*gone, Parameter(worst.name)), moved + worst.moved
+        gone, moved = (*gone, Parameter(worst.name)), moved + worst.angle_change
         omitted = [each for each in omitted if each.name != worst.name]
     return tuple(found)
 

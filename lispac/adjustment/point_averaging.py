@@ -55,7 +55,7 @@ def average_points_in_cells(
     Returns
     -------
     Observations
-        ``left_out`` is the number of outliers.
+        ``excluded_outliers`` is the number of outliers.
     """
     if distance <= 0:
         return observations
@@ -65,7 +65,9 @@ def average_points_in_cells(
         standing = _find_outliers(observations, planes)
         if standing.any():
             fewer = observations.reordered(np.flatnonzero(~standing))
-            fewer = replace(fewer, left_out=observations.left_out + int(standing.sum()))
+            fewer = replace(
+                fewer, excluded_outliers=observations.excluded_outliers + int(standing.sum())
+            )
             return average_points_in_cells(fewer, mounting, distance, longest=longest)
     order, start = _sort_into_cells(observations, planes, points, distance, longest)
     counts = np.diff(np.append(start, len(order)))

@@ -90,7 +90,7 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
         "iu,uv,iv->i", normal.pos_error_by_unknowns, normal.covariance, normal.pos_error_by_unknowns
     ).reshape(-1, 6)
     prior = np.hstack([mean(observations.sigma_position), mean(observations.sigma_attitude)])
-    strays = np.bincount(observations.sighting, np.abs(w) > CRITICAL)
+    outliers = np.bincount(observations.sighting, np.abs(w) > CRITICAL)
     mean_redundancy, mean_weight = mean(redundancy), mean(weights)
     found = []
     for s, sighting in enumerate(observations.sightings):
@@ -107,12 +107,12 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
                 detectable=float(POWER * tests.sigma[s]),
                 effect=tests.effect[s] * POWER * tests.sigma[s],
                 redundancy=float(mean_redundancy[s]),
-                strays=int(strays[s]),
+                outliers=int(outliers[s]),
                 largest_w=float(abs(w[worst])),
                 largest_at=float(observations.time[worst]),
                 point_detectable=float(np.median(detectable[own])),
                 weight=float(mean_weight[s]),
-                released=bool(not problem.is_sighting_tied[s] or mean_weight[s] < WEIGHTLESS),
+                rejected=bool(not problem.is_sighting_tied[s] or mean_weight[s] < WEIGHTLESS),
             )
         )
     return tuple(found)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.observations import Sighting
 from lispac.adjustment.parameters import ParameterEstimate
 from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.former_names import accept_script_names
 from lispac.messages import Message
 from lispac.survey.georeferencing import Mounting
 from lispac.untrusted_values import ArrayShape
@@ -50,6 +51,7 @@ class SightingResidual:
     mean_after: float
 
 
+@accept_script_names
 @dataclass(frozen=True, eq=False)
 class SightingReliability:
     """Reliability of a sighting, and whether it agrees (correlated model).
@@ -71,7 +73,7 @@ class SightingReliability:
         What a shift of that size that stays unfound does to roll, pitch, yaw.
     redundancy : float
         Mean of the points' redundancy numbers, 0 (unchecked) to 1.
-    strays : int
+    outliers : int
         Points whose own test is beyond the critical value.
     largest_w : float
         Largest test value among the points.
@@ -82,7 +84,7 @@ class SightingReliability:
         Median of the points' minimal detectable biases.
     weight : float
         Mean weight the loss left to the points.
-    released : bool
+    rejected : bool
         Whether it is a blunder: rejected, or without weight.
     """
 
@@ -95,11 +97,11 @@ class SightingReliability:
     detectable: float
     effect: Annotated[Array, ArrayShape(3)]
     redundancy: float
-    strays: int
+    outliers: int
     largest_w: float
     point_detectable: float
     weight: float
-    released: bool
+    rejected: bool
     largest_at: float | None = None
 
 
@@ -193,7 +195,7 @@ class Observability:
         Largest over smallest eigenvalue.
     sigma_without_line : dict of str to ndarray of shape (3,) or None, radians
         Sigmas of roll, pitch, yaw without a line; None if they could not be computed.
-    remarks : tuple of Message
+    messages : tuple of Message
         The weakest and the strongest direction first, then what each angle depends on.
     unchecked : tuple of UncheckedPart
         What an error of would not show.
@@ -203,7 +205,7 @@ class Observability:
     directions: Annotated[Array, ArrayShape(3, 3)]
     condition: float
     sigma_without_line: dict[str, Array | None]
-    remarks: tuple[Message, ...]
+    messages: tuple[Message, ...]
     unchecked: tuple[UncheckedPart, ...] = ()
 
 
@@ -243,17 +245,17 @@ class ContradictedParameter:
         A value of the mounting other than its angles.
     change, sigma : float, radians, metres or seconds
         What the data would add to the given value.
-    moved : ndarray of shape (3,), radians
+    angle_change : ndarray of shape (3,), radians
         What roll, pitch, yaw would change by with it.
-    surface : float, metres
+    surface_sigma : float, metres
         Sigma of the surfaces that would be left.
     """
 
     name: str
     change: float
     sigma: float
-    moved: Annotated[Array, ArrayShape(3)]
-    surface: float
+    angle_change: Annotated[Array, ArrayShape(3)]
+    surface_sigma: float
 
     @property
     def w(self) -> float:
@@ -275,7 +277,7 @@ class CandidateCause:
     size, sigma : ndarray of shape (k,), radians, metres or seconds
         What the data would add to the given value; of a line's position north, west, up, of a
         boresight roll, pitch, yaw, of a surface two tilts (at its border) and the offset.
-    moved : ndarray of shape (3,), radians
+    angle_change : ndarray of shape (3,), radians
         What roll, pitch, yaw would change by with it.
     effect : float, metres
         Root mean square of what it does to the distances of all points from their surfaces.
@@ -288,7 +290,7 @@ class CandidateCause:
     line: str
     size: Annotated[Array, ArrayShape("k")]
     sigma: Annotated[Array, ArrayShape("k")]
-    moved: Annotated[Array, ArrayShape(3)]
+    angle_change: Annotated[Array, ArrayShape(3)]
     effect: float
     evidence: float
 
@@ -311,6 +313,7 @@ class CommonPart:
     lines: tuple[str, ...]
 
 
+@accept_script_names
 @dataclass(frozen=True, eq=False)
 class AdjustmentResult:
     """Boresight, its uncertainty, and how well the model fits.
@@ -339,7 +342,7 @@ class AdjustmentResult:
     components : tuple of VarianceComponent
         Empty if they were not requested.
     elapsed : float, seconds
-    left_out : int
+    excluded_outliers : int
         Points that stood out from their sighting and went into no average.
     contradictions : tuple of ContradictedParameter
         Given values that the data contradict; empty in thesis mode.
@@ -349,10 +352,10 @@ class AdjustmentResult:
     offset : float or None, metres
         That of their offsets, where the data insist on another one; ``surface`` is that of the
         tilts then.
-    raised : ndarray of shape (3,), or None
+    angle_sigma_factors : ndarray of shape (3,), or None
         Factors by which the sigmas of the angles were multiplied, because parts of the data scatter
         by more than the model predicts; None where that is not known.
-    stated_times : tuple of float, seconds, or None
+    given_correlation_times : tuple of float, seconds, or None
         Given correlation times of position and attitude, if the residuals required
         the shorter ones of ``model``.
     radius_discrepancies : tuple of RadiusDiscrepancy
@@ -383,12 +386,12 @@ class AdjustmentResult:
     reliability: tuple[SightingReliability, ...]
     components: tuple[VarianceComponent, ...]
     elapsed: float
-    left_out: int = 0
+    excluded_outliers: int = 0
     contradictions: tuple[ContradictedParameter, ...] = ()
     offset: float | None = None
     causes: tuple[tuple[CandidateCause, ...], ...] | None = None
-    raised: Annotated[Array, ArrayShape(3)] | None = None
-    stated_times: tuple[float, float] | None = None
+    angle_sigma_factors: Annotated[Array, ArrayShape(3)] | None = None
+    given_correlation_times: tuple[float, float] | None = None
     radius_discrepancies: tuple[RadiusDiscrepancy, ...] = ()
     excluded_targets: tuple[str, ...] = ()
     common_parts: tuple[CommonPart, ...] = ()
@@ -418,12 +421,14 @@ class AdjustmentResult:
     @property
     def with_formal_sigmas(self) -> "AdjustmentResult":
         """Result with the formal sigmas of the model, none of them raised."""
-        if self.raised is None:
+        if self.angle_sigma_factors is None:
             return self
         whole = np.ones(len(self.covariance_all))
-        whole[:3] = 1.0 / self.raised
+        whole[:3] = 1.0 / self.angle_sigma_factors
         return replace(
-            self, covariance_all=self.covariance_all * np.outer(whole, whole), raised=None
+            self,
+            covariance_all=self.covariance_all * np.outer(whole, whole),
+            angle_sigma_factors=None,
         )
 
     @property
@@ -463,15 +468,15 @@ class AdjustmentResult:
         return lidar, position, attitude
 
     @property
-    def suspects(self) -> tuple[Sighting, ...]:
+    def rejected_sightings(self) -> tuple[Sighting, ...]:
         """Sightings rejected as blunders."""
-        return tuple(item.sighting for item in self.reliability if item.released)
+        return tuple(item.sighting for item in self.reliability if item.rejected)
 
     @property
-    def suspect_lines(self) -> tuple[str, ...]:
+    def rejected_lines(self) -> tuple[str, ...]:
         """Lines whose sightings were all rejected: their position jumped."""
         count = Counter(item.sighting.line for item in self.reliability)
-        named = Counter(sighting.line for sighting in self.suspects)
+        named = Counter(sighting.line for sighting in self.rejected_sightings)
         return tuple(line for line in named if named[line] == count[line] > 1)
 
 
@@ -482,12 +487,12 @@ class CrossCheck:
     Attributes
     ----------
     kind : {"line", "target", "half"}
-    without : str
+    part : str
         Omitted line or target, or the half of the survey (in time) that was used.
     boresight, sigma : ndarray of shape (3,) or None, radians
         None where the part does not determine the angles.
     difference : ndarray of shape (3,) or None, radians
-        From the answer of all points, or between the two halves.
+        This part minus the result of all points, or a half minus the other half.
     significance : ndarray of shape (3,) or None
         The difference over the standard deviation it should have.
     reason : Message or None
@@ -495,7 +500,7 @@ class CrossCheck:
     """
 
     kind: str
-    without: str
+    part: str
     boresight: Annotated[Array, ArrayShape(3)] | None = None
     sigma: Annotated[Array, ArrayShape(3)] | None = None
     difference: Annotated[Array, ArrayShape(3)] | None = None

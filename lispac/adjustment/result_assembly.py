@@ -97,7 +97,7 @@ def assemble_result(
         rms_after=rms[1],
         surface=float(problem.default_surface_sigmas[0]) if layout.surfaces else 0.0,
         offset=float(problem.default_surface_sigmas[2]) if problem.has_own_offsets else None,
-        observability=assess_observability(linearised, raised=factors, origins=origins)
+        observability=assess_observability(linearised, angle_sigma_factors=factors, origins=origins)
         if diagnostics
         else None,
         reliability=(
@@ -107,7 +107,7 @@ def assemble_result(
         ),
         components=components,
         elapsed=time.perf_counter() - started,
-        left_out=observations.left_out,
+        excluded_outliers=observations.excluded_outliers,
         contradictions=find_contradicted_parameters(linearised)
         if diagnostics and correlated
         else (),

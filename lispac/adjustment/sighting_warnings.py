@@ -100,7 +100,7 @@ def outlier_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterato
     """Warning about more outliers than chance explains."""
     counts = {(s.sighting.target, s.sighting.line): s.points for s in result.sightings}
     tested = [
-        (item.sighting, item.strays, counts[item.sighting.target, item.sighting.line])
+        (item.sighting, item.outliers, counts[item.sighting.target, item.sighting.line])
         for item in result.reliability
     ]
     many, points = sum(each[1] for each in tested), sum(each[2] for each in tested)

@@ -90,7 +90,7 @@ def adjust(
     parameters: tuple[Parameter, ...] = (),
     shapes: Array | None = None,
     components: bool = False,
-    accept_one_facing: bool = False,
+    accept_single_orientation: bool = False,
     diagnostics: bool = True,
     test_model: bool = True,
     progress: Progress = no_progress,
@@ -113,7 +113,7 @@ def adjust(
         Starting planes and spheres; fitted to the points placed with ``mounting`` where not given.
     components : bool
         Whether to take the sigmas of LiDAR and POS from the data (correlated model).
-    accept_one_facing : bool
+    accept_single_orientation : bool
         Whether to answer where all targets are planes that face one way.
     diagnostics : bool
         Whether to work out observability and reliability too.
@@ -137,7 +137,7 @@ def adjust(
         try:
             result = _adjust_all_targets(
                 observations.without_targets(excluded), mounting, model, parameters, shapes,
-                components, accept_one_facing, diagnostics, test_model, progress,
+                components, accept_single_orientation, diagnostics, test_model, progress,
             )  # fmt: skip
         except TargetDisagrees as error:
             if shapes is not None or len(observations.targets) - len(excluded) <= 2:
@@ -154,7 +154,7 @@ def _adjust_all_targets(
     parameters: tuple[Parameter, ...],
     shapes: Array | None,
     components: bool,
-    accept_one_facing: bool,
+    accept_single_orientation: bool,
     diagnostics: bool,
     test_model: bool,
     progress: Progress,
@@ -176,8 +176,8 @@ def _adjust_all_targets(
         some: Observations = observations, *, diagnostics: bool,
     ) -> AdjustmentResult:  # fmt: skip
         return _solve_adjustment(
-            some, mounting, model, parameters, shapes, components, accept_one_facing, diagnostics,
-            test_model, progress, started,
+            some, mounting, model, parameters, shapes, components, accept_single_orientation,
+            diagnostics, test_model, progress, started,
         )  # fmt: skip
 
     try:
@@ -202,7 +202,7 @@ def _adjust_all_targets(
                         stated = model.position_time, model.attitude_time
                         return replace(
                             adjusted(shorter, diagnostics=True),
-                            stated_times=stated,
+                            given_correlation_times=stated,
                             radius_discrepancies=radii,
                         )
             return found
@@ -258,7 +258,7 @@ def _solve_adjustment(
     parameters: tuple[Parameter, ...],
     shapes: Array | None,
     components: bool,
-    accept_one_facing: bool,
+    accept_single_orientation: bool,
     diagnostics: bool,
     test_model: bool,
     progress: Progress,
@@ -285,7 +285,7 @@ def _solve_adjustment(
         problem = AdjustmentProblem.of(few, mounting, model, kept)
         state = problem.start(state.mounting, state.shapes)
     solution, gone = _iterate_with_majority(problem, state, progress)
-    if not accept_one_facing:
+    if not accept_single_orientation:
         require_two_orientations(solution.linearised)
     found: tuple[VarianceComponent, ...] = ()
     factors = np.ones(3)

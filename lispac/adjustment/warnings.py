@@ -134,8 +134,8 @@ def _cross_check_notes(_: AdjustmentResult, checks: CrossChecks | None) -> Itera
     parts = [part for part in checks.parts if part.disagrees] if checks else []
     halves = [part for part in parts if part.kind == "half"]
     apart = [_disagreeing_part_item(part) for part in parts if part.kind != "half"]
-    # Two halves differ from each other: the second one gives the same message.
-    apart += [_disagreeing_part_item(part) for part in halves[:1]]
+    # Two halves differ from each other: the first one gives the same message.
+    apart += [_disagreeing_part_item(part) for part in halves[-1:]]
     if apart:
         yield note(
             "adjustment.cross_check",
@@ -156,7 +156,7 @@ def _disagreeing_part_item(part: CrossCheck) -> Message:
     k = int(np.abs(part.significance).argmax())
     return note(
         PART_CODES[part.kind],
-        name=part.without,
+        name=part.part,
         angle=mounting_value_name(ANGLES[k]),
         difference=float(part.difference[k]),
         ratio=float(abs(part.significance[k])),
@@ -247,8 +247,8 @@ def _radius_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterato
 
 
 def _correlation_time_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    if result.stated_times is not None:
-        position, attitude = result.stated_times
+    if result.given_correlation_times is not None:
+        position, attitude = result.given_correlation_times
         yield note(
             "adjustment.shorter_times",
             position=float(position), attitude=float(attitude),
@@ -259,7 +259,7 @@ def _correlation_time_note(result: AdjustmentResult, _: CrossChecks | None) -> I
 
 
 def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    if result.raised is None:
+    if result.angle_sigma_factors is None:
         return
     raised = [
         note(
@@ -269,7 +269,11 @@ def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Itera
             after=float(after),
         )
         for angle, before, after, factor in zip(
-            ANGLES, result.with_formal_sigmas.sigma, result.sigma, result.raised, strict=True
+            ANGLES,
+            result.with_formal_sigmas.sigma,
+            result.sigma,
+            result.angle_sigma_factors,
+            strict=True,
         )
         if factor > RAISED
     ]

@@ -74,14 +74,14 @@ def _convention_setup(arguments: Namespace, key: str) -> ConventionSetup:
 def _conversion_input(arguments: Namespace) -> ConversionInput:
     values, count = arguments.values, len(arguments.values)
     setup = _convention_setup(arguments, arguments.from_system)
-    lever_arm = np.array(arguments.lever or (0.0, 0.0, 0.0), dtype=float)
-    has_lever_arm = arguments.lever is not None
+    lever_arm = np.array(arguments.lever_arm or (0.0, 0.0, 0.0), dtype=float)
+    has_lever_arm = arguments.lever_arm is not None
     if arguments.from_matrix is not None:
         if values:
             raise UsageError("angles: give only one of angles, a project or --from-matrix.")
         rotation, shift = _read_matrix(arguments.from_matrix)
         if shift is not None and has_lever_arm:
-            raise UsageError("angles: the 4x4 matrix contains the lever arm; omit --lever.")
+            raise UsageError("angles: the 4x4 matrix contains the lever arm; omit --lever-arm.")
         lever_arm = lever_arm if shift is None else shift
         # Read as it is printed.
         mounting = convert_from_system(setup, angle_product_of_matrix(setup, rotation), lever_arm)
@@ -91,7 +91,8 @@ def _conversion_input(arguments: Namespace) -> ConversionInput:
     if count == 1:
         if has_lever_arm or setup.convention.key != "lispac":
             raise UsageError(
-                "angles: a project contains its lever arm and convention; omit --lever and --from."
+                "angles: a project contains its lever arm and convention; omit --lever-arm and "
+                "--from."
             )
         return _input_of_project(Path(values[0]), setup)
     if count != 3:

@@ -56,7 +56,7 @@ class ConversionInput:
     mounting: Mounting
     has_lever_arm: bool
     covariance: Array | None = None
-    caution: Message | None = None
+    warning: Message | None = None
     name: str = "given"
     typed: Array | None = None
 
@@ -198,8 +198,8 @@ def _lever_arm_text(axes: Axes, values: Array) -> str:
 def _print_sigmas(stated: MountingInSystem, given: ConversionInput) -> None:
     if stated.sigmas is not None:
         print(_angle_row("sigma", stated.sigmas, signed=False))
-        if given.caution:
-            _print_labelled("", message_text(given.caution))
+        if given.warning:
+            _print_labelled("", message_text(given.warning))
 
 
 def _print_correction(correction: BoresightCorrection, label: str, decimals: int) -> None:
@@ -296,9 +296,9 @@ def conversion_values(given: ConversionInput, new: ReplacementSettings) -> dict[
     content: dict[str, Any] = {
         "from": _mounting_values(own, given.has_lever_arm),
         "to": _mounting_values(stated, new.has_lever_arm),
-        "in_words": str(orientation_text(given.mounting.without_nominal_axes.boresight)),
+        "orientation_text": str(orientation_text(given.mounting.without_nominal_axes.boresight)),
         "offsets": _optional_text(offsets_note(given.mounting)),
-        "caution": _optional_text(given.caution),
+        "warning": _optional_text(given.warning),
     }
     if correction is not None:
         content["correction"] = {
@@ -315,7 +315,7 @@ def conversion_values(given: ConversionInput, new: ReplacementSettings) -> dict[
             "current_transform": new.present.transform.tolist(),
             "transform": new.transform.tolist(),
             "lever_arm": new.lever_arm,
-            "lever_arm_in_words": _optional_text(new.lever_arm_note),
+            "lever_arm_text": _optional_text(new.lever_arm_note),
         }
     return content
 

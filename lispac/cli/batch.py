@@ -49,7 +49,7 @@ def batch(arguments: Namespace) -> None:
 
 
 def _row_values(row: BatchRow) -> dict[str, Any]:
-    return asdict(row) | {"folder": str(row.folder), "remarks": list(row.remarks)}
+    return asdict(row) | {"folder": str(row.folder), "messages": list(row.messages)}
 
 
 def _print_table(rows: Sequence[BatchRow]) -> None:
@@ -69,7 +69,7 @@ def _print_table(rows: Sequence[BatchRow]) -> None:
             f"{_number_cell(apart[0], 9, 1)}{_number_cell(apart[1], 8, 1)}     {row.verdict}"
         )
     for row in rows:
-        for remark in row.remarks:
+        for remark in row.messages:
             print(f"{row.name}: {remark}")
 
 

@@ -20,7 +20,7 @@ def budget(arguments: Namespace) -> None:
         survey = load_survey(project, progress=progress)
     found = ErrorBudgetValues.of(
         error_budget_of(
-            project, survey, arguments.distance or DISTANCES, lever_sigma=arguments.lever_sigma
+            project, survey, arguments.distance or DISTANCES, lever_sigma=arguments.lever_arm_sigma
         )
     )
     if arguments.json:
@@ -41,5 +41,5 @@ def budget(arguments: Namespace) -> None:
                 )
             print(f"{each.source!s:28s}{cells}")
         print()
-    for assumption in found.in_words:
+    for assumption in found.messages:
         print(message_text(assumption))

@@ -32,14 +32,14 @@ def campaign(arguments: Namespace) -> None:
                 "seed": arguments.seed,
                 "failed": found.failed,
                 "scatter_deg": np.degrees(found.empirical_sigma).tolist(),
-                "stated_sigma_deg": np.degrees(found.mean_stated_sigma).tolist(),
-                "foretold_sigma_deg": np.degrees(found.predicted).tolist(),
-                "hits_95": found.interval_coverage.tolist(),
+                "formal_sigma_deg": np.degrees(found.mean_stated_sigma).tolist(),
+                "predicted_sigma_deg": np.degrees(found.predicted).tolist(),
+                "coverage_95": found.interval_coverage.tolist(),
                 "bias_deg": np.degrees(found.bias).tolist(),
                 "bias_sigma_deg": np.degrees(found.sigma_bias).tolist(),
                 "chi_square": found.chi_square,
                 "chi_square_expected": list(found.chi_square_bounds),
-                "words": list(found.summary_texts),
+                "messages": list(found.summary_texts),
             }
         )
         return

@@ -22,7 +22,7 @@ def check(arguments: Namespace) -> None:
             project, notes = check_absolute(
                 project, survey, arguments.reference, crs=arguments.crs, height=arguments.height,
                 trajectory_datum=arguments.trajectory_datum, epoch=arguments.epoch,
-                sigma=arguments.reference_sigma, reach=arguments.reach, progress=progress,
+                sigma=arguments.reference_sigma, reach=arguments.search_distance, progress=progress,
             )  # fmt: skip
         save_project(project)
     assert project.absolute is not None
@@ -35,7 +35,7 @@ def check(arguments: Namespace) -> None:
         f"{f'mean {state}':>12s}{'95 %':>9s}{f'RMS {state}':>11s}" for state in ("before", "after")
     )
     print(f"{'line':14s}{'places':>8s}{heads}  mm, positive towards the vessel")
-    for line in (*found.lines, found.together):
+    for line in (*found.lines, found.all_lines):
         print(
             f"{line.line:14s}{line.after.distances.n:8,}{_statistics_cells(line.before)}{_statistics_cells(line.after)}"
         )
@@ -49,7 +49,7 @@ def check(arguments: Namespace) -> None:
                 f"{1000 * (point.after_interval95_m or math.nan):9.1f}"
             )
     print()
-    for remark in found.in_words:
+    for remark in found.messages:
         print(message_text(remark))
     for reason in found.not_compared:
         print(f"not compared: {message_text(reason)}")

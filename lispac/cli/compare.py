@@ -49,9 +49,9 @@ def compare(arguments: Namespace) -> None:
             {
                 "calibrations": [_calibration_values(each) for each in found],
                 "differences": [_difference_values(each) for each in against],
-                "together": _combined_values(together)
+                "combined": _combined_values(together)
                 | {"counted": [each.name for each in counted]},
-                "remarks": list(map(message_text, compared.remarks)),
+                "messages": list(map(message_text, compared.remarks)),
             }
         )
         return
@@ -126,7 +126,7 @@ def _difference_values(each: CalibrationDifference) -> dict[str, Any]:
         "chi_square": each.statistic,
         "probability": each.probability,
         "differ": each.differ,
-        "turn_deg": float(np.degrees(each.turn)),
+        "rotation_deg": float(np.degrees(each.turn)),
         "distances_m": list(DISTANCES_M),
         "displacement_m": [each.largest_displacement(d) for d in DISTANCES_M],
     }

@@ -51,7 +51,7 @@ def compare_methods(arguments: Namespace) -> None:
         print_json(
             {
                 "methods": [_method_values(each) for each in found],
-                "in_words": [english_text(each) for each in comparison_remarks(found)],
+                "messages": [english_text(each) for each in comparison_remarks(found)],
                 "missing": list(missing_methods(project)),
                 "refused": {name: english_text(why) for name, why in refused.items()},
             }
@@ -100,7 +100,7 @@ def _print_methods(found: tuple[MethodResult, ...]) -> None:
     for remark in comparison_remarks(found):
         print(message_text(remark))
     for each in found:
-        for remark in each.remarks:
+        for remark in each.messages:
             print(f"{each.method}: {message_text(remark)}")
 
 
@@ -112,9 +112,9 @@ def _method_values(each: MethodResult) -> dict[str, Any]:
         "sigma_deg": np.degrees(said.sigma).tolist(),
         "lines": each.lines,
         "surfaces": each.surfaces,
-        "remarks": [english_text(remark) for remark in each.remarks],
-        "less_first_deg": None if against is None else np.degrees(against.angles).tolist(),
-        "over_sigma": None if against is None else against.significance.tolist(),
+        "messages": [english_text(remark) for remark in each.messages],
+        "difference_deg": None if against is None else np.degrees(against.angles).tolist(),
+        "significance": None if against is None else against.significance.tolist(),
         "probability": None if against is None else against.probability,
         "differ": None if against is None else against.differ,
     }

@@ -80,14 +80,14 @@ def _design_values(title: str, site: Site, found: DesignResult, usual: Plan) -> 
         "value_deg": float(np.degrees(found.value)),
         "thesis_sigma_deg": np.degrees(thesis.sigma).tolist() if thesis.determined else None,
         "exact": found.exact,
-        "looked_at": found.looked_at,
+        "plans_evaluated": found.looked_at,
         "targets": [
             {"name": t.name, "along_off_up_m": list(site.wall.wall_coordinates(t.centre))}
             for t in found.plan.targets
         ],
         "lines": [vars(line) for line in found.plan.lines],
         "without_deg": {each.name: sigma_degrees(each.without) for each in found.worth},
-        "front": [
+        "pareto_front": [
             {
                 "minutes": step.minutes,
                 "value_deg": float(np.degrees(step.value)),

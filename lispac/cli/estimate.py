@@ -106,7 +106,7 @@ def settings_with_options(settings: Settings, arguments: Namespace) -> Settings:
         "attitude_time": arguments.attitude_time,
         "parameters": parse_parameters(arguments.estimate),
         "variance_components": arguments.components,
-        "accept_one_facing": arguments.accept_one_facing,
+        "accept_single_orientation": arguments.accept_single_orientation,
     }
     settings = replace(settings, **noise_and_offset_settings(arguments))
     if arguments.loss is not None:
@@ -173,7 +173,7 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         result = adjust(
             observations, mounting, settings.stochastic_model, parameters=settings.parameters,
             shapes=planes, components=settings.variance_components,
-            accept_one_facing=settings.accept_one_facing, progress=progress,
+            accept_single_orientation=settings.accept_single_orientation, progress=progress,
         )  # fmt: skip
         if arguments.no_cross_checks:
             return result, None
@@ -220,7 +220,7 @@ def result_values(
         },
         "iterations": result.iterations,
         "points": result.points,
-        "strays_left_out": result.left_out,
+        "excluded_outliers": result.excluded_outliers,
         "sightings": len(result.sightings),
         "planes": len(result.targets),
         "elapsed_s": result.elapsed,
@@ -236,12 +236,12 @@ def result_values(
         and {
             "condition": seen.condition,
             "direction_sigma_deg": np.degrees(seen.eigenvalues**-0.5).tolist(),
-            "in_words": [english_text(each) for each in seen.remarks],
+            "messages": [english_text(each) for each in seen.messages],
         },
         "reliability": [_reliability_values(item) for item in result.reliability],
         "contradictions": [_contradiction_values(found) for found in result.contradictions],
         "causes": [[_cause_values(each) for each in group] for group in result.causes or ()],
-        "suspects": [f"{s.target} on {s.line}" for s in result.suspects],
+        "rejected_sightings": [f"{s.target} on {s.line}" for s in result.rejected_sightings],
         "components": {
             c.name: {
                 "factor": c.factor,
@@ -252,7 +252,7 @@ def result_values(
             for c in result.components
         },
         "cross_checks": checks and _cross_check_values(checks),
-        "doubts": warnings_as_json(result_warnings(result, checks, also)),
+        "warnings": warnings_as_json(result_warnings(result, checks, also)),
     }
 
 
@@ -282,8 +282,8 @@ def _contradiction_values(found: ContradictedParameter) -> dict[str, Any]:
         "change": factor * found.change,
         "sigma": factor * found.sigma,
         "w": found.w,
-        "moved_deg": _degrees_by_angle(found.moved),
-        "surface_sigma_m": found.surface,
+        "angle_change_deg": _degrees_by_angle(found.angle_change),
+        "surface_sigma_m": found.surface_sigma,
     }
 
 
@@ -300,7 +300,7 @@ def _cause_values(cause: CandidateCause) -> dict[str, Any]:
         "unit": unit,
         "size": (factor * cause.size).tolist(),
         "sigma": (factor * cause.sigma).tolist(),
-        "moved_deg": _degrees_by_angle(cause.moved),
+        "angle_change_deg": _degrees_by_angle(cause.angle_change),
         "effect_m": cause.effect,
         "evidence": cause.evidence,
     }
@@ -315,10 +315,10 @@ def _reliability_values(item: SightingReliability) -> dict[str, Any]:
         "detectable_m": item.detectable,
         "effect_deg": _degrees_by_angle(item.effect),
         "redundancy": item.redundancy,
-        "strays": item.strays,
+        "outliers": item.outliers,
         "largest_w": item.largest_w,
         "largest_w_time_s": item.largest_at,
-        "released": item.released,
+        "rejected": item.rejected,
     }
 
 
@@ -329,7 +329,7 @@ def _cross_check_values(checks: CrossChecks) -> dict[str, Any]:
         "parts": [
             {
                 "kind": part.kind,
-                "part": part.without,
+                "part": part.part,
                 "boresight_deg": _degrees_by_angle(part.boresight),
                 "difference_deg": _degrees_by_angle(part.difference),
                 "significance": _values_by_angle(part.significance),
@@ -369,12 +369,14 @@ def print_result(
         print_steep_rotation(result)
     for estimate in result.parameters:
         print(_parameter_line(estimate))
-    strays = (
-        f" ({number_with_noun(result.left_out, 'outlier')} excluded)" if result.left_out else ""
+    outliers = (
+        f" ({number_with_noun(result.excluded_outliers, 'outlier')} excluded)"
+        if result.excluded_outliers
+        else ""
     )
     print(
         f"POS errors {_error_model_text(result)}; "
-        f"{number_with_noun(result.points, 'point')}{strays}, "
+        f"{number_with_noun(result.points, 'point')}{outliers}, "
         f"{number_with_noun(len(result.sightings), 'sighting')}, "
         f"{number_with_noun(len(result.targets), 'target')}, "
         f"{number_with_noun(result.iterations, 'iteration')}, {result.elapsed:.3f} s"
@@ -389,7 +391,7 @@ def print_result(
     )
     for component in result.components:
         print(_component_line(component))
-    for remark in result.observability.remarks if result.observability else ():
+    for remark in result.observability.messages if result.observability else ():
         print(to_plain_text(message_text(remark)))
     found = result_warnings(result, checks, also)
     if found:

@@ -142,7 +142,7 @@ def add_estimate_command(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="estimate the sigmas of LiDAR and POS from the data (variance components)",
     )
     estimate.add_argument(
-        "--accept-one-facing",
+        "--accept-single-orientation",
         action=argparse.BooleanOptionalAction,
         help="allow targets that all face the same way; the angles are then separated by the "
         "headings of the lines alone",

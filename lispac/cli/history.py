@@ -26,7 +26,7 @@ def history(arguments: Namespace) -> None:
         print_json(
             {
                 "systems": [_history_values(each) for each in found],
-                "remarks": list(map(message_text, remarks)),
+                "messages": list(map(message_text, remarks)),
             }
         )
         return
@@ -70,7 +70,7 @@ def _history_values(history: History) -> dict[str, Any]:
     return {
         "system": vars(history.system),
         "calibrations": [_calibration_values(each) for each in history.entries],
-        "remarks": list(map(message_text, history.remarks)),
+        "messages": list(map(message_text, history.remarks)),
     }
 
 

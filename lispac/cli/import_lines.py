@@ -77,7 +77,7 @@ def _imported_values(item: ImportedLine) -> dict[str, Any]:
     return {
         "folder": str(item.stored.folder),
         "points": manifest.points,
-        "left_out": manifest.left_out,
+        "excluded_points": manifest.excluded_points,
         "bytes": manifest.bytes,
         "seconds": item.seconds,
         "assumptions": list(map(message_text, assumptions_of(item.stored))),

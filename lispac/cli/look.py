@@ -45,7 +45,9 @@ def _checks_with_audit(path: Path, found: Sequence[FileCheck]) -> list[FileCheck
 
 
 def _print_check(item: FileCheck) -> None:
-    sure = "certainly" if item.sureness >= 1 else "probably" if item.sureness > 0.5 else "perhaps"
+    sure = (
+        "certainly" if item.confidence >= 1 else "probably" if item.confidence > 0.5 else "perhaps"
+    )
     name = message_text(item.format.name)
     print(f"\n{sure} {name} (--{SWITCH[item.format.kind]}-format {item.format.key})")
     if item.finding is None:
@@ -73,14 +75,11 @@ def _check_values(item: FileCheck) -> dict[str, Any]:
         "format": item.format.key,
         "name": message_text(item.format.name),
         "kind": item.format.kind,
-        "sureness": item.sureness,
+        "confidence": item.confidence,
         "error": to_plain_text(message_text(item.error)) if item.error else "",
         "facts": {name: fact_text(fact) for name, fact in finding.facts.items()} if finding else {},
         "options": item.format.resolved(finding.choice) if finding else {},
         "assumptions": [to_plain_text(message_text(a)) for a in finding.assumptions]
-        if finding
-        else [],
-        "doubts": [to_plain_text(message_text(each)) for each in finding.file_warnings]
         if finding
         else [],
         "messages": [message_values(each) for each in messages],

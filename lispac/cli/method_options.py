@@ -35,7 +35,7 @@ def _add_targetless(commands: "Commands[argparse.ArgumentParser]") -> None:
     )
     targetless.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     targetless.add_argument(
-        "--keep",
+        "--save",
         action="store_true",
         help="save the result in the project, beside that of the targets",
     )

@@ -279,7 +279,7 @@ def _add_check(commands: "Commands[argparse.ArgumentParser]") -> None:
              "each check point without a sigma of its own (default 0.005)",
     )  # fmt: skip
     check.add_argument(
-        "--reach", type=positive_number, default=1.0, metavar="M",
+        "--search-distance", type=positive_number, default=1.0, metavar="M",
         help="largest distance between lines and reference (m; default 1)",
     )  # fmt: skip
     add_crs_options(check, "as given in the reference file, otherwise local")
@@ -318,7 +318,7 @@ def _add_budget(commands: "Commands[argparse.ArgumentParser]") -> None:
     )  # fmt: skip
     add_triple_option(
         budget,
-        "--lever-sigma",
+        "--lever-arm-sigma",
         ("X", "Y", "Z"),
         "1 sigma of the lever arm (m; default: not included)",
     )
@@ -410,7 +410,10 @@ def _add_angles(commands: "Commands[argparse.ArgumentParser]") -> None:
         "--to", default="lispac", metavar="SYSTEM", help="system to convert to (default lispac)"
     )
     add_triple_option(
-        angles, "--lever", ("X", "Y", "Z"), "lever arm along the body axes of the --from system (m)"
+        angles,
+        "--lever-arm",
+        ("X", "Y", "Z"),
+        "lever arm along the body axes of the --from system (m)",
     )
     add_triple_option(
         angles, "--current", ("A", "B", "C"),
@@ -479,7 +482,7 @@ def _add_visibility(commands: "Commands[argparse.ArgumentParser]") -> None:
         help="formats of the figures (default png)",
     )  # fmt: skip
     visibility.add_argument(
-        "--struck", action="store_true",
+        "--hit-beams", action="store_true",
         help="use the beams that hit the board in the presence of the error, as in a real survey, "
              "instead of the beams aimed at it, as in the thesis",
     )  # fmt: skip

@@ -38,7 +38,7 @@ def add_patchtest_command(commands: "Commands[argparse.ArgumentParser]") -> None
         "--lines", nargs="+", metavar="NAME", help="use only pairs of these lines (default: all)"
     )
     patchtest.add_argument(
-        "--keep",
+        "--save",
         action="store_true",
         help="save the result in the project, beside that of the targets",
     )

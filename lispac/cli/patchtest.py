@@ -27,7 +27,7 @@ NUMBERS = (6, 7)
 
 
 def patchtest(arguments: Namespace) -> None:
-    """Run the patch test of a project; ``--keep`` stores the result.
+    """Run the patch test of a project; ``--save`` stores the result.
 
     Raises
     ------
@@ -40,7 +40,7 @@ def patchtest(arguments: Namespace) -> None:
     count = arguments.count if arguments.count is not None else 0 if given else COUNT
     if not given and not count:
         raise UsageError("patchtest: give objects with --object, or detect some with --count.")
-    with opened_project(arguments.project, change=arguments.keep) as project:
+    with opened_project(arguments.project, change=arguments.save) as project:
         with ConsoleProgress() as progress:
             survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.3))
             pairs = _selected_pairs(survey, arguments.pairs or (), arguments.lines)
@@ -57,7 +57,7 @@ def patchtest(arguments: Namespace) -> None:
             found = workflow.find_boresight(
                 project, survey, laid, pairs=pairs, progress=sub_progress(progress, 0.6, 1.0)
             )
-        if arguments.keep:
+        if arguments.save:
             save_project(project.with_alternative_result(patch_test_result(found)))
     if arguments.json:
         print_json(patch_test_values(found))
@@ -97,12 +97,12 @@ def patch_test_values(found: PatchTestResult) -> dict[str, Any]:
         "covariance_deg2": None
         if found.covariance is None
         else (np.degrees(1.0) ** 2 * found.covariance).tolist(),
-        "one_by_one_deg": _values_by_angle(np.degrees(found.one_by_one)),
+        "separate_boresight_deg": _values_by_angle(np.degrees(found.one_by_one)),
         "curvature_m_per_deg": _values_by_angle(np.radians(1.0) * found.curvature),
         "mismatch_before_m": found.mismatch_before if np.isfinite(found.mismatch_before) else None,
         "mismatch_m": found.mismatch,
-        "rounds": found.rounds,
-        "settled": found.converged,
+        "iterations": found.rounds,
+        "converged": found.converged,
         "lines": list(found.lines),
         "objects": [
             {
@@ -110,14 +110,14 @@ def patch_test_values(found: PatchTestResult) -> dict[str, Any]:
                 "pairs": list(each.pairs),
                 "mismatch_m": each.mismatch,
                 "angle": None if each.angle is None else ANGLES[each.angle],
-                "off_deg": float(np.degrees(each.off)),
-                "allowed_deg": float(np.degrees(each.allowed)),
+                "difference_deg": float(np.degrees(each.off)),
+                "limit_deg": float(np.degrees(each.allowed)),
                 "disagrees": each.disagrees,
             }
             for each in found.objects
         ],
-        "unmet": list(found.unmet),
-        "remarks": [english_text(each) for each in found.remarks],
+        "objects_without_pairs": list(found.unmet),
+        "messages": [english_text(each) for each in found.remarks],
     }
 
 

@@ -144,7 +144,7 @@ def target_values(
         lines[line] |= {
             "centre_m": patch.centre.tolist(),
             "sphere_radius_m": patch.sphere.radius,
-            "share_seen": patch.share,
+            "visible_share": patch.share,
         }
     return {
         "name": target.name,
@@ -168,7 +168,7 @@ def _print_target(
     for sighting in target.sightings:
         print(
             f"{target.name} on {sighting.line:20s} {len(sighting.indices):8,} points, "
-            f"RMS {sighting.rms * 1000:.1f} mm, {found[sighting.line].light}"
+            f"RMS {sighting.rms * 1000:.1f} mm, {found[sighting.line].rating}"
         )
         for reason in found[sighting.line].reasons:
             print(f"    {message_text(reason)}")

@@ -34,7 +34,7 @@ def predict(arguments: Namespace) -> None:
                     for (target, line), count in found.points.items()
                 ],
                 "largest_sigma_without_deg": {v.name: sigma_degrees(v.without) for v in valued},
-                "words": list(map(message_text, remarks)),
+                "messages": list(map(message_text, remarks)),
             }
         )
         return

@@ -19,11 +19,11 @@ def add_quality_command(commands: "Commands[argparse.ArgumentParser]") -> None:
     )
     quality.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     quality.add_argument(
-        "--with", dest="which", choices=("prior", "estimated"), default="prior",
+        "--boresight", choices=("prior", "estimated"), default="prior",
         help="boresight used to georeference the lines (default prior: no calibration is needed)",
     )  # fmt: skip
     quality.add_argument(
-        "--reach", type=positive_number, default=1.0, metavar="M",
+        "--search-distance", type=positive_number, default=1.0, metavar="M",
         help="largest distance between lines to compare (m; default 1)",
     )  # fmt: skip
     quality.add_argument(

@@ -22,8 +22,8 @@ def replay(arguments: Namespace) -> None:
     if arguments.json:
         rows = {
             "planned": found.planned,
-            "sailed": found.sailed,
-            "as_flat": found.as_flat,
+            "surveyed": found.sailed,
+            "surveyed_with_form_error": found.as_flat,
             "obtained": found.obtained,
         }
         values: dict[str, object] = {
@@ -33,7 +33,7 @@ def replay(arguments: Namespace) -> None:
         values["flatness_m"] = list(found.flatness)
         values["missing_targets"] = list(found.missing_targets)
         values["missing_lines"] = [line.name for line in found.missing_lines]
-        print_json(values | {"words": [str(each) for each in (*found.off_plan, *found.costs)]})
+        print_json(values | {"messages": [str(each) for each in (*found.off_plan, *found.costs)]})
         return
     print(f"{'standard deviation (deg)':38s}" + "".join(f"{angle:>9s}" for angle in ANGLES))
     for name, *cells in found.rows:

@@ -19,7 +19,7 @@ def script(arguments: Namespace) -> None:
     if arguments.output is not None:
         save_script(made, arguments.output)
     if arguments.json:
-        print_json({"script": made.text, "remarks": list(map(message_text, made.remarks))})
+        print_json({"script": made.text, "messages": list(map(message_text, made.remarks))})
     else:
         print(made.text if arguments.output is None else arguments.output, end="")
         if arguments.output is not None:

@@ -19,8 +19,10 @@ def sensors(arguments: Namespace) -> None:
         print_json(
             {
                 "folder": str(folder),
-                "scanners": {s.name: {**asdict(s.figures), "own": s.own} for s in found.scanners},
-                "pos": {s.name: {**asdict(s.figures), "own": s.own} for s in found.pos},
+                "scanners": {
+                    s.name: {**asdict(s.figures), "user_defined": s.own} for s in found.scanners
+                },
+                "pos": {s.name: {**asdict(s.figures), "user_defined": s.own} for s in found.pos},
             }
         )
         return

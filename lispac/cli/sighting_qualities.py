@@ -15,19 +15,19 @@ def quality_values(quality: SightingQuality) -> dict[str, Any]:
     """Quality of a sighting as plain values, in degrees and metres."""
     incidence, extent = quality.incidence, quality.extent
     return {
-        "light": quality.light,
+        "rating": quality.rating,
         "reasons": list(map(english_text, quality.reasons)),
         "points": quality.points,
         "rms_m": quality.rms,
-        "smear_of_prior_m": quality.smear,
+        "boresight_error_rms_m": quality.smear,
         "range_m": quality.range,
         "density_per_m2": quality.density,
         "incidence_deg": None if incidence is None else float(np.degrees(incidence)),
         "extent_m": None if extent is None else [float(side) for side in extent],
         "coverage": quality.coverage,
-        "share_shown": quality.share_shown,
+        "visible_share": quality.visible_share,
         "curvature_m": quality.curvature,
-        "unevenness_m": quality.unevenness,
+        "roughness_m": quality.roughness,
     }
 
 
@@ -41,10 +41,10 @@ def quality_list(found: Mapping[Key, SightingQuality]) -> list[dict[str, Any]]:
 
 def print_weak_sightings(found: Mapping[Key, SightingQuality]) -> None:
     """Print the sightings that are not good, the poor ones first."""
-    listed = [(key, quality) for key, quality in found.items() if quality.light != "good"]
+    listed = [(key, quality) for key, quality in found.items() if quality.rating != "good"]
     if not listed:
         return
     print("\nSightings of doubtful or poor quality:")
-    for (target, line), quality in sorted(listed, key=lambda each: each[1].light != "poor"):
+    for (target, line), quality in sorted(listed, key=lambda each: each[1].rating != "poor"):
         reasons = map(message_text, quality.reasons)
-        print(f"- {target} on {line}: {' '.join((f'{quality.light.capitalize()}.', *reasons))}")
+        print(f"- {target} on {line}: {' '.join((f'{quality.rating.capitalize()}.', *reasons))}")

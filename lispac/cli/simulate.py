@@ -24,7 +24,7 @@ def simulate(arguments: Namespace) -> None:
         raise UsageError("simulate: give SCENE and --output DIR, or --list.")
     errors: dict[str, Any] = {
         "boresight_deg": arguments.boresight,
-        "lever_arm": arguments.lever_error,
+        "lever_arm": arguments.lever_arm_error,
         "range_offset": arguments.range_offset,
         "scan_angle_offset_deg": arguments.scan_angle_offset,
         "latency": arguments.latency,

@@ -58,7 +58,7 @@ def add_simulate_command(commands: "Commands[argparse.ArgumentParser]") -> None:
     )  # fmt: skip
     add_triple_option(
         simulate,
-        "--lever-error",
+        "--lever-arm-error",
         ("X", "Y", "Z"),
         "true lever arm minus the lever arm written to the project (m)",
     )

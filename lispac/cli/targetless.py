@@ -13,37 +13,37 @@ from lispac.workflow.targetless import targetless as find
 
 
 def targetless(arguments: Namespace) -> None:
-    """Estimate the boresight from natural surfaces; ``--keep`` stores it.
+    """Estimate the boresight from natural surfaces; ``--save`` stores it.
 
     Raises
     ------
     UsageError
         Where options do not go together.
     """
-    if arguments.keep and arguments.with_targets:
+    if arguments.save and arguments.with_targets:
         raise UsageError(
-            "targetless: a result that uses the targets is not independent of them; omit --keep "
+            "targetless: a result that uses the targets is not independent of them; omit --save "
             "or --with-targets."
         )
-    with opened_project(arguments.project, change=arguments.keep) as project:
+    with opened_project(arguments.project, change=arguments.save) as project:
         with ConsoleProgress() as progress:
             survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.3))
             found = find(
                 project, survey, with_targets=arguments.with_targets,
                 progress=sub_progress(progress, 0.3, 1.0),
             )  # fmt: skip
-        if arguments.keep:
+        if arguments.save:
             save_project(project.with_alternative_result(targetless_result(found)))
     if arguments.json:
         print_json(
             result_values(found.result, None)
             | {
-                "rounds": found.rounds,
-                "settled": found.converged,
+                "iterations": found.rounds,
+                "converged": found.converged,
                 "candidates": found.candidates,
                 "targets": found.targets,
                 "disagreeing_lines": list(found.disagreeing),
-                "remarks": [english_text(each) for each in found.remarks],
+                "messages": [english_text(each) for each in found.remarks],
             }
         )
         return

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 
 from lispac.adjustment.display_text import to_plain_text
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
+from lispac.cli.warnings_json import warnings_as_json
 from lispac.duplicate_targets import project_warnings
 from lispac.io.value_conversion import encode_value
 from lispac.message_texts import english_text, message_text
@@ -48,7 +49,7 @@ def validate(arguments: Namespace) -> None:
                 "not_compared": {
                     name: english_text(why) for name, why in project.not_compared.items()
                 },
-                "doubts": [to_plain_text(message_text(each)) for each in project_warnings(project)],
+                "warnings": warnings_as_json(project_warnings(project)),
             }
         )
     else:

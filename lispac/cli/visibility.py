@@ -34,7 +34,7 @@ def visibility(arguments: Namespace) -> None:
             f"{', '.join(error.replace('_', '-') for error in site.errors)} only"
         )
     with ConsoleProgress() as progress:
-        found = study(site, "struck" if arguments.struck else "aimed", progress=progress)
+        found = study(site, "struck" if arguments.hit_beams else "aimed", progress=progress)
         written = write_visibility(
             found, arguments.output, errors, arguments.formats, progress=progress
         )
@@ -44,7 +44,7 @@ def visibility(arguments: Namespace) -> None:
                 "site": site.name,
                 "beams": found.beams,
                 "best": [_best_values(found.best_configuration(error)) for error in errors],
-                "thesis": [] if arguments.struck else [
+                "thesis": [] if arguments.hit_beams else [
                     _thesis_values(each)
                     for each in compare_with_thesis(found)
                     if each.best.error in errors
@@ -53,7 +53,7 @@ def visibility(arguments: Namespace) -> None:
             }
         )  # fmt: skip
         return
-    if not arguments.struck:
+    if not arguments.hit_beams:
         _print_table(comparison_table(found, errors))
         print(all_errors_text(found))
     print(f"{len(written)} files in {arguments.output}")
@@ -63,7 +63,7 @@ def _best_values(best: BestConfiguration) -> dict[str, Any]:
     chosen = best.inclination
     return {
         "error": best.error,
-        "kept_deg": [round(float(np.degrees(each))) for each in best.kept],
+        "suitable_inclinations_deg": [round(float(np.degrees(each))) for each in best.kept],
         "inclination_deg": None if chosen is None else round(float(np.degrees(chosen))),
         "groups_of_lines_deg": best.groups,
     }

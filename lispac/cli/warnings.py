@@ -1,14 +1,12 @@
 """``lispac warnings``: all warnings about a project, as the window lists them."""
 
 from argparse import Namespace
-from dataclasses import asdict
 
 from lispac.adjustment.display_text import to_plain_text
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.warnings_json import warnings_as_json
 from lispac.message_texts import message_text
 from lispac.progress import sub_progress
-from lispac.warning_causes import RESULT
 from lispac.workflow.projects import open_project
 from lispac.workflow.sighting_assessment import sighting_qualities
 from lispac.workflow.survey import load_survey
@@ -23,15 +21,7 @@ def warnings(arguments: Namespace) -> None:
         judged = sighting_qualities(project, survey, progress=sub_progress(progress, 0.6, 1.0))
     found = warnings_of(project, survey, judged)
     if arguments.json:
-        values = [
-            {
-                "severity": "serious" if each.is_serious else "caution",
-                "cause": asdict(each.subject or RESULT),
-                **as_json,
-            }
-            for each, as_json in zip(found, warnings_as_json(found), strict=True)
-        ]
-        print_json({"warnings": values})
+        print_json({"warnings": warnings_as_json(found)})
         return
     if not found:
         print("No warnings.")

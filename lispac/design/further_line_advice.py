@@ -82,7 +82,7 @@ def _predicted_sigmas(
 ) -> Array:
     """Sigmas (radians) of roll, pitch, yaw that the observations would give, shape (3,)."""
     shapes = np.stack([target.plane for target in result.targets])
-    suspects = set(result.suspects)
+    suspects = set(result.rejected_sightings)
     released = [k for k, s in enumerate(observations.sightings) if s in suspects]
     problem = AdjustmentProblem.of(observations, result.mounting, result.model, parameters)
     noise = np.array([target.noise for target in result.targets])
@@ -193,7 +193,7 @@ def _add_simulated_line(
 ) -> tuple[Observations, float, bool] | None:
     """Observations with a line added, distance to the targets, and whether to starboard."""
     places = points_local(observations, result.mounting)
-    suspects = set(result.suspects)
+    suspects = set(result.rejected_sightings)
     seen = [_best_sighting(observations, k, suspects) for k in range(len(observations.targets))]
     vessel = np.stack([observations.position[own].mean(axis=0) for own in seen])
     centres = np.stack([places[own].mean(axis=0) for own in seen])

@@ -321,12 +321,12 @@ class PatchTestController(QObject):
         if project is None or self._answer is None:
             return
         try:
-            opinion = patch_test_result(self._answer)
+            alternative = patch_test_result(self._answer)
         except LispacError as error:
             self._controller.refused.emit(error)
             return
         self._document.edit(
-            N_("result of the patch test"), project.with_alternative_result(opinion)
+            N_("result of the patch test"), project.with_alternative_result(alternative)
         )
         self._controller.noted.emit(
             gettext("The result of the patch test was added to the project.")

@@ -72,10 +72,10 @@ def sniff_exail(path: Path) -> float:
 
 def sniff_exail_accuracy(path: Path) -> float:
     """Likelihood of such an export with all standard deviations."""
-    sureness = sniff_exail(path)
-    if not sureness:
+    confidence = sniff_exail(path)
+    if not confidence:
         return NOT
-    return sureness if has_sigmas(exail_layout(path).columns) else NOT
+    return confidence if has_sigmas(exail_layout(path).columns) else NOT
 
 
 def exail_layout(path: Path) -> TextLayout:

@@ -81,6 +81,6 @@ def recognise_formats(path: Path, kind: Kind) -> list[tuple[FileFormat, float]]:
     found = [(format, format.sniff(path)) for format in formats_of(kind)]
     ending = path.suffix.lower()
     return sorted(
-        ((format, sureness) for format, sureness in found if sureness > NOT),
+        ((format, confidence) for format, confidence in found if confidence > NOT),
         key=lambda pair: (-pair[1], ending not in pair[0].endings),
     )

@@ -81,25 +81,25 @@ def read_site(path: Path) -> tuple[str, Site]:
         wall = Wall((0.0, 0.0, 0.0), table.number("facing_deg", 270.0))
         system, flatness = _read_system(table)
         natural = _read_targets(table, wall, "natural", "natural_balls")
-        with table.table("hang") as hang:
-            count = _read_whole_number(hang, "boards", 2, least=0, most=6)
-            along = hang.numbers("along_m", None, Site.along)
-            heights = hang.numbers("up_m", None, Site.heights)
-            leans = hang.numbers(
-                "from_level_deg", None, Site.inclinations_deg, least=0.0, most=180.0
+        with table.table("board_choices") as boards:
+            count = _read_whole_number(boards, "boards", 2, least=0, most=6)
+            along = boards.numbers("along_m", None, Site.along)
+            heights = boards.numbers("up_m", None, Site.heights)
+            leans = boards.numbers(
+                "inclination_deg", None, Site.inclinations_deg, least=0.0, most=180.0
             )
-            width = hang.numbers("width_m", None, (Site.sizes[0][0],), least=0.05)
-            tall = hang.numbers("height_m", None, (Site.sizes[0][1],), least=0.05)
+            width = boards.numbers("width_m", None, (Site.sizes[0][0],), least=0.05)
+            tall = boards.numbers("height_m", None, (Site.sizes[0][1],), least=0.05)
             if len(width) != len(tall):
-                raise hang.refuse(
+                raise boards.refuse(
                     "height_m", "plan.sizes_differ", widths=len(width), heights=len(tall)
                 )
-        with table.table("sail") as sail:
-            lines = _read_whole_number(sail, "lines", 6, least=2, most=12)
-            headings = sail.numbers("headings_deg", None, Site.headings_deg)
-            distances = sail.numbers("distances_m", None, Site.distances, least=1.0)
-            speeds = sail.numbers("speeds_m_s", None, Site.speeds, least=0.05)
-            closest = sail.number("closest_m", Site.closest, least=0.0)
+        with table.table("line_choices") as choices:
+            lines = _read_whole_number(choices, "lines", 6, least=2, most=12)
+            headings = choices.numbers("headings_deg", None, Site.headings_deg)
+            distances = choices.numbers("distances_m", None, Site.distances, least=1.0)
+            speeds = choices.numbers("speeds_m_s", None, Site.speeds, least=0.05)
+            closest = choices.number("closest_m", Site.closest, least=0.0)
         with table.table("time") as time:
             on_site = time.number("on_site_min", Site.time_on_site, over=0.0)
             per_line = time.number("per_line_min", Site.minutes_per_line, over=0.0)
@@ -161,7 +161,7 @@ def _read_targets(
                 each.text("name"),
                 each.number("along_m"),
                 each.number("up_m"),
-                each.number("from_level_deg", 90.0, least=0.0, most=180.0),
+                each.number("inclination_deg", 90.0, least=0.0, most=180.0),
                 (
                     each.number("width_m", 1.23, least=0.05),
                     each.number("height_m", 1.22, least=0.05),
@@ -206,7 +206,7 @@ def _plan_text(titled: TitledPlan) -> str:
     system, scanner, pos = plan.system, plan.system.scanner, plan.system.pos
     rows = [
         "# A plan. Along the wall to the right as seen from the water, off it towards the water,",
-        "# up from the vessel's POS; from_level_deg 90 is upright, less leans back.",
+        "# up from the vessel's POS; inclination_deg 90 is upright, less leans back.",
         f"title = {toml_string(titled.title)}",
         f"facing_deg = {_number_text(wall.facing_deg)}",
         f"minutes_per_line = {_number_text(plan.interval / 60)}",
@@ -237,7 +237,7 @@ def _plan_text(titled: TitledPlan) -> str:
         if isinstance(target, Board):
             lean, azimuth = wall.board_orientation(target)
             rows += [
-                f"from_level_deg = {_number_text(lean)}",
+                f"inclination_deg = {_number_text(lean)}",
                 f"facing_deg = {_number_text(azimuth)}",
             ]
             rows += [

@@ -56,10 +56,10 @@ def sniff_pospac(path: Path) -> float:
 
 def sniff_pospac_accuracy(path: Path) -> float:
     """Likelihood of such an export with all standard deviations."""
-    sureness = sniff_pospac(path)
-    if not sureness:
+    confidence = sniff_pospac(path)
+    if not confidence:
         return NOT
-    return sureness if has_sigmas(pospac_layout(path).columns) else NOT
+    return confidence if has_sigmas(pospac_layout(path).columns) else NOT
 
 
 def pospac_layout(path: Path) -> TextLayout:

@@ -49,9 +49,9 @@ def require_consistent(project: Project) -> None:
                 raise InvalidContentError(
                     error("content.invalid_sighting", target=target.name, line=sighting.line)
                 )
-    for opinion in project.opinions:
-        if not opinion.is_sound():
-            raise InvalidContentError(error("content.invalid_angles", method=opinion.method))
+    for alternative in project.alternative_results:
+        if not alternative.is_sound():
+            raise InvalidContentError(error("content.invalid_angles", method=alternative.method))
     for message in _stored_messages(project):
         if not has_text(message):
             raise InvalidContentError(error("content.unknown_message", code=message.code))
@@ -66,13 +66,13 @@ def _stored_messages(project: Project) -> Iterator[Message]:
     reasons: list[Message | None] = []
     if result is not None:
         reasons += [each.reason for each in result.parameters]
-        yield from () if result.observability is None else result.observability.remarks
+        yield from () if result.observability is None else result.observability.messages
     if checks is not None:
         reasons += [part.reason for part in checks.parts]
     yield from (reason for reason in reasons if reason is not None)
     yield from () if project.absolute is None else project.absolute.not_compared
-    for opinion in project.opinions:
-        yield from opinion.remarks
+    for alternative in project.alternative_results:
+        yield from alternative.messages
 
 
 def require_unique_names(project: Project) -> None:

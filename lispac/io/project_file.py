@@ -365,7 +365,7 @@ def _encode_project(project: Project, index_files: dict[str, str]) -> dict[str, 
         "validation": [encode_value(each) for each in project.validation],
         "not_compared": {name: encode_value(why) for name, why in project.not_compared.items()},
         "absolute": encode_value(project.absolute),
-        "opinions": [encode_value(each) for each in project.opinions],
+        "alternative_results": [encode_value(each) for each in project.alternative_results],
         "data_messages": [encode_value(each) for each in project.data_messages],
         "truth_deg": project.truth_deg,
     }
@@ -400,7 +400,9 @@ def _decode_project(folder: Path, content: dict[str, Any], points: Points) -> Pr
         absolute=decode_value(absolute, AbsoluteCheck)
         if (absolute := content.get("absolute"))
         else None,
-        opinions=tuple(decode_value(each, AlternativeResult) for each in content["opinions"]),
+        alternative_results=tuple(
+            decode_value(each, AlternativeResult) for each in content["alternative_results"]
+        ),
         data_messages=tuple(
             message
             for each in decode_value(content.get("data_messages", []), list[dict[str, Any]])

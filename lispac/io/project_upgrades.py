@@ -3,12 +3,13 @@
 from collections.abc import Callable
 from typing import Any
 
+from lispac.former_names import renamed_keys
 from lispac.messages import error
 from lispac.untrusted_values import InvalidContentError
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 9
+SCHEMA_VERSION = 10
 
 
 def upgrade_content(content: Content) -> Content:
@@ -152,6 +153,43 @@ def _former_text(text: Any) -> Content:
     return {"code": "project.former_text", "level": "note", "params": {"reason": text}}
 
 
+_PLANE_NAMES_FROM_9 = {
+    "strays": "outliers",
+    "turn_level": "rotation_horizontal_axis",
+    "turn_level_95": "rotation_horizontal_axis_95",
+    "turn_upright": "rotation_slope_axis",
+    "turn_upright_95": "rotation_slope_axis_95",
+}
+_NAMES_FROM_9 = {
+    "": {"opinions": "alternative_results"},
+    "settings": {"accept_one_facing": "accept_single_orientation"},
+    "result": {
+        "left_out": "excluded_outliers",
+        "raised": "angle_sigma_factors",
+        "stated_times": "given_correlation_times",
+    },
+    "result.observability": {"remarks": "messages"},
+    "result.reliability": {"strays": "outliers", "released": "rejected"},
+    "result.contradictions": {"moved": "angle_change", "surface": "surface_sigma"},
+    "result.causes": {"moved": "angle_change"},
+    "cross_checks.parts": {"without": "part"},
+    "validation.pairs.before.planes": _PLANE_NAMES_FROM_9,
+    "validation.pairs.after.planes": _PLANE_NAMES_FROM_9,
+    "absolute": {
+        "reach": "search_distance",
+        "together": "all_lines",
+        "others": "other_surfaces",
+    },
+    "opinions": {"remarks": "messages"},
+}
+"""New names of fields by those of version 9, by the place of their table."""
+
+
+def _upgrade_from_9(content: Content) -> Content:
+    """Upgrade to version 10, whose fields have the standard terms."""
+    return renamed_keys(content, _NAMES_FROM_9) | {"schema_version": 10}
+
+
 _UPGRADES: dict[int, Callable[[Content], Content]] = {
     1: _upgrade_from_1,
     2: _upgrade_from_2,
@@ -161,4 +199,5 @@ _UPGRADES: dict[int, Callable[[Content], Content]] = {
     6: _upgrade_from_6,
     7: _upgrade_from_7,
     8: _upgrade_from_8,
+    9: _upgrade_from_9,
 }

@@ -19,7 +19,7 @@ def read_scanner(path: Path) -> tuple[str, Scanner]:
     """
     with TomlTable.read(path, "scanner") as table:
         title = table.text("title")
-        table.text("source", ""), table.boolean("from_memory", False)  # for the sensor library
+        table.text("source", ""), table.boolean("unverified", False)  # for the sensor library
         axis = cast(Axis, table.one_of("axis", ("x", "z"), "x"))
         first, last = np.radians(table.numbers("window_deg", 2, least=-360, most=360))
         if not 0 < last - first <= 2 * np.pi + 1e-12:

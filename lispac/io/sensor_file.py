@@ -24,7 +24,7 @@ class ScannerSpecification:
     angle_sigma_deg : degrees, of the direction of the beam, both ways across it
     divergence_mrad : milliradians, full angle
     source : where the figures come from
-    from_memory : whether nobody has held them against the source
+    unverified : whether nobody has held them against the source
     """
 
     title: str
@@ -32,7 +32,7 @@ class ScannerSpecification:
     angle_sigma_deg: float
     divergence_mrad: float
     source: str
-    from_memory: bool = False
+    unverified: bool = False
 
 
 @dataclass(frozen=True)
@@ -45,14 +45,14 @@ class PosAccuracy:
     position_sigma : metres, north, east, down
     attitude_sigma_deg : degrees, roll, pitch, heading
     source : where the figures come from
-    from_memory : whether nobody has held them against the source
+    unverified : whether nobody has held them against the source
     """
 
     name: str
     position_sigma: Triple
     attitude_sigma_deg: Triple
     source: str
-    from_memory: bool = False
+    unverified: bool = False
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ def read_scanner_specification(path: Path, *, whole: bool = True) -> ScannerSpec
             table.number("angle_sigma_deg", over=0, most=10),
             table.number("divergence_mrad", least=0, most=100),
             table.text("source"),
-            table.boolean("from_memory", False),
+            table.boolean("unverified", False),
         )
         if not whole:
             table.ignore_rest()
@@ -112,7 +112,7 @@ def read_pos_specification(path: Path) -> PosSpecification:
                         _read_sigmas(part, "position_m", 100),
                         _read_sigmas(part, "attitude_deg", 90),
                         part.text("source"),
-                        part.boolean("from_memory", False),
+                        part.boolean("unverified", False),
                     )
                 )
         if not states:
@@ -159,7 +159,7 @@ def write_specification(path: Path, figures: Figures) -> None:
 def _origin_lines(figures: ScannerSpecification | PosAccuracy) -> list[str]:
     return [
         f"source = {toml_string(figures.source)}",
-        f"from_memory = {str(figures.from_memory).lower()}",
+        f"unverified = {str(figures.unverified).lower()}",
     ]
 
 

@@ -10,6 +10,7 @@ from typing import Any
 from unicodedata import category
 
 from lispac.errors import InputError
+from lispac.former_names import warn_of_former_key
 from lispac.io.files import require_file
 from lispac.messages import Level, Message, Value, error
 from lispac.untrusted_values import (
@@ -20,6 +21,13 @@ from lispac.untrusted_values import (
     toml_values,
 )
 
+FORMER_KEYS = {
+    "from_level_deg": "inclination_deg",
+    "from_memory": "unverified",
+    "hang": "board_choices",
+    "sail": "line_choices",
+}
+"""New keys by former ones, which are accepted for one version."""
 NOTHING: Any = object()
 """No default: the key has to be there."""
 LONGEST_SHOWN = 60
@@ -33,7 +41,7 @@ class TomlTable:
 
     def __init__(self, path: Path, values: Mapping[str, Any], place: str = "") -> None:
         self.path = path
-        self._values = values
+        self._values = _with_present_keys(path, values)
         self._place = place
         self._known: set[str] = set()
 
@@ -200,6 +208,14 @@ class TomlTable:
                 raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=bound)
             raise self.refuse(key, "toml.below_minimum", value=f"{value:g}", least=bound)
         return float(value)
+
+
+def _with_present_keys(path: Path, values: Mapping[str, Any]) -> dict[str, Any]:
+    """Values with their former keys replaced; a warning names each."""
+    former = [key for key in values if key in FORMER_KEYS and FORMER_KEYS[key] not in values]
+    for key in former:
+        warn_of_former_key(str(path), key, FORMER_KEYS[key])
+    return {FORMER_KEYS[key] if key in former else key: each for key, each in values.items()}
 
 
 def _shortened_text(value: Any) -> str:

@@ -31,6 +31,19 @@ TEXTS: Mapping[str, Template] = {
         "{project}: no method has estimated the boresight angles. Run lispac estimate, or use "
         "--compute to run the alternative methods."
     ),
+    # -- former names, accepted for one version ---------------------------------------------------
+    "former_name.option": N_(
+        "The option {former} is now called {name}. The former name will be removed in the next "
+        "version; use the new one."
+    ),
+    "former_name.script": N_(
+        "“{former}” is now called “{name}”. The former name will be removed in the next version; "
+        "change the script."
+    ),
+    "former_name.key": N_(
+        "{file}: the key {former} is now called {name}. The former name will be removed in the "
+        "next version; change the file."
+    ),
     # -- scripts -------------------------------------------------------------------------------
     "script.place_or_point": N_(
         "{name}: give either a position or a point of a line as the seed of a target, not both or "

@@ -59,7 +59,7 @@ TEXTS: Mapping[str, Template] = {
         "deviation)"
     ),
     "item.halves": N_(
-        "first minus second half of the data ({angle} {difference:deg.4+} deg, {ratio:x.1} times "
+        "second minus first half of the data ({angle} {difference:deg.4+} deg, {ratio:x.1} times "
         "its standard deviation)"
     ),
     "suspect.heights": N_("heights"),

@@ -21,8 +21,8 @@ def reference_distance_figure(found: AbsoluteCheckValues, figure: Figure | None 
     edges = 1000 * np.asarray(found.bin_edges_m)
     legend: list[str] = []
     for template, colour, counts, each in (
-        (_BEFORE, BEFORE, found.counts_before, found.together.before),
-        (_AFTER, AFTER, found.counts_after, found.together.after),
+        (_BEFORE, BEFORE, found.counts_before, found.all_lines.before),
+        (_AFTER, AFTER, found.counts_after, found.all_lines.after),
     ):
         values = np.asarray(counts)
         legend.append(

@@ -51,9 +51,9 @@ def absolute_check_blocks(content: ReportContent) -> list[Block]:
         return []
     blocks: list[Block] = [
         Paragraph(_reference_text(found)),
-        Paragraph(gettext(DISTANCES, reach=shortest_number(found.reach_m))),
+        Paragraph(gettext(DISTANCES, reach=shortest_number(found.search_distance_m))),
         _distance_table(found),
-        Bullets(tuple(map(sentence_text, found.in_words))),
+        Bullets(tuple(map(sentence_text, found.messages))),
     ]
     caption = gettext(
         "Distances of all lines from the reference, before and after the calibration."
@@ -95,7 +95,7 @@ def _distance_table(found: AbsoluteCheckValues) -> Table:
         Column(gettext("Mean\nsignificant")),
     )  # fmt: skip
     cells = []
-    for line in (*found.lines, found.together):
+    for line in (*found.lines, found.all_lines):
         for state, against in ((gettext("before"), line.before), (gettext("after"), line.after)):
             cells.append([_line_label(line.line), state, *_statistics_cells(against)])
     title = gettext("Distances of the lines from the reference (mm)")
@@ -129,7 +129,7 @@ def _uncertainty_table(found: AbsoluteCheckValues) -> Table:
         Column(gettext("Expected\nRMS")), Column(gettext("RMS share due\nto the reference")),
     )  # fmt: skip
     cells = []
-    for line in (*found.lines, found.together):
+    for line in (*found.lines, found.all_lines):
         sigma = line.after.mean_sigma
         cells.append(
             [

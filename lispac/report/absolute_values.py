@@ -94,15 +94,15 @@ class AbsoluteCheckValues:
     kind: str
     system: str
     reference_sigma_m: float
-    reach_m: float
+    search_distance_m: float
     lines: tuple[LineReferenceDistances, ...]
-    together: LineReferenceDistances
+    all_lines: LineReferenceDistances
     points: tuple[SurveyedPoint, ...]
     not_compared: tuple[Message, ...]
     bin_edges_m: tuple[float, ...]
     counts_before: tuple[int, ...]
     counts_after: tuple[int, ...]
-    in_words: tuple[Message, ...]
+    messages: tuple[Message, ...]
 
     @classmethod
     def of(cls, check: AbsoluteCheck) -> "AbsoluteCheckValues":
@@ -112,9 +112,9 @@ class AbsoluteCheckValues:
             kind=check.kind,
             system=check.system,
             reference_sigma_m=check.sigma,
-            reach_m=check.reach,
+            search_distance_m=check.search_distance,
             lines=tuple(map(LineReferenceDistances.of, check.lines)),
-            together=LineReferenceDistances.of(check.together),
+            all_lines=LineReferenceDistances.of(check.all_lines),
             points=tuple(
                 SurveyedPoint(p.name, p.lines, p.sigma, p.before, p.after, p.interval_95)
                 for p in check.points
@@ -123,5 +123,5 @@ class AbsoluteCheckValues:
             bin_edges_m=check.bin_edges,
             counts_before=check.counts_before,
             counts_after=check.counts_after,
-            in_words=absolute_check_remarks(check),
+            messages=absolute_check_remarks(check),
         )

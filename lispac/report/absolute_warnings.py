@@ -23,7 +23,7 @@ def absolute_check_warnings(found: AbsoluteCheckValues | None) -> Iterator[Messa
     """
     if found is None:
         return
-    after = found.together.after
+    after = found.all_lines.after
     if after.mean_significant:
         mean = after.signed.mean_m
         yield warning(

@@ -88,7 +88,7 @@ def _fit_table(content: ReportContent, adjustment: AdjustmentValues) -> Table:
             (gettext("Degrees of freedom"), grouped_number(adjustment.degrees_of_freedom)),
             (gettext("Variance factor"), _variance_factor_text(content, adjustment)),
             (gettext("Chi-square test at 95 %"), statistic),
-            ("", gettext(test.in_words)),
+            ("", gettext(test.text)),
             (
                 gettext("RMS before calibration"),
                 gettext("{rms:mm.1} mm", rms=adjustment.rms_before_m),
@@ -97,7 +97,7 @@ def _fit_table(content: ReportContent, adjustment: AdjustmentValues) -> Table:
                 gettext("RMS after calibration"),
                 gettext("{rms:mm.1} mm; POS errors not removed", rms=adjustment.rms_after_m),
             ),
-            (gettext("Model of the POS errors"), gettext(content.settings.pos_errors_in_words)),
+            (gettext("Model of the POS errors"), gettext(content.settings.pos_errors_text)),
         ],
     )
 
@@ -202,7 +202,7 @@ def _observability_blocks(content: ReportContent, found: ObservabilityValues) ->
     )
     blocks: list[Block] = [
         Paragraph(gettext("Observability of the angles on these lines:")),
-        Bullets((*map(sentence_text, found.in_words), condition)),
+        Bullets((*map(sentence_text, found.messages), condition)),
     ]
     if found.sigma_without_line_deg:
         deg = degrees_unit()
@@ -242,9 +242,9 @@ def _displacement_table(adjustment: AdjustmentValues) -> Table:
 
 
 def _point_count_text(adjustment: AdjustmentValues) -> str:
-    if not adjustment.left_out:
+    if not adjustment.excluded_outliers:
         return grouped_number(adjustment.points)
-    return gettext(OUTLIERS_LEFT_OUT, points=adjustment.points, count=adjustment.left_out)
+    return gettext(OUTLIERS_LEFT_OUT, points=adjustment.points, count=adjustment.excluded_outliers)
 
 
 def _effect_name(angle: str) -> str:

@@ -13,7 +13,7 @@ def budget_blocks(found: ErrorBudgetValues) -> list[Block]:
     return [
         *blocks,
         Paragraph(gettext("Assumptions of the error budget:")),
-        Bullets(tuple(map(message_text, found.in_words))),
+        Bullets(tuple(map(message_text, found.messages))),
     ]
 
 

@@ -65,7 +65,7 @@ class ErrorBudgetValues:
 
     distances_m: tuple[float, ...]
     beams: tuple[BeamErrors, ...]
-    in_words: tuple[Message, ...]
+    messages: tuple[Message, ...]
 
     @classmethod
     def of(cls, values: ErrorBudget) -> "ErrorBudgetValues":

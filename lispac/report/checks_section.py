@@ -125,7 +125,7 @@ def _test_table(found: Sequence[SightingCheck]) -> Table:
                 format_known(s.w, lambda v: signed_number(v, 1)),
                 format_known(s.detectable_m, millimetres),
                 *([UNKNOWN] * 3 if s.effect_deg is None else [angle_text(v) for v in s.effect_deg]),
-                gettext(STANDINGS[s.in_words]),
+                gettext(STANDINGS[s.status]),
             ]
             for s in found
         ),
@@ -150,7 +150,7 @@ def _point_table(found: Sequence[SightingCheck]) -> Table:
                 s.line,
                 grouped_number(s.points),
                 fixed_number(s.redundancy, 2),
-                fixed_number(s.strays, 0),
+                fixed_number(s.outliers, 0),
                 fixed_number(s.largest_w, 1),
                 format_known(s.largest_w_time_s, lambda v: fixed_number(v, 3)),
             ]
@@ -162,12 +162,12 @@ def _point_table(found: Sequence[SightingCheck]) -> Table:
 def _sighting_remarks(found: Sequence[SightingCheck]) -> list[Block]:
     remarks = []
     for sighting in found:
-        if sighting.released:
+        if sighting.rejected:
             template = N_(
                 "{target} on line {line} disagrees with all other sightings. It was rejected and "
                 "does not affect the result."
             )
-        elif sighting.in_words == "disagrees":
+        elif sighting.status == "disagrees":
             template = N_(
                 "{target} on line {line} disagrees but was not rejected: the target has too few "
                 "other sightings, or no loss function is used."
@@ -178,7 +178,7 @@ def _sighting_remarks(found: Sequence[SightingCheck]) -> list[Block]:
     unchecked = [
         gettext("{target} on line {line}", target=s.target, line=s.line)
         for s in found
-        if s.in_words == "not checked"
+        if s.status == "not checked"
     ]
     if unchecked:
         remarks.append(

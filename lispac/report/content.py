@@ -117,7 +117,7 @@ def report_content(
         for line in project.lines
     )
     edited = {(t.name, s.line) for t in project.targets for s in t.sightings if s.by_hand}
-    methods = method_results(project) if project.opinions else ()
+    methods = method_results(project) if project.alternative_results else ()
     content = ReportContent(
         program=f"LISPAC {lispac.__version__}",
         generated=stamp.isoformat(timespec="seconds"),
@@ -125,7 +125,7 @@ def report_content(
         identity=project.identity,
         calibrated=project.result is not None,
         simulated=project.truth_deg is not None,
-        cautions=(),
+        warnings=(),
         angles=_angle_values(project),
         adjustment=_adjustment_values(project.result, headings_deg) if project.result else None,
         cross_checks=cross_check_values(project.cross_checks),
@@ -147,10 +147,10 @@ def report_content(
         budget=None if budget is None else ErrorBudgetValues.of(budget),
         trajectory=tuple(trajectory),
         methods=tuple(MethodValues.of(each) for each in methods),
-        methods_in_words=comparison_remarks(methods),
+        method_messages=comparison_remarks(methods),
     )
     also = (outdated_result_warning(refused),) if refused else ()
-    return replace(content, cautions=report_warnings(content, all_warnings(project, also)))
+    return replace(content, warnings=report_warnings(content, all_warnings(project, also)))
 
 
 def _input_files(project: Project, progress: Progress) -> tuple[InputFile, ...]:
@@ -214,7 +214,7 @@ def _adjustment_values(
     per_target = [s.sighting.target for s in result.sightings]
     steep = result.mounting.axes is not None
     return AdjustmentValues(
-        rotation_in_words=orientation_text(result.angles) if steep else LazyText(""),
+        rotation_text=orientation_text(result.angles) if steep else LazyText(""),
         correlation=tuple(tuple(map(float, row)) for row in result.correlation),
         estimated=result.estimated,
         correlation_all=tuple(tuple(map(float, row)) for row in result.correlation_all),
@@ -228,7 +228,7 @@ def _adjustment_values(
         chi_square=_chi_square_values(result),
         iterations=result.iterations,
         points=result.points,
-        left_out=result.left_out,
+        excluded_outliers=result.excluded_outliers,
         rms_before_m=result.rms_before,
         rms_after_m=result.rms_after,
         effect_distances_m=EFFECT_DISTANCES_M,
@@ -247,7 +247,7 @@ def _adjustment_values(
             )
             for t in result.targets
         ),
-        one_facing=have_one_orientation(
+        single_orientation=have_one_orientation(
             np.array([t.plane[:3] for t in result.targets]),
             np.array([t.sphere for t in result.targets]),
         ),
@@ -273,7 +273,7 @@ def _sighting_quality_values(
     return SightingQualityValues(
         target,
         line,
-        quality.light,
+        quality.rating,
         quality.reasons,
         quality.points,
         quality.rms,
@@ -281,7 +281,7 @@ def _sighting_quality_values(
         quality.density,
         None if incidence is None else float(np.degrees(incidence)),
         quality.coverage,
-        quality.share_shown,
+        quality.visible_share,
         by_hand,
     )
 
@@ -336,6 +336,6 @@ def _picked_plane_values(target: Target) -> PickedPlane:
         threshold_m=target.threshold,
         radius_m=target.radius,
         lines=tuple(s.line for s in target.sightings if s.used),
-        left_out=tuple(s.line for s in target.sightings if not s.used),
+        excluded_lines=tuple(s.line for s in target.sightings if not s.used),
         missing=dict(target.missing),
     )

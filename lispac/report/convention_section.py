@@ -39,9 +39,7 @@ def _convention_tables(found: ConventionValues) -> list[Block]:
     blocks: list[Block] = [_angle_table(found)] if found.angles else []
     x, y, z = (signed_number(value, 4) for value in found.lever_arm_m)
     axes = found.body_axes
-    source = gettext(
-        "{status}; source: {source}", status=found.status_in_words, source=found.source
-    )
+    source = gettext("{status}; source: {source}", status=found.status_text, source=found.source)
     lever_arm = gettext(
         "X {x} m, Y {y} m, Z {z} m, from the POS centre to the LiDAR optical centre", x=x, y=y, z=z
     )
@@ -53,13 +51,13 @@ def _convention_tables(found: ConventionValues) -> list[Block]:
             gettext("Body axes"),
             gettext("X {x}, Y {y}, Z {z}", x=axes[0], y=axes[1], z=axes[2]),
         ),
-        (gettext("Scanner axes"), str(found.scanner_in_words)),
+        (gettext("Scanner axes"), str(found.scanner_text)),
         (gettext("Lever arm"), lever_arm),
     ]
     blocks.append(
         facts_table(gettext("Convention of {program}", program=_program_name(found.name)), values)
     )
-    notes = (found.check_first, found.note, found.offsets_in_words, found.caution)
+    notes = (found.check_first, found.note, found.offsets_text, found.warning)
     blocks += [
         Paragraph(message_text(each).replace(" -", f" {MINUS}"))
         for each in notes
@@ -74,7 +72,7 @@ def _angle_table(found: ConventionValues) -> Table:
     return Table(
         gettext(
             "Boresight for {program}: convention {status}",
-            program=_program_name(found.name), status=found.status_in_words,
+            program=_program_name(found.name), status=found.status_text,
         ),
         (
             Column(gettext("Angle"), "left"),
@@ -102,9 +100,7 @@ def _program_name(name: str) -> str:
 def _rotation_text(found: ConventionValues) -> str:
     if not found.angles:
         return gettext("this program imports a matrix, not angles")
-    return gettext(
-        DIRECTIONS[found.direction_in_words], formula=str(found.formula).replace("-", MINUS)
-    )
+    return gettext(DIRECTIONS[found.direction_text], formula=str(found.formula).replace("-", MINUS))
 
 
 def _matrix_tables(found: ScannerToBodyMatrix) -> list[Block]:

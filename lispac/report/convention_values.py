@@ -45,18 +45,18 @@ class ConventionValues:
     system: str
     name: str
     status: Status
-    status_in_words: LazyText
+    status_text: LazyText
     source: LazyText
     assumption: LazyText | None
     check_first: Message | None
     angles: tuple[ConventionAngle, ...]
     note: Message | None
-    caution: Message | None
+    warning: Message | None
     formula: LazyText
-    direction_in_words: str
+    direction_text: str
     body_axes: tuple[LazyText, ...]
-    scanner_in_words: LazyText
-    offsets_in_words: Message | None
+    scanner_text: LazyText
+    offsets_text: Message | None
     lever_arm_m: tuple[float, ...]
     transform: tuple[tuple[float, ...], ...]
 
@@ -90,18 +90,18 @@ def convention_values(project: Project, key: str) -> ConventionValues | None:
         system=convention.key,
         name=convention.name,
         status=setup.status,
-        status_in_words=gettext_lazy(STATUS_WORDS[setup.status]),
+        status_text=gettext_lazy(STATUS_WORDS[setup.status]),
         source=gettext_lazy(convention.source),
         assumption=setup.assumption,
         check_first=None if setup.status == "verified" else CHECK_FIRST,
         angles=_angle_values(stated),
         note=stated.note,
-        caution=None if project.result.model.correlated else THESIS_MODE,
+        warning=None if project.result.model.correlated else THESIS_MODE,
         formula=convention.formula,
-        direction_in_words=DIRECTION_WORDS[convention.direction],
+        direction_text=DIRECTION_WORDS[convention.direction],
         body_axes=tuple(map(gettext_lazy, setup.axes)),
-        scanner_in_words=setup.scanner_axes(mounting.rotation_body_lidar),
-        offsets_in_words=offsets_note(mounting),
+        scanner_text=setup.scanner_axes(mounting.rotation_body_lidar),
+        offsets_text=offsets_note(mounting),
         lever_arm_m=tuple(map(float, stated.lever_arm)),
         transform=_matrix_rows(stated.transform),
     )

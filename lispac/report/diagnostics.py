@@ -73,7 +73,7 @@ def observability_values(observability: Observability | None) -> ObservabilityVa
             line: None if sigma is None else _to_degrees(sigma)
             for line, sigma in observability.sigma_without_line.items()
         },
-        in_words=observability.remarks,
+        messages=observability.messages,
     )
 
 
@@ -108,13 +108,13 @@ def _sighting_check(item: SightingReliability, points: int, critical: float) -> 
         detectable_m=item.detectable if checked else None,
         effect_deg=_to_degrees(item.effect) if checked else None,
         redundancy=item.redundancy,
-        strays=item.strays,
+        outliers=item.outliers,
         largest_w=item.largest_w,
         largest_w_time_s=item.largest_at,
         point_detectable_m=finite_or_none(item.point_detectable),
         weight=item.weight,
-        released=item.released,
-        in_words=sighting_status(item, critical),
+        rejected=item.rejected,
+        status=sighting_status(item, critical),
         pos_error_m=_as_floats(item.pos_error[:3]),
         pos_sigma_m=_as_floats(item.pos_sigma[:3]),
         pos_sigma_after_m=_as_floats(item.pos_sigma_after[:3]),
@@ -139,7 +139,7 @@ def cross_check_values(checks: CrossChecks | None) -> CrossCheckValues | None:
 def _part_values(part: CrossCheck) -> CrossCheckPart:
     return CrossCheckPart(
         kind=part.kind,
-        part=part.without,
+        part=part.part,
         boresight_deg=_degrees_or_none(part.boresight),
         sigma_deg=_degrees_or_none(part.sigma),
         difference_deg=_degrees_or_none(part.difference),

@@ -90,8 +90,8 @@ def undrawn_document(
         status=status,
         verdict=verdict,
         identity=identity_form(content),
-        serious=serious,
-        cautions=notes,
+        warnings=serious,
+        notes=notes,
         summary=(
             *sections.summary_blocks(content),
             *(Paragraph(text) for text in options.closing.split("\n\n") if text),
@@ -109,7 +109,7 @@ def undrawn_document(
             made=gettext("Made {when} by {program}"),
             page=gettext("Page {page} of {pages}"),
             warnings=gettext("Serious warnings"),
-            remarks=gettext("Other warnings"),
+            notes=gettext("Other warnings"),
             contents=gettext("Contents"),
         ),
     )
@@ -120,7 +120,7 @@ def _warning_texts(content: ReportContent, *, serious: bool) -> tuple[str, ...]:
     names = tuple(name for name in _proper_names(content) if HYPHEN.search(name))
     return tuple(
         with_minus_signs(message_text(each), names)
-        for each in content.cautions
+        for each in content.warnings
         if each.is_serious == serious
     )
 
@@ -169,7 +169,7 @@ def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
         return "bad", gettext("NOT CALIBRATED")
     if serious:
         return "bad", gettext("CALIBRATED WITH SERIOUS WARNINGS")
-    if content.cautions:
+    if content.warnings:
         return "fair", gettext("CALIBRATED, WITH WARNINGS")
     return "good", gettext("CALIBRATED")
 

@@ -119,7 +119,7 @@ class PageTexts:
     made: str = "Made {when} by {program}"
     page: str = "Page {page} of {pages}"
     warnings: str = "Serious warnings"
-    remarks: str = "Other warnings"
+    notes: str = "Other warnings"
     contents: str = "Contents"
 
 
@@ -157,8 +157,8 @@ class Document:
     status: Status
     verdict: str
     identity: Table
-    serious: tuple[str, ...]
-    cautions: tuple[str, ...]
+    warnings: tuple[str, ...]
+    notes: tuple[str, ...]
     summary: tuple[Block, ...]
     sections: tuple[Section, ...]
     page: Page = "a4"

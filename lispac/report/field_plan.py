@@ -42,7 +42,7 @@ BARS = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 
 
 def field_plan_figure(
-    plan: Plan, wall: Wall, title: str, notes: Sequence[str] = (), *, cautions: Sequence[str] = ()
+    plan: Plan, wall: Wall, title: str, notes: Sequence[str] = (), *, warnings: Sequence[str] = ()
 ) -> Figure:
     """Figure of one page with drawing, boards, lines and predicted sigmas.
 
@@ -52,13 +52,13 @@ def field_plan_figure(
         On the water.
     notes : sequence of str
         Printed below: assumptions of the plan.
-    cautions : sequence of str
+    warnings : sequence of str
         Warnings about parts of the plan that cannot be realised.
     """
-    if len(cautions) > MOST_CAUTIONS:
-        more = gettext(MORE, count=len(cautions) - MOST_CAUTIONS)
-        cautions = (*cautions[:MOST_CAUTIONS], more)
-    rows = len(plan.targets) + len(plan.lines) + 4.6 + len(cautions)
+    if len(warnings) > MOST_CAUTIONS:
+        more = gettext(MORE, count=len(warnings) - MOST_CAUTIONS)
+        warnings = (*warnings[:MOST_CAUTIONS], more)
+    rows = len(plan.targets) + len(plan.lines) + 4.6 + len(warnings)
     lift = float(np.clip(rows * CLOSEST - ROOM, 0.0, LIFT)) if rows * PITCH > ROOM else 0.0
     pitch = min(PITCH, (ROOM + lift) / rows)
     figure = Figure(figsize=PAGE)
@@ -73,7 +73,7 @@ def field_plan_figure(
         figure, low, pitch, gettext("Lines in survey order"), LINE_HEADS, _line_rows(plan, wall)
     )
     low -= pitch * (len(plan.lines) + 2.3)
-    for caution in cautions:
+    for caution in warnings:
         figure.text(0.07, low, caution, fontsize=TEXT, color=WRONG, va="top", weight="bold")
         low -= pitch
     text = "\n".join(

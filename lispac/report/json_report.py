@@ -4,30 +4,30 @@ import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, is_dataclass, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from lispac.installation_paths import resource_path
 from lispac.language import LazyText, in_english
 from lispac.message_texts import english_text
 from lispac.message_texts.former_codes import former_code
-from lispac.messages import Message, plain_params
+from lispac.messages import Level, Message, plain_params
 from lispac.report.report_values import ReportContent
 
 NAME = "lispac-report"
-SCHEMA_VERSION = 2
+SCHEMA_VERSION = 3
 SCHEMA_FILE = "report.schema.json"
 
 
 @dataclass(frozen=True)
 class JsonWarning:
-    """A warning (``serious``) or a note, in English; ``code`` names the condition.
+    """A typed message in English; ``code`` names the condition.
 
     ``former_code`` is what versions before typed messages called it.
     """
 
     code: str
     former_code: str
-    severity: Literal["serious", "caution"]
+    level: Level
     text: str
     params: Mapping[str, Any]
 
@@ -38,7 +38,7 @@ def json_text(content: ReportContent) -> str:
         "schema": NAME,
         "schema_version": SCHEMA_VERSION,
         **asdict(english_values(content)),
-        "cautions": [asdict(_json_warning(each)) for each in content.cautions],
+        "warnings": [asdict(_json_warning(each)) for each in content.warnings],
     }
     return json.dumps(values, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
@@ -61,8 +61,9 @@ def english_values(value: Any) -> Any:
 
 def _json_warning(message: Message) -> JsonWarning:
     text = english_text(message)
-    severity: Literal["serious", "caution"] = "serious" if message.is_serious else "caution"
-    return JsonWarning(message.code, former_code(message), severity, text, plain_params(message))
+    return JsonWarning(
+        message.code, former_code(message), message.level, text, plain_params(message)
+    )
 
 
 def schema_text() -> str:

@@ -13,12 +13,12 @@ Three = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class MethodValues:
-    """Result of a method; the differences are from the first method, which has none.
+    """Result of a method; the differences are this method minus the first, which has none.
 
     Attributes
     ----------
     boresight_deg, sigma_deg, difference_deg : roll, pitch, yaw
-    over_sigma : differences over their sigmas
+    significance : differences over their sigmas
     probability : chance of differences as large where both are right
     """
 
@@ -28,10 +28,10 @@ class MethodValues:
     boresight_deg: Three
     sigma_deg: Three
     difference_deg: Three | None
-    over_sigma: Three | None
+    significance: Three | None
     probability: float | None
     differ: bool | None
-    remarks: tuple[Message, ...]
+    messages: tuple[Message, ...]
 
     @classmethod
     def of(cls, answer: MethodResult) -> "MethodValues":
@@ -47,7 +47,7 @@ class MethodValues:
             None if against is None else _triple(against.significance),
             None if against is None else against.probability,
             None if against is None else against.differ,
-            answer.remarks,
+            answer.messages,
         )
 
 

@@ -32,13 +32,13 @@ def method_blocks(content: ReportContent) -> list[Block]:
     remarks = [
         gettext("{name}: {remark}", name=_method_name(each), remark=sentence_text(remark))
         for each in found
-        for remark in each.remarks
+        for remark in each.messages
     ]
     blocks: list[Block] = [
         Paragraph(gettext(EXPLAINED)),
         _results_table(found),
         _differences_table(found),
-        Bullets(tuple(map(sentence_text, content.methods_in_words))),
+        Bullets(tuple(map(sentence_text, content.method_messages))),
     ]
     return [*blocks, Bullets(tuple(remarks))] if remarks else blocks
 
@@ -68,10 +68,10 @@ def _differences_table(found: tuple[MethodValues, ...]) -> Table:
         columns += [Column(title(name)), Column(gettext("Difference\n/ sigma"))]
     cells = []
     for each in found:
-        if each.difference_deg is None or each.over_sigma is None:
+        if each.difference_deg is None or each.significance is None:
             continue
         row = [_method_name(each)]
-        for value, over in zip(each.difference_deg, each.over_sigma, strict=True):
+        for value, over in zip(each.difference_deg, each.significance, strict=True):
             row += [angle_text(value), signed_number(over, 1)]
         cells.append([*row, gettext("yes") if each.differ else gettext("no")])
     columns.append(Column(gettext("Significant\ndifference")))

@@ -65,10 +65,10 @@ def quality_blocks(content: ReportContent) -> list[Block]:
                 format_known(each.density_per_m2, grouped_number),
                 format_known(each.incidence_deg, lambda value: fixed_number(value, 0)),
                 fixed_number(100 * each.coverage, 0),
-                format_known(each.share_shown, lambda value: fixed_number(100 * value, 0)),
+                format_known(each.visible_share, lambda value: fixed_number(100 * value, 0)),
                 " ".join(
                     (
-                        gettext(LIGHTS[each.light]),
+                        gettext(LIGHTS[each.rating]),
                         *map(message_text, each.reasons),
                         *_edited_note(each),
                     )
@@ -78,7 +78,7 @@ def quality_blocks(content: ReportContent) -> list[Block]:
         ),
     )
     explained = [COLUMNS]
-    if any(each.share_shown is not None for each in content.qualities):
+    if any(each.visible_share is not None for each in content.qualities):
         explained.append(EXTENT)
     if not content.calibrated:
         explained.append(BEFORE_CALIBRATION)

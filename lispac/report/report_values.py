@@ -52,17 +52,17 @@ class SettingsUsed:
     scan_angle_offset_deg: float
     latency_s: float
     subsample_m: float
-    accept_one_facing: bool
+    accept_single_orientation: bool
     averaged: bool
     pos_errors: str
     position_correlation_time_s: float | None
     attitude_correlation_time_s: float | None
-    pos_errors_in_words: str
+    pos_errors_text: str
     surface_sigma_m: float | None
     offset_sigma_m: float | None
     surface_from_data: bool | None
     loss: str
-    loss_in_words: str
+    loss_text: str
     convention: str
 
 
@@ -87,7 +87,7 @@ class Chi2:
     lower: float | None
     upper: float | None
     passed: bool | None
-    in_words: str
+    text: str
 
 
 @dataclass(frozen=True)
@@ -171,7 +171,7 @@ class ObservabilityValues:
     directions: tuple[tuple[float, ...], ...]
     condition: float | None
     sigma_without_line_deg: Mapping[str, tuple[float, ...] | None]
-    in_words: tuple[Message, ...]
+    messages: tuple[Message, ...]
 
 
 @dataclass(frozen=True)
@@ -191,13 +191,13 @@ class SightingCheck:
     detectable_m: float | None
     effect_deg: tuple[float, ...] | None
     redundancy: float
-    strays: int
+    outliers: int
     largest_w: float
     largest_w_time_s: float | None
     point_detectable_m: float | None
     weight: float
-    released: bool
-    in_words: str
+    rejected: bool
+    status: str
     pos_error_m: tuple[float, ...]
     pos_sigma_m: tuple[float, ...]
     pos_sigma_after_m: tuple[float, ...]
@@ -218,14 +218,15 @@ class VarianceComponent:
     lower: float
     upper: float
     applied: bool
-    in_words: Message
+    text: Message
 
 
 @dataclass(frozen=True)
 class CrossCheckPart:
     """Result of a part of the data; None where the part does not determine the angles.
 
-    The difference of a half is that from the other half, of all other parts that from the whole.
+    The difference is this part minus what it is compared with: a half minus the other half, any
+    other part minus the result of all points.
     """
 
     kind: str
@@ -253,12 +254,12 @@ class AdjustmentValues:
     """Fit, reliability and estimated values of the adjustment.
 
     ``correlation`` is that of the three angles, ``correlation_all`` that of all ``estimated``.
-    ``critical_w`` is the test value beyond which a sighting disagrees. ``one_facing``: all targets
-    are planes with the same normal. ``rotation_in_words`` is empty except where the pitch is steep,
-    so that roll, pitch and yaw do not describe the rotation well.
+    ``critical_w`` is the test value beyond which a sighting disagrees. ``single_orientation``: all
+    targets are planes with the same normal. ``rotation_text`` is empty except where the pitch is
+    steep, so that roll, pitch and yaw do not describe the rotation well.
     """
 
-    rotation_in_words: LazyText
+    rotation_text: LazyText
     correlation: tuple[tuple[float, ...], ...]
     estimated: tuple[str, ...]
     correlation_all: tuple[tuple[float, ...], ...]
@@ -272,14 +273,14 @@ class AdjustmentValues:
     chi_square: Chi2
     iterations: int
     points: int
-    left_out: int
+    excluded_outliers: int
     rms_before_m: float
     rms_after_m: float
     effect_distances_m: tuple[float, ...]
     effects: tuple[AngleDisplacement, ...]
     s44: tuple[S44Contribution, ...]
     targets: tuple[TargetFit, ...]
-    one_facing: bool
+    single_orientation: bool
     sightings: tuple[SightingFit, ...]
 
 
@@ -289,7 +290,7 @@ class SightingQualityValues:
 
     target: str
     line: str
-    light: str
+    rating: str
     reasons: tuple[Message, ...]
     points: int
     rms_m: float
@@ -297,7 +298,7 @@ class SightingQualityValues:
     density_per_m2: float | None
     incidence_deg: float | None
     coverage: float
-    share_shown: float | None = None
+    visible_share: float | None = None
     edited_by_hand: bool = False
 
 
@@ -314,7 +315,7 @@ class PickedPlane:
     threshold_m: float
     radius_m: float
     lines: tuple[str, ...]
-    left_out: tuple[str, ...]
+    excluded_lines: tuple[str, ...]
     missing: Mapping[str, Message]
 
 
@@ -339,7 +340,7 @@ class ReportContent:
     identity: Identity
     calibrated: bool
     simulated: bool
-    cautions: tuple[Message, ...]
+    warnings: tuple[Message, ...]
     angles: tuple[AngleValues, ...]
     adjustment: AdjustmentValues | None
     cross_checks: CrossCheckValues | None
@@ -358,4 +359,4 @@ class ReportContent:
     budget: ErrorBudgetValues | None = None
     trajectory: tuple[TrajectoryOnLine, ...] = ()
     methods: tuple[MethodValues, ...] = ()
-    methods_in_words: tuple[Message, ...] = ()
+    method_messages: tuple[Message, ...] = ()

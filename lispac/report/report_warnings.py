@@ -144,10 +144,10 @@ def _single_target_warnings(target: PickedPlane, total: int) -> Iterator[Message
             "report.target_on_few_lines",
             target=target.name, count=seen, total=total, lines=target.lines, subject=where,
         )  # fmt: skip
-    if target.left_out:
+    if target.excluded_lines:
         yield note(
             "report.left_out_target_on_lines",
-            target=target.name, lines=target.left_out, subject=where,
+            target=target.name, lines=target.excluded_lines, subject=where,
         )  # fmt: skip
 
 
@@ -168,10 +168,10 @@ def _validation_plane_warnings(plane: PickedPlane, total: int) -> Iterator[Messa
             "report.plane_on_few_lines",
             target=plane.name, count=seen, total=total, lines=plane.lines, subject=where,
         )  # fmt: skip
-    if plane.left_out:
+    if plane.excluded_lines:
         yield note(
             "report.left_out_plane_on_lines",
-            target=plane.name, lines=plane.left_out, subject=where,
+            target=plane.name, lines=plane.excluded_lines, subject=where,
         )  # fmt: skip
 
 
@@ -194,13 +194,13 @@ def _sighting_warnings(content: ReportContent) -> Iterator[Message]:
     used = {(p.name, line) for p in content.planes if p.used for line in p.lines}
     judged = [each for each in content.qualities if (each.target, each.line) in used]
     poor, doubtful = (
-        [each for each in judged if each.light == light] for light in ("poor", "doubtful")
+        [each for each in judged if each.rating == light] for light in ("poor", "doubtful")
     )
     if not poor and not doubtful:
         return
 
     def bad(each: SightingQualityValues) -> tuple[bool, bool, int, float]:
-        is_poor, oblique = each.light == "poor", each.incidence_deg or 0.0
+        is_poor, oblique = each.rating == "poor", each.incidence_deg or 0.0
         return is_poor, target[each.target], len(each.reasons), oblique
 
     worst = max((*poor, *doubtful), key=bad)
@@ -228,7 +228,7 @@ def _validation_warnings(content: ReportContent) -> Iterator[Message]:
 
 def _method_warnings(content: ReportContent) -> Iterator[Message]:
     """Methods that differ; the first sentences are on each method except the first."""
-    for each, words in zip(content.methods[1:], content.methods_in_words, strict=False):
+    for each, words in zip(content.methods[1:], content.method_messages, strict=False):
         if each.differ:
             yield note("report.methods_differ", reason=words, subject=ADJUST)
 

@@ -62,7 +62,7 @@ def summary_blocks(content: ReportContent) -> list[Block]:
     blocks: list[Block] = [_angle_table(content)]
     adjustment = content.adjustment
     if adjustment is not None:
-        if rotation := str(adjustment.rotation_in_words):
+        if rotation := str(adjustment.rotation_text):
             blocks.append(Paragraph(rotation))
         blocks.append(Paragraph(_fit_text(adjustment)))
         extra = [_value_with_sigma(p) for p in adjustment.parameters if p.value is not None]
@@ -87,8 +87,8 @@ def summary_blocks(content: ReportContent) -> list[Block]:
             )
         )
     against = content.absolute
-    if against is not None and not against.together.after.mean_significant:
-        finding = sentence_text(against.in_words[0])
+    if against is not None and not against.all_lines.after.mean_significant:
+        finding = sentence_text(against.messages[0])
         checked = gettext(
             "Checked against {reference}: {finding}", reference=against.reference, finding=finding
         )

@@ -118,7 +118,7 @@ def _system_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> lis
                 gettext("{names:names}", names=estimated),
             )
         )
-    if used.accept_one_facing:
+    if used.accept_single_orientation:
         values.append((gettext("Targets that all face the same way"), gettext("accepted")))
     return [*values, (gettext("Point spacing"), _subsampling_text(used))]
 
@@ -144,7 +144,7 @@ def _model_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
     values = [
         (
             gettext("POS errors"),
-            f"{gettext(POS_ERRORS[used.pos_errors])} {gettext(used.pos_errors_in_words)}",
+            f"{gettext(POS_ERRORS[used.pos_errors])} {gettext(used.pos_errors_text)}",
         ),
         (
             gettext("Position sigma (north, east, down)"),
@@ -171,7 +171,7 @@ def _model_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
         values.append((gettext("Estimated LiDAR noise"), _noise_factor_text(adjustment)))
     if used.surface_from_data is not None:
         values.append((gettext("Surface sigma"), _surface_sigma_text(used)))
-    loss = f"{gettext(LOSSES[used.loss])} {gettext(used.loss_in_words)}"
+    loss = f"{gettext(LOSSES[used.loss])} {gettext(used.loss_text)}"
     return [*values, (gettext("Outliers"), loss)]
 
 
@@ -259,7 +259,7 @@ def _component_row(found: VarianceComponent) -> tuple[str, str, str, str]:
         "{lower} to {upper}", lower=fixed_number(found.lower, 2), upper=fixed_number(found.upper, 2)
     )
     name, factor = gettext(COMPONENTS[found.name]), fixed_number(found.factor, 2)
-    return name, factor, interval, sentence_text(found.in_words)
+    return name, factor, interval, sentence_text(found.text)
 
 
 def _files_table(content: ReportContent) -> Table:

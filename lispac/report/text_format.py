@@ -167,7 +167,7 @@ def named_cross_check_parts(checks: CrossCheckValues) -> list[tuple[str, CrossCh
     named = [(_part_name(part), part) for part in checks.parts if part.kind != "half"]
     halves = [part for part in checks.parts if part.kind == "half"]
     if halves and all(half.boresight_deg is not None for half in halves):
-        return [*named, (gettext("First minus second half"), halves[0])]
+        return [*named, (gettext("Second minus first half"), halves[1])]
     names = {
         "first": gettext("First half of the lines only"),
         "second": gettext("Second half of the lines only"),

@@ -264,8 +264,10 @@ def _plane_cells(pair: PairValues) -> list[str]:
                 with_interval(
                     signed_number(1000 * p.offset_m, 1), millimetres(p.offset_interval95_m)
                 ),
-                _rotation_cell(p.turn_level_deg, p.turn_level_interval95_deg),
-                _rotation_cell(p.turn_upright_deg, p.turn_upright_interval95_deg),
+                _rotation_cell(
+                    p.rotation_horizontal_axis_deg, p.rotation_horizontal_axis_interval95_deg
+                ),
+                _rotation_cell(p.rotation_slope_axis_deg, p.rotation_slope_axis_interval95_deg),
             ]
         )
     return cells

@@ -70,12 +70,12 @@ class PlaneOffsetValues:
 
     offset_m: float
     offset_interval95_m: float
-    turn_level_deg: float
-    turn_level_interval95_deg: float
-    turn_upright_deg: float
-    turn_upright_interval95_deg: float
+    rotation_horizontal_axis_deg: float
+    rotation_horizontal_axis_interval95_deg: float
+    rotation_slope_axis_deg: float
+    rotation_slope_axis_interval95_deg: float
     angle_deg: float
-    strays: int
+    outliers: int
 
     @classmethod
     def of(cls, values: PlaneOffset) -> "PlaneOffsetValues":
@@ -83,12 +83,12 @@ class PlaneOffsetValues:
         return cls(
             offset_m=values.offset,
             offset_interval95_m=values.offset_95,
-            turn_level_deg=degrees(values.turn_level),
-            turn_level_interval95_deg=degrees(values.turn_level_95),
-            turn_upright_deg=degrees(values.turn_upright),
-            turn_upright_interval95_deg=degrees(values.turn_upright_95),
+            rotation_horizontal_axis_deg=degrees(values.rotation_horizontal_axis),
+            rotation_horizontal_axis_interval95_deg=degrees(values.rotation_horizontal_axis_95),
+            rotation_slope_axis_deg=degrees(values.rotation_slope_axis),
+            rotation_slope_axis_interval95_deg=degrees(values.rotation_slope_axis_95),
             angle_deg=degrees(values.angle),
-            strays=values.strays,
+            outliers=values.outliers,
         )
 
 

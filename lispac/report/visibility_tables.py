@@ -144,7 +144,7 @@ def _comparison_row(each: ThesisComparison) -> tuple[str, ...]:
     return (
         error_text(best.error),
         accepted,
-        _range_text(*stated.kept_deg),
+        _range_text(*stated.suitable_inclinations_deg),
         not_seen if best.inclination is None else f"{np.degrees(best.inclination):.0f}",
         not_seen if thesis is None else _inclination_text(*thesis),
         # Lines that show the same stand together; one of each group is enough.

@@ -9,6 +9,7 @@ import numpy as np
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.errors import ProjectError
+from lispac.former_names import accept_script_names
 from lispac.messages import as_message, error
 from lispac.project import LineSource, Role, Shape, Target
 from lispac.scripting.loaded_project import LoadedProject
@@ -62,6 +63,7 @@ class OpenProject(LoadedProject):
         import_lines(self.project, names, progress=self._progress)
         self._survey = None
 
+    @accept_script_names
     def change(self, **settings: object) -> None:
         """Change fields of `lispac.Settings`; what follows from them has to be computed again."""
         changed = replace(self.project.settings, **settings)  # type: ignore[arg-type]
@@ -253,12 +255,13 @@ class OpenProject(LoadedProject):
         )
         return self.project.validation
 
+    @accept_script_names
     def check(
         self,
         reference: AnyPath,
         *,
         sigma: float = absolute_check.SIGMA,
-        reach: float = absolute_check.REACH,
+        search_distance: float = absolute_check.REACH,
         crs: str = "",
         height: str = "",
         trajectory_datum: str | None = None,
@@ -269,11 +272,12 @@ class OpenProject(LoadedProject):
         Parameters
         ----------
         sigma : metres, of the reference
-        reach : metres from the reference within which lines are searched for
+        search_distance : metres from the reference within which lines are searched for
         """
         self.project, _ = absolute_check.check_absolute(
             self.project, self.survey, Path(reference), crs=crs, height=height,
-            trajectory_datum=trajectory_datum, epoch=epoch, sigma=sigma, reach=reach,
+            trajectory_datum=trajectory_datum, epoch=epoch, sigma=sigma,
+            reach=search_distance,
             progress=self._progress,
         )  # fmt: skip
         assert self.project.absolute is not None

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from lispac.former_names import accept_script_names
 from lispac.progress import Progress, no_progress
 from lispac.project import LineSource, Reading, Settings, Triple
 from lispac.scripting.open_project import OpenProject
@@ -16,6 +17,7 @@ from lispac.workflow.moved_files import with_files_in
 AnyPath = str | Path
 
 
+@accept_script_names
 def new(
     folder: AnyPath,
     *,
@@ -26,7 +28,7 @@ def new(
     line_reading: Reading = USUAL,
     trajectory_reading: Reading = USUAL,
     accuracy_reading: Reading = USUAL,
-    settled: bool = False,
+    resolved: bool = False,
     truth_deg: Triple | None = None,
     progress: Progress = no_progress,
     **settings: Any,
@@ -45,7 +47,7 @@ def new(
         smrmsg, or a text that holds the accuracies of the trajectory.
     line_reading, trajectory_reading, accuracy_reading : Reading
         Options of the formats; ``lispac look FILE`` lists them.
-    settled : bool
+    resolved : bool
         Whether the readings are complete, as a script of a project has them: nothing is looked for
         in the files then.
     truth_deg : degrees, optional
@@ -69,7 +71,7 @@ def new(
         truth_deg=truth_deg,
         trajectory_reading=trajectory_reading,
         accuracy_reading=accuracy_reading,
-        resolved=settled,
+        resolved=resolved,
         progress=progress,
     )
     return OpenProject(project, survey, progress=progress)

@@ -27,13 +27,13 @@ class ThesisValue:
         Headings; none where it finds the error not to be seen.
     inclination_deg : tuple of int
         Lowest and highest.
-    kept_deg : tuple of int
+    suitable_inclinations_deg : tuple of int
         Lowest and highest inclination that it keeps by Type I.
     """
 
     lines: tuple[int, ...]
     inclination_deg: tuple[int, int] | None
-    kept_deg: tuple[int, int]
+    suitable_inclinations_deg: tuple[int, int]
 
 
 STATED: Mapping[str, Mapping[str, ThesisValue]] = {

@@ -1,4 +1,4 @@
-"""Quality of one sighting: a traffic light and its reasons."""
+"""Quality of one sighting: a rating and its reasons."""
 
 from dataclasses import dataclass, replace
 from statistics import NormalDist
@@ -16,7 +16,7 @@ from lispac.targets.occlusion import HIDDEN, ObservedExtent
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
-Light = Literal["good", "doubtful", "poor"]
+Rating = Literal["good", "doubtful", "poor"]
 
 # Each pair: doubtful beyond the first, poor beyond the second.
 # Below, outliers and chance in the outline dominate the plane.
@@ -63,16 +63,16 @@ class SightingQuality:
         Sagitta of the surface over its extent, along the direction in which it bends most.
     curved : bool
         Whether the bend is more than chance.
-    unevenness : float or None, metres
+    roughness : float or None, metres
         RMS by which the surface departs from its smooth shape, noise taken off.
     smear : float or None, metres
         RMS of what an error of the boresight can explain; it is taken off before RMS, curvature and
-        unevenness are judged. None where the boresight is an estimated one.
-    share_shown : float or None, in [0, 1]
+        roughness are judged. None where the boresight is an estimated one.
+    visible_share : float or None, in [0, 1]
         Of what the other lines show of it; None where that cannot be compared.
     flatness : "good", "doubtful" or "poor"
-        What RMS, curvature and unevenness alone give.
-    light : "good", "doubtful" or "poor"
+        What RMS, curvature and roughness alone give.
+    rating : "good", "doubtful" or "poor"
     reasons : tuple of Message
         Why it is not good, the worst first.
     """
@@ -86,20 +86,20 @@ class SightingQuality:
     coverage: float
     curvature: float | None
     curved: bool
-    unevenness: float | None
-    light: Light
+    roughness: float | None
+    rating: Rating
     reasons: tuple[Message, ...]
     smear: float | None = None
-    share_shown: float | None = None
-    flatness: Light = "good"
+    visible_share: float | None = None
+    flatness: Rating = "good"
 
 
 def add_remarks(quality: SightingQuality, remarks: tuple[Message, ...]) -> SightingQuality:
     """Quality with further remarks; at least doubtful if there are any."""
     if not remarks:
         return quality
-    light: Light = "doubtful" if quality.light == "good" else quality.light
-    return replace(quality, light=light, reasons=(*quality.reasons, *remarks))
+    rating: Rating = "doubtful" if quality.rating == "good" else quality.rating
+    return replace(quality, rating=rating, reasons=(*quality.reasons, *remarks))
 
 
 def undetermined_quality(points: int, rms: float, reason: Message) -> SightingQuality:
@@ -196,12 +196,12 @@ def plane_quality(
         -coverage, (-SPARSE[0], -SPARSE[1]), note("quality.sparse", share=coverage)
     )
     found += _grade_occlusion(shown) + flat
-    light, reasons = _traffic_light(found)
+    rating, reasons = _rating_of(found)
     return SightingQuality(
         len(points), rms, float(np.median(ranges)), len(points) / area, incidence,
-        extent_in_plane(plane, points), coverage, sagitta, curved, uneven, light, reasons,
+        extent_in_plane(plane, points), coverage, sagitta, curved, uneven, rating, reasons,
         None if turns_local is None else float(np.sqrt(np.mean((off - own) ** 2))),
-        None if shown is None else shown.share, _traffic_light(flat)[0],
+        None if shown is None else shown.share, _rating_of(flat)[0],
     )  # fmt: skip
 
 
@@ -217,11 +217,11 @@ def sphere_quality(
     found += _grade_by_limits(
         -share, (-LITTLE_SEEN[0], -LITTLE_SEEN[1]), note("quality.sphere_part", share=share)
     )
-    light, reasons = _traffic_light(found)
+    rating, reasons = _rating_of(found)
     ranges = np.linalg.norm(points_lidar[indices], axis=1)
     return SightingQuality(
         len(points), rms, float(np.median(ranges)), None, None, None, share, None, False, None,
-        light, reasons, flatness=_traffic_light(flat)[0],
+        rating, reasons, flatness=_rating_of(flat)[0],
     )  # fmt: skip
 
 
@@ -266,8 +266,8 @@ def _grade_by_limits(value: float, limits: tuple[float, float], reason: Message)
     return [(grade, reason)] if grade else []
 
 
-def _traffic_light(found: list[Graded]) -> tuple[Light, tuple[Message, ...]]:
-    lights: tuple[Light, ...] = ("good", "doubtful", "poor")
+def _rating_of(found: list[Graded]) -> tuple[Rating, tuple[Message, ...]]:
+    lights: tuple[Rating, ...] = ("good", "doubtful", "poor")
     ranked = sorted(found, key=lambda each: -each[0])
     return lights[ranked[0][0] if ranked else 0], tuple(reason for _, reason in ranked)
 

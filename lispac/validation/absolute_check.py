@@ -18,6 +18,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.former_names import accept_script_names
 from lispac.messages import Message
 from lispac.validation.comparison_results import DistanceStatistics, SignedStatistics
 from lispac.validation.normal_distance import NormalDistances
@@ -157,6 +158,7 @@ class OtherSurface:
     distance: float
 
 
+@accept_script_names
 @dataclass(frozen=True)
 class AbsoluteCheck:
     """Lines against a reference, before and after.
@@ -173,10 +175,10 @@ class AbsoluteCheck:
     sigma : float, metres
         Of the reference: shared by all of a scan; the usual one of points, which err each for
         themselves.
-    reach : float, metres
+    search_distance : float, metres
         How far from the reference a line was searched for.
     lines : tuple of LineCheck
-    together : LineCheck
+    all_lines : LineCheck
     not_compared : tuple of Message
         Lines, and surveyed points or planes, that were not compared, with the reason.
     bin_edges : tuple of k + 1 float, metres
@@ -185,7 +187,7 @@ class AbsoluteCheck:
         The first and the last bin also hold what lies beyond.
     points : tuple of PointCheck
         Empty for a scan.
-    others : tuple of OtherSurface or None
+    other_surfaces : tuple of OtherSurface or None
         Lines that often have another surface within reach; None where nobody knows.
     """
 
@@ -195,15 +197,15 @@ class AbsoluteCheck:
     kind: Kind
     system: str
     sigma: float
-    reach: float
+    search_distance: float
     lines: tuple[LineCheck, ...]
-    together: LineCheck
+    all_lines: LineCheck
     not_compared: tuple[Message, ...]
     bin_edges: tuple[float, ...]
     counts_before: tuple[int, ...]
     counts_after: tuple[int, ...]
     points: tuple[PointCheck, ...] = ()
-    others: tuple[OtherSurface, ...] | None = ()
+    other_surfaces: tuple[OtherSurface, ...] | None = ()
 
 
 @dataclass(frozen=True, eq=False)

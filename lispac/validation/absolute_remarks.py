@@ -12,8 +12,8 @@ Off = tuple[str, float, float]
 def absolute_check_remarks(check: AbsoluteCheck) -> tuple[Message, ...]:
     """The means of all lines, what is off by more than its errors, the RMS, and what counted."""
     return (
-        _mean_remark(check.together.after, "after"),
-        _mean_remark(check.together.before, "before"),
+        _mean_remark(check.all_lines.after, "after"),
+        _mean_remark(check.all_lines.before, "before"),
         _line_remark(check),
         *_point_remarks(check),
         _rms_remark(check),
@@ -88,7 +88,7 @@ def _point_remarks(check: AbsoluteCheck) -> Iterator[Message]:
 
 
 def _rms_remark(check: AbsoluteCheck) -> Message:
-    before, after = check.together.before, check.together.after
+    before, after = check.all_lines.before, check.all_lines.after
     return note(
         "absolute.rms",
         before=before.distances.rms, after=after.distances.rms,
@@ -99,9 +99,9 @@ def _rms_remark(check: AbsoluteCheck) -> Message:
 
 def _other_surface_remarks(check: AbsoluteCheck) -> Iterator[Message]:
     """Surfaces that may have been confused with the reference surface."""
-    if check.others is None:
+    if check.other_surfaces is None:
         yield note("absolute.former_version")
-    elif check.others:
+    elif check.other_surfaces:
         places = {line.line: line.after.signed.n for line in check.lines}
         lines = [
             note(
@@ -109,6 +109,6 @@ def _other_surface_remarks(check: AbsoluteCheck) -> Iterator[Message]:
                 line=other.line, places=other.places, total=places[other.line],
                 distance=other.distance,
             )
-            for other in check.others
+            for other in check.other_surfaces
         ]  # fmt: skip
-        yield note("absolute.other_surface", distance=check.reach, lines=lines)
+        yield note("absolute.other_surface", distance=check.search_distance, lines=lines)

@@ -35,26 +35,26 @@ class PlaneOffset:
     ----------
     offset, offset_95 : float, metres
         Positive towards ``facing``, and half the 95 % interval.
-    turn_level, turn_upright : float, radians
+    rotation_horizontal_axis, rotation_slope_axis : float, radians
         About the level axis in the plane (one looks down on the other) and about the axis up its
         slope.
-    turn_level_95, turn_upright_95 : float, radians
-    strays : int
+    rotation_horizontal_axis_95, rotation_slope_axis_95 : float, radians
+    outliers : int
         Number of excluded outliers of both clouds.
     """
 
     offset: float
     offset_95: float
-    turn_level: float
-    turn_level_95: float
-    turn_upright: float
-    turn_upright_95: float
-    strays: int
+    rotation_horizontal_axis: float
+    rotation_horizontal_axis_95: float
+    rotation_slope_axis: float
+    rotation_slope_axis_95: float
+    outliers: int
 
     @property
     def angle(self) -> float:
         """Between the two normals, radians, in [0, pi/2]."""
-        return float(np.hypot(self.turn_level, self.turn_upright))
+        return float(np.hypot(self.rotation_horizontal_axis, self.rotation_slope_axis))
 
 
 def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffset:
@@ -97,11 +97,11 @@ def plane_offset(compared: Array, reference: Array, facing: Array) -> PlaneOffse
     return PlaneOffset(
         offset=float(difference[0]),
         offset_95=float(half[0]),
-        turn_level=float(np.arctan(difference[2])),
-        turn_level_95=float(half[2]),
-        turn_upright=float(np.arctan(difference[1])),
-        turn_upright_95=float(half[1]),
-        strays=sum(fit.strays for fit in fits),
+        rotation_horizontal_axis=float(np.arctan(difference[2])),
+        rotation_horizontal_axis_95=float(half[2]),
+        rotation_slope_axis=float(np.arctan(difference[1])),
+        rotation_slope_axis_95=float(half[1]),
+        outliers=sum(fit.outliers for fit in fits),
     )
 
 
@@ -110,7 +110,7 @@ class _PlaneFit:
     values: Array
     variances: Array
     freedom: int
-    strays: int
+    outliers: int
 
 
 def _fit_plane_robustly(placed: Array) -> _PlaneFit:

@@ -14,6 +14,7 @@ import numpy as np
 from lispac.adjustment.display_text import to_plain_text
 from lispac.adjustment.result import ANGLES
 from lispac.errors import InputError, LispacError, NotComparable
+from lispac.former_names import accept_script_names
 from lispac.io.files import atomic_write
 from lispac.language import gettext_lazy
 from lispac.message_texts import english_text, message_text
@@ -30,10 +31,11 @@ from lispac.workflow.survey import load_survey
 from lispac.workflow.survey_dates import survey_dates
 from lispac.workflow.validation import validate
 
-Verdict = Literal["good", "remarks", "doubtful", "refused"]
+Verdict = Literal["good", "notes", "warnings", "refused"]
 REPORTS = ("pdf", "html", "json", "zip")
 
 
+@accept_script_names
 @dataclass(frozen=True)
 class BatchRow:
     """Result of one project in the table.
@@ -43,8 +45,8 @@ class BatchRow:
     folder : Path
     name, vessel, dates : str
         Blank where they are not known.
-    verdict : {"good", "remarks", "doubtful", "refused"}
-        ``doubtful`` where the report has a serious warning.
+    verdict : {"good", "notes", "warnings", "refused"}
+        Highest level of the messages of the report; ``warnings`` where one is an error, too.
     boresight_deg, sigma_deg : roll, pitch, yaw in degrees, or None
     sigma_0 : float or None, no unit
         A posteriori: 1 if the errors agree with the given sigmas.
@@ -52,14 +54,14 @@ class BatchRow:
         Chi-square test of the variance factor.
     rms_before, rms_after : float or None, metres
         Distances between the lines on all validation planes.
-    remarks : tuple of str
+    messages : tuple of str
         Of a refused project the reason.
     """
 
     folder: Path
     name: str
     verdict: Verdict
-    remarks: tuple[str, ...]
+    messages: tuple[str, ...]
     vessel: str = ""
     dates: str = ""
     boresight_deg: Triple | None = None
@@ -158,11 +160,11 @@ def _calibrate_folder(
             )  # fmt: skip
             return _calibrate_project(known, project, save, report, options, progress)
     except LispacError as error:
-        return replace(known, remarks=(str(error),))
+        return replace(known, messages=(str(error),))
     except OSError as error:
-        return replace(known, remarks=(f"{error.filename or folder}: {error.strerror or error}.",))
+        return replace(known, messages=(f"{error.filename or folder}: {error.strerror or error}.",))
     except MemoryError:
-        return replace(known, remarks=("There is not enough memory; use shorter lines.",))
+        return replace(known, messages=("There is not enough memory; use shorter lines.",))
 
 
 def _calibrate_project(
@@ -187,18 +189,18 @@ def _calibrate_project(
         write_report(
             project, survey, report, options=options, progress=sub_progress(progress, 0.9, 0.95)
         )
-    cautions = report_content_of(
+    warnings = report_content_of(
         project, survey, progress=sub_progress(progress, 0.95, 1.0)
-    ).cautions
-    serious = any(message.is_serious for message in cautions)
+    ).warnings
+    serious = any(message.is_serious for message in warnings)
     result = project.result
     assert result is not None
     roll, pitch, yaw = np.degrees(result.angles).tolist()
     sigmas = np.degrees(result.sigma).tolist()
     return replace(
         known,
-        verdict="doubtful" if serious else "remarks" if cautions or said else "good",
-        remarks=(*said, *(to_plain_text(message_text(message)) for message in cautions)),
+        verdict="warnings" if serious else "notes" if warnings or said else "good",
+        messages=(*said, *(to_plain_text(message_text(message)) for message in warnings)),
         boresight_deg=(roll, pitch, yaw),
         sigma_deg=(sigmas[0], sigmas[1], sigmas[2]),
         sigma_0=None if result.variance_factor is None else math.sqrt(result.variance_factor),
@@ -230,7 +232,7 @@ def _report_names(folders: Sequence[Path]) -> Iterator[str]:
 HEADS = (
     "folder", "project", "vessel", "dates", "verdict",
     *(f"{angle}_deg" for angle in ANGLES), *(f"sigma_{angle}_deg" for angle in ANGLES),
-    "sigma_0", "chi_square_passed", "rms_before_m", "rms_after_m", "remarks",
+    "sigma_0", "chi_square_passed", "rms_before_m", "rms_after_m", "messages",
 )  # fmt: skip
 
 
@@ -251,7 +253,7 @@ def write_table(rows: Sequence[BatchRow], path: Path) -> None:
             row.folder, row.name, row.vessel, row.dates, row.verdict,
             *(row.boresight_deg or (None,) * 3), *(row.sigma_deg or (None,) * 3), row.sigma_0,
             None if row.test_passed is None else "yes" if row.test_passed else "no",
-            row.rms_before, row.rms_after, " | ".join(row.remarks),
+            row.rms_before, row.rms_after, " | ".join(row.messages),
         )  # fmt: skip
         writer.writerow(map(as_csv_cell, cells))
     with atomic_write(path) as temporary:

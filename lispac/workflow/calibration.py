@@ -289,7 +289,7 @@ def reselect_points(
             thinned = observations_of(selected, survey, settings=coarse)
             result = adjust(
                 thinned, prior, judged,
-                accept_one_facing=settings.accept_one_facing, diagnostics=False,
+                accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
             )  # fmt: skip
         moved = np.abs(result.boresight - angles)
         if k > 0 and (moved < SETTLED * result.sigma).all():
@@ -322,7 +322,7 @@ def adjust_selected(
             settings.stochastic_model,
             parameters=settings.parameters,
             components=settings.variance_components,
-            accept_one_facing=settings.accept_one_facing,
+            accept_single_orientation=settings.accept_single_orientation,
             progress=sub_progress(progress, 0.0, 0.4 if cross_check else 1.0),
         )
     result = replace(result, common_parts=parts)
@@ -362,8 +362,8 @@ def _with_advice(result: AdjustmentResult, observations: Observations) -> Adjust
     seen = result.observability
     if seen is None or not (found := further_line_advice(judged, result)):
         return result
-    remarks = (*seen.remarks, *found)
-    return replace(result, observability=replace(seen, remarks=remarks))
+    messages = (*seen.messages, *found)
+    return replace(result, observability=replace(seen, messages=messages))
 
 
 def _selected_observations(

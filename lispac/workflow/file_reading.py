@@ -50,14 +50,14 @@ class FileCheck:
     Attributes
     ----------
     format : FileFormat
-    sureness : float, 0 to 1
+    confidence : float, 0 to 1
     finding : FilePreview or None
     error : Message or None
         Why it cannot be read, where there is no finding.
     """
 
     format: FileFormat
-    sureness: float
+    confidence: float
     finding: FilePreview | None
     error: Message | None = None
 
@@ -190,7 +190,7 @@ USUAL: Mapping[Kind, str] = {"trajectory": "sbet", "accuracy": "smrmsg", "points
 
 BESIDE = ("axes", "time", "time_base", "crs", "height_unit")
 """Options that change nothing of how points in the LiDAR frame, or poses, are read: what follows
-from time bases is a shift of the line's times (`stated_times`)."""
+from time bases is a shift of the line's times (`shift_lines_to_trajectory`)."""
 
 
 def _agrees_with_usual(reading: Reading, key: str) -> bool:

@@ -181,11 +181,11 @@ def examine_file(
     # Of equally sure formats those whose files end so come first, then those that can be read.
     ending = path.suffix.lower()
     found.sort(
-        key=lambda look: (-look.sureness, ending not in look.format.endings, bool(look.error))
+        key=lambda look: (-look.confidence, ending not in look.format.endings, bool(look.error))
     )
     first = found[0]
     entry = InputFile(path, tuple(found), first.format.kind, first.format)
-    if first.sureness <= POSSIBLE and ending not in first.format.endings:
+    if first.confidence <= POSSIBLE and ending not in first.format.endings:
         unlikely = note(
             "import.unlikely_format", file=printable(path.name), format=first.format.name
         )

@@ -198,7 +198,9 @@ class InputFiles:
         Text that may be a trajectory is a line beside one that certainly is.
         """
         entry = self.entry(path)
-        surest = {e.path: e.looks[0].sureness for e in self.files_of_role("trajectory") if e.looks}
+        surest = {
+            e.path: e.looks[0].confidence for e in self.files_of_role("trajectory") if e.looks
+        }
         if entry.role != "trajectory" or "points" not in entry.roles or len(surest) < 2:
             return self
         if surest[path] <= POSSIBLE and max(surest.values()) > POSSIBLE:

@@ -44,7 +44,7 @@ def trajectory_time_base(entry: InputFile | None) -> KnownTimeBase:
 def with_time_base_shifts(entries: tuple[InputFile, ...]) -> tuple[InputFile, ...]:
     """Apply the shifts that follow from given time bases, and remove those that do not.
 
-    As `stated_times` does it when the project is made.
+    As `shift_lines_to_trajectory` does it when the project is made.
     """
     trajectory = next((entry for entry in entries if entry.role == "trajectory"), None)
     if trajectory is None or not isinstance(trajectory.content, Trajectory):

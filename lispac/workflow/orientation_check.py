@@ -24,7 +24,7 @@ def do_targets_face_one_way(project: Project, survey: Survey) -> bool:
         for target in project.targets_of_role("target")
         if target.used and target.used_sightings
     ]
-    if len(used) < 2 or project.settings.accept_one_facing:
+    if len(used) < 2 or project.settings.accept_single_orientation:
         return False
     if any(target.shape == "sphere" for target in used):
         return False

@@ -40,7 +40,7 @@ def observability_remarks(plan: Plan, *, progress: Progress = no_progress) -> tu
             return (UNDETERMINED,)
         with single_blas_thread():
             found = assess_observability(predicted_equations(plan), progress=progress)
-            return found.remarks
+            return found.messages
     except RankDeficient as failure:
         return (as_message(failure.reason),)
 
@@ -99,7 +99,7 @@ def write_field_plan(path: Path, titled: TitledPlan) -> None:
     from lispac.report.field_plan import field_plan_figure
 
     texts = tuple(map(message_text, plan_warnings(titled)))
-    page = field_plan_figure(titled.plan, titled.wall, titled.title, cautions=texts)
+    page = field_plan_figure(titled.plan, titled.wall, titled.title, warnings=texts)
     with atomic_write(Path(path)) as temporary:
         page.savefig(temporary, format="pdf", metadata={"CreationDate": None})
 

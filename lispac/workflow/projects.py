@@ -217,7 +217,7 @@ def with_lines_added(
     edited = replace(
         project,
         lines=(*project.lines, *(replace(n, path=Path(n.path).absolute()) for n in added)),
-        opinions=(),
+        alternative_results=(),
     )
     _require_line_names(edited)
     with removed_on_failure(edited):

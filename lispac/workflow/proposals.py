@@ -183,7 +183,9 @@ def _choose_targets(
         solved = estimate(replace(project, targets=targets, result=None), survey, cross_check=False)
         result = solved.result
         assert result is not None
-        suspects = {sighting.target for sighting in result.suspects} | set(result.excluded_targets)
+        suspects = {sighting.target for sighting in result.rejected_sightings} | set(
+            result.excluded_targets
+        )
         # A wrong boresight bends planes; with one that is known well a bend is that of the surface.
         known = float(result.sigma.max()) <= ROUGHLY_OFF
         now = _assess_planes(solved, survey) if known else {}
@@ -314,7 +316,7 @@ def _assess_planes(project: Project, survey: Survey) -> dict[str, _PlaneAssessme
 
 
 def _assess_plane(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
-    poor = tuple(line for line, quality in lines.items() if quality.light == "poor")
+    poor = tuple(line for line, quality in lines.items() if quality.rating == "poor")
     rough = [line for line, quality in lines.items() if quality.flatness == "poor"]
     doubtful = [line for line, quality in lines.items() if quality.flatness != "good"]
     reason = lines[poor[0]].reasons[0] if poor else ""
@@ -343,7 +345,7 @@ def _linearise_planes(project: Project, survey: Survey) -> LinearisedProblem:
     model = project.settings.stochastic_model
     prior = project.mounting("prior")
     # Planes that all face one way are refused, or accepted, where the pairs of them are known.
-    result = adjust(observations, prior, model, accept_one_facing=True, diagnostics=False)
+    result = adjust(observations, prior, model, accept_single_orientation=True, diagnostics=False)
     observations = observations.without_targets(result.excluded_targets)
     shapes = np.stack([target.plane for target in result.targets])
     with single_blas_thread():
@@ -373,7 +375,7 @@ def _unevenness(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, floa
 
 
 def _with_unevenness(linearised: LinearisedProblem, uneven: dict[str, float]) -> LinearisedProblem:
-    """Linearised problem whose surface sigmas are at least the observed unevenness."""
+    """Linearised problem whose surface sigmas are at least the observed roughness."""
     problem = linearised.problem
     if not problem.model.correlated:
         return linearised
@@ -385,7 +387,7 @@ def _with_unevenness(linearised: LinearisedProblem, uneven: dict[str, float]) ->
 
 def _parallel_pairs(project: Project, planes: Mapping[str, DetectedPlane]) -> set[tuple[str, str]]:
     """Pairs of planes that face one way, which the adjustment would refuse."""
-    if project.settings.accept_one_facing:
+    if project.settings.accept_single_orientation:
         return set()
     normals = {
         name: next(iter(plane.found.values())).plane.normal for name, plane in planes.items()

@@ -143,7 +143,7 @@ def _new_project_step(project: Project, files: FilePaths, *, resolved: bool) -> 
     if project.truth_deg is not None:
         named["truth_deg"] = project.truth_deg
     if resolved:
-        named["settled"] = True
+        named["resolved"] = True
     return f"project = {call_text('lispac.new', PythonCode('folder'), **named)}"
 
 
@@ -212,26 +212,26 @@ def _reference_check_steps(
     sigmas = (check.sigma,) if check.kind == "scan" else (SIGMA, check.sigma)
     path = _find_reference(check, [files.folder, project.folder, project.folder.parent])
     if path is None:
-        step = _check_step(check.reference, sigmas[0], check.reach)
+        step = _check_step(check.reference, sigmas[0], check.search_distance)
         return [f"# {row}" for row in step.splitlines()], [
             note("script.no_reference", file=check.reference)
         ]
     for sigma in sigmas:
         try:
             again, _ = check_absolute(
-                project, survey, path, sigma=sigma, reach=check.reach, progress=progress
+                project, survey, path, sigma=sigma, reach=check.search_distance, progress=progress
             )
         except LispacError:
             continue
         if encode_value(again.absolute) == encode_value(check):
-            return [_check_step(files(path), sigma, check.reach)], []
-    return [_check_step(files(path), sigmas[0], check.reach)], [
+            return [_check_step(files(path), sigma, check.search_distance)], []
+    return [_check_step(files(path), sigmas[0], check.search_distance)], [
         note("script.other_check", file=check.reference, system=check.system)
     ]
 
 
 def _check_step(path: str, sigma: float, reach: float) -> str:
-    said = {"sigma": (sigma, SIGMA), "reach": (reach, REACH)}
+    said = {"sigma": (sigma, SIGMA), "search_distance": (reach, REACH)}
     named = {name: value for name, (value, usual) in said.items() if value != usual}
     return call_text("project.check", path, **named)
 

@@ -270,4 +270,4 @@ def sigma_settings(state: PosAccuracy) -> dict[str, Any]:
 def source_text(figures: ScannerSpecification | PosAccuracy) -> str:
     """Source of a specification, and whether it is verified."""
     source = gettext(figures.source)
-    return gettext(FROM_MEMORY, source=source) if figures.from_memory else source
+    return gettext(FROM_MEMORY, source=source) if figures.unverified else source

@@ -279,7 +279,7 @@ def _write_truth(survey: SimulatedSurvey, simulation: Simulation, folder: Path, 
             "scan_angle_offset_deg": np.degrees(values["scan_angle_offset"]),
             "latency_s": values["latency"],
         },
-        "lever_arm_written_down_m": simulation.lever_arm,
+        "lever_arm_given_m": simulation.lever_arm,
     }  # fmt: skip
     with atomic_write(folder / TRUTHS[0]) as path:
         path.write_text(json.dumps(truth, indent=1) + "\n", encoding="utf-8")

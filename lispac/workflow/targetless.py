@@ -154,7 +154,7 @@ def targetless(
         observations = observations_of(picked, survey, settings=quick, mounting=mounting)
         result = adjust(
             observations, mounting, judged,
-            accept_one_facing=settings.accept_one_facing, diagnostics=False,
+            accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
             progress=sub_progress(step, 0.7, 1.0),
         )  # fmt: skip
         moved = np.abs(result.boresight - mounting.boresight)
@@ -174,7 +174,7 @@ def targetless(
         settings.stochastic_model,
         parameters=settings.parameters,
         components=settings.variance_components,
-        accept_one_facing=settings.accept_one_facing,
+        accept_single_orientation=settings.accept_single_orientation,
         test_model=False,  # places of the scene and stretches of lines tell it better
         progress=sub_progress(progress, 0.5, 0.9),
     )
@@ -190,10 +190,13 @@ def targetless(
         raised_result = raise_sigmas_by_scatter(
             result, solved.here, solved.origins, progress=sub_progress(progress, 0.95, 1.0)
         )
-        if raised_result.observability is not None and raised_result.raised is not None:
+        if (
+            raised_result.observability is not None
+            and raised_result.angle_sigma_factors is not None
+        ):
             seen = assess_observability(
                 solved.here,
-                raised=raised_result.raised,
+                angle_sigma_factors=raised_result.angle_sigma_factors,
                 covariance=raised_result.covariance,
                 origins=solved.origins,
             )
@@ -290,7 +293,7 @@ def disagreeing_lines(
         Those whose position is shifted as a whole.
     """
     count = Counter(residual.sighting.line for residual in result.sightings)
-    gone = Counter(sighting.line for sighting in result.suspects)
+    gone = Counter(sighting.line for sighting in result.rejected_sightings)
     return tuple(
         line
         for line in lines

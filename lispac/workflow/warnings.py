@@ -117,8 +117,8 @@ def _poor_sightings(
     for target in project.targets:
         for sighting in target.used_sightings:
             quality = qualities.get((target.name, sighting.line))
-            if quality is not None and quality.light != "good":
-                is_poor = quality.light == "poor"
+            if quality is not None and quality.rating != "good":
+                is_poor = quality.rating == "poor"
                 yield note(
                     "project.poor_sighting" if is_poor else "project.doubtful_sighting",
                     target=target.name, line=sighting.line, reasons=quality.reasons,

@@ -336,9 +336,9 @@ def test_a_single_board_is_refused_until_that_is_accepted(
         driver.window.adjust.advanced.head.text() == "Advanced: targets of one orientation accepted"
     )
     estimate(driver)
-    assert driver.project.settings.accept_one_facing
+    assert driver.project.settings.accept_single_orientation
     seen = driver.project.result.observability
-    assert "adjustment.one_target" in codes(seen.remarks)
+    assert "adjustment.one_target" in codes(seen.messages)
     assert not refusal.isVisible()
     press(driver, Key.Key_Z, Control)
     driver.rest()

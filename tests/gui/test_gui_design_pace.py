@@ -81,7 +81,7 @@ def test_sigmas_follow_a_drag_before_it_ends(driver: Driver, design: DesignWindo
 
 
 def test_what_cannot_be_sailed_or_hung_is_said(driver: Driver, design: DesignWindow) -> None:
-    said = design.results.cautions
+    said = design.results.warnings
     assert not said.isVisible()
     view = design.plan_view
     view.setFocus()

@@ -15,12 +15,12 @@ from tests.gui.support import WAIT_MS, Control, Driver, Key, click
 SITE = """
 title = "Pier"
 facing_deg = 270
-[hang]
+[board_choices]
 boards = 1
 along_m = [-1, 1]
 up_m = [5]
-from_level_deg = [45]
-[sail]
+inclination_deg = [45]
+[line_choices]
 lines = 3
 headings_deg = [0, 45, 180]
 distances_m = [10, 15]

@@ -101,7 +101,7 @@ def test_the_figures_show_the_result(shown: Driver, estimated: Project):
     assert (band.y0, band.y1) == (pytest.approx(-half), pytest.approx(half))
     assert (band.x0 + band.x1) / 2 == pytest.approx(position.lines[0].get_xdata()[0])
     words = turn_to(shown, "Observability").words.text()
-    for remark in result.observability.remarks:
+    for remark in result.observability.messages:
         assert message_text(remark) in words
     assert f"Condition number {result.observability.condition:.1f}" in words
 
@@ -170,7 +170,7 @@ def test_a_row_leads_to_its_points_by_mouse_and_by_key(shown: Driver, estimated:
 
 def test_what_is_to_be_looked_at_is_marked_with_words_and_colour(shown: Driver, estimated: Project):
     result, checks = estimated.result, estimated.cross_checks
-    bad = replace(result.reliability[1], released=True, shift=0.05, w=9.0)
+    bad = replace(result.reliability[1], rejected=True, shift=0.05, w=9.0)
     doubtful = replace(result, reliability=(result.reliability[0], bad, *result.reliability[2:]))
     line = bad.sighting.line
     away = np.radians([0.1, 0.0, 0.0])
@@ -228,7 +228,7 @@ def test_a_further_line_is_sought_after_what_follows_from_a_tick(
     def said():
         result = shown.project.result
         return result is not None and "further line" in message_text(
-            result.observability.remarks[-1]
+            result.observability.messages[-1]
         )
 
     monkeypatch.setattr("lispac.workflow.calibration.further_line_advice", advised)

@@ -47,7 +47,7 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
     monkeypatch.setattr(method_runs, "run_method", ask)
     action, before = adjusted.window.actions_["methods"], adjusted.project
     assert action.isEnabled()
-    assert before.opinions == ()
+    assert before.alternative_results == ()
 
     def first(dialog: MethodsDialog) -> None:
         assert isinstance(dialog, MethodsDialog)
@@ -76,13 +76,16 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
     answered(adjusted, second)
     settle(adjusted)
     assert asked == ["natural planes", "targetless", "patch test"]
-    assert [each.method for each in adjusted.project.opinions] == ["targetless", "patch test"]
+    assert [each.method for each in adjusted.project.alternative_results] == [
+        "targetless",
+        "patch test",
+    ]
     assert adjusted.window.document.undo_stack.undoText() == "results of alternative methods"
     assert adjusted.project.result is before.result
     # It is told among the warnings, and taken back in one step.
     assert "report.methods_differ" in {each.code for each in listed(adjusted)}
     adjusted.window.document.undo_stack.undo()
-    assert adjusted.project.opinions == ()
+    assert adjusted.project.alternative_results == ()
 
 
 def compare(driver: Driver) -> None:

@@ -26,9 +26,9 @@ def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_pa
     adjusted.dialogs.path = report
     reporting.export()
     adjusted.rest()
-    told = [each for each in json.loads(report.read_text())["cautions"] if words in each["text"]]
-    assert [(each["severity"], each["code"]) for each in told] == [
-        ("serious", "adjustment.refused_since")
+    told = [each for each in json.loads(report.read_text())["warnings"] if words in each["text"]]
+    assert [(each["level"], each["code"]) for each in told] == [
+        ("warning", "adjustment.refused_since")
     ]
     set_language("fr")
     french = message_text(outdated_result_warning(refusal))

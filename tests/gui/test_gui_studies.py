@@ -150,7 +150,7 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
         assert found.sigma == pytest.approx(0.002)
         rows = dialog.table.rowCount()
         assert rows == len(found.lines) + 1
-        mean = 1000 * found.together.after.signed.mean
+        mean = 1000 * found.all_lines.after.signed.mean
         assert dialog.table.item(rows - 1, 5).text().replace("−", "-") == f"{mean:+.1f}"
         assert "mean" in dialog.message_label.text().lower()
         assert len(dialog.canvas.figure.axes) == 1

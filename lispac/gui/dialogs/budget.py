@@ -59,7 +59,7 @@ class BudgetDialog(StudyDialog):
         )
         self.beam.currentIndexChanged.connect(self._show)
         self.body.insertWidget(1, self.beam)
-        self.message_label.setText("\n".join(map(message_text, budget.in_words)))
+        self.message_label.setText("\n".join(map(message_text, budget.messages)))
         self.resize(1120, 620)
         self._show()
 

@@ -225,14 +225,14 @@ class CheckResultDialog(StudyDialog):
         self.show_rows(
             [
                 *(_line_row(each, Cell(each.line)) for each in found.lines),
-                _line_row(found.together, Cell(gettext("all lines"))),
+                _line_row(found.all_lines, Cell(gettext("all lines"))),
             ]
         )
         not_compared = [
             gettext("Not compared: {reason}", reason=message_text(reason))
             for reason in found.not_compared
         ]
-        self.message_label.setText("\n".join([*map(message_text, found.in_words), *not_compared]))
+        self.message_label.setText("\n".join([*map(message_text, found.messages), *not_compared]))
         reference_distance_figure(found, self.figure())
         self.resize(1000, 760)
 

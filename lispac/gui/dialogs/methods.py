@@ -95,7 +95,7 @@ class MethodsDialog(StudyDialog):
         )
         remarks = [
             *refused.items(),
-            *((each.method, remark) for each in found for remark in each.remarks),
+            *((each.method, remark) for each in found for remark in each.messages),
         ]
         texts = [
             *map(message_text, comparison_remarks(tuple(found))),
@@ -157,7 +157,7 @@ def _method_row(each: MethodResult) -> Row:
     ):
         cells += [number_cell(angle, "+.4f"), number_cell(sigma, ".4f")]
         cells.append(BLANK if difference is None else number_cell(difference, "+.1f"))
-    tip = "\n".join(map(message_text, each.remarks))
+    tip = "\n".join(map(message_text, each.messages))
     return Row(cells, marked=against is not None and against.differ, tip=tip)
 
 

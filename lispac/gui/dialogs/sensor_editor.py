@@ -155,20 +155,20 @@ class SensorEditor(QDialog):
 class _SourceFields(QWidget):
     """Source of the specifications, and whether they were checked against it."""
 
-    def __init__(self, name: str, source: str, from_memory: bool) -> None:
+    def __init__(self, name: str, source: str, unverified: bool) -> None:
         super().__init__()
         self.source = _TextField(f"{name}_source", gettext("Source of the specifications"), source)
         self.source.setPlaceholderText(gettext("Data sheet and its date"))
-        self.from_memory = QCheckBox(gettext("Specifications not verified"))
-        self.from_memory.setObjectName(f"{name}_from_memory")
-        self.from_memory.setChecked(from_memory)
-        self.from_memory.setToolTip(
+        self.unverified = QCheckBox(gettext("Specifications not verified"))
+        self.unverified.setObjectName(f"{name}_from_memory")
+        self.unverified.setChecked(unverified)
+        self.unverified.setToolTip(
             gettext("Tick if the specifications have not been checked against the data sheet")
         )
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.source, 1)
-        row.addWidget(self.from_memory)
+        row.addWidget(self.unverified)
 
 
 class _ScannerFields:
@@ -189,7 +189,7 @@ class _ScannerFields:
         self.range.setValue(1000 * given.range_sigma)
         self.angle.setValue(given.angle_sigma_deg)
         self.beam.setValue(given.divergence_mrad)
-        self.origin = _SourceFields("sensor", given.source, given.from_memory)
+        self.origin = _SourceFields("sensor", given.source, given.unverified)
         self.moved = self.range.valueChanged
         form.addRow(gettext("Range noise (1 σ)"), self.range)
         form.addRow(gettext("Beam angular noise (1 σ)"), self.angle)
@@ -199,7 +199,7 @@ class _ScannerFields:
     def figures(self, title: str) -> ScannerSpecification:
         return ScannerSpecification(
             title, round(self.range.value() / 1000, 8), self.angle.value(), self.beam.value(),
-            self.origin.source.text().strip(), self.origin.from_memory.isChecked(),
+            self.origin.source.text().strip(), self.origin.unverified.isChecked(),
         )  # fmt: skip
 
 
@@ -223,7 +223,7 @@ class _PosStateFields:
         self.position.set_value(usual.position_sigma)
         self.attitude.set_value(usual.attitude_sigma_deg)
         self.origin = _SourceFields(
-            f"sensor_{name}", usual.source if given else "", given is not None and given.from_memory
+            f"sensor_{name}", usual.source if given else "", given is not None and given.unverified
         )
         self.moved = self.stated.toggled
         form.addRow(self.stated)
@@ -240,7 +240,7 @@ class _PosStateFields:
             return None
         return PosAccuracy(
             self._name, self.position.value(), self.attitude.value(),
-            self.origin.source.text().strip(), self.origin.from_memory.isChecked(),
+            self.origin.source.text().strip(), self.origin.unverified.isChecked(),
         )  # fmt: skip
 
 

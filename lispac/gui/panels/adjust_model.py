@@ -145,7 +145,7 @@ class ModelSettings(QWidget):
         self.components.toggled.connect(self.changed)
         form.addRow(self.components)
         self.one_facing = QCheckBox(gettext("Accept targets that all face one way"))
-        self.one_facing.setObjectName("accept_one_facing")
+        self.one_facing.setObjectName("accept_single_orientation")
         self.one_facing.setToolTip(
             gettext(
                 "Tick this if all targets are on one wall, or if there is only one target. The "
@@ -186,7 +186,7 @@ class ModelSettings(QWidget):
             if kind == 2
             else None,
             variance_components=self.components.isChecked(),
-            accept_one_facing=self.one_facing.isChecked(),
+            accept_single_orientation=self.one_facing.isChecked(),
         )
 
     def show_settings(self, settings: Settings) -> None:
@@ -208,7 +208,7 @@ class ModelSettings(QWidget):
         kind = 1 if settings.lidar_sigma_xyz else 2 if settings.lidar_beam_sigma else 0
         self.noise.setCurrentIndex(kind)
         self.components.setChecked(settings.variance_components)
-        self.one_facing.setChecked(settings.accept_one_facing)
+        self.one_facing.setChecked(settings.accept_single_orientation)
         self.blockSignals(False)
 
     def show_model(self, pos_errors: PosErrors) -> None:

@@ -179,7 +179,7 @@ class ObservabilityPage(FigurePage):
         assert observability is not None
         sigma = observability.eigenvalues**-0.5
         paragraphs = [
-            *map(message_text, observability.remarks),
+            *map(message_text, observability.messages),
             gettext(
                 "Condition number {condition:x.1}: the σ of the weakest direction is {ratio:x.1} "
                 "times that of the strongest.",

@@ -214,15 +214,15 @@ def _sighting_row(
         cells = [*names, *fit, *[number_cell(None, "")] * 9, Cell(gettext("not tested"))]
         return Row(cells, key, tip=gettext(FOLLOW))
     remark, disagrees = "", sighting_status(test, critical) == "disagrees"
-    if test.released:
+    if test.rejected:
         remark = gettext("rejected: disagrees with other sightings")
     elif disagrees:
         remark = gettext("w beyond {limit:x.2}", limit=critical)
-    elif test.strays > 0.05 * residual.points:
+    elif test.outliers > 0.05 * residual.points:
         remark = gettext("many outliers")
     tests = (
         [number_cell(None, "")] * 3
-        if test.released
+        if test.rejected
         else [
             number_cell(test.w, "+.2f"),
             number_cell(test.detectable, ".1f", MM),
@@ -234,14 +234,14 @@ def _sighting_row(
         *fit,
         number_cell(test.shift, "+.1f", MM),
         *tests,
-        number_cell(test.strays, ",.0f"),
+        number_cell(test.outliers, ",.0f"),
         _worst_point_cell(test),
         number_cell(test.redundancy, ".2f"),
         _error_cell(test.pos_error[:3], test.pos_sigma[:3], MM, "mm"),
         _error_cell(test.pos_error[3:], test.pos_sigma[3:], MDEG, "m°"),
         Cell(remark),
     ]
-    return Row(cells, key, marked=test.released or disagrees, tip=gettext(FOLLOW))
+    return Row(cells, key, marked=test.rejected or disagrees, tip=gettext(FOLLOW))
 
 
 def _worst_point_cell(test: SightingReliability) -> Cell:
@@ -264,13 +264,13 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
     rows = []
     for target in result.targets:
         tests = [r for r in result.reliability if r.sighting.target == target.target]
-        rejected = [r.sighting.line for r in tests if r.released]
+        rejected = [r.sighting.line for r in tests if r.rejected]
         lines = sum(s.sighting.target == target.target for s in result.sightings)
         rough = target.noise > MUCH_NOISE
         remark = gettext("noise larger than given") if rough else ""
         if rejected:
             remark = gettext("rejected in {lines:names}", lines=rejected)
-        test_values = [abs(r.w) for r in tests if not r.released]
+        test_values = [abs(r.w) for r in tests if not r.rejected]
         cells = [
             Cell(target.target),
             Cell(gettext("sphere") if target.sphere else gettext("plane")),
@@ -280,7 +280,7 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
             number_cell(target.rms_after, ".1f", MM),
             number_cell(target.noise, ".2f") if result.model.correlated else number_cell(None, ""),
             number_cell(max(test_values, default=None), ".2f"),
-            number_cell(sum(r.strays for r in tests), ",.0f") if tests else number_cell(None, ""),
+            number_cell(sum(r.outliers for r in tests), ",.0f") if tests else number_cell(None, ""),
             Cell(remark),
         ]
         rows.append(Row(cells, (target.target, ""), marked=bool(rejected), tip=gettext(FOLLOW)))

@@ -57,7 +57,7 @@ class LineQualityLights(QWidget):
             icon = (
                 theme.icon(WAITS, theme.MUTED)
                 if quality is None
-                else theme.quality_icon(quality.light)
+                else theme.quality_icon(quality.rating)
             )
             light.setPixmap(icon.pixmap(SIZE, SIZE))
             if quality is None:

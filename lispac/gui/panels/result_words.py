@@ -25,10 +25,11 @@ def observation_counts(result: AdjustmentResult) -> str:
     sightings = gettext(
         Plural("{count:n} sighting", "{count:n} sightings"), count=len(result.sightings)
     )
-    if not result.left_out:
+    if not result.excluded_outliers:
         return f"{points}, {sightings}"
     outliers = gettext(
-        Plural("{count:n} outlier excluded", "{count:n} outliers excluded"), count=result.left_out
+        Plural("{count:n} outlier excluded", "{count:n} outliers excluded"),
+        count=result.excluded_outliers,
     )
     return f"{points}, {sightings}; {outliers}"
 

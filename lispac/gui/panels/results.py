@@ -182,7 +182,7 @@ class ResultsPanel(QWidget):
         self.weakest.setText(
             gettext("Not computed.")
             if observability is None
-            else message_text(observability.remarks[0])
+            else message_text(observability.messages[0])
         )
 
     def _fit_form(self) -> QFormLayout:

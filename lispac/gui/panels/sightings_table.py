@@ -19,7 +19,7 @@ from lispac.gui.panels import quantities, widgets
 from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
 from lispac.project import PickedSighting, Project, Target
-from lispac.targets.sighting_quality import Light, SightingQuality
+from lispac.targets.sighting_quality import Rating, SightingQuality
 from lispac.workflow.survey import Survey
 
 Role = Qt.ItemDataRole
@@ -28,7 +28,7 @@ _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 EDITED = "\N{LOWER RIGHT PENCIL}"
 _EMPTY = N_("No targets yet. Hold Ctrl and click a target in the view.")
-_LIGHTS: dict[Light, str] = {
+_LIGHTS: dict[Rating, str] = {
     "good": N_("Quality: good"),
     "doubtful": N_("Quality: doubtful"),
     "poor": N_("Quality: poor"),
@@ -213,14 +213,14 @@ class SightingsModel(QAbstractTableModel):
         used = target.used and sighting.used
         quality = self._qualities.get((target.name, sighting.line))
         if role == Role.DisplayRole:
-            is_poor = quality is not None and quality.light == "poor"
+            is_poor = quality is not None and quality.rating == "poor"
             light = "   " + gettext("poor") if is_poor else ""
             edited = f" {EDITED}" if sighting.by_hand else ""
             return (
                 f"{number(len(sighting.indices), 0)}   {_millimetres(sighting.rms)}{light}{edited}"
             )
         if role == Role.DecorationRole and quality is not None:
-            return theme.quality_icon(quality.light)
+            return theme.quality_icon(quality.rating)
         if role == Role.CheckStateRole:
             return Qt.CheckState.Checked if sighting.used else Qt.CheckState.Unchecked
         if role == Role.ForegroundRole and not used:
@@ -352,7 +352,7 @@ def _millimetres(metres: float) -> str:
 def quality_text(quality: SightingQuality) -> str:
     """Text of the quality, its reasons and the values behind them, one on each line."""
     lines = [
-        gettext(_LIGHTS[quality.light]),
+        gettext(_LIGHTS[quality.rating]),
         *map(message_text, quality.reasons),
         gettext("Range: {range}", range=quantities.amount(quality.range, "m", 1)),
     ]
@@ -363,11 +363,11 @@ def quality_text(quality: SightingQuality) -> str:
     if quality.extent is not None:
         width, height = (quantities.amount(each, "m", 2) for each in quality.extent)
         lines.append(gettext("Size: {width} × {height}", width=width, height=height))
-    if quality.share_shown is not None:
+    if quality.visible_share is not None:
         lines.append(
             gettext(
                 "Extent observed: {share:percent.0} % of the extent in the other lines",
-                share=quality.share_shown,
+                share=quality.visible_share,
             )
         )
     if quality.smear is not None:

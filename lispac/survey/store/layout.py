@@ -22,10 +22,13 @@ from zlib import crc32
 import numpy as np
 
 from lispac.errors import ProjectError, system_reason
+from lispac.former_names import renamed_keys
 from lispac.messages import Message, error
 from lispac.untrusted_values import json_values
 
-VERSION = 2
+VERSION = 3
+NAMES_FROM_2 = {"": {"left_out": "excluded_points"}}
+"""New names of fields of the manifest by those of version 2, see `renamed_keys`."""
 OWN_FILES = {"xyz", "time", "number", "row", "octaves", "starts"} | {
     f"coarse_{name}" for name in ("row", "local", "xyz", "time")
 }
@@ -152,7 +155,7 @@ class Manifest:
     line : str
         Name of the line.
     points : int
-    left_out : int
+    excluded_points : int
         Points of the file that are not in the store.
     folder : str
         Of the columns.
@@ -185,7 +188,7 @@ class Manifest:
 
     line: str
     points: int
-    left_out: int
+    excluded_points: int
     folder: str
     columns: tuple[StoredColumn, ...]
     attributes: tuple[StoredColumn, ...]
@@ -242,6 +245,7 @@ def read_manifest(folder: Path) -> Manifest | None:
             raise DamagedStore(
                 import_again_message(error("store.manifest_checksum", file=str(path)))
             )
+        store = renamed_keys(store, NAMES_FROM_2)
         manifest = Manifest(
             **{
                 **store,
@@ -271,7 +275,7 @@ def _require_valid_manifest(manifest: Manifest, path: Path) -> None:
     """
     values = error("store.manifest_values", file=str(path))
     names = (manifest.folder, *(column.file for column in manifest.files))
-    counts = [manifest.points, manifest.left_out]
+    counts = [manifest.points, manifest.excluded_points]
     numbers = [
         manifest.side, manifest.reach, *manifest.low, *manifest.high, manifest.first_time,
         manifest.last_time,

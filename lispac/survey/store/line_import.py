@@ -190,7 +190,7 @@ def _build_manifest(
     return Manifest(
         line=recipe.line,
         points=spool.points,
-        left_out=end.read - spool.points,
+        excluded_points=end.read - spool.points,
         folder=folder,
         columns=own,
         attributes=attributes,

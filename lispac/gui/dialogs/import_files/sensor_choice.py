@@ -102,5 +102,5 @@ def _pos_title(entry: tuple[str, tuple[PosSpecification, PosAccuracy] | None]) -
 def _show_origin(label: QWidget, figures: ScannerSpecification | PosAccuracy | None) -> None:
     label.setText("" if figures is None else source_text(figures))
     label.setVisible(figures is not None)
-    label.setProperty("role", "hint" if figures is not None and figures.from_memory else "muted")
+    label.setProperty("role", "hint" if figures is not None and figures.unverified else "muted")
     label.style().polish(label)

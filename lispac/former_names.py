@@ -1,0 +1,91 @@
+"""Former names of keys, parameters and attributes, accepted for one version.
+
+Each format keeps its own table of former and new names; the functions here apply a table.
+"""
+
+import functools
+import inspect
+import warnings
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
+
+from lispac.message_texts import message_text
+from lispac.messages import Message, note
+
+Renamed = TypeVar("Renamed", bound=Callable[..., Any])
+
+SCRIPT_NAMES = {
+    "accept_one_facing": "accept_single_orientation",
+    "left_out": "excluded_outliers",
+    "others": "other_surfaces",
+    "raised": "angle_sigma_factors",
+    "reach": "search_distance",
+    "released": "rejected",
+    "remarks": "messages",
+    "settled": "resolved",
+    "stated_times": "given_correlation_times",
+    "strays": "outliers",
+    "suspect_lines": "rejected_lines",
+    "suspects": "rejected_sightings",
+    "together": "all_lines",
+}
+"""Former and new names of parameters and attributes that scripts use."""
+
+
+def renamed_keys(content: Any, names: Mapping[str, Mapping[str, str]], place: str = "") -> Any:
+    """Content of a JSON file with its former keys replaced.
+
+    Parameters
+    ----------
+    names : mapping
+        New names by former names, by the place of their table: the keys that lead to it, joined by
+        points; empty for the outermost table. Lists do not count.
+    """
+    if isinstance(content, list):
+        return [renamed_keys(each, names, place) for each in content]
+    if not isinstance(content, dict):
+        return content
+    new = names.get(place, {})
+    return {
+        new.get(key, key): renamed_keys(value, names, f"{place}.{key}" if place else key)
+        for key, value in content.items()
+    }
+
+
+def accept_script_names(renamed: Renamed) -> Renamed:
+    """Accept the former names of the parameters of a function, or also attributes of a class."""
+    if isinstance(renamed, type):
+        renamed.__init__ = _with_former_parameters(renamed.__init__)  # type: ignore[misc]
+        renamed.__getattr__ = _attribute_of_former_name  # type: ignore[attr-defined]
+        return renamed
+    return _with_former_parameters(renamed)  # type: ignore[return-value]
+
+
+def _with_former_parameters(function: Callable[..., Any]) -> Callable[..., Any]:
+    parameters = inspect.signature(function).parameters
+
+    @functools.wraps(function)
+    def renamed(*args: Any, **named: Any) -> Any:
+        for former in named.keys() & SCRIPT_NAMES.keys() - parameters.keys():
+            _warn(note("former_name.script", former=former, name=SCRIPT_NAMES[former]))
+            named[SCRIPT_NAMES[former]] = named.pop(former)
+        return function(*args, **named)
+
+    return renamed
+
+
+def _attribute_of_former_name(holder: Any, name: str) -> Any:
+    new = SCRIPT_NAMES.get(name)
+    if new is None or not hasattr(holder, new):
+        raise AttributeError(f"{type(holder).__name__!r} object has no attribute {name!r}")
+    _warn(note("former_name.script", former=name, name=new))
+    return getattr(holder, new)
+
+
+def warn_of_former_key(file: str, former: str, name: str) -> None:
+    """Warn that a file has a former key."""
+    _warn(note("former_name.key", file=file, former=former, name=name))
+
+
+def _warn(message: Message) -> None:
+    warnings.warn(message_text(message), FutureWarning, stacklevel=3)

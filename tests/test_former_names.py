@@ -1,0 +1,168 @@
+"""Former names are accepted for one version: options, TOML keys, scripts, stored lines."""
+
+import json
+from dataclasses import fields, replace
+from pathlib import Path
+
+import pytest
+
+import lispac
+from lispac.cli.former_options import FORMER_OPTIONS, with_new_options
+from lispac.cli.parser import build_parser
+from lispac.former_names import SCRIPT_NAMES
+from lispac.io.plan_file import read_site
+from lispac.io.project_file import read_project
+from lispac.io.toml_table import FORMER_KEYS
+from lispac.project import Settings
+from lispac.survey.store import layout
+from lispac.workflow.batch import BatchRow
+from tests.report_sample import sample_project
+from tests.store_lines import small, stored
+
+__all__ = ["small"]
+
+DATA = Path(__file__).parent / "data"
+SITE = Path(__file__).parents[1] / "resources" / "sites" / "quay.toml"
+
+
+def options_of(command: str) -> set[str]:
+    (commands,) = (each.choices for each in build_parser()._actions if each.dest == "command")
+    return set(commands[command]._option_string_actions)  # type: ignore[index]
+
+
+@pytest.mark.parametrize("command", FORMER_OPTIONS)
+def test_a_former_option_is_replaced_with_a_note(
+    command: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for former, new in FORMER_OPTIONS[command].items():
+        assert former not in options_of(command)
+        assert new in options_of(command)
+        assert with_new_options([command, "a", former, "1"]) == [command, "a", new, "1"]
+        assert with_new_options([command, f"{former}=1"]) == [command, f"{new}=1"]
+        notes = capsys.readouterr().err.splitlines()
+        assert len(notes) == 2
+        assert all(each.startswith("note: ") and former in each and new in each for each in notes)
+        assert with_new_options([command, new]) == [command, new]
+    assert capsys.readouterr().err == ""
+
+
+def test_an_option_of_another_command_is_not_replaced() -> None:
+    assert with_new_options(["export", "--keep"]) == ["export", "--keep"]
+    assert with_new_options([]) == []
+
+
+def test_former_keys_of_a_site_are_read_with_a_warning(tmp_path: Path) -> None:
+    former = SITE.read_text(encoding="utf-8")
+    used = [(new, old) for old, new in FORMER_KEYS.items() if new in former]
+    assert len(used) == 3
+    for new, old in used:
+        former = former.replace(new, old)
+    path = tmp_path / "former.toml"
+    path.write_text(former, encoding="utf-8")
+    with pytest.warns(FutureWarning) as warned:
+        _, site = read_site(path)
+    assert [each for _, old in used for each in warned if f"key {old} is" in str(each.message)]
+    assert len(warned) == 3
+    _, present = read_site(SITE)
+    assert (site.inclinations_deg, site.headings_deg) == (
+        present.inclinations_deg, present.headings_deg,
+    )  # fmt: skip
+
+
+def test_former_parameters_of_scripts_are_accepted(tmp_path: Path) -> None:
+    with pytest.warns(FutureWarning, match="accept_single_orientation"):
+        settings = Settings((0.0, 0.0, 1.0), accept_one_facing=True)  # type: ignore[call-arg]
+    assert settings == Settings((0.0, 0.0, 1.0), accept_single_orientation=True)
+    with pytest.warns(FutureWarning, match="accept_single_orientation"):
+        assert settings.accept_one_facing  # type: ignore[attr-defined]
+    with (
+        pytest.warns(FutureWarning, match="resolved"),
+        pytest.raises(lispac.LispacError),
+    ):
+        lispac.new(
+            tmp_path / "p", lines=[tmp_path / "a.laz"], trajectory=tmp_path / "t.out",
+            lever_arm=(0.0, 0.0, 1.0), settled=True,
+        )  # fmt: skip
+    with pytest.raises(TypeError, match="unknown"):
+        Settings((0.0, 0.0, 1.0), unknown=1)  # type: ignore[call-arg]
+    with pytest.raises(AttributeError, match="unknown"):
+        settings.unknown  # type: ignore[attr-defined]  # noqa: B018
+    with pytest.raises(AttributeError, match="reach"):
+        settings.reach  # type: ignore[attr-defined]  # noqa: B018
+
+
+def test_former_attributes_of_results_are_accepted(tmp_path: Path) -> None:
+    result = sample_project(tmp_path).result
+    assert result is not None
+    rejected = replace(result.reliability[0], rejected=True, outliers=3)
+    result = replace(result, reliability=(rejected,), excluded_outliers=7)
+    holders = result, rejected, BatchRow(tmp_path, "p", "refused", ("No targets.",))
+    for holder in holders:
+        names = {each.name for each in fields(holder)}  # type: ignore[arg-type]
+        former = [old for old, new in SCRIPT_NAMES.items() if new in names]
+        assert former
+        for name in former:
+            with pytest.warns(FutureWarning, match=SCRIPT_NAMES[name]):
+                found = getattr(holder, name)
+            assert found is getattr(holder, SCRIPT_NAMES[name])
+    with pytest.warns(FutureWarning, match="rejected_sightings"):
+        assert result.suspects == result.rejected_sightings  # type: ignore[attr-defined]
+
+
+def test_a_project_of_version_9_has_the_same_values() -> None:
+    before = json.loads((DATA / "project-9" / "project.json").read_text(encoding="utf-8"))
+    project = read_project(DATA / "project-9")
+    result = project.result
+    assert result is not None
+    former = before["result"]
+    assert result.excluded_outliers == former["left_out"] == 7
+    assert result.angle_sigma_factors is not None
+    assert result.angle_sigma_factors.tolist() == former["raised"]
+    assert list(result.given_correlation_times or ()) == former["stated_times"]
+    assert [each.outliers for each in result.reliability] == [
+        each["strays"] for each in former["reliability"]
+    ]
+    assert [each.rejected for each in result.reliability] == [
+        each["released"] for each in former["reliability"]
+    ]
+    assert result.reliability[0].rejected
+    (contradiction,) = result.contradictions
+    assert contradiction.angle_change.tolist() == former["contradictions"][0]["moved"]
+    assert contradiction.surface_sigma == former["contradictions"][0]["surface"]
+    assert result.surface == former["surface"]
+    assert result.causes is not None
+    assert result.causes[0][0].angle_change.tolist() == former["causes"][0][0]["moved"]
+    assert result.observability is not None
+    assert len(result.observability.messages) == len(former["observability"]["remarks"]) > 0
+    assert project.cross_checks is not None
+    assert [each.part for each in project.cross_checks.parts] == [
+        each["without"] for each in before["cross_checks"]["parts"]
+    ]
+    planes = project.validation[0].pairs[0].after.planes
+    stored = before["validation"][0]["pairs"][0]["after"]["planes"]
+    assert planes is not None
+    assert (planes.outliers, planes.rotation_horizontal_axis, planes.rotation_slope_axis_95) == (
+        stored["strays"], stored["turn_level"], stored["turn_upright_95"],
+    )  # fmt: skip
+    assert project.absolute is not None
+    assert project.absolute.search_distance == before["absolute"]["reach"]
+    assert [each.distance for each in project.absolute.other_surfaces or ()] == [
+        each["distance"] for each in before["absolute"]["others"]
+    ]
+    (alternative,) = project.alternative_results
+    assert [each.code for each in alternative.messages] == [
+        each["code"] for each in before["opinions"][0]["remarks"]
+    ]
+
+
+@pytest.mark.usefixtures("small")
+def test_a_line_stored_with_version_2_is_read(tmp_path: Path) -> None:
+    now = stored(tmp_path / "L1").manifest
+    path = tmp_path / "L1" / layout.MANIFEST
+    content = json.loads(path.read_text(encoding="utf-8"))
+    store = content["store"]
+    store["left_out"] = store.pop("excluded_points")
+    former = {"version": 2, "checksum": layout._checksum(store), "store": store}
+    path.write_text(json.dumps(former), encoding="utf-8")
+    assert now.excluded_points > 0
+    assert layout.read_manifest(tmp_path / "L1") == now
