@@ -401,6 +401,11 @@ class AdjustmentResult:
         )
 
     @property
+    def noise_factors(self) -> dict[str, float]:
+        """Noise of each target over the given one, as in `TargetResidual`."""
+        return {target.target: target.noise for target in self.targets}
+
+    @property
     def boresight(self) -> Array:
         """Estimated roll, pitch, yaw, shape (3,), radians; see `Mounting`."""
         return self.mounting.boresight
