@@ -375,6 +375,11 @@ class Project:
         """Result of an alternative method; None if it has not been run."""
         return next((each for each in self.opinions if each.method == method), None)
 
+    @property
+    def is_targetless(self) -> bool:
+        """Whether its result is that of the targetless method, whose surfaces are its targets."""
+        return self.result is not None and bool(self.result.remarks)
+
     def with_alternative_result(self, opinion: AlternativeResult) -> "Project":
         """Set the result of an alternative method."""
         others = [each for each in self.opinions if each.method != opinion.method]

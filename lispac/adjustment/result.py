@@ -361,6 +361,8 @@ class AdjustmentResult:
         Targets no point of which agrees with the others. They take no part in the result.
     common_parts : tuple of CommonPart
         Targets of which the lines show different parts.
+    remarks : tuple of Message
+        Of the method that found the targets: what the result is based on, and what limits it.
     """
 
     mounting: Mounting
@@ -392,6 +394,7 @@ class AdjustmentResult:
     radius_discrepancies: tuple[RadiusDiscrepancy, ...] = ()
     excluded_targets: tuple[str, ...] = ()
     common_parts: tuple[CommonPart, ...] = ()
+    remarks: tuple[Message, ...] = ()
 
     @property
     def surfaces(self) -> Array:

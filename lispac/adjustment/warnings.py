@@ -278,6 +278,10 @@ def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Itera
         yield note("adjustment.sigmas_raised", angles=raised, subject=page)
 
 
+def _method_remarks(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    yield from result.remarks
+
+
 RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Message]], ...] = (
     _thesis_mode_warning,
     _large_sigma_warnings,
@@ -296,4 +300,5 @@ RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Message]]
     _radius_warnings,
     _correlation_time_note,
     _raised_sigma_note,
+    _method_remarks,
 )
