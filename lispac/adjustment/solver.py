@@ -193,7 +193,7 @@ def _adjust_all_targets(
                 found = replace(found, radius_discrepancies=radii)
             if not (diagnostics and test_model and model.correlated):
                 return found
-            if not _is_model_rejected(found, REJECTION_LEVEL):
+            if not is_model_rejected(found, REJECTION_LEVEL):
                 return found
             if _passes_without_cause(found, observations, parameters, adjusted):
                 return found
@@ -203,7 +203,7 @@ def _adjust_all_targets(
                     attitude_time=factor * model.attitude_time,
                 )  # fmt: skip
                 with suppress(AdjustmentError, np.linalg.LinAlgError):
-                    if not _is_model_rejected(adjusted(shorter, diagnostics=False)):
+                    if not is_model_rejected(adjusted(shorter, diagnostics=False)):
                         stated = model.position_time, model.attitude_time
                         return replace(
                             adjusted(shorter, diagnostics=True),
@@ -215,7 +215,7 @@ def _adjust_all_targets(
         raise NotConverged(error("adjustment.diverged")) from reason
 
 
-def _is_model_rejected(result: AdjustmentResult, chance: float = 0.025) -> bool:
+def is_model_rejected(result: AdjustmentResult, chance: float = 0.025) -> bool:
     """Whether the chi-square test rejects the model.
 
     Parameters
@@ -252,7 +252,7 @@ def _passes_without_cause(
         without = adjusted(
             found.model, (*parameters, *values), observations.of_sightings(kept), diagnostics=False
         )
-        return not _is_model_rejected(without)
+        return not is_model_rejected(without)
     return False
 
 
