@@ -286,7 +286,7 @@ def test_a_kept_result_is_the_boresight_of_a_project_without_targets(
     write_report(kept, survey, tmp_path / "report.json")
     report = json.loads((tmp_path / "report.json").read_text())
     assert report["calibrated"]
-    codes = {each["code"] for each in report["warnings"]}
+    codes = {each["code"] for each in report["cautions"]}
     assert "report.not_calibrated" not in codes
     assert {each.code for each in clean.remarks} <= codes
     # Another run takes the place of the first.
