@@ -2,8 +2,8 @@
 
 A wrong sign of the attitude, a latency or a range offset can make the targets of different lines so
 different that no boresight is found. Each candidate is corrected, or estimated, and the adjustment
-is repeated. One that converges, and whose residuals agree with the error model, is a possible
-cause.
+is repeated. One that converges, and whose residuals pass the global chi-square test (Baarda 1968),
+is a possible cause.
 """
 
 from collections.abc import Iterator
