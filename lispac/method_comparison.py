@@ -10,7 +10,7 @@ from lispac.messages import Message, note
 from lispac.project import Project
 from lispac.validation.repeatability import Calibration, CalibrationDifference, compare_calibrations
 
-TARGETS = "targets"
+TARGETS, TARGETLESS = "targets", "targetless"
 FAR = 50.0
 """Distances, metres, at which the effect of a difference on a point is given."""
 
@@ -51,7 +51,7 @@ class MethodResult:
 
 
 def method_results(project: Project) -> tuple[MethodResult, ...]:
-    """Results of all methods, that of the targets first; each is compared with the first."""
+    """Results of all methods, that of the project first; each is compared with the first."""
     found: list[MethodResult] = []
 
     def add(said: Calibration, lines: int, surfaces: int, remarks: tuple[Message, ...]) -> None:
@@ -61,9 +61,10 @@ def method_results(project: Project) -> tuple[MethodResult, ...]:
     result = project.result
     if result is not None:
         seen = [each.sighting for each in result.sightings]
+        method = TARGETLESS if project.is_targetless else TARGETS
         add(
-            Calibration(TARGETS, result.boresight, result.covariance),
-            len({each.line for each in seen}), len({each.target for each in seen}), (),
+            Calibration(method, result.boresight, result.covariance),
+            len({each.line for each in seen}), len({each.target for each in seen}), result.messages,
         )  # fmt: skip
     for each in project.alternative_results:
         add(
@@ -75,7 +76,12 @@ def method_results(project: Project) -> tuple[MethodResult, ...]:
 
 def missing_methods(project: Project) -> tuple[Method, ...]:
     """Methods without a result."""
-    return tuple(method for method in METHODS if project.alternative_result(method) is None)
+    return tuple(
+        method
+        for method in METHODS
+        if project.alternative_result(method) is None
+        and not (method == TARGETLESS and project.is_targetless)
+    )
 
 
 def comparison_remarks(found: tuple[MethodResult, ...]) -> tuple[Message, ...]:

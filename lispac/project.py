@@ -377,6 +377,12 @@ class Project:
         """Result of an alternative method; None if it has not been run."""
         return next((each for each in self.alternative_results if each.method == method), None)
 
+    @property
+    def is_targetless(self) -> bool:
+        """Whether its result is that of the targetless method, whose surfaces are its targets."""
+        messages = () if self.result is None else self.result.messages
+        return any(message.code.startswith("targetless.") for message in messages)
+
     def with_alternative_result(self, alternative: AlternativeResult) -> "Project":
         """Set the result of an alternative method."""
         others = [each for each in self.alternative_results if each.method != alternative.method]

@@ -314,7 +314,7 @@ def test_the_equations_at_an_answer_say_how_its_weights_follow(
     model = StochasticModel(loss=loss, surface=0.001)
     solved = SolvedEquations.of(adjust(outliers, PRIOR, model, diagnostics=False), outliers, PRIOR)
     assert solved is not None
-    here, step = solved.here, 1e-6
+    here, step = solved.here.tangent, 1e-6
     mounting = here.state.mounting
 
     def pull(turn: np.ndarray) -> np.ndarray:

@@ -9,13 +9,13 @@ import pytest
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.result import AdjustmentResult, CandidateCause, UncheckedPart
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.adjustment.warnings import result_warnings
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.message_texts.former_codes import former_code
-from lispac.messages import warning
+from lispac.messages import note, warning
 from lispac.simulation.closed_form_survey import BOARDS, add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
@@ -190,6 +190,32 @@ def test_thesis_mode_and_surfaces_held_have_no_cause() -> None:
     data, _ = survey("lever_x", 0)
     assert places(adjust(data, PRIOR, StochasticModel("independent"))) == []
     assert places(adjust(data, PRIOR, StochasticModel(surface=0.0))) == []
+
+
+def test_of_equal_causes_on_too_few_lines_none_is_named() -> None:
+    """The POS error of a line, which no other line checks, acts like a wrong lever arm."""
+    data, _ = survey("lever_x", 0)
+    result = adjust(data, PRIOR, MODEL)
+    assert result.observability is not None
+    unchecked = (UncheckedPart("line", line=data.lines[0]),)  # as where there are two lines
+    result = replace(result, observability=replace(result.observability, unchecked=unchecked))
+
+    def cause(kind: str, line: str = "") -> CandidateCause:
+        return CandidateCause(
+            kind, "", line, np.full(3, 0.1), np.full(3, 0.01), np.zeros(3), 0.02, 12.0
+        )
+
+    lever, of_line = cause("lever_x"), cause("line_boresight", data.lines[0])
+    unclear = replace(result, causes=((lever, of_line),))
+    assert "adjustment.cause_not_identified" in _codes(unclear)
+    assert not any("cause." in str(each.params) for each in result_warnings(unclear, None))
+    clear = [
+        each for each in result_warnings(replace(result, causes=((lever,), (of_line,) * 2)), None)
+        if each.code == "adjustment.cause_not_located"
+    ]  # fmt: skip
+    assert len(clear) == 1
+    (phrase,) = clear[0].params["causes"]
+    assert phrase.params["parameter"] == note("quantity.lever_x")
 
 
 def test_causes_are_kept_with_the_result() -> None:

@@ -7,14 +7,17 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.warnings import result_warnings
-from lispac.errors import TargetNotFound
+from lispac.errors import RankDeficient, TargetNotFound
+from lispac.messages import error, note
 from lispac.workflow.calibration import estimate
 from lispac.workflow.proposals import UNCHECKED, propose_targets
 from lispac.workflow.target_choice import LEAST_TARGETS
+from lispac.workflow.targetless import targetless
 from tests.natural_scenes import natural_site, opened, study
 
-GOOD, TENT, TWO = 5, 7, 59
-"""A scene on six lines, one on four whose surfaces are not flat but for one, and one with two."""
+GOOD, TENT, TWO, OPPOSITE = 5, 7, 59, 11
+"""A scene on six lines, one on four whose surfaces are not flat but for one, one with two, and one
+on two opposite lines whose flat surfaces do not determine yaw."""
 
 
 def test_the_proposal_is_checked_and_says_its_sigmas() -> None:
@@ -46,6 +49,23 @@ def test_a_scene_without_flat_surfaces_is_refused() -> None:
     project, survey = opened(natural_site(TENT), np.zeros(3))
     with pytest.raises(TargetNotFound, match="targetless"):
         propose_targets(project, survey)
+
+
+def test_parallel_lines_that_leave_an_angle_are_refused_with_a_way_out() -> None:
+    """And the targetless method, which is offered, gives a result there."""
+    seen = natural_site(OPPOSITE)
+    project, survey = opened(seen, np.array([1.0, -1.0, 1.0]))
+    with pytest.raises(RankDeficient) as raised:
+        propose_targets(project, survey)
+    assert raised.value.message == error(
+        "propose.undetermined",
+        project=project.name,
+        direction=note("adjustment.angle_yaw"),
+        reason=note("adjustment.parallel_lines"),
+    )
+    assert "targetless method" in str(raised.value)
+    found = targetless(project, survey).result
+    assert (np.abs(found.boresight - seen.boresight) < 3 * found.sigma).all()
 
 
 def test_targets_that_do_not_check_each_other_are_named() -> None:

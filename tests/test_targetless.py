@@ -11,13 +11,17 @@ import pytest
 from lispac.adjustment.warnings import result_warnings
 from lispac.errors import AdjustmentError
 from lispac.geometry.rotations import rotation_matrix
+from lispac.io.project_file import read_project, write_project
 from lispac.messages import note
+from lispac.method_comparison import method_results, missing_methods
 from lispac.project import Project
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import Mounting, place_points, to_lidar
 from lispac.survey.scan import Scan
 from lispac.workflow.calibration import estimate
 from lispac.workflow.demo import demo_seeds
+from lispac.workflow.export import write_report
+from lispac.workflow.method_runs import with_targetless_result
 from lispac.workflow.picking import pick_target
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import Survey, load_survey
@@ -263,3 +267,47 @@ def test_what_cannot_be_mixed_is_refused(
     code, out, err = run(capsys, "targetless", tmp_path, "--save", "--with-targets")
     assert (code, out) == (2, "")
     assert "not independent" in err
+
+
+def test_a_kept_result_is_the_boresight_of_a_project_without_targets(
+    thinned: Opened, clean: TargetlessResult, tmp_path: Path
+) -> None:
+    project, survey = thinned
+    kept = with_targetless_result(project, clean)
+    assert kept.is_targetless
+    assert kept.result is not None
+    np.testing.assert_array_equal(kept.mounting("estimated").boresight, clean.result.boresight)
+    assert [each.name for each in kept.targets] == [each.name for each in clean.project.targets]
+    assert kept.opinions == ()
+    assert [each.method for each in method_results(kept)] == ["targetless"]
+    assert "targetless" not in missing_methods(kept)
+    write_project(replace(kept, folder=tmp_path))
+    assert read_project(tmp_path).is_targetless
+    write_report(kept, survey, tmp_path / "report.json")
+    report = json.loads((tmp_path / "report.json").read_text())
+    assert report["calibrated"]
+    codes = {each["code"] for each in report["cautions"]}
+    assert "report.not_calibrated" not in codes
+    assert {each.code for each in clean.remarks} <= codes
+    # Another run takes the place of the first.
+    again = with_targetless_result(kept, clean)
+    assert len(again.targets) == len(kept.targets)
+
+
+def test_a_kept_result_stands_beside_the_targets_of_a_project(
+    thinned: Opened, clean: TargetlessResult
+) -> None:
+    project, survey = thinned
+    picked = pick_target(project, survey, demo_seeds()["T1"][1], name="T1")
+    kept = with_targetless_result(picked, clean)
+    assert kept.result is None
+    assert kept.targets == picked.targets
+    assert [each.method for each in kept.opinions] == ["targetless"]
+    plane = replace(picked.target("T1"), role="validation")
+    kept = with_targetless_result(replace(project, targets=(plane,)), clean)
+    assert kept.is_targetless
+    assert kept.targets_of_role("validation") == (plane,)
+    taken = replace(plane, name=clean.project.targets[0].name)
+    with pytest.raises(AdjustmentError) as raised:
+        with_targetless_result(replace(project, targets=(taken,)), clean)
+    assert raised.value.code == "targetless.name_taken"

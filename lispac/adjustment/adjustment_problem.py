@@ -1,6 +1,6 @@
 """Adjustment problem between two iterations: points, model, unknowns, and the next step."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -76,6 +76,8 @@ class AdjustmentProblem:
         and how far it reaches. Of all points alike: what a tilt is must not depend on weights.
     own_offsets : bool
         Whether a sigma of the offsets is estimated separately from that of the tilts.
+    known_noise : bool
+        Whether the noise is given; otherwise it is estimated from the residuals.
     """
 
     observations: Observations
@@ -90,6 +92,7 @@ class AdjustmentProblem:
     blocks: NDArray[np.int64]
     moments: Array
     own_offsets: bool = False
+    known_noise: bool = False
 
     @classmethod
     def of(
@@ -140,9 +143,16 @@ class AdjustmentProblem:
 
     def with_noise_blocks(self) -> "AdjustmentProblem":
         """Problem with the blocks that separate noise from roughness."""
-        if len(self.blocks) or not self.model.correlated:
+        if len(self.blocks) or self.known_noise or not self.model.correlated:
             return self
         return replace(self, blocks=assign_surface_blocks(self.observations, self.prior))
+
+    def with_known_noise(self, noise: Mapping[str, float] | None) -> "AdjustmentProblem":
+        """Problem with the noise of each target, as `TargetResidual` states it, if it is known."""
+        if noise is None:
+            return self
+        factors = np.array([noise[target] for target in self.observations.targets])
+        return replace(self, noise=factors, known_noise=True)
 
     @property
     def is_sighting_tied(self) -> NDArray[np.bool_]:
@@ -211,6 +221,7 @@ class AdjustmentProblem:
             scale=self.scale,
             noise=self.noise,
             own_offsets=self.own_offsets,
+            known_noise=self.known_noise,
         )
 
     def with_parameters(self, parameters: tuple[Parameter, ...]) -> "AdjustmentProblem":
@@ -324,6 +335,11 @@ class LinearisedProblem:
     def normal(self) -> NormalEquations:
         """Normal equations of all points."""
         return self.problem.build_equations(self.state, self.sums, self.bases, self.departures)
+
+    @cached_property
+    def tangent(self) -> "LinearisedProblem":
+        """The same state with weights that follow the unknowns (Newton), as in `PointWeights`."""
+        return self.problem.linearised(self.state, self.loss, tangent=True)
 
     def normal_without_sightings(self, sightings: NDArray[np.bool_]) -> NormalEquations:
         """Normal equations without some sightings, shape (sightings,)."""

@@ -139,13 +139,20 @@ def _has_too_few_lines(result: AdjustmentResult) -> bool:
 
 
 def _unlocated_cause_notes(causes: Sequence[Sequence[CandidateCause]]) -> Iterator[Message]:
-    if causes:
-        every = [cause for group in causes for cause in group]
+    """Note on the causes where lines are too few to locate an error.
+
+    Of several that fit about equally well none is named: the POS error of a line, which no other
+    line checks, has the effect of a wrong lever arm.
+    """
+    clear = [group[0] for group in causes if len(group) == 1]
+    if clear:
         yield note(
             "adjustment.cause_not_located",
-            causes=_cause_phrases(every),
-            subject=_cause_subject(every[0]),
+            causes=_cause_phrases(clear),
+            subject=_cause_subject(clear[0]),
         )
+    elif causes:
+        yield note("adjustment.cause_not_identified", subject=RESULT)
 
 
 def _single_cause_warning(result: AdjustmentResult, cause: CandidateCause) -> Iterator[Message]:

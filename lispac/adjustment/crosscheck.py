@@ -40,7 +40,7 @@ def cross_checks(
         As it went into the adjustment of ``result``.
     """
     start = mounting.with_boresight(result.boresight)
-    observations, result = apply_rejections_and_noise(observations, result.with_formal_sigmas)
+    observations, result = apply_rejections_and_surfaces(observations, result.with_formal_sigmas)
     result, parameters = _fix_undetermined_parameters(observations, start, result, parameters)
     parts = [*_leave_one_out_parts(observations), *_survey_halves(observations)]
     found: list[CrossCheck] = []
@@ -59,13 +59,13 @@ def cross_checks(
     )
 
 
-def apply_rejections_and_noise(
+def apply_rejections_and_surfaces(
     observations: Observations, result: AdjustmentResult
 ) -> tuple[Observations, AdjustmentResult]:
-    """Apply rejections, noise and surface sigmas of the whole adjustment to points and model.
+    """Apply the rejections and the surface sigmas of the whole adjustment to points and model.
 
-    Told anew of noise, surfaces and blunders from fewer sightings, parts would differ by more than
-    the answers do.
+    With noise, surface sigmas and rejections estimated again from fewer sightings, parts would
+    differ by more than their angles do. The noise is known too: `AdjustmentResult.noise_factors`.
     """
     kept = np.array(
         [
@@ -74,12 +74,6 @@ def apply_rejections_and_noise(
         ]
     )
     observations = observations.of_sightings(kept)
-    noise = {target.target: target.noise for target in result.targets}
-    factors = np.array([noise[target] for target in observations.targets])
-    owners = observations.target_of_sighting[observations.sighting]
-    observations = replace(
-        observations, sigma_lidar=observations.sigma_lidar * factors[owners][:, None]
-    )
     if result.model.correlated:
         surface, _, offset = np.maximum(result.surfaces, 1e-5 if result.model.surface != 0 else 0.0)
         model = replace(result.model, surface=float(surface), offset=float(offset))
@@ -103,8 +97,8 @@ def _fix_undetermined_parameters(
     if not any(each.name in unseen and each.prior_sigma is not None for each in result.parameters):
         return result, seen
     whole = adjust(
-        observations, start, result.model, parameters=seen, accept_single_orientation=True,
-        diagnostics=False,
+        observations, start, result.model, parameters=seen, noise=result.noise_factors,
+        accept_single_orientation=True, diagnostics=False,
     )  # fmt: skip
     return replace(result, covariance_all=whole.covariance_all, estimated=whole.estimated), seen
 
@@ -140,7 +134,8 @@ def _cross_check_part(
     try:
         part = adjust(
             observations.of_sightings(keep), start, result.model,
-            parameters=parameters, accept_single_orientation=True, diagnostics=False,
+            parameters=parameters, noise=result.noise_factors, accept_single_orientation=True,
+            diagnostics=False,
         )  # fmt: skip
     except AdjustmentError as failure:
         return CrossCheck(kind, name, reason=as_message(failure.reason))

@@ -12,6 +12,8 @@ There are few picked targets: whole lines and whole targets are omitted, and wha
 more is added only where chance does not explain it.
 
 A part is omitted by subtracting its sums from the normal equations: one solution for each part.
+The weights follow each solution (Newton): if they were fixed, the results of parts would scatter
+too little.
 """
 
 from collections.abc import Iterator
@@ -88,14 +90,14 @@ def excess_variance(
     ----------
     here, origins : as in `lispac.adjustment.solved_equations.SolvedEquations`
     """
-    more = np.zeros(3)
+    more, tangent = np.zeros(3), here.tangent
     with single_blas_thread():
         try:
-            whole = _change_without_groups(here, np.zeros(len(here.sums), dtype=bool))
+            whole = _change_without_groups(tangent, np.zeros(len(here.sums), dtype=bool))
         except (AdjustmentError, np.linalg.LinAlgError):
             return more  # without a whole to compare with, nothing is known
         for parts in _place_and_stretch_groups(here, origins):
-            differences, predicted = _leave_out_differences(here, whole, parts, progress)
+            differences, predicted = _leave_out_differences(tangent, whole, parts, progress)
             more += _variance_beyond_prediction(differences, predicted)
     return more
 
@@ -108,16 +110,17 @@ def leave_out_sigma_factors(here: LinearisedProblem) -> Array:
     Parameters
     ----------
     here : LinearisedProblem
-        Of the correlated model, at its solution, with the tangent weights.
+        Of the correlated model, at its solution.
     """
+    tangent = here.tangent
     with single_blas_thread():
         try:
-            whole = _change_without_groups(here, np.zeros(len(here.sums), dtype=bool))
+            whole = _change_without_groups(tangent, np.zeros(len(here.sums), dtype=bool))
         except (AdjustmentError, np.linalg.LinAlgError):
             return np.ones(3)
         more = np.zeros(3)
         for parts in _line_and_target_groups(here):
-            differences, predicted = _leave_out_differences(here, whole, parts, no_progress)
+            differences, predicted = _leave_out_differences(tangent, whole, parts, no_progress)
             checked = predicted <= LEVERAGE * whole[1]
             differences, predicted = differences * checked, predicted * checked
             enough = checked.sum(axis=0) >= FEWEST

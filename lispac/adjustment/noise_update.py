@@ -41,7 +41,7 @@ def _noise_from_residuals(problem: AdjustmentProblem, state: AdjustmentState) ->
     if problem.model.loss != "none":
         near = is_point_on_target(observations, residuals)
         problem = replace(problem, scale=target_noise_scales(observations, residuals, near))
-    if not problem.model.correlated:
+    if problem.known_noise or not problem.model.correlated:
         return problem
     noise = target_noise_factors(observations, residuals, problem.blocks, near)
     return replace(problem, noise=noise)

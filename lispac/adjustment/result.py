@@ -364,6 +364,8 @@ class AdjustmentResult:
         Targets no point of which agrees with the others. They take no part in the result.
     common_parts : tuple of CommonPart
         Targets of which the lines show different parts.
+    messages : tuple of Message
+        Of the method that found the targets: what the result is based on, and what limits it.
     """
 
     mounting: Mounting
@@ -395,6 +397,7 @@ class AdjustmentResult:
     radius_discrepancies: tuple[RadiusDiscrepancy, ...] = ()
     excluded_targets: tuple[str, ...] = ()
     common_parts: tuple[CommonPart, ...] = ()
+    messages: tuple[Message, ...] = ()
 
     @property
     def surfaces(self) -> Array:
@@ -402,6 +405,11 @@ class AdjustmentResult:
         return np.array(
             [self.surface, self.surface, self.surface if self.offset is None else self.offset]
         )
+
+    @property
+    def noise_factors(self) -> dict[str, float]:
+        """Noise of each target over the given one, as in `TargetResidual`."""
+        return {target.target: target.noise for target in self.targets}
 
     @property
     def boresight(self) -> Array:

@@ -78,7 +78,7 @@ def assemble_result(
     correlated = problem.model.correlated
     factors = None
     if diagnostics and raise_sigmas and correlated:
-        factors = leave_out_sigma_factors(problem.linearised(state, linearised.loss, tangent=True))
+        factors = leave_out_sigma_factors(linearised)
     found = AdjustmentResult(
         mounting=state.mounting,
         prior_boresight=np.array(problem.prior.boresight, dtype=float),

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.blas_threads import single_blas_thread
-from lispac.adjustment.crosscheck import apply_rejections_and_noise
+from lispac.adjustment.crosscheck import apply_rejections_and_surfaces
 from lispac.adjustment.iteration import iterate
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Parameter
@@ -28,8 +28,8 @@ class SolvedEquations:
     Attributes
     ----------
     here : LinearisedProblem
-        Without the rejected sightings. Weights follow the solution (Newton): if they were fixed,
-        the answers of parts would scatter too little.
+        Without the rejected sightings; its covariance is that of the result before its sigmas were
+        raised.
     origins : ndarray of shape (targets, 3), metres, local frame
         Middles that the coordinates of each target are counted from.
     """
@@ -58,15 +58,16 @@ class SolvedEquations:
         """
         if not result.model.correlated:
             return None
-        observations, result = apply_rejections_and_noise(observations, result)
+        observations, result = apply_rejections_and_surfaces(observations, result)
         own = tuple(each for each in parameters if each.name in result.estimated)
         origins = target_centroids(observations, result.mounting)
         few = relative_to_origins(observations, origins)
         problem = AdjustmentProblem.of(few, mounting, result.model, own)
+        problem = problem.with_known_noise(result.noise_factors)
         start = problem.start(result.mounting, fit_shapes(few, result.mounting))
         try:
             with single_blas_thread():
                 end = iterate(problem, start, progress).linearised
-                return cls(end.problem.linearised(end.state, end.loss, tangent=True), origins)
+                return cls(end.problem.linearised(end.state, end.loss), origins)
         except (AdjustmentError, np.linalg.LinAlgError):
             return None  # what a part is to be compared with is not known

@@ -1,7 +1,7 @@
 """The least-squares adjustment of mounting and targets (thesis B.3)."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 
@@ -89,6 +89,7 @@ def adjust(
     *,
     parameters: tuple[Parameter, ...] = (),
     shapes: Array | None = None,
+    noise: Mapping[str, float] | None = None,
     components: bool = False,
     accept_single_orientation: bool = False,
     diagnostics: bool = True,
@@ -111,6 +112,9 @@ def adjust(
         determine is fixed, and the result reports it.
     shapes : ndarray of shape (targets, 4), optional
         Starting planes and spheres; fitted to the points placed with ``mounting`` where not given.
+    noise : mapping of str to float, optional
+        Noise of each target over the given one (correlated model), as known from an adjustment of
+        more of its points; estimated from the residuals where not given.
     components : bool
         Whether to take the sigmas of LiDAR and POS from the data (correlated model).
     accept_single_orientation : bool
@@ -136,7 +140,7 @@ def adjust(
     while True:
         try:
             result = _adjust_all_targets(
-                observations.without_targets(excluded), mounting, model, parameters, shapes,
+                observations.without_targets(excluded), mounting, model, parameters, shapes, noise,
                 components, accept_single_orientation, diagnostics, test_model, progress,
             )  # fmt: skip
         except TargetDisagrees as error:
@@ -153,6 +157,7 @@ def _adjust_all_targets(
     model: StochasticModel,
     parameters: tuple[Parameter, ...],
     shapes: Array | None,
+    noise: Mapping[str, float] | None,
     components: bool,
     accept_single_orientation: bool,
     diagnostics: bool,
@@ -176,7 +181,7 @@ def _adjust_all_targets(
         some: Observations = observations, *, diagnostics: bool,
     ) -> AdjustmentResult:  # fmt: skip
         return _solve_adjustment(
-            some, mounting, model, parameters, shapes, components, accept_single_orientation,
+            some, mounting, model, parameters, shapes, noise, components, accept_single_orientation,
             diagnostics, test_model, progress, started,
         )  # fmt: skip
 
@@ -188,7 +193,7 @@ def _adjust_all_targets(
                 found = replace(found, radius_discrepancies=radii)
             if not (diagnostics and test_model and model.correlated):
                 return found
-            if not _is_model_rejected(found, REJECTION_LEVEL):
+            if not is_model_rejected(found, REJECTION_LEVEL):
                 return found
             if _passes_without_cause(found, observations, parameters, adjusted):
                 return found
@@ -198,7 +203,7 @@ def _adjust_all_targets(
                     attitude_time=factor * model.attitude_time,
                 )  # fmt: skip
                 with suppress(AdjustmentError, np.linalg.LinAlgError):
-                    if not _is_model_rejected(adjusted(shorter, diagnostics=False)):
+                    if not is_model_rejected(adjusted(shorter, diagnostics=False)):
                         stated = model.position_time, model.attitude_time
                         return replace(
                             adjusted(shorter, diagnostics=True),
@@ -210,7 +215,7 @@ def _adjust_all_targets(
         raise NotConverged(error("adjustment.diverged")) from reason
 
 
-def _is_model_rejected(result: AdjustmentResult, chance: float = 0.025) -> bool:
+def is_model_rejected(result: AdjustmentResult, chance: float = 0.025) -> bool:
     """Whether the chi-square test rejects the model.
 
     Parameters
@@ -247,7 +252,7 @@ def _passes_without_cause(
         without = adjusted(
             found.model, (*parameters, *values), observations.of_sightings(kept), diagnostics=False
         )
-        return not _is_model_rejected(without)
+        return not is_model_rejected(without)
     return False
 
 
@@ -257,6 +262,7 @@ def _solve_adjustment(
     model: StochasticModel,
     parameters: tuple[Parameter, ...],
     shapes: Array | None,
+    noise: Mapping[str, float] | None,
     components: bool,
     accept_single_orientation: bool,
     diagnostics: bool,
@@ -276,13 +282,13 @@ def _solve_adjustment(
         start = fit_majority_shapes(first, mounting, fitted)
     else:
         start = fitted
-    problem = AdjustmentProblem.of(first, mounting, model, parameters)
+    problem = AdjustmentProblem.of(first, mounting, model, parameters).with_known_noise(noise)
     state = problem.start(mounting, start)
     kept, held = _determined_parameters(problem, state)
     problem = problem.with_parameters(kept)
     if first is not few:
         state = iterate(problem, state, progress).state
-        problem = AdjustmentProblem.of(few, mounting, model, kept)
+        problem = AdjustmentProblem.of(few, mounting, model, kept).with_known_noise(noise)
         state = problem.start(state.mounting, state.shapes)
     solution, gone = _iterate_with_majority(problem, state, progress)
     if not accept_single_orientation:
@@ -386,8 +392,9 @@ def _continue_with_all_points(
         scale=sample.scale,
         surface_sigma=sample.surface_sigma,
         own_offsets=sample.own_offsets,
+        known_noise=sample.known_noise,
     )
-    if problem.model.correlated:
+    if problem.model.correlated and not problem.known_noise:
         few, residuals = sample.observations, sample.residuals(near.state)[1]
         mine = None if problem.model.loss == "none" else is_point_on_target(few, residuals)
         denser = len(observations) / len(few)

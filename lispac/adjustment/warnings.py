@@ -282,6 +282,10 @@ def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Itera
         yield note("adjustment.sigmas_raised", angles=raised, subject=page)
 
 
+def _method_messages(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+    yield from result.messages
+
+
 RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Message]], ...] = (
     _thesis_mode_warning,
     _large_sigma_warnings,
@@ -300,4 +304,5 @@ RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Message]]
     _radius_warnings,
     _correlation_time_note,
     _raised_sigma_note,
+    _method_messages,
 )

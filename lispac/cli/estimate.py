@@ -228,7 +228,7 @@ def result_values(
         "loss": result.model.loss,
         "surface_sigma_m": result.surface,
         "offset_sigma_m": result.offset,
-        "noise_factor": {target.target: target.noise for target in result.targets},
+        "noise_factor": result.noise_factors,
         "prior_boresight_deg": _degrees_by_angle(result.prior_angles),
         "joint_plane_rms_m": {"before": result.rms_before, "after": result.rms_after},
         "parameters": {p.name: _parameter_values(p) for p in result.parameters},

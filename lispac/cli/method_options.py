@@ -37,7 +37,8 @@ def _add_targetless(commands: "Commands[argparse.ArgumentParser]") -> None:
     targetless.add_argument(
         "--save",
         action="store_true",
-        help="save the result in the project, beside that of the targets",
+        help="save the result in the project: as its boresight if it has no targets, otherwise "
+        "beside that of the targets",
     )
     targetless.add_argument(
         "--with-targets",

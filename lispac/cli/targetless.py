@@ -5,10 +5,13 @@ from argparse import Namespace
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
 from lispac.cli.estimate import print_result, result_values
 from lispac.message_texts import english_text, message_text
+from lispac.messages import Message, note
 from lispac.progress import sub_progress
-from lispac.workflow.method_runs import targetless_result
+from lispac.project import Project
+from lispac.workflow.method_runs import with_targetless_result
 from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
+from lispac.workflow.targetless import TargetlessResult
 from lispac.workflow.targetless import targetless as find
 
 
@@ -33,7 +36,8 @@ def targetless(arguments: Namespace) -> None:
                 progress=sub_progress(progress, 0.3, 1.0),
             )  # fmt: skip
         if arguments.save:
-            save_project(project.with_alternative_result(targetless_result(found)))
+            project = with_targetless_result(project, found)
+            save_project(project)
     if arguments.json:
         print_json(
             result_values(found.result, None)
@@ -50,3 +54,12 @@ def targetless(arguments: Namespace) -> None:
     print_result(found.result, None)
     for remark in found.remarks:
         print(message_text(remark))
+    if arguments.save:
+        print(message_text(_kept_note(project, found)))
+
+
+def _kept_note(project: Project, found: TargetlessResult) -> Message:
+    """Where the result was saved."""
+    if project.is_targetless:
+        return note("targetless.kept", count=len(found.project.targets))
+    return note("targetless.kept_beside")

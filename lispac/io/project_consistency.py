@@ -66,6 +66,7 @@ def _stored_messages(project: Project) -> Iterator[Message]:
     reasons: list[Message | None] = []
     if result is not None:
         reasons += [each.reason for each in result.parameters]
+        yield from result.messages
         yield from () if result.observability is None else result.observability.messages
     if checks is not None:
         reasons += [part.reason for part in checks.parts]

@@ -67,6 +67,9 @@ TEXTS: Mapping[str, Template] = {
     "adjustment.angle_with_one": N_("a combination of {first} and {second}"),
     "adjustment.angle_with_two": N_("a combination of {first}, {second} and {third}"),
     "adjustment.parallel_lines": N_("All lines are parallel."),
+    "adjustment.few_directions": N_(
+        "The lines and the surfaces have too few different directions."
+    ),
     "adjustment.single_target": N_("{target} is the only target."),
     "adjustment.one_orientation": N_("All targets have the same orientation."),
     "adjustment.parallel_lines_one_target": N_(

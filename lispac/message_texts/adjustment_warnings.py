@@ -225,6 +225,23 @@ TEXTS: Mapping[str, Template] = {
         "{largest:mm.1} mm. With one changed mounting parameter the radii agree ({cause}). Measure "
         "this parameter again."
     ),
+    "cause.wrong_roll_sign": N_(
+        "Roll has the wrong sign. With the opposite sign the adjustment converges, and the "
+        "residuals agree with the error model. Check the sign convention of the trajectory file."
+    ),
+    "cause.wrong_pitch_sign": N_(
+        "Pitch has the wrong sign. With the opposite sign the adjustment converges, and the "
+        "residuals agree with the error model. Check the sign convention of the trajectory file."
+    ),
+    "cause.wrong_roll_pitch_signs": N_(
+        "Roll and pitch have the wrong signs. With the opposite signs the adjustment converges, "
+        "and the residuals agree with the error model. Check the sign convention of the "
+        "trajectory file."
+    ),
+    "cause.wrong_value": N_(
+        "{change}. With this change the adjustment converges, and the residuals agree with the "
+        "error model. Measure this parameter again."
+    ),
     # -- errors behind the residuals ---------------------------------------------------------
     **{f"adjustment.contradicted_{name}": _CONTRADICTED for name in _MOUNTING},
     **{f"adjustment.contradicted_{name}_alone": _CONTRADICTED_ALONE for name in _MOUNTING},
@@ -233,6 +250,10 @@ TEXTS: Mapping[str, Template] = {
     "adjustment.cause_not_located": N_(
         "The residuals do not agree with the error model, and the lines are too few to identify "
         "the cause. Possible causes: {causes:names}. Add lines."
+    ),
+    "adjustment.cause_not_identified": N_(
+        "The residuals do not agree with the error model, and the lines are too few to identify "
+        "the cause. Add lines."
     ),
     "adjustment.several_causes": N_(
         "The residuals do not agree with the error model. Several causes explain them almost "

@@ -51,11 +51,27 @@ TEXTS: Mapping[str, Template] = {
         "{project}: the project has only one line, so lines cannot be compared. Add lines in other "
         "directions over the same scene."
     ),
+    "targetless.undetermined": N_(
+        "{project}: the surfaces of the scene and these lines do not determine the boresight "
+        "angles (not determined: {direction}). {reason} Add lines in other directions over the "
+        "same scene, or put up boards with other orientations."
+    ),
+    "targetless.no_result": N_(
+        "{project}: the adjustment of the surfaces of the scene has no result. {reason} Check the "
+        "prior boresight and the trajectory of each line, add lines in other directions, or put up "
+        "boards."
+    ),
     "targetless.few_surfaces": Plural(
         "{project}: only {count:n} flat surface is covered by several lines, and at least "
         "{least:n} are needed. Add overlapping lines, or put up targets.",
         "{project}: only {count:n} flat surfaces are covered by several lines, and at least "
         "{least:n} are needed. Add overlapping lines, or put up targets.",
+    ),
+    "targetless.name_taken": Plural(
+        "The natural surfaces are named N001, N002 and so on, and there is already a target named "
+        "{names:names}. Give it another name.",
+        "The natural surfaces are named N001, N002 and so on, and there are already targets named "
+        "{names:names}. Give them other names.",
     ),
     "targetless.no_target": N_(
         "{project}: there is no target to adjust together with the natural surfaces. Pick a "
@@ -149,6 +165,15 @@ TEXTS: Mapping[str, Template] = {
         "{project}: only {count:n} flat surfaces are observed on at least two lines, and two are "
         "needed ({uneven:n} other surfaces are not flat, {poor:n} are poorly observed). Set seeds "
         "on the targets, put up boards, or use the targetless method.",
+    ),
+    "propose.undetermined": N_(
+        "{project}: the flat surfaces found and these lines do not determine the boresight angles "
+        "(not determined: {direction}). {reason} Add lines in other directions, put up boards with "
+        "other orientations, or use the targetless method, which uses many more surfaces."
+    ),
+    "propose.no_result": N_(
+        "{project}: the adjustment of the flat surfaces found has no result. {reason} Set seeds on "
+        "the targets, put up boards, or use the targetless method."
     ),
     "propose.one_orientation": N_(
         "All flat surfaces found have the same orientation, so they do not determine the "

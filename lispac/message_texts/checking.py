@@ -198,6 +198,17 @@ TEXTS: Mapping[str, Template] = {
         "than {share:percent.0} % of their standard deviations."
     ),
     "targetless.lines_disagree": N_("Lines that disagree with the others: {lines:names}."),
+    "targetless.kept": Plural(
+        "The project had no targets of its own. The result is now its boresight, and the natural "
+        "surface is its target.",
+        "The project had no targets of its own. The result is now its boresight, and the {count:n} "
+        "natural surfaces are its targets.",
+    ),
+    "targetless.kept_beside": N_(
+        "The project has targets of its own. The result was saved beside theirs, as that of an "
+        "alternative method. To make it the boresight of the project, exclude the targets and run "
+        "the targetless method again."
+    ),
     # -- methods -----------------------------------------------------------------------------------
     "method.targets": N_("targets"),
     "method.natural_planes": N_("natural planes"),

@@ -23,6 +23,7 @@ DATA, ADJUST, VALIDATE = (Cause.of_step(name) for name in ("Data", "Adjust", "Va
 
 LARGER_RESIDUALS = {
     "adjustment.noise", "adjustment.not_flat", "adjustment.cause_not_located",
+    "adjustment.cause_not_identified",
 }  # fmt: skip
 """Codes of larger residuals; with one of them, a small chi-square is not reported."""
 

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.common_target_parts import find_common_parts
 from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.failure_causes import adjust_or_explain
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.result import AdjustmentResult, CommonPart
-from lispac.adjustment.solver import adjust
 from lispac.design.further_line_advice import further_line_advice
 from lispac.duplicate_targets import single_line_notes
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
@@ -287,7 +287,7 @@ def reselect_points(
         # model; this one leaves them to stand out.
         with _add_failure_causes(project, survey):
             thinned = observations_of(selected, survey, settings=coarse)
-            result = adjust(
+            result = adjust_or_explain(
                 thinned, prior, judged,
                 accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
             )  # fmt: skip
@@ -316,7 +316,7 @@ def adjust_selected(
     settings, prior = project.settings, project.mounting("prior")
     with _add_failure_causes(project, survey):
         observations, parts = _selected_observations(project, selected, survey)
-        result = adjust(
+        result = adjust_or_explain(
             observations,
             prior,
             settings.stochastic_model,

@@ -46,6 +46,31 @@ def targetless_result(found: TargetlessResult) -> AlternativeResult:
     return _alternative_result("targetless", found.project, found.remarks)
 
 
+def with_targetless_result(project: Project, found: TargetlessResult) -> Project:
+    """Project with a targetless result.
+
+    A project without targets of its own takes it as its result, and the surfaces as its targets; in
+    others it stands beside that of the targets.
+
+    Raises
+    ------
+    AdjustmentError
+        Where a validation plane, or an excluded target, has the name of a surface.
+    """
+    former = set(project.result.noise_factors) if project.is_targetless and project.result else ()
+    own = tuple(each for each in project.targets if each.name not in former)
+    if any(each.role == "target" and each.used for each in own):
+        return project.with_alternative_result(targetless_result(found))
+    names = {each.name for each in own}
+    taken = [each.name for each in found.project.targets if each.name in names]
+    if taken:
+        raise AdjustmentError(error("targetless.name_taken", count=len(taken), names=taken))
+    kept = replace(project, targets=(*found.project.targets, *own))
+    others = tuple(each for each in kept.alternative_results if each.method != "targetless")
+    result = replace(found.result, messages=found.remarks)
+    return replace(kept.with_result(result), alternative_results=others)
+
+
 def patch_test_result(found: PatchTestResult) -> AlternativeResult:
     """Result of a patch test, without its objects.
 

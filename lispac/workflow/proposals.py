@@ -30,6 +30,7 @@ from lispac.targets.sighting_quality import SightingQuality
 from lispac.validation.plane_comparison import reciprocal
 from lispac.warning_causes import RESULT
 from lispac.workflow.calibration import estimate, observations_of
+from lispac.workflow.refusals import refused_by_method
 from lispac.workflow.sighting_assessment import sighting_qualities
 from lispac.workflow.survey import Survey
 from lispac.workflow.target_choice import (
@@ -128,7 +129,8 @@ def propose_targets(
     if len(flat) < 2:
         raise TargetNotFound(_too_few_planes_message(project, len(flat), list(judged.values())))
     progress(0.9, gettext_lazy("Selecting the targets"))
-    chosen, result, planes = _choose_targets(project, survey, flat, named, judged)
+    with refused_by_method(project.name, "propose"):
+        chosen, result, planes = _choose_targets(project, survey, flat, named, judged)
     left = [name for name in named if judged[name].use == "any" and name not in chosen]
     spare = [name for name in named if judged[name].use == "at need"]
     apart = [

@@ -28,6 +28,7 @@ from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.survey.cloud import Cloud, place_clouds
 from lispac.workflow.calibration import observations_of, reselect_points
+from lispac.workflow.refusals import refused_by_method
 from lispac.workflow.survey import Survey
 
 Indices = NDArray[np.int64]
@@ -152,11 +153,12 @@ def targetless(
             project, targets=_targets_of_patches(patches, choice, clouds, survey), result=None
         )
         observations = observations_of(picked, survey, settings=quick, mounting=mounting)
-        result = adjust(
-            observations, mounting, judged,
-            accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
-            progress=sub_progress(step, 0.7, 1.0),
-        )  # fmt: skip
+        with refused_by_method(project.name, "targetless"):
+            result = adjust(
+                observations, mounting, judged,
+                accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
+                progress=sub_progress(step, 0.7, 1.0),
+            )  # fmt: skip
         moved = np.abs(result.boresight - mounting.boresight)
         mounting = mounting.with_boresight(result.boresight)
         # The quick model's own sigmas are far too small to be moved less than.
@@ -168,16 +170,17 @@ def targetless(
         picked = replace(picked, targets=(*mine, *_surfaces_off_targets(picked.targets, mine)))
         mixed = len(mine)
     observations = observations_of(picked, survey, mounting=mounting)
-    result = adjust(
-        observations,
-        project.mounting("prior"),
-        settings.stochastic_model,
-        parameters=settings.parameters,
-        components=settings.variance_components,
-        accept_single_orientation=settings.accept_single_orientation,
-        test_model=False,  # places of the scene and stretches of lines tell it better
-        progress=sub_progress(progress, 0.5, 0.9),
-    )
+    with refused_by_method(project.name, "targetless"):
+        result = adjust(
+            observations,
+            project.mounting("prior"),
+            settings.stochastic_model,
+            parameters=settings.parameters,
+            components=settings.variance_components,
+            accept_single_orientation=settings.accept_single_orientation,
+            test_model=False,  # places of the scene and stretches of lines tell it better
+            progress=sub_progress(progress, 0.5, 0.9),
+        )
     solved = SolvedEquations.of(
         result,
         observations.with_sigmas(*result.sigma_factors),

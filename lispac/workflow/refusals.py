@@ -1,0 +1,53 @@
+"""Refusals of an adjustment whose surfaces the program has chosen itself."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Literal
+
+from lispac.errors import NotConverged, RankDeficient
+from lispac.messages import Message, as_message, error, note
+
+Method = Literal["propose", "targetless"]
+UNDETERMINED = {"propose": "propose.undetermined", "targetless": "targetless.undetermined"}
+"""Code of the refusal that names the undetermined angle, by method."""
+NO_RESULT = {"propose": "propose.no_result", "targetless": "targetless.no_result"}
+"""Code of every other refusal, by method."""
+
+
+@contextmanager
+def refused_by_method(project: str, method: Method) -> Iterator[None]:
+    """Replace the advice of a refused adjustment, which is about picked targets.
+
+    Parameters
+    ----------
+    project : str
+        Its name.
+
+    Raises
+    ------
+    RankDeficient
+    NotConverged
+    """
+    try:
+        yield
+    except (NotConverged, RankDeficient) as failure:
+        reason = _refusal(as_message(failure.reason), project, method)
+        raise type(failure)(reason) from failure
+
+
+def _refusal(reason: Message, project: str, method: Method) -> Message:
+    if reason.code == "estimate.possible_cause":
+        inner = reason.params["reason"]
+        assert isinstance(inner, Message)
+        return error(
+            "estimate.possible_cause",
+            reason=_refusal(inner, project, method), cause=reason.params["cause"],
+        )  # fmt: skip
+    if reason.code in ("adjustment.undetermined", "adjustment.undetermined_because"):
+        return error(
+            UNDETERMINED[method],
+            project=project,
+            direction=reason.params["direction"],
+            reason=reason.params.get("reason", note("adjustment.few_directions")),
+        )
+    return error(NO_RESULT[method], project=project, reason=reason)

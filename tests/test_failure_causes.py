@@ -1,0 +1,37 @@
+"""An adjustment that does not converge names the error without which it does."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.failure_causes import adjust_or_explain, find_failure_causes
+from lispac.adjustment.point_averaging import average_points_in_cells
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.errors import NotConverged
+from lispac.messages import note
+from tests.test_sphere_radii import TRUTH, changed, survey
+
+MODEL = StochasticModel(loss="tukey")
+PRIOR = TRUTH.with_boresight(np.zeros(3))
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_a_wrong_roll_sign_of_a_survey_of_balls_is_named(seed: int) -> None:
+    """The radii of the balls are unknown, and no other candidate fits."""
+    data = average_points_in_cells(changed(survey(seed), "roll_sign"), TRUTH, 0.02)
+    with pytest.raises(NotConverged) as raised:
+        adjust_or_explain(data, PRIOR, MODEL)
+    assert raised.value.code == "estimate.possible_cause"
+    params = raised.value.message.params
+    assert params["cause"] == note("cause.wrong_roll_sign")
+    assert params["reason"].code == "adjustment.not_converged"
+
+
+def test_without_a_cause_that_fits_none_is_named() -> None:
+    """Roll has the wrong sign, and the points of one line are displaced besides."""
+    data = changed(survey(1), "roll_sign")
+    off = np.array([each.line in ("L1", "L2", "L3") for each in data.sightings])[data.sighting]
+    points = np.where(off[:, None], data.points_lidar * [1.0, 1.3, 1.0], data.points_lidar)
+    data = average_points_in_cells(replace(data, points_lidar=points), TRUTH, 0.02)
+    assert find_failure_causes(data, PRIOR, MODEL) == ()

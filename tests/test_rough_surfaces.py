@@ -1,0 +1,87 @@
+"""Noise of rough surfaces, whose neighbouring points share their errors, counts once everywhere."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.excess_scatter import sigmas_without
+from lispac.adjustment.observations import Observations
+from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.solved_equations import SolvedEquations
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.target_shapes import points_local
+from tests.test_robustness import PRIOR, TRUTH, survey
+
+MODEL = StochasticModel(loss="tukey")
+ROUGH, WAVE = 0.06, 0.25
+"""Metres: RMS of the bumps, and about half their length; points are 0.15 m apart."""
+
+
+def rough_survey(seed: int) -> Observations:
+    """Boards covered with cloth that each line sees with other bumps."""
+    data, chance = survey(seed, 0.15), np.random.default_rng([5, seed])
+    points, off = points_local(data, TRUTH), np.zeros(len(data))
+    for s in range(len(data.sightings)):
+        own = data.sighting == s
+        for _ in range(12):
+            wave = chance.normal(0, np.pi / WAVE / np.sqrt(3), 3)
+            off[own] += ROUGH / np.sqrt(6) * np.sin(points[own] @ wave + chance.uniform(0, 7))
+    beams = data.points_lidar / np.linalg.norm(data.points_lidar, axis=1)[:, None]
+    return replace(data, points_lidar=data.points_lidar + off[:, None] * beams)
+
+
+@pytest.fixture(scope="module")
+def rough() -> tuple[Observations, AdjustmentResult]:
+    data = rough_survey(0)
+    return data, adjust(data, PRIOR, MODEL, diagnostics=False)
+
+
+def test_the_equations_at_a_solution_have_its_covariance(
+    rough: tuple[Observations, AdjustmentResult],
+) -> None:
+    data, result = rough
+    assert min(result.noise_factors.values()) > 5
+    solved = SolvedEquations.of(result, data, PRIOR)
+    assert solved is not None
+    np.testing.assert_allclose(
+        solved.here.normal.covariance[:3, :3], result.covariance, rtol=1e-3, atol=1e-12
+    )
+    np.testing.assert_allclose(
+        solved.here.state.mounting.boresight, result.boresight, atol=1e-3 * result.sigma.min()
+    )
+
+
+def test_known_noise_is_not_estimated_again(rough: tuple[Observations, AdjustmentResult]) -> None:
+    data, result = rough
+    again = adjust(data, PRIOR, MODEL, noise=result.noise_factors, diagnostics=False)
+    assert again.noise_factors == result.noise_factors
+    np.testing.assert_allclose(again.sigma, result.sigma, rtol=0.01)
+
+
+def test_cross_checks_take_the_noise_of_the_whole(
+    rough: tuple[Observations, AdjustmentResult],
+) -> None:
+    """The sigmas without a line are those of the equations of all lines without its points."""
+    data, result = rough
+    solved = SolvedEquations.of(result, data, PRIOR)
+    assert solved is not None
+    for check in cross_checks(data, PRIOR, result).parts:
+        if check.kind != "line":
+            continue
+        omitted = np.array([each.line == check.without for each in data.sightings])
+        expected = sigmas_without(solved.here, omitted)
+        assert check.sigma == pytest.approx(expected, rel=0.05)
+
+
+@pytest.mark.long
+def test_the_stated_sigmas_hold_on_rough_surfaces() -> None:
+    """Over 60 surveys the errors over their sigmas had an RMS of 0.94, 1.03 and 0.90."""
+    over = []
+    for seed in range(60):
+        result = adjust(rough_survey(seed), PRIOR, MODEL, diagnostics=False)
+        over.append((result.boresight - TRUTH.boresight) / result.sigma)
+    rms = np.sqrt(np.mean(np.square(over), axis=0))
+    assert ((rms > 0.8) & (rms < 1.2)).all(), rms
