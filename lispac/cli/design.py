@@ -41,7 +41,7 @@ def design(arguments: Namespace) -> None:
         print_json(_design_values(title, site, found, usual))
         return
     print(f"{title}: smallest {CRITERIA[objective.criterion]}")
-    for name, plan in (("best plan", found.plan), ("thesis", usual)):
+    for name, plan in (("best plan", found.plan), ("Shahraji", usual)):
         prediction = predict(plan)
         text = "not determined"
         if prediction.determined:

@@ -67,7 +67,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"lispac: {error}", file=sys.stderr)
         return 1
     except (KeyboardInterrupt, Cancelled):
-        print("lispac: stopped.", file=sys.stderr)
+        print("lispac: interrupted.", file=sys.stderr)
         return 1
     except BrokenPipeError:
         return 1

@@ -39,7 +39,7 @@ def reference_distance_figure(found: AbsoluteCheckValues, figure: Figure | None 
         "Distance from the reference (mm), positive towards the vessel; end bins include larger "
         "values"
     )
-    style_axes(axes, across, gettext("Places"))
+    style_axes(axes, across, gettext("Compared places"))
     axes.yaxis.set_major_locator(MaxNLocator(nbins="auto", steps=[1, 2, 5, 10], integer=True))
     axes.yaxis.set_major_formatter(lambda value, _: grouped_number(value))
     title = gettext(

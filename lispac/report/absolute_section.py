@@ -88,7 +88,7 @@ def _distance_table(found: AbsoluteCheckValues) -> Table:
     """Statistics of the distances, one row for each line and state."""
     columns = (
         Column(gettext("Line"), "left"), Column(gettext("State"), "left"),
-        Column(gettext("Places")), Column(gettext("Mean")),
+        Column(gettext("Compared\nplaces")), Column(gettext("Mean")),
         Column(gettext("95 %\ninterval\nof mean")),
         Column(gettext("Median")), Column(gettext("RMS")), Column(gettext("68 %")),
         Column(gettext("95 %")), Column(gettext("99 %")), Column(gettext("Robust\nsigma")),

@@ -53,9 +53,9 @@ SIGHTING_TEST = N_(
 POINT_TEST = N_(
     "Single points are tested in the same way. Redundancy: control of each point by the other "
     "data, from 0 (none) to 1. Outliers: points farther from the surface than {limit} sigma; by "
-    "chance, one point in a thousand exceeds this limit. Largest w: distance of the farthest "
-    "point divided by its sigma, with its time on the line; averaged points have the mean of "
-    "their times."
+    "chance, one point in a thousand exceeds this limit. Largest w of a point: distance of "
+    "the farthest point divided by its sigma, with its time on the line; averaged points have the "
+    "mean of their times."
 )
 POS_ERRORS = N_(
     "Estimated POS error of each sighting with its 2 sigma interval (bar); grey: the prior 2 "
@@ -141,7 +141,7 @@ def _point_table(found: Sequence[SightingCheck]) -> Table:
             Column(gettext("Points")),
             Column(gettext("Redundancy")),
             Column(gettext("Outliers")),
-            Column(gettext("Largest w")),
+            Column(gettext("Largest w\nof a point")),
             Column(gettext("Time of\nlargest w (s)")),
         ),
         as_rows(

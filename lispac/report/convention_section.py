@@ -46,7 +46,7 @@ def _convention_tables(found: ConventionValues) -> list[Block]:
         "X {x} m, Y {y} m, Z {z} m, from the POS centre to the LiDAR optical centre", x=x, y=y, z=z
     )
     values = [
-        (gettext("Verification"), source),
+        (gettext("Verification of the convention"), source),
         *([(gettext("Assumption"), str(found.assumption))] if found.assumption is not None else []),
         (gettext("Rotation"), _rotation_text(found)),
         (

@@ -56,7 +56,8 @@ def histogram_tables(content: ReportContent) -> list[Table]:
                 tuple(
                     Column(gettext(each))
                     for each in (
-                        N_("From (mm)"), N_("To (mm)"), N_("Points before"), N_("Points after"),
+                        N_("From (mm)"), N_("To (mm)"), N_("Points before calibration"),
+                        N_("Points after calibration"),
                     )
                 ),
                 as_rows([f"{low:.4f}", end, f"{b}", f"{a}"] for low, end, b, a in bins),

@@ -196,7 +196,7 @@ def _noise_factor_text(adjustment: AdjustmentValues) -> str:
         return gettext("not larger than the given noise on any target")
     found = [
         gettext(
-            "{factor}\u00a0times ({target})",
+            "{target}: {factor}\u00a0times",
             factor=fixed_number(t.noise_factor, 1),
             target=t.target,
         )

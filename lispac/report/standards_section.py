@@ -68,7 +68,7 @@ def _swath_overlap_tables(found: tuple[SwathDifference, ...]) -> list[Block]:
             (
                 Column(gettext("Plane"), "left"),
                 Column(gettext("Pairs of\nlines")),
-                Column(gettext("Places")),
+                Column(gettext("Compared\nplaces")),
                 Column(gettext("RMSDn before\n(mm)")),
                 Column(gettext("RMSDn after\n(mm)")),
             ),

@@ -44,15 +44,15 @@ class Criterion:
 
 CRITERIA: Mapping[str, Criterion] = {
     "type-one": Criterion(
-        N_("Type I: planarity and position of the board"), N_("Type I criterion"), 3, 1.0,
+        N_("Type I criterion: planarity and position of the board"), N_("Type I criterion"), 3, 1.0,
         lambda v: v.type_one,
     ),
     "orthogonal-distance": Criterion(
-        N_("Type II: shift of the board"),
+        N_("Type II criterion: shift of the board"),
         N_("Signed orthogonal distance (m)"), 4, 0.02, lambda v: v.orthogonal_distance,
     ),
     "angular-deviation": Criterion(
-        N_("Type II: rotation of the board"),
+        N_("Type II criterion: rotation of the board"),
         N_("Angular deviation (deg)"), 3, 0.2, lambda v: np.degrees(v.angular_deviation),
     ),
 }  # fmt: skip

@@ -33,11 +33,11 @@ VALUES = (
     N_("Signed orthogonal distance (m)"), N_("Angular deviation (deg)"),
 )  # fmt: skip
 COMPARISON = (
-    N_("Error"), N_("Accepted incl. (deg)"), N_("Accepted incl., thesis"), N_("Best incl. (deg)"),
-    N_("Best incl., thesis"), N_("Required lines"), N_("Required lines, thesis"),
-    N_("Incl. vs. thesis"), N_("Lines vs. thesis"), N_("Reason"),
+    N_("Error"), N_("Accepted incl. (deg)"), N_("Accepted incl., Shahraji"), N_("Best incl. (deg)"),
+    N_("Best incl., Shahraji"), N_("Required lines"), N_("Required lines, Shahraji"),
+    N_("Inclination (agreement)"), N_("Lines (agreement)"), N_("Reason"),
 )  # fmt: skip
-"""Titles of the columns; the thesis's inclinations are in degrees."""
+"""Titles of the columns; Shahraji's inclinations are in degrees."""
 
 
 def values_table(found: VisibilityStudy, errors: Sequence[str]) -> Table:
@@ -123,12 +123,12 @@ def all_errors_text(found: VisibilityStudy) -> str:
     elif do_fewest_lines_agree(found):
         template = N_(
             "Smallest sets of lines that reveal all errors: {lines} (the same as the {count:n} "
-            "sets in table 3.3 of the thesis)."
+            "sets in table 3.3 of Shahraji's thesis)."
         )
     else:
         template = N_(
             "Smallest sets of lines that reveal all errors: {lines} (different from the {count:n} "
-            "sets in table 3.3 of the thesis)."
+            "sets in table 3.3 of Shahraji's thesis)."
         )
     return gettext(template, lines="; ".join(map(_headings_text, sets)), count=len(ALL_ERRORS))
 

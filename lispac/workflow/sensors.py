@@ -55,10 +55,10 @@ SOURCES = (
         "angle"
     ),
     N_(
-        "Thesis, section 1.2.1, table 1.1, after Zoller + Fröhlich (2022); the actual beam "
-        "divergence is smaller"
+        "Shahraji's thesis, section 1.2.1, table 1.1, after Zoller + Fröhlich (2022); the actual "
+        "beam divergence is smaller"
     ),
-    N_("Thesis, section 1.2.2, table 1.2, after iXblue (2019); base station at 10 km"),
+    N_("Shahraji's thesis, section 1.2.2, table 1.2, after iXblue (2019); base station at 10 km"),
 )
 """Sources of the sensors that come with the program, for their translation."""
 LONGEST = 200

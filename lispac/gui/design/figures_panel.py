@@ -21,7 +21,7 @@ NOTHING = N_(
 )
 LESS_TIME = N_("precision and time on site")
 ERRORS = N_("errors of simulated surveys")
-OF_THESIS = N_("{scenario} (for the wall and boards of the thesis)")
+OF_THESIS = N_("{scenario} (for the wall and boards of Shahraji's thesis)")
 
 
 class FiguresPanel(QWidget):

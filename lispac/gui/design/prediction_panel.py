@@ -21,7 +21,7 @@ from lispac.message_texts import message_text
 from lispac.workflow.plan_checks import plan_warnings
 
 HEADS = ("plan", "thesis")
-TITLES = N_("this plan"), N_("thesis plan")
+TITLES = N_("this plan"), N_("Shahraji's plan")
 ANGLE_NAMES = dict(zip(ANGLES, (N_("roll"), N_("pitch"), N_("yaw")), strict=True))
 PAIRS = (N_("roll–pitch"), N_("roll–yaw"), N_("pitch–yaw"))
 

@@ -42,7 +42,7 @@ Keys = QKeySequence.StandardKey
 # name: (text, short text, icon, keys, tip)
 ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     "new": (N_("&New survey plan"), N_("New"), "file-outline", Keys.New,
-            N_("Create a survey plan with the targets and lines of the thesis")),
+            N_("Create a survey plan with the targets and lines of Shahraji's thesis")),
     "open": (N_("&Open survey plan…"), N_("Open"), "folder-open-outline", Keys.Open,
              N_("Open a survey plan")),
     "save": (N_("&Save survey plan"), N_("Save"), "content-save-outline", Keys.Save,

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog
 from lispac.gui.dialogs.system_choice import HEIGHTS, system_box, system_text
 from lispac.gui.panels import widgets
@@ -99,7 +100,7 @@ class CheckDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("check_dialog")
-        self.setWindowTitle(gettext("Check against a reference"))
+        self.setWindowTitle(dialog_title("check"))
         self.setMinimumWidth(620)
         self._start = project.folder.parent
         layout = widgets.vertical_layout(self, 16)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog
 
 from lispac.alternative_methods import Method
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.about import about_box, shortcuts_box
 from lispac.gui.dialogs.budget import BudgetDialog
 from lispac.gui.dialogs.check import CheckDialog, CheckRequest, CheckResultDialog
@@ -108,7 +109,7 @@ class Dialogs(Questions):
         """File of a project to open."""
         name, _ = QFileDialog.getOpenFileName(
             self.parent,
-            gettext("Open project"),
+            dialog_title("open"),
             str(start),
             gettext("LISPAC project (project.json *.lispac)"),
         )
@@ -118,7 +119,7 @@ class Dialogs(Questions):
         """Ask for a new folder for the project; ``start`` is proposed."""
         name, _ = QFileDialog.getSaveFileName(
             self.parent,
-            gettext("Save project as (name of the new folder)"),
+            gettext("{title} (name of the new folder)", title=dialog_title("save_as")),
             str(start),
             gettext("Folder (*)"),
             # Nothing is overwritten: existing projects and files are refused
@@ -203,7 +204,7 @@ class Dialogs(Questions):
         """File for the report; its suffix, or the chosen filter, sets the format."""
         filters = ";;".join(map(gettext, REPORT_FILTERS))
         name, kind = QFileDialog.getSaveFileName(
-            self.parent, gettext("Export report"), str(start), filters
+            self.parent, dialog_title("report"), str(start), filters
         )
         if not name:
             return None
@@ -252,7 +253,7 @@ class Dialogs(Questions):
         """File for a picture; its suffix, or the chosen filter, sets the format."""
         filters = ";;".join(f"{kind} (*.{kind.lower()})" for kind in kinds)
         name, chosen = QFileDialog.getSaveFileName(
-            self.parent, gettext("Save the picture"), str(start), filters
+            self.parent, dialog_title("picture"), str(start), filters
         )
         if not name:
             return None
@@ -316,7 +317,7 @@ class Dialogs(Questions):
     def seed_list_file(self, start: Path) -> Path | None:
         """A list of target coordinates."""
         name, _ = QFileDialog.getOpenFileName(
-            self.parent, gettext("Open list of seeds"), str(start),
+            self.parent, dialog_title("seed_list"), str(start),
             ";;".join(
                 [
                     gettext(

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog, angle_columns
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
@@ -51,7 +52,7 @@ class HistoryDialog(StudyDialog):
         remarks: Sequence[Message],
         parent: QWidget | None = None,
     ) -> None:
-        title = gettext("Calibrations over the years")
+        title = dialog_title("history")
         table = DiagnosticsTable("history_table", title, _columns())
         super().__init__(
             "history", title,

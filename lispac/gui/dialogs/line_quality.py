@@ -2,6 +2,7 @@
 
 from PySide6.QtWidgets import QWidget
 
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext
@@ -49,7 +50,7 @@ class LineQualityDialog(StudyDialog):
     """A row for each two lines and orientation of the surfaces, and a map of all places."""
 
     def __init__(self, found: LineQuality, parent: QWidget | None = None) -> None:
-        title = gettext("Differences between lines")
+        title = dialog_title("line_quality")
         table = DiagnosticsTable("line_quality_table", title, _columns())
         super().__init__("line_quality", title, gettext(INTRODUCTIONS[found.which]), table, parent)
         self.show_rows([_row(*row) for row in found.rows()])

@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from lispac.alternative_methods import Method
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog, angle_columns
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
@@ -81,7 +82,7 @@ class MethodsDialog(StudyDialog):
     ) -> None:
         table = DiagnosticsTable("methods_table", gettext("Results of all methods"), _columns())
         super().__init__(
-            "methods", gettext("Comparison with other methods"),
+            "methods", dialog_title("methods"),
             gettext(
                 "The alternative methods estimate the boresight from the same lines without the "
                 "targets. If the results agree, they are more reliable. They are saved in the "
@@ -104,7 +105,7 @@ class MethodsDialog(StudyDialog):
         self.message_label.setText("\n".join(texts))
         self.message_label.setVisible(bool(texts))
         self.ask = widgets.button(
-            gettext("Run other methods"), "methods_ask",
+            gettext("Run the methods without a result"), "methods_ask",
             tip=gettext(
                 "Run the adjustments on validation planes and on natural surfaces, and the patch "
                 "test on detected objects. One undo step removes all results."

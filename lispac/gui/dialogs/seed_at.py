@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QWid
 
 from lispac.errors import InputError, ProjectError
 from lispac.gui import theme
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.system_choice import SystemChoice
 from lispac.gui.panels import widgets
@@ -61,7 +62,7 @@ class SeedDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("seed_dialog")
-        self.setWindowTitle(gettext("Enter seed coordinates"))
+        self.setWindowTitle(dialog_title("seed_at"))
         self.setMinimumWidth(530)
         self._project, self._trajectory, self._seed_options = project, trajectory, seed_options
         self._place: Triple | None = None

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import LispacError
 from lispac.gui import theme
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.error import error_text
 from lispac.gui.dialogs.system_choice import SystemChoice
 from lispac.gui.panels import widgets
@@ -51,7 +52,7 @@ class SeedListDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("seed_list_dialog")
-        self.setWindowTitle(gettext("Seeds from {file}", file=path.name))
+        self.setWindowTitle(f"{dialog_title('seed_list')} – {path.name}")
         self.resize(900, 560)
         self._path, self._project, self._trajectory = path, project, trajectory
         self._read: SeedList | None = None

@@ -5,6 +5,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
 
 from lispac.gui import theme
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.cache_box import CacheBox
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.dialogs.sensor_library import SensorLibraryPage
@@ -50,7 +51,7 @@ class SettingsDialog(QDialog):
     def __init__(self, present: Preferences, sensors: Path, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("settings_dialog")
-        self.setWindowTitle(gettext("Settings"))
+        self.setWindowTitle(dialog_title("settings"))
         self.resize(1180, 640)
         self._folder = sensors
         layout = widgets.vertical_layout(self, 16)

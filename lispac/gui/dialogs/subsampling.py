@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui import units
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog, angle_columns
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import gettext
@@ -18,7 +19,7 @@ class SubsamplingDialog(StudyDialog):
     def __init__(
         self, found: Sequence[SubsamplingResult], used: float, parent: QWidget | None = None
     ) -> None:
-        title = gettext("Subsampling study")
+        title = dialog_title("subsampling")
         table = DiagnosticsTable("subsampling_table", title, _columns())
         super().__init__(
             "subsampling", title,

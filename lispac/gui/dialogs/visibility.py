@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
@@ -18,15 +19,19 @@ COLUMNS = (
     (
         N_("Accepted inclinations (deg)"),
         N_(
-            "Inclinations at which the points still form the board (criterion Type I of the thesis)"
+            "Inclinations at which the points still form the board (type I criterion of "
+            "Shahraji's thesis)"
         ),
     ),
     (
-        N_("Accepted in thesis (deg)"),
-        N_("Accepted inclinations in appendix C and section 3.9 of the thesis"),
+        N_("Accepted, Shahraji (deg)"),
+        N_("Accepted inclinations in appendix C and section 3.9 of Shahraji's thesis"),
     ),
     (N_("Best inclination (deg)"), N_("Inclination at which the lines differ most")),
-    (N_("Best in thesis (deg)"), N_("Best inclination in table 3.2 and section 3.9 of the thesis")),
+    (
+        N_("Best, Shahraji (deg)"),
+        N_("Best inclination in table 3.2 and section 3.9 of Shahraji's thesis"),
+    ),
     (
         N_("Lines showing error (deg)"),
         N_(
@@ -35,17 +40,17 @@ COLUMNS = (
         ),
     ),
     (
-        N_("Lines in thesis (deg)"),
-        N_("Headings of the lines in table 3.2 and section 4.4.1.1 of the thesis"),
+        N_("Lines, Shahraji (deg)"),
+        N_("Headings of the lines in table 3.2 and section 4.4.1.1 of Shahraji's thesis"),
     ),
     (
         N_("Inclination (agreement)"),
         N_(
-            "Agreement of the inclination with the thesis; the tooltip of the row "
-            "gives the reason for a difference"
+            "Agreement of the inclination with Shahraji's thesis; the tooltip of the row gives the "
+            "reason for a difference"
         ),
     ),
-    (N_("Lines (agreement)"), N_("Agreement of the lines with the thesis")),
+    (N_("Lines (agreement)"), N_("Agreement of the lines with Shahraji's thesis")),
 )
 """Titles and tips of the columns."""
 READ = N_("Move the mouse over the chart to read values")
@@ -68,12 +73,13 @@ class VisibilityDialog(StudyDialog):
             "visibility_table", gettext("Best inclination and lines for each error"), columns
         )
         super().__init__(
-            "visibility", gettext("Visibility of errors"),
+            "visibility", dialog_title("visibility"),
             gettext(
                 "One board is scanned on six lines with one systematic error at a time and no "
                 "noise. The chart shows at which inclinations and on which lines the error is "
-                "visible. Shaded: inclinations accepted by criterion Type I; dashed: best "
-                "inclination."
+                "visible. Shaded: inclinations accepted by the type I criterion; dashed: "
+                "best inclination. Results are compared with M. Hassanzadeh Shahraji's doctoral "
+                "thesis (Université Laval)."
             ),
             table, parent,
         )  # fmt: skip
@@ -179,7 +185,11 @@ class VisibilityDialog(StudyDialog):
             name = error_text(error)
             texts.insert(
                 0,
-                gettext("{error}, difference from the thesis: {reason}", error=name, reason=reason),
+                gettext(
+                    "{error}, difference from Shahraji's thesis: {reason}",
+                    error=name,
+                    reason=reason,
+                ),
             )
         self.message_label.setText("\n".join(texts))
 

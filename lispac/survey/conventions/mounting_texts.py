@@ -58,9 +58,9 @@ def orientation_text(boresight: Array, amounts: Amounts = angle_amounts) -> Lazy
         parts.append(gettext_lazy(template, angle=turned))
     if leans:
         template = (
-            N_("is rolled {angle} left side up")
+            N_("is rolled {angle} port side up")
             if roll > 0
-            else N_("is rolled {angle} right side up")
+            else N_("is rolled {angle} starboard side up")
         )
         parts.append(gettext_lazy(template, angle=leans))
     if not parts:

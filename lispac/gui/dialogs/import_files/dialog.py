@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.error import error_text_and_details
 from lispac.gui.dialogs.import_files.drop_area import DropArea
 from lispac.gui.dialogs.import_files.file_page import FilePage
@@ -74,7 +75,7 @@ class ImportDialog(QDialog):
         """A project that was dropped, to be opened instead."""
         self._own_folder = False
         self.setObjectName("import_dialog")
-        self.setWindowTitle(gettext("New project"))
+        self.setWindowTitle(dialog_title("new"))
         self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
         self.work = ImportWorker(settings.column_mappings(), self)
         self._build()
