@@ -274,16 +274,16 @@ def _parameter_values(estimate: ParameterEstimate) -> dict[str, Any]:
     }
 
 
-def _contradiction_values(found: ContradictedParameter) -> dict[str, Any]:
-    factor, unit = STATED[found.name]
+def _contradiction_values(parameter: ContradictedParameter) -> dict[str, Any]:
+    factor, unit = STATED[parameter.name]
     return {
-        "name": found.name,
+        "name": parameter.name,
         "unit": unit,
-        "change": factor * found.change,
-        "sigma": factor * found.sigma,
-        "w": found.w,
-        "moved_deg": _degrees_by_angle(found.moved),
-        "surface_sigma_m": found.surface,
+        "change": factor * parameter.change,
+        "sigma": factor * parameter.sigma,
+        "w": parameter.w,
+        "moved_deg": _degrees_by_angle(parameter.moved),
+        "surface_sigma_m": parameter.surface,
     }
 
 
@@ -432,8 +432,9 @@ def _parameter_line(estimate: ParameterEstimate) -> str:
     )
 
 
-def _component_line(found: VarianceComponent) -> str:
+def _component_line(component: VarianceComponent) -> str:
     return (
-        f"{found.name} sigmas multiplied by {found.factor:.2f} (95 % interval {found.lower:.2f} to "
-        f"{found.upper:.2f}), {message_text(variance_component_finding(found))}"
+        f"{component.name} sigmas multiplied by {component.factor:.2f} (95 % interval "
+        f"{component.lower:.2f} to {component.upper:.2f}), "
+        f"{message_text(variance_component_finding(component))}"
     )

@@ -45,5 +45,5 @@ def sensors(arguments: Namespace) -> None:
     print(f"\nUser-defined sensors are stored in {folder}")
 
 
-def _own_mark(own: bool) -> str:
-    return " (user-defined)" if own else ""
+def _own_mark(user_defined: bool) -> str:
+    return " (user-defined)" if user_defined else ""

@@ -98,8 +98,8 @@ def residual_colour_limit(
     )
 
 
-def _colour_limit(found: Mapping[Key, Array]) -> float:
-    everything = np.abs(np.concatenate(list(found.values())))
+def _colour_limit(residuals_by_sighting: Mapping[Key, Array]) -> float:
+    everything = np.abs(np.concatenate(list(residuals_by_sighting.values())))
     return float(np.percentile(everything, 100 - OUTER)) or 1e-3
 
 

@@ -210,8 +210,8 @@ class SiteDesign(QObject):
             preload_matplotlib()
             return compute_scenarios(plan, progress)
 
-        def done(found: tuple[ScenarioOutcome, ...]) -> None:
-            window.pictures.show_outcomes(found)
+        def done(result: tuple[ScenarioOutcome, ...]) -> None:
+            window.pictures.show_outcomes(result)
             window.show_figures()
 
         self.runner.run(gettext("Scenarios"), work, done)
@@ -232,12 +232,12 @@ class SiteDesign(QObject):
             preload_matplotlib()
             return find_best_plan(site, objective, plans, before.plan, progress)
 
-        def done(found: DesignResult) -> None:
-            best = TitledPlan(title, found.plan, site.wall)
+        def done(result: DesignResult) -> None:
+            best = TitledPlan(title, result.plan, site.wall)
             self.workspace.edit(gettext_lazy("best survey design"), best)
-            value = float(np.degrees(found.value))
-            panel.show_found(SearchResult(value, objective, found.looked_at, found.exact))
-            window.pictures.show_front(found.front, CRITERIA[objective.criterion])
+            value = float(np.degrees(result.value))
+            panel.show_found(SearchResult(value, objective, result.looked_at, result.exact))
+            window.pictures.show_front(result.front, CRITERIA[objective.criterion])
 
         panel.show_found(None)
         self.runner.run(gettext("Searching for the best survey design"), work, done)
@@ -260,11 +260,11 @@ class SiteDesign(QObject):
             preload_matplotlib()
             return run_survey_simulation(titled.plan, requested, progress)
 
-        def done(found: MonteCarloResult) -> None:
-            head = result_heading(titled.title, found, requested.surveys)
-            window.surveys.answer.show_result(head, found, titled.plan)
+        def done(result: MonteCarloResult) -> None:
+            head = result_heading(titled.title, result, requested.surveys)
+            window.surveys.answer.show_result(head, result, titled.plan)
             window.surveys.answer.follow(self.workspace.titled.plan)
-            window.pictures.show_errors(found)
+            window.pictures.show_errors(result)
             window.show_figures()
 
         # Cancelled, it still has an answer where enough surveys were finished.

@@ -183,12 +183,12 @@ def convert_unit_signs(message_label: str, *bases: Base, figures: bool = True) -
         Whether those in the text are of `figure`; others stay, with the unit they are in.
     """
 
-    def replaced(found: re.Match[str]) -> str:
-        before = found["before"] or ""
+    def replaced(match: re.Match[str]) -> str:
+        before = match["before"] or ""
         if not before:
             return shown.sign
         if not figures:
-            return found[0]
+            return match[0]
         return before[0] + ("" if shown.sign in "°′″" else "\N{NO-BREAK SPACE}") + shown.sign
 
     for base in bases:

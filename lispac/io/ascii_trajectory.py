@@ -484,11 +484,11 @@ def _column_values(data: list[list[str]], index: int) -> NDArray[np.float64] | N
 def _detect_units(
     values: dict[str, NDArray[np.float64]],
     written: Mapping[str, Sequence[str]],
-    found: dict[str, str],
+    units: dict[str, str],
     choice: Choice,
     file: str,
 ) -> Iterator[Message]:
-    """Detect units by the first values and put them into ``found``; warn of radians.
+    """Detect units by the first values and put them into ``units``; warn of radians.
 
     Parameters
     ----------
@@ -501,16 +501,16 @@ def _detect_units(
         beyond = largest > 360 or min(latitude.max(), longitude.max()) > 90
         minutes = np.concatenate([latitude, longitude]) % 100
         if (beyond or _has_padded_degrees(written)) and (minutes < 60).all():
-            found.setdefault("position", "degrees-minutes")
-        if _is_in_radians("position", largest, found, choice):
+            units.setdefault("position", "degrees-minutes")
+        if _is_in_radians("position", largest, units, choice):
             actions = (degrees_action("position"),)
             yield warning("trajectory.position_in_radians", file=file, actions=actions)
     elif not {"latitude", "longitude"} & set(values) and "easting" not in values and written:
         # A unit of degrees in the title is no contradiction to degrees with letters or minutes.
-        found["position"] = "degrees-minutes" if _has_padded_degrees(written) else "dms"
+        units["position"] = "degrees-minutes" if _has_padded_degrees(written) else "dms"
     if "heading" in values:
         largest = float(np.abs(values["heading"]).max())
-        if _is_in_radians("attitude", largest, found, choice):
+        if _is_in_radians("attitude", largest, units, choice):
             actions = (degrees_action("attitude"),)
             yield warning("trajectory.attitude_in_radians", file=file, actions=actions)
 
@@ -533,12 +533,12 @@ def _has_padded_degrees(written: Mapping[str, Sequence[str]]) -> bool:
     )
 
 
-def _is_in_radians(option: str, largest: float, found: dict[str, str], choice: Choice) -> bool:
+def _is_in_radians(option: str, largest: float, units: dict[str, str], choice: Choice) -> bool:
     """Determine the unit: degrees if values exceed a full circle in radians, else radians."""
-    if option in found or option in choice:
+    if option in units or option in choice:
         return False
-    found[option] = "degrees" if largest > 2 * np.pi else "radians"
-    return found[option] == "radians"
+    units[option] = "degrees" if largest > 2 * np.pi else "radians"
+    return units[option] == "radians"
 
 
 def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Iterator[Message]:

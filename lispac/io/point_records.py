@@ -144,15 +144,15 @@ def read_record_columns(records: PointRecords, rows: int) -> Iterator[Columns]:
             yield {name: block[name] for name in records.dtype.names or ()}
 
 
-def _read_binary(file: IO[bytes], records: PointRecords, wanted: int) -> NDArray[Any]:
-    data = file.read(wanted * records.dtype.itemsize)
+def _read_binary(file: IO[bytes], records: PointRecords, count: int) -> NDArray[Any]:
+    data = file.read(count * records.dtype.itemsize)
     return np.frombuffer(data[: len(data) // records.dtype.itemsize * records.dtype.itemsize],
                          records.dtype)  # fmt: skip
 
 
-def _read_text(file: IO[bytes], records: PointRecords, wanted: int, done: int) -> NDArray[Any]:
+def _read_text(file: IO[bytes], records: PointRecords, count: int, done: int) -> NDArray[Any]:
     lines = []
-    for _ in range(wanted):
+    for _ in range(count):
         line = file.readline(1 << 16)
         if not line:
             break

@@ -137,9 +137,9 @@ def _upgrade_absolute_from_8(check: Any) -> Any:
     return check | {"not_compared": _former_texts(check.pop("unseen"))}
 
 
-def _upgrade_reason_from_8(found: Content) -> Content:
+def _upgrade_reason_from_8(content: Content) -> Content:
     """An estimate, or a part of the data: an empty reason is none."""
-    return found | {"reason": _former_text(found["reason"]) if found["reason"] else None}
+    return content | {"reason": _former_text(content["reason"]) if content["reason"] else None}
 
 
 def _former_texts(texts: Any) -> list[Content]:

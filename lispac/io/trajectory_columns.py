@@ -347,19 +347,19 @@ def _length_units(path: Path, chosen: Sequence[Column], grid: Grid | None) -> di
     return lengths
 
 
-def _require_unit_kind(path: Path, column: Column, wanted: Literal["an angle", "a length"]) -> None:
+def _require_unit_kind(path: Path, column: Column, kind: Literal["an angle", "a length"]) -> None:
     """Refuse a unit that does not fit what the column is.
 
     Raises
     ------
     InputError
     """
-    if wanted == "an angle":
+    if kind == "an angle":
         fits = column.unit.removesuffix("-west").removesuffix("-south") in ANGLE_CODES
     else:
         fits = column.unit in (UNSTATED, *LENGTHS)
     if not fits:
-        code = "trajectory.not_an_angle" if wanted == "an angle" else "trajectory.not_a_length"
+        code = "trajectory.not_an_angle" if kind == "an angle" else "trajectory.not_a_length"
         raise InputError(error(code, file=str(path), column=column.name, unit=column.unit))
 
 

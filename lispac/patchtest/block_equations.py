@@ -71,5 +71,5 @@ def linearise_blocks(
     return BlockEquations(normal, gradient, swayed, meets)
 
 
-def _robust_weights(found: SurfaceDistances, scale: float) -> Array:
-    return np.asarray(found.weight / (1.0 + (found.off / scale) ** 2) ** 2)
+def _robust_weights(distances: SurfaceDistances, scale: float) -> Array:
+    return np.asarray(distances.weight / (1.0 + (distances.off / scale) ** 2) ** 2)

@@ -150,7 +150,7 @@ class _ObjectEquations:
 
 
 def _equations_by_object(
-    mismatch: Mismatch, found: BlockEquations, weight: Array
+    mismatch: Mismatch, equations: BlockEquations, weight: Array
 ) -> list[_ObjectEquations]:
     parts: dict[str, _ObjectEquations] = {}
     for k, block in enumerate(mismatch.blocks):
@@ -161,12 +161,12 @@ def _equations_by_object(
             name, _ObjectEquations(name, [], np.zeros((3, 3)), np.zeros(3), {}, np.zeros(3))
         )
         part.blocks.append(k)
-        part.normal[:] += weight[k] * found.normal[k]
-        part.rough[:] += (weight[k] * ROUGH) ** 2 * np.diag(found.normal[k])
-        part.gradient[:] += weight[k] * found.gradient[k]
+        part.normal[:] += weight[k] * equations.normal[k]
+        part.rough[:] += (weight[k] * ROUGH) ** 2 * np.diag(equations.normal[k])
+        part.gradient[:] += weight[k] * equations.gradient[k]
         for side, seen in enumerate((block.first, block.second)):
             swayed = part.sways.setdefault(id(seen), np.zeros((3, 6)))
-            swayed += weight[k] * found.sways[k, side]
+            swayed += weight[k] * equations.sways[k, side]
     return list(parts.values())
 
 

@@ -102,7 +102,7 @@ def reliability_blocks(content: ReportContent) -> list[Block]:
     ]
 
 
-def _test_table(found: Sequence[SightingCheck]) -> Table:
+def _test_table(sightings: Sequence[SightingCheck]) -> Table:
     deg = degrees_unit()
     return Table(
         gettext("Agreement of the sightings"),
@@ -127,12 +127,12 @@ def _test_table(found: Sequence[SightingCheck]) -> Table:
                 *([UNKNOWN] * 3 if s.effect_deg is None else [angle_text(v) for v in s.effect_deg]),
                 gettext(STANDINGS[s.in_words]),
             ]
-            for s in found
+            for s in sightings
         ),
     )
 
 
-def _point_table(found: Sequence[SightingCheck]) -> Table:
+def _point_table(sightings: Sequence[SightingCheck]) -> Table:
     return Table(
         gettext("Tests of single points"),
         (
@@ -154,14 +154,14 @@ def _point_table(found: Sequence[SightingCheck]) -> Table:
                 fixed_number(s.largest_w, 1),
                 format_known(s.largest_w_time_s, lambda v: fixed_number(v, 3)),
             ]
-            for s in found
+            for s in sightings
         ),
     )
 
 
-def _sighting_remarks(found: Sequence[SightingCheck]) -> list[Block]:
+def _sighting_remarks(sightings: Sequence[SightingCheck]) -> list[Block]:
     remarks = []
-    for sighting in found:
+    for sighting in sightings:
         if sighting.released:
             template = N_(
                 "{target} on line {line} disagrees with all other sightings. It was rejected and "
@@ -177,7 +177,7 @@ def _sighting_remarks(found: Sequence[SightingCheck]) -> list[Block]:
         remarks.append(gettext(template, target=sighting.target, line=sighting.line))
     unchecked = [
         gettext("{target} on line {line}", target=s.target, line=s.line)
-        for s in found
+        for s in sightings
         if s.in_words == "not checked"
     ]
     if unchecked:

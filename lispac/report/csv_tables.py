@@ -157,8 +157,8 @@ def _plain_cell(cell: str, numbers: re.Pattern[str]) -> str:
     return " \u00b1 ".join(plain)
 
 
-def _plain_number(found: re.Match[str]) -> str:
-    sign, whole, decimals = found.groups()
+def _plain_number(match: re.Match[str]) -> str:
+    sign, whole, decimals = match.groups()
     return f"{sign}{re.sub('[^0-9]', '', whole)}{f'.{decimals}' if decimals else ''}"
 
 

@@ -86,21 +86,21 @@ def _parameter_warnings(content: ReportContent) -> Iterator[Message]:
         yield from _single_parameter_warnings(found)
 
 
-def _single_parameter_warnings(found: ExtraParameter) -> Iterator[Message]:
-    name, field = mounting_value_name(found.name), Cause.of_parameter(found.name)
-    if found.value is None:
+def _single_parameter_warnings(parameter: ExtraParameter) -> Iterator[Message]:
+    name, field = mounting_value_name(parameter.name), Cause.of_parameter(parameter.name)
+    if parameter.value is None:
         yield note(
             "report.parameter_not_seen"
-            if found.prior_sigma is None
+            if parameter.prior_sigma is None
             else "report.parameter_not_seen_uncertain",
-            parameter=name, reason=found.reason, subject=field,
+            parameter=name, reason=parameter.reason, subject=field,
         )  # fmt: skip
-    elif found.significant is False:
-        factor, _ = STATED[found.name]
+    elif parameter.significant is False:
+        factor, _ = STATED[parameter.name]
         yield note(
             "report.parameter_not_significant",
             parameter=name,
-            change=signed_change(found.name, (found.value - found.prior) / factor),
+            change=signed_change(parameter.name, (parameter.value - parameter.prior) / factor),
             subject=field,
         )
 

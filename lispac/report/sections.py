@@ -110,14 +110,14 @@ def _fit_text(adjustment: AdjustmentValues) -> str:
     )  # fmt: skip
 
 
-def _value_with_sigma(found: ExtraParameter) -> str:
-    assert found.value is not None
-    assert found.sigma is not None
+def _value_with_sigma(parameter: ExtraParameter) -> str:
+    assert parameter.value is not None
+    assert parameter.sigma is not None
     return gettext(
         "{name} {value} (1\u00a0sigma {sigma})",
-        name=parameter_name(found.name),
-        value=quantity_text(found.name, found.value, sign=True),
-        sigma=quantity_text(found.name, found.sigma),
+        name=parameter_name(parameter.name),
+        value=quantity_text(parameter.name, parameter.value, sign=True),
+        sigma=quantity_text(parameter.name, parameter.sigma),
     )
 
 

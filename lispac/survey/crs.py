@@ -191,11 +191,11 @@ class CoordinateSystem:
         moved = transformer.transform(*place, tt=epoch, direction=direction)
         return moved[0], moved[1], moved[2]
 
-    def _require_inside(self, moved: Geodetic, given: Geodetic) -> None:
-        outside = ~np.isfinite(np.stack(moved)).all(axis=0)
+    def _require_inside(self, converted: Geodetic, original: Geodetic) -> None:
+        outside = ~np.isfinite(np.stack(converted)).all(axis=0)
         if outside.any():
             first = int(np.argmax(outside))
-            x, y, z = (float(axis[first]) for axis in given)
+            x, y, z = (float(axis[first]) for axis in original)
             raise InputError(
                 error(
                     "crs.points_outside", count=int(outside.sum()), system=self.name, x=x, y=y, z=z

@@ -167,20 +167,21 @@ SHORT = 2.0
 """Seconds that accuracies may miss at the ends of the trajectory without a word."""
 
 
-def accuracy_coverage_warning(own: Array, track: Array, file: str) -> Message | None:
+def accuracy_coverage_warning(accuracy_times: Array, track: Array, file: str) -> Message | None:
     """The warning that accuracies do not cover the whole trajectory; None where they do.
 
     Parameters
     ----------
-    own, track : ndarray of shape (n,), seconds, increasing
+    accuracy_times, track : ndarray of shape (n,), seconds, increasing
         Times of the accuracies and of the trajectory.
     file : str
         Name of the file of accuracies.
     """
-    if max(own[0] - track[0], track[-1] - own[-1]) <= SHORT:
+    if max(accuracy_times[0] - track[0], track[-1] - accuracy_times[-1]) <= SHORT:
         return None
     return warning(
-        "import.accuracy_too_short", file=file, first=float(own[0]), last=float(own[-1]),
+        "import.accuracy_too_short", file=file,
+        first=float(accuracy_times[0]), last=float(accuracy_times[-1]),
         start=float(track[0]), end=float(track[-1]),
     )  # fmt: skip
 

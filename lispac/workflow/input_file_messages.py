@@ -264,14 +264,18 @@ def time_messages(
 
 
 def _given_base_notes(
-    entry: InputFile, times: LineTimes, track: Trajectory, own: KnownTimeBase, other: KnownTimeBase
+    entry: InputFile,
+    times: LineTimes,
+    track: Trajectory,
+    line_base: KnownTimeBase,
+    other: KnownTimeBase,
 ) -> list[Message]:
     """Notes on the shift that follows from the time bases given."""
-    found = matches_of_known_bases(times.sample, track.time, own, other)
+    found = matches_of_known_bases(times.sample, track.time, line_base, other)
     if not found or not entry.shift:
         return []
-    first, *others = known_base_notes(found, own, other, printable(entry.path.name))
-    actions = (CLEAR_TIME_BASE,) if own.stated else ()
+    first, *others = known_base_notes(found, line_base, other, printable(entry.path.name))
+    actions = (CLEAR_TIME_BASE,) if line_base.stated else ()
     return [replace(first, actions=actions), *others]
 
 

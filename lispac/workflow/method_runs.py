@@ -41,12 +41,12 @@ def adjust_natural_planes(
     return _alternative_result("natural planes", solved)
 
 
-def targetless_result(found: TargetlessResult) -> AlternativeResult:
+def targetless_result(result: TargetlessResult) -> AlternativeResult:
     """Result of a targetless adjustment, without its surfaces."""
-    return _alternative_result("targetless", found.project, found.remarks)
+    return _alternative_result("targetless", result.project, result.remarks)
 
 
-def patch_test_result(found: PatchTestResult) -> AlternativeResult:
+def patch_test_result(result: PatchTestResult) -> AlternativeResult:
     """Result of a patch test, without its objects.
 
     Raises
@@ -54,15 +54,15 @@ def patch_test_result(found: PatchTestResult) -> AlternativeResult:
     AdjustmentError
         If it has no sigma: it could not be compared with another result.
     """
-    if found.covariance is None:
+    if result.covariance is None:
         raise AdjustmentError(error("estimate.patch_test_without_sigma"))
     return AlternativeResult(
         "patch test",
-        found.boresight,
-        found.covariance,
-        found.lines,
-        len(found.objects),
-        found.remarks,
+        result.boresight,
+        result.covariance,
+        result.lines,
+        len(result.objects),
+        result.remarks,
     )
 
 

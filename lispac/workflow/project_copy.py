@@ -168,7 +168,9 @@ def _use_stored_line(
         clouds[name] = CloudOnDisk(stored, cloud.place)
 
 
-def _copy_line(stored: StoredLine, there: Path, done: int, total: int, progress: Progress) -> None:
+def _copy_line(
+    stored: StoredLine, destination: Path, done: int, total: int, progress: Progress
+) -> None:
     """Copy a stored line and verify it; the manifest is copied last.
 
     Raises
@@ -177,12 +179,12 @@ def _copy_line(stored: StoredLine, there: Path, done: int, total: int, progress:
         Where the line was imported again meanwhile, or is damaged.
     """
     manifest = stored.manifest
-    require_no_link(there.parent, there)
-    if there.is_dir() and any(there.iterdir()):
-        raise ProjectError(error("project_folder.has_files", folder=str(there)))
-    there.mkdir(exist_ok=True)
-    (there / MARK).touch()
-    (there / manifest.folder).mkdir()
+    require_no_link(destination.parent, destination)
+    if destination.is_dir() and any(destination.iterdir()):
+        raise ProjectError(error("project_folder.has_files", folder=str(destination)))
+    destination.mkdir(exist_ok=True)
+    (destination / MARK).touch()
+    (destination / manifest.folder).mkdir()
     checksums: dict[str, int | None] = {column.file: column.checksum for column in manifest.files}
     if stored_header(stored) is not None:
         checksums |= {HEADER: None, HEADER_SUM: None}
@@ -194,7 +196,7 @@ def _copy_line(stored: StoredLine, there: Path, done: int, total: int, progress:
             raise stored.imported_again_or(
                 ProjectError(error("import.part_missing", file=str(path), line=stored.name))
             ) from failure
-        place = there / manifest.folder / name
+        place = destination / manifest.folder / name
         with source, place.open("xb") as copy:
             then = os.fstat(source.fileno())  # its name may be gone at the end
             while piece := source.read(PIECE):
@@ -207,4 +209,4 @@ def _copy_line(stored: StoredLine, there: Path, done: int, total: int, progress:
                 ProjectError(error("import.part_changed", file=str(path), line=stored.name))
             )
         os.utime(place, ns=(then.st_atime_ns, then.st_mtime_ns))
-    write_manifest(there, manifest)
+    write_manifest(destination, manifest)

@@ -149,7 +149,7 @@ def read_library(folder: Path) -> SensorLibrary:
 
 
 def _read_sensors(
-    kind: str, folder: Path, supplied: Callable[[Path], F], own: Callable[[Path], F],
+    kind: str, folder: Path, supplied: Callable[[Path], F], read: Callable[[Path], F],
     remarks: list[Message],
 ) -> tuple[Sensor[F], ...]:  # fmt: skip
     found = {
@@ -159,7 +159,7 @@ def _read_sensors(
     }
     for path in sorted((folder / kind).glob("*.toml")):
         try:
-            found[path.stem] = Sensor(path.stem, own(path), own=True)
+            found[path.stem] = Sensor(path.stem, read(path), own=True)
         except InputError as failure:
             remarks.append(as_message(failure.reason))
     return tuple(sorted(found.values(), key=lambda each: each.figures.title.casefold()))

@@ -244,12 +244,12 @@ def find_planes_in_lines(
 
 
 def _clicked_line(
-    first_line: str | None, found: Iterable[str], seed: Array, clouds: Mapping[str, Cloud]
+    first_line: str | None, lines: Iterable[str], seed: Array, clouds: Mapping[str, Cloud]
 ) -> str | None:
     """Name of the clicked line; None if it is not known."""
     if first_line is not None:
         return first_line
-    return next((name for name in found if len(clouds[name].within(seed, CLICK).numbers)), None)
+    return next((name for name in lines if len(clouds[name].within(seed, CLICK).numbers)), None)
 
 
 @dataclass(frozen=True, eq=False)

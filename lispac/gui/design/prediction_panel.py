@@ -130,9 +130,9 @@ class PredictionPanel(QScrollArea):
             self.words.setText(gettext("Computing…"))
         self.worth.show_rows([])
 
-    def _show_sigmas(self, found: PredictedPrecision) -> None:
+    def _show_sigmas(self, prediction: PredictedPrecision) -> None:
         """Show standard deviations and correlations, also during a drag."""
-        self._told = found
+        self._told = prediction
         for angle, sigma in zip(ANGLES, self._told.sigmas, strict=True):
             self.sigma[angle].setText(sigma)
             self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._told.refused else "")

@@ -257,14 +257,14 @@ class DesignWindow(QMainWindow):
         self.surveys.surveys.setFocus()
         self.surveys.surveys.selectAll()
 
-    def show_comparison(self, found: PlanComparison, project: str, titled: TitledPlan) -> None:
+    def show_comparison(self, comparison: PlanComparison, project: str, titled: TitledPlan) -> None:
         """Show the comparison of a plan with the survey of a project."""
         head = gettext_lazy(
             "Standard deviations (deg) of the project {project} compared with the survey plan "
             "{plan}",
             project=project, plan=titled.title,
         )  # fmt: skip
-        self.compared.show_result(head, found, titled.plan)
+        self.compared.show_result(head, comparison, titled.plan)
         self.compared.follow(self.workspace.titled.plan)
         self.tabs.setCurrentIndex(self.tabs.count() - 1)
 

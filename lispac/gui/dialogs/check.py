@@ -210,12 +210,12 @@ class CheckDialog(QDialog):
 class CheckResultDialog(StudyDialog):
     """Distances of each line from the reference, before and after calibration."""
 
-    def __init__(self, found: AbsoluteCheckValues, parent: QWidget | None = None) -> None:
+    def __init__(self, values: AbsoluteCheckValues, parent: QWidget | None = None) -> None:
         from lispac.report.absolute_figure import reference_distance_figure
 
         table = DiagnosticsTable("check_table", gettext("Lines and reference"), _columns())
         super().__init__(
-            "checked", gettext("Check against {reference}", reference=found.reference),
+            "checked", gettext("Check against {reference}", reference=values.reference),
             gettext(
                 "The table shows the distances of the lines from the reference along the normal "
                 "of the reference, positive towards the vessel. The report contains the same "
@@ -225,16 +225,16 @@ class CheckResultDialog(StudyDialog):
         )  # fmt: skip
         self.show_rows(
             [
-                *(_line_row(each, Cell(each.line)) for each in found.lines),
-                _line_row(found.together, Cell(gettext("all lines"))),
+                *(_line_row(each, Cell(each.line)) for each in values.lines),
+                _line_row(values.together, Cell(gettext("all lines"))),
             ]
         )
         not_compared = [
             gettext("Not compared: {reason}", reason=message_text(reason))
-            for reason in found.not_compared
+            for reason in values.not_compared
         ]
-        self.message_label.setText("\n".join([*map(message_text, found.in_words), *not_compared]))
-        reference_distance_figure(found, self.figure())
+        self.message_label.setText("\n".join([*map(message_text, values.in_words), *not_compared]))
+        reference_distance_figure(values, self.figure())
         self.resize(1000, 760)
 
 

@@ -141,9 +141,9 @@ class Dialogs(Questions):
         dialog.deleteLater()
         return answer
 
-    def checked(self, found: AbsoluteCheckValues) -> None:
+    def checked(self, values: AbsoluteCheckValues) -> None:
         """Show the result of a check: distances of the lines from the reference."""
-        dialog = CheckResultDialog(found, self.parent)
+        dialog = CheckResultDialog(values, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
@@ -159,33 +159,33 @@ class Dialogs(Questions):
         dialog.exec()
         dialog.deleteLater()
 
-    def subsampling(self, found: Sequence[SubsamplingResult], used: float) -> None:
+    def subsampling(self, results: Sequence[SubsamplingResult], used: float) -> None:
         """Show the results at several point spacings; ``used`` is that of the project."""
-        dialog = SubsamplingDialog(found, used, self.parent)
+        dialog = SubsamplingDialog(results, used, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
-    def line_quality(self, found: LineQuality) -> None:
+    def line_quality(self, quality: LineQuality) -> None:
         """Show the differences between the lines."""
-        dialog = LineQualityDialog(found, self.parent)
+        dialog = LineQualityDialog(quality, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
     def methods(
         self,
-        found: Sequence[MethodResult],
+        results: Sequence[MethodResult],
         absent: Sequence[Method],
         refused: Mapping[str, Message],
     ) -> bool:
         """Show the results of all methods; return whether to run the missing ones."""
-        dialog = MethodsDialog(found, absent, refused, self.parent)
+        dialog = MethodsDialog(results, absent, refused, self.parent)
         dialog.exec()
         dialog.deleteLater()
         return dialog.asks
 
-    def visibility(self, found: Sequence[VisibilityStudy]) -> None:
+    def visibility(self, studies: Sequence[VisibilityStudy]) -> None:
         """Show the visibility of errors on each site."""
-        dialog = VisibilityDialog(found, self.parent)
+        dialog = VisibilityDialog(studies, self.parent)
         dialog.exec()
         dialog.deleteLater()
 

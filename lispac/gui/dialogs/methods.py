@@ -75,7 +75,7 @@ class MethodsDialog(StudyDialog):
 
     def __init__(
         self,
-        found: Sequence[MethodResult],
+        results: Sequence[MethodResult],
         absent: Sequence[Method],
         refused: Mapping[str, Message],
         parent: QWidget | None = None,
@@ -92,14 +92,14 @@ class MethodsDialog(StudyDialog):
         )  # fmt: skip
         self.asks = False
         self.show_rows(
-            [*(_method_row(each) for each in found), *(_row_not_run(each) for each in absent)]
+            [*(_method_row(each) for each in results), *(_row_not_run(each) for each in absent)]
         )
         remarks = [
             *refused.items(),
-            *((each.method, remark) for each in found for remark in each.remarks),
+            *((each.method, remark) for each in results for remark in each.remarks),
         ]
         texts = [
-            *map(message_text, comparison_remarks(tuple(found))),
+            *map(message_text, comparison_remarks(tuple(results))),
             *(_with_method_name(*each) for each in remarks),
         ]
         self.message_label.setText("\n".join(texts))

@@ -172,7 +172,7 @@ class _SourceFields(QWidget):
 
 
 class _ScannerFields:
-    def __init__(self, given: ScannerSpecification, form: QFormLayout) -> None:
+    def __init__(self, specification: ScannerSpecification, form: QFormLayout) -> None:
         self.range = widgets.number(
             "sensor_range", suffix=" mm", decimals=2, low=0.01, high=10_000, step=0.5,
             tip=gettext("Standard deviation of a range measurement, in millimetres"),
@@ -186,10 +186,10 @@ class _ScannerFields:
             "sensor_beam", suffix=" mrad", decimals=2, low=0, high=100, step=0.1,
             tip=gettext("Beam divergence as full angle, in milliradians"),
         )  # fmt: skip
-        self.range.setValue(1000 * given.range_sigma)
-        self.angle.setValue(given.angle_sigma_deg)
-        self.beam.setValue(given.divergence_mrad)
-        self.origin = _SourceFields("sensor", given.source, given.from_memory)
+        self.range.setValue(1000 * specification.range_sigma)
+        self.angle.setValue(specification.angle_sigma_deg)
+        self.beam.setValue(specification.divergence_mrad)
+        self.origin = _SourceFields("sensor", specification.source, specification.from_memory)
         self.moved = self.range.valueChanged
         form.addRow(gettext("Range noise (1 σ)"), self.range)
         form.addRow(gettext("Beam angular noise (1 σ)"), self.angle)
@@ -204,9 +204,9 @@ class _ScannerFields:
 
 
 class _PosStateFields:
-    def __init__(self, name: str, given: PosAccuracy | None, form: QFormLayout) -> None:
+    def __init__(self, name: str, specification: PosAccuracy | None, form: QFormLayout) -> None:
         self._name = name
-        usual = given or NEW_POS.states[0]
+        usual = specification or NEW_POS.states[0]
         self.stated = QCheckBox(gettext(WITH_SOLUTION[name]))
         self.stated.setObjectName(f"sensor_{name}")
         self.position = widgets.TripleField(
@@ -223,7 +223,9 @@ class _PosStateFields:
         self.position.set_value(usual.position_sigma)
         self.attitude.set_value(usual.attitude_sigma_deg)
         self.origin = _SourceFields(
-            f"sensor_{name}", usual.source if given else "", given is not None and given.from_memory
+            f"sensor_{name}",
+            usual.source if specification else "",
+            specification is not None and specification.from_memory,
         )
         self.moved = self.stated.toggled
         form.addRow(self.stated)
@@ -233,7 +235,7 @@ class _PosStateFields:
         for each in (self.position, self.attitude, self.origin):
             self.stated.toggled.connect(each.setEnabled)
             each.setEnabled(False)
-        self.stated.setChecked(given is not None)
+        self.stated.setChecked(specification is not None)
 
     def state(self) -> PosAccuracy | None:
         if not self.stated.isChecked():

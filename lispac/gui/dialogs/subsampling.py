@@ -17,7 +17,7 @@ class SubsamplingDialog(StudyDialog):
     """A row for each point spacing."""
 
     def __init__(
-        self, found: Sequence[SubsamplingResult], used: float, parent: QWidget | None = None
+        self, results: Sequence[SubsamplingResult], used: float, parent: QWidget | None = None
     ) -> None:
         title = dialog_title("subsampling")
         table = DiagnosticsTable("subsampling_table", title, _columns())
@@ -30,7 +30,7 @@ class SubsamplingDialog(StudyDialog):
             ),
             table, parent,
         )  # fmt: skip
-        self.show_rows([_spacing_row(each, each.distance == used) for each in found])
+        self.show_rows([_spacing_row(each, each.distance == used) for each in results])
         self.message_label.setText(
             gettext(
                 "The highlighted row has the point spacing of the project settings, {spacing} "
@@ -39,7 +39,7 @@ class SubsamplingDialog(StudyDialog):
                 unit=units.shown_unit("m").sign,
             )
         )
-        self.message_label.setVisible(any(each.distance == used for each in found))
+        self.message_label.setVisible(any(each.distance == used for each in results))
         self.resize(860, 330)
 
 

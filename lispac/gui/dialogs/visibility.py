@@ -62,10 +62,10 @@ class VisibilityDialog(StudyDialog):
 
     Parameters
     ----------
-    found : results of each site
+    studies : results of each site
     """
 
-    def __init__(self, found: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
+    def __init__(self, studies: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
         from lispac.report.visibility_figures import CRITERIA, error_text
 
         columns = [Column(gettext(title), gettext(tip), words=True) for title, tip in COLUMNS]
@@ -83,19 +83,19 @@ class VisibilityDialog(StudyDialog):
             ),
             table, parent,
         )  # fmt: skip
-        self._found = tuple(found)
+        self._found = tuple(studies)
         self._criteria = tuple(CRITERIA)
         self._reasons: list[str] = []
         self._summary = ""
         self.site = widgets.ChoiceBox(
-            "visibility_site", [gettext(SITES[each.site.name]) for each in found],
+            "visibility_site", [gettext(SITES[each.site.name]) for each in studies],
             gettext(
                 "Terrestrial site: scanner 2.5 m above a board on the ground. Marine site: vessel "
                 "15 m from a quay 5 m high."
             ),
         )  # fmt: skip
         self.error = widgets.ChoiceBox(
-            "visibility_error", [error_text(each) for each in found[0].site.errors],
+            "visibility_error", [error_text(each) for each in studies[0].site.errors],
             gettext("Systematic error to show"),
         )  # fmt: skip
         self.criterion = widgets.ChoiceBox(

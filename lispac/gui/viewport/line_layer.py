@@ -203,13 +203,13 @@ class LineLayer:
         for actor in actors:
             self._renderer.RemoveActor(actor)
 
-    def _ordered_points(self, line: str, wanted: int) -> NDArray[np.int64]:
+    def _ordered_points(self, line: str, count: int) -> NDArray[np.int64]:
         """Indices of the points of a line to draw, ordered by rank."""
         order = self._orders.get(line)
-        if order is None or order[0] != wanted or order[1] is not self._kept[line]:
+        if order is None or order[0] != count or order[1] is not self._kept[line]:
             places = self._point_ranks(line)
-            chosen = lowest_ranked(places, wanted)
-            order = wanted, self._kept[line], chosen[np.argsort(places[chosen])]
+            chosen = lowest_ranked(places, count)
+            order = count, self._kept[line], chosen[np.argsort(places[chosen])]
             self._orders[line] = order
         return order[2]
 
