@@ -232,11 +232,11 @@ def test_a_box_is_changed_side_by_side_and_never_turns_inside_out():
     np.testing.assert_allclose(box.axes @ box.axes.T, np.eye(3), atol=1e-14)
     for side in range(6):
         (middle, out), other = box.sides[side], side ^ 1
-        moved = box.moved(side, -0.3)
+        moved = box.with_side_moved(side, -0.3)
         np.testing.assert_allclose(moved.sides[side][0], middle - 0.3 * out, atol=1e-12)
         np.testing.assert_allclose(moved.sides[other][0], box.sides[other][0], atol=1e-12)
         beyond = (points - moved.sides[side][0]) @ out > 0
         assert len(moved.inside(points)) == np.count_nonzero(~beyond)
-        flat = box.moved(side, -1e6)
+        flat = box.with_side_moved(side, -1e6)
         assert (flat.half > 0.02).all()
         np.testing.assert_allclose(flat.sides[other][0], box.sides[other][0], atol=1e-9)

@@ -99,7 +99,7 @@ def estimate(arguments: Namespace) -> None:
 
 def settings_with_options(settings: Settings, arguments: Namespace) -> Settings:
     """Settings changed by the options of the command line."""
-    given: dict[str, Any] = {
+    changes: dict[str, Any] = {
         "subsample": arguments.subsample,
         "pos_errors": arguments.pos_errors,
         "position_time": arguments.position_time,
@@ -115,7 +115,7 @@ def settings_with_options(settings: Settings, arguments: Namespace) -> Settings:
         settings = replace(
             settings, surface=None if arguments.surface == "auto" else arguments.surface
         )
-    return replace(settings, **{key: value for key, value in given.items() if value is not None})
+    return replace(settings, **{key: value for key, value in changes.items() if value is not None})
 
 
 def parse_parameters(named: Iterable[str] | None) -> tuple[Parameter, ...] | None:
@@ -196,8 +196,8 @@ def _degrees_by_angle(values: Any) -> dict[str, float] | None:
 def project_result_values(project: Project) -> dict[str, Any]:
     """Result of a project as plain values, in degrees and metres."""
     assert project.result is not None
-    said = result_values(project.result, project.cross_checks, project_warnings(project))
-    return said | {"subsample_m": project.settings.subsample}
+    values = result_values(project.result, project.cross_checks, project_warnings(project))
+    return values | {"subsample_m": project.settings.subsample}
 
 
 def result_values(

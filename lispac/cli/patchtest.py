@@ -34,11 +34,11 @@ def patchtest(arguments: Namespace) -> None:
     UsageError
         Where a box or a line is not one.
     """
-    given = [_parse_object(name, text) for name, text in arguments.object or ()]
-    if len({each.name for each in given}) < len(given):
+    given_objects = [_parse_object(name, text) for name, text in arguments.object or ()]
+    if len({each.name for each in given_objects}) < len(given_objects):
         raise UsageError("patchtest: two objects have the same name.")
-    count = arguments.count if arguments.count is not None else 0 if given else COUNT
-    if not given and not count:
+    count = arguments.count if arguments.count is not None else 0 if given_objects else COUNT
+    if not given_objects and not count:
         raise UsageError("patchtest: give objects with --object, or detect some with --count.")
     with opened_project(arguments.project, change=arguments.keep) as project:
         with ConsoleProgress() as progress:
@@ -47,12 +47,12 @@ def patchtest(arguments: Namespace) -> None:
             if count:
                 step = sub_progress(progress, 0.3, 0.6)
                 laid = workflow.propose_objects(project, survey, count=count, progress=step)
-                if given:
-                    objects = (*given, *laid.objects)
+                if given_objects:
+                    objects = (*given_objects, *laid.objects)
                     laid = workflow.place_objects(project, survey, objects, laid.boresight)
             else:
                 laid = workflow.place_objects(
-                    project, survey, given, survey.alignment.mounting.boresight
+                    project, survey, given_objects, survey.alignment.mounting.boresight
                 )
             found = workflow.find_boresight(
                 project, survey, laid, pairs=pairs, progress=sub_progress(progress, 0.6, 1.0)

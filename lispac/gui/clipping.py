@@ -88,7 +88,7 @@ class ClipBoxController(QObject):
 
     def _move_side(self, name: str, side: int, metres: float) -> None:
         if name == SKETCH and self.box is not None:
-            self.box = self.box.moved(side, metres)
+            self.box = self.box.with_side_moved(side, metres)
             self._show()  # the points follow when the handle is let go
 
     def _on_handle_released(self, name: str) -> None:

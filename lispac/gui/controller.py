@@ -227,13 +227,13 @@ class Controller(QObject):
             return save_project_as(project, survey, folder, progress=progress)
 
         def done(saved: Opened) -> None:
-            moved, found = saved
-            self._document.move(moved, found)
-            self._settings.add_recent(moved.folder)
+            saved_project, found = saved
+            self._document.move(saved_project, found)
+            self._settings.add_recent(saved_project.folder)
             self.noted.emit(
                 gettext(
                     "Saved as {folder}. The project in {former} stays as it was last saved.",
-                    folder=moved.folder,
+                    folder=saved_project.folder,
                     former=project.folder,
                 )
             )

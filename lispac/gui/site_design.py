@@ -83,7 +83,7 @@ class SiteDesign(QObject):
         self.window.activateWindow()
 
     def _create_window(self) -> DesignWindow:
-        window = DesignWindow(self.workspace, self._main.viewport.new_viewport, self._main)
+        window = DesignWindow(self.workspace, self._main.viewport.create_empty_viewport, self._main)
         for name, slot in {
             "new": self.new, "open": self.open_plan, "save": self.save, "save_as": self.save_as,
             "page": self.save_field_plan, "scenarios": self.scenarios, "cancel": self.runner.cancel,
@@ -98,7 +98,7 @@ class SiteDesign(QObject):
         window.search.file_requested.connect(self.read_site)
         window.task_bar.cancel_requested.connect(self.runner.cancel)
         self.runner.changed.connect(lambda: window.show_busy(self.runner.busy))
-        self.runner.moved.connect(lambda: window.task_bar.show_task(self.runner.current))
+        self.runner.progress_changed.connect(lambda: window.task_bar.show_task(self.runner.current))
         self.runner.failed.connect(self._dialogs.show_error)
         self.paper.failed.connect(self._dialogs.show_error)
         window.results.following.failed.connect(self._dialogs.show_error)

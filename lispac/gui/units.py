@@ -108,7 +108,7 @@ def figure(value: float, base: Base, form: str) -> str:
 
 
 def amount(value: float, base: Base, form: str) -> str:
-    """Text of a value, given in the base unit, with the sign of the unit shown."""
+    """Text of a value with the sign of the unit shown; the value is in the base unit."""
     sign = _used[base].sign
     return figure(value, base, form) + (sign if sign in "°′″" else f" {sign}")
 
@@ -164,9 +164,11 @@ def shown_step(usual: float, base: Base) -> float:
     shown = _used[base]
     if shown.factor == 1.0:
         return usual
-    wanted = usual * shown.factor
-    power = 10.0 ** floor(log10(wanted))
-    return min((1.0, 2.0, 5.0, 10.0), key=lambda k: abs(k * power - wanted)) * power / shown.factor
+    usual_step = usual * shown.factor
+    power = 10.0 ** floor(log10(usual_step))
+    return (
+        min((1.0, 2.0, 5.0, 10.0), key=lambda k: abs(k * power - usual_step)) * power / shown.factor
+    )
 
 
 def is_converted(base: Base | None) -> bool:

@@ -34,13 +34,13 @@ from lispac.io.trajectory_columns import (
     ROLES,
     SIGMAS,
     Column,
-    Conventions,
     Rows,
+    TrajectoryConventions,
     role_of,
     trajectory_of,
 )
-from lispac.io.trajectory_grid import UNSTATED
 from lispac.io.trajectory_preview import TextLayout, preview_text, sign_assumed_warning
+from lispac.io.trajectory_projection import UNSTATED
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import (
     ANGLE_CODES,
@@ -202,9 +202,13 @@ def read_ascii(path: Path, choice: Choice) -> Trajectory:
     """
     path = Path(path)
     layout = layout_by_choice(path, choice)
-    given = note("assumed.given_columns", columns=layout.names)
+    column_note = note("assumed.given_columns", columns=layout.names)
     return trajectory_of(
-        path, layout.rows(path), layout.columns, _conventions(DEFAULTS | dict(choice)), (given,)
+        path,
+        layout.rows(path),
+        layout.columns,
+        _conventions(DEFAULTS | dict(choice)),
+        (column_note,),
     )
 
 
@@ -277,8 +281,8 @@ def _length_unit(option: str, title: str) -> str:
     return _unit_in_title(title) if option == HEADER else _LENGTHS[option]
 
 
-def _conventions(chosen: dict[str, str]) -> Conventions:
-    return Conventions(
+def _conventions(chosen: dict[str, str]) -> TrajectoryConventions:
+    return TrajectoryConventions(
         **{name: chosen[name] for name in ("pitch", "roll", "time", "heading", "crs")}
     )
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.format_types import Choice, FileFormat, PointChunk
 from lispac.io.las_chunks import opened_las, point_count
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     FRAME,
     SCANNER,
     coordinate_scale,

@@ -12,7 +12,7 @@ from lispac.errors import InputError
 from lispac.io.first_points import check_first_points
 from lispac.io.format_types import SAME_TIME_BASE, Choice, Fact, FileFormat, FilePreview, PointChunk
 from lispac.io.point_counts import Flags, Rows, count_records, count_rows
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     PREVIEW,
     SECONDS,
     coordinate_scale,
@@ -107,9 +107,9 @@ class PointRecords:
         least = 2 * len(self.dtype.names or ()) if self.ascii else self.dtype.itemsize
         held = (self.path.stat().st_size - self.start) // least
         if held < self.count - (1 if self.ascii else 0):
-            room = max(held, 0)
+            available = max(held, 0)
             raise InputError(
-                error("file.points_no_room", file=str(self.path), header=self.count, room=room)
+                error("file.points_no_room", file=str(self.path), header=self.count, room=available)
             )
 
 
@@ -127,20 +127,20 @@ def read_record_columns(records: PointRecords, rows: int) -> Iterator[Columns]:
         file.seek(records.start)
         done = 0
         while done < records.count:
-            wanted = min(rows, records.count - done)
+            count = min(rows, records.count - done)
             block = (
-                _read_text(file, records, wanted, done)
+                _read_text(file, records, count, done)
                 if records.ascii
-                else _read_binary(file, records, wanted)
+                else _read_binary(file, records, count)
             )
-            if len(block) != wanted:
+            if len(block) != count:
                 raise InputError(
                     error(
                         "file.points_missing", file=str(records.path), header=records.count,
                         held=done + len(block),
                     )
                 )  # fmt: skip
-            done += wanted
+            done += count
             yield {name: block[name] for name in records.dtype.names or ()}
 
 
@@ -219,7 +219,7 @@ def preview_records(
 ) -> FilePreview:
     """Facts and warnings of the first points."""
     path, count = records.path, records.count
-    given, choice = choice, format_.resolved(choice)
+    given_choice, choice = choice, format_.resolved(choice)
     first = {name: values[:PREVIEW] for name, values in columns.items()}
     field = find_time_field(path, tuple(first), str(choice["time_field"]))
     chunk = point_chunk(first, {**choice, "unit": "metre"}, path, done=0, total=count)
@@ -240,7 +240,7 @@ def preview_records(
             warning("points.coordinates_32_bits", file=file, step=grain, largest=farthest)
         )
     found = {"frame": seen.frame, "time_field": field}
-    resolved = format_.resolved({**found, **given})
+    resolved = format_.resolved({**found, **given_choice})
     return FilePreview(
         {
             **records.facts,

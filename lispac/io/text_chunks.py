@@ -24,7 +24,7 @@ from lispac.io.format_types import (
     FormatOption,
     PointChunk,
 )
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     CHOOSE_TIME_BASE,
     CHUNK,
     HEAD,

@@ -64,10 +64,10 @@ def linearise_blocks(
             normal[k] += (move * weight[:, None]).T @ move
             gradient[k] += (weight * found.off) @ move
             if sways is not None:
-                for moved, sign, rows in ((side, 1.0, point), (1 - side, -1.0, met)):
+                for moved_side, sign, rows in ((side, 1.0, point), (1 - side, -1.0, met)):
                     tilt = np.einsum("nj,njk->nk", found.normal, sways[rows])
                     by = sign * np.hstack([found.normal, tilt])
-                    swayed[k, moved] += (move * weight[:, None]).T @ by
+                    swayed[k, moved_side] += (move * weight[:, None]).T @ by
     return BlockEquations(normal, gradient, swayed, meets)
 
 

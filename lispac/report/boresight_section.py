@@ -14,8 +14,8 @@ from lispac.report.document_blocks import (
     facts_table,
 )
 from lispac.report.report_values import (
+    AdditionalParameterValues,
     AdjustmentValues,
-    ExtraParameter,
     ObservabilityValues,
     ReportContent,
 )
@@ -147,7 +147,7 @@ def _parameter_blocks(adjustment: AdjustmentValues) -> list[Block]:
     return blocks
 
 
-def _parameter_row(parameter: ExtraParameter) -> list[str]:
+def _parameter_row(parameter: AdditionalParameterValues) -> list[str]:
     def shown(value: float | None, *, sign: bool) -> str:
         return format_known(value, lambda v: quantity_text(parameter.name, v, sign=sign))
 
@@ -163,7 +163,7 @@ def _parameter_row(parameter: ExtraParameter) -> list[str]:
     ]
 
 
-def _significance_text(parameter: ExtraParameter) -> str:
+def _significance_text(parameter: AdditionalParameterValues) -> str:
     if parameter.significant is not None:
         return gettext("significant") if parameter.significant else gettext("not significant")
     if parameter.value is not None:

@@ -11,8 +11,8 @@ from lispac.adjustment.message_parts import mounting_value_name, mounting_value_
 from lispac.messages import Message, Value, note, sort_by_level, warning
 from lispac.report.absolute_warnings import absolute_check_warnings
 from lispac.report.report_values import (
+    AdditionalParameterValues,
     Chi2,
-    ExtraParameter,
     PickedPlane,
     ReportContent,
     SightingQualityValues,
@@ -86,7 +86,7 @@ def _parameter_warnings(content: ReportContent) -> Iterator[Message]:
         yield from _single_parameter_warnings(found)
 
 
-def _single_parameter_warnings(parameter: ExtraParameter) -> Iterator[Message]:
+def _single_parameter_warnings(parameter: AdditionalParameterValues) -> Iterator[Message]:
     name, field = mounting_value_name(parameter.name), Cause.of_parameter(parameter.name)
     if parameter.value is None:
         yield note(

@@ -21,8 +21,8 @@ def text_width(text: str, size: float) -> float:
     return size / POINTS_PER_INCH * longest
 
 
-def fitted_font_size(texts: Sequence[str], width: float, size: float) -> float:
-    """Font size, points, at which the widest of several texts fits: `LEAST` to ``size``.
+def largest_fitting_font_size(texts: Sequence[str], width: float, size: float) -> float:
+    """Largest font size, points, at which all texts fit in ``width``: `LEAST` to ``size``.
 
     Parameters
     ----------

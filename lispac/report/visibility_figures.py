@@ -62,7 +62,7 @@ SITE_NAMES: Mapping[str, str] = {"terrestrial": N_("terrestrial"), "marine": N_(
 """Names of the sites within a sentence."""
 
 
-def error_text(error: str) -> str:
+def systematic_error_label(error: str) -> str:
     """An error with its size, as ``Roll 2 deg`` or ``Lever arm X 10 cm``."""
     size = SIZES[error]
     if error.startswith(("lever", "range")):
@@ -126,7 +126,7 @@ def visibility_figure(
     axes.set_xlim(inclinations[0] - 5, inclinations[-1] + 5)
     head = gettext(
         "{error}, {site} site. {criterion}",
-        error=error_text(error), site=gettext(SITE_NAMES[study.site.name]),
+        error=systematic_error_label(error), site=gettext(SITE_NAMES[study.site.name]),
         criterion=gettext(shown.title),
     )  # fmt: skip
     axes.set_title(head, fontsize=TEXT + 1, color=INK, loc="left")

@@ -8,7 +8,7 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.report.document_blocks import Column, Table, as_rows
 from lispac.report.text_format import fixed_number
-from lispac.report.visibility_figures import CRITERIA, error_text
+from lispac.report.visibility_figures import CRITERIA, systematic_error_label
 from lispac.simulation.thesis_comparison import (
     ALL_ERRORS,
     ThesisComparison,
@@ -91,7 +91,11 @@ def plot_table(study: VisibilityStudy, error: str, criterion: str) -> Table:
     shown = CRITERIA[criterion]
     values = shown.values(study)[study.site.errors.index(error)]
     return Table(
-        gettext("{error}: {quantity}", error=error_text(error), quantity=gettext(shown.label)),
+        gettext(
+            "{error}: {quantity}",
+            error=systematic_error_label(error),
+            quantity=gettext(shown.label),
+        ),
         (
             Column(gettext("Inclination (deg)")),
             *(Column(gettext("{heading:n} deg", heading=each)) for each in HEADINGS_DEG),
@@ -142,7 +146,7 @@ def _comparison_row(each: ThesisComparison) -> tuple[str, ...]:
         )
     not_seen, thesis = gettext("not visible"), stated.inclination_deg
     return (
-        error_text(best.error),
+        systematic_error_label(best.error),
         accepted,
         _range_text(*stated.kept_deg),
         not_seen if best.inclination is None else f"{np.degrees(best.inclination):.0f}",

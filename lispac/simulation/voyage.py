@@ -80,7 +80,7 @@ class SailedTrajectory:
         )
 
     def motion(self, generator: np.random.Generator) -> VesselMotion:
-        """Courses and the sea on top of them."""
+        """Motion of the vessel: its courses, with the motion due to the sea added."""
         return sail_passes(self.passes, self.height, generator)
 
 

@@ -95,12 +95,12 @@ class CoordinateSystem:
     def pipeline(self) -> tuple[str, ...]:
         """PROJ pipeline; equal for two systems that give the same numbers."""
         steps = (self._to_geographic, self._to_ellipsoid)
-        said = tuple(str(step.definition) for step in steps if step is not None)
+        definitions = tuple(str(step.definition) for step in steps if step is not None)
         if self.frame is not None:
             return (repr(self.frame),)
-        dated = any(word in step for step in said for word in CHANGING)
+        dated = any(word in step for step in definitions for word in CHANGING)
         heights = f"{self._height_factor!r} {self._height_offset!r}"
-        return (*said, heights, repr(self._epoch) if dated else "")
+        return (*definitions, heights, repr(self._epoch) if dated else "")
 
     @property
     def is_geographic(self) -> bool:

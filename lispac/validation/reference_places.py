@@ -130,7 +130,7 @@ def measure_to_surface(
     reach: float,
     roughest: float,
 ) -> MeasuredPlaces:
-    """Distances of a line from a surface, in both states at the places that have one in both.
+    """Distances of a line from a surface at places measured before and after the calibration.
 
     Parameters
     ----------

@@ -291,8 +291,8 @@ def reselect_points(
                 thinned, prior, judged,
                 accept_one_facing=settings.accept_one_facing, diagnostics=False,
             )  # fmt: skip
-        moved = np.abs(result.boresight - angles)
-        if k > 0 and (moved < SETTLED * result.sigma).all():
+        changes = np.abs(result.boresight - angles)
+        if k > 0 and (changes < SETTLED * result.sigma).all():
             break
         angles = result.boresight
         selected = reselect_targets(selected.with_result(result), survey, progress=step)

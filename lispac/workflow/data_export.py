@@ -31,7 +31,7 @@ from lispac.progress import Progress, no_progress
 from lispac.project import Project, Target
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import georeference
-from lispac.survey.point_mapping import PointMapper
+from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.workflow.file_reading import USUAL, read_trajectory
 from lispac.workflow.georeferencing import Which, require_no_overwrite
 from lispac.workflow.given_time_bases import known_time_base
@@ -84,7 +84,7 @@ def export_targets(
     InputError
         Where the folder cannot be written.
     """
-    mapper = PointMapper(system, survey.trajectory, project.mounting(which))
+    mapper = ScannerPointConverter(system, survey.trajectory, project.mounting(which))
     targets = _chosen_targets(project, names)
     paths = [output / f"{target.name}_{which}.{ending}" for target in targets]
     require_no_overwrite(project, paths)
@@ -244,7 +244,7 @@ def _write_csv(
 
 
 def _write_las(
-    path: Path, shown: Path, points: _TargetPoints, placed: Array, mapper: PointMapper
+    path: Path, shown: Path, points: _TargetPoints, placed: Array, mapper: ScannerPointConverter
 ) -> None:
     scanner = {f"{axis}_lidar": points.points_lidar[:, k] for k, axis in enumerate("xyz")}
     extra: dict[str, NDArray[Any]] = {

@@ -12,7 +12,7 @@ from lispac.io.files import message_with_file_name, require_file
 from lispac.io.format_types import LIKELY, Choice, FileFormat, FilePreview, Kind
 from lispac.io.formats import format_of, is_las, recognise_formats
 from lispac.io.las import ASSUMPTIONS as LAS_ASSUMPTIONS
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     CHOOSE_FRAME,
     NO_SYSTEM,
     SCANNER,

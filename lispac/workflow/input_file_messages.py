@@ -9,7 +9,7 @@ import numpy as np
 from lispac.geometry.frames import geodetic_to_ecef
 from lispac.io.ascii_trajectory import COLUMNS_ASSUMED
 from lispac.io.line_times import LineTimes
-from lispac.io.point_reading import CHOOSE_SYSTEM
+from lispac.io.point_reader_common import CHOOSE_SYSTEM
 from lispac.io.trajectory_facts import GAPS, gap_warnings
 from lispac.messages import Action, Level, Message, Value, error, note, sort_by_level, warning
 from lispac.project import LineSource
@@ -95,7 +95,7 @@ def without_changes(entry: InputFile, messages: tuple[Message, ...]) -> tuple[Me
             actions=tuple(
                 action
                 for action in message.actions
-                if entry.given is None and action.code != BRIDGE_GAPS
+                if entry.project_reading is None and action.code != BRIDGE_GAPS
             ),
         )
         for message in messages

@@ -32,7 +32,7 @@ def trajectory_time_base(entry: InputFile | None) -> KnownTimeBase:
     if entry is None or not key:
         return KnownTimeBase()
     stated = bool((entry.stated or {}).get("time", ""))
-    if entry.given is not None:
+    if entry.project_reading is not None:
         # A project keeps what was found beside what was given.
         look = next((look for look in entry.looks if look.format is entry.format), None)
         found = look.finding.choice if look is not None and look.finding is not None else {}

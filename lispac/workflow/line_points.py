@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.format_types import Choice, PointChunk
 from lispac.io.mounting_record import MountingRecord
-from lispac.io.point_reading import crs_of_options, require_distinct_times
+from lispac.io.point_reader_common import crs_of_options, require_distinct_times
 from lispac.messages import Level, Message, error
 from lispac.project import LineSource
 from lispac.survey.audit_messages import has_several_scanners
@@ -185,7 +185,7 @@ class LinePoints:
         return self._screen.result()
 
     @property
-    def found(self) -> "LineFindings":
+    def findings(self) -> "LineFindings":
         """Findings in the points, after they are read."""
         return LineFindings(self.audit, self.recovery_messages)
 
@@ -222,7 +222,7 @@ class LinePoints:
         """Usable points of a chunk, in the LiDAR frame and the trajectory's time base."""
         if self.recovery is None:
             require_scanner_frame(chunk.xyz, self.line.path)
-        time = self.line.reading.moved(chunk.time)
+        time = self.line.reading.to_trajectory_time(chunk.time)
         used = self._screen(chunk.time, chunk.xyz, chunk.extra) & self._pose_mask(time)
         points = chunk.xyz if used.all() else chunk.xyz[used]
         if self.recovery is not None:
@@ -323,7 +323,7 @@ def read_line(
         intensity,
         points.assumptions,
     )
-    return scan, points.found
+    return scan, points.findings
 
 
 def screen_chunks(chunks: Iterator[PointChunk], choice: Choice, path: Path) -> Iterator[PointChunk]:

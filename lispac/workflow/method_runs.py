@@ -93,10 +93,10 @@ def run_missing_methods(
 
     Methods with a result are not run again.
     """
-    found, wanted = project, missing_methods(project)
+    found, missing = project, missing_methods(project)
     refused: dict[str, Message] = {}
-    for k, method in enumerate(wanted):
-        step = sub_progress(progress, k / len(wanted), (k + 1) / len(wanted))
+    for k, method in enumerate(missing):
+        step = sub_progress(progress, k / len(missing), (k + 1) / len(missing))
         try:
             found = found.with_alternative_result(
                 run_method(project, survey, method, progress=step)

@@ -68,25 +68,25 @@ def save_project_as(
             raise ProjectError(error("project_folder.is_file", folder=str(folder)))
     except OSError as failure:  # no permission to look into it, or too long a name
         raise _not_writable_error(folder, failure) from failure
-    moved = replace(project, folder=folder)
+    copy = replace(project, folder=folder)
     scans, clouds = dict(survey.scans), dict(survey.clouds)
     on_disk = {name: scan for name, scan in scans.items() if isinstance(scan, StoredLine)}
-    places = {line.name: line_folder(moved, line) for line in moved.lines if line.name in on_disk}
+    places = {line.name: line_folder(copy, line) for line in copy.lines if line.name in on_disk}
     total, done = sum(scan.manifest.bytes for scan in on_disk.values()) or 1, 0
-    with removed_on_failure(moved), ExitStack() as stack:
+    with removed_on_failure(copy), ExitStack() as stack:
         try:
             if places or (folder / LINES).is_dir():
                 stack.enter_context(_marked_unfinished(folder))
-            for name, there in places.items():
+            for name, destination in places.items():
                 stored = on_disk[name]
-                _copy_line(stored, there, done, total, progress)
+                _copy_line(stored, destination, done, total, progress)
                 done += stored.manifest.bytes
-                _use_stored_line(scans, clouds, name, replace(stored, folder=there))
+                _use_stored_line(scans, clouds, name, replace(stored, folder=destination))
         except OSError as failure:
             raise _not_writable_error(folder, failure) from failure
         with _remove_points_on_failure(folder):
-            digest = write_project(moved, expected="")
-    return replace(moved, file_digest=digest), replace(survey, scans=scans, clouds=clouds)
+            digest = write_project(copy, expected="")
+    return replace(copy, file_digest=digest), replace(survey, scans=scans, clouds=clouds)
 
 
 def _not_writable_error(folder: Path, failure: OSError) -> InputError:

@@ -45,7 +45,7 @@ def _seed_arguments(
     project: Project, survey: Survey, target: Target, progress: Progress
 ) -> dict[str, Any] | None:
     """Arguments with which the seed leads to the target; None where there are none."""
-    search = TargetSearch.of(target)
+    search = TargetSearch.for_target(target)
     named: dict[str, Any] = {
         "role": (target.role, "target"),
         "shape": (target.shape, "plane"),

@@ -78,12 +78,12 @@ class Sensor(Generic[F]):
     Attributes
     ----------
     name : what it is called on the command line: the name of its file
-    own : whether it is the user's
+    is_user_defined : whether the user added it
     """
 
     name: str
     figures: F
-    own: bool
+    is_user_defined: bool
 
 
 @dataclass(frozen=True)
@@ -153,13 +153,13 @@ def _read_sensors(
     remarks: list[Message],
 ) -> tuple[Sensor[F], ...]:  # fmt: skip
     found = {
-        path.stem: Sensor(path.stem, supplied(path), own=False)
+        path.stem: Sensor(path.stem, supplied(path), is_user_defined=False)
         for path in resource_path(kind).glob("*.toml")
         if path.stem not in INVENTED
     }
     for path in sorted((folder / kind).glob("*.toml")):
         try:
-            found[path.stem] = Sensor(path.stem, read(path), own=True)
+            found[path.stem] = Sensor(path.stem, read(path), is_user_defined=True)
         except InputError as failure:
             remarks.append(as_message(failure.reason))
     return tuple(sorted(found.values(), key=lambda each: each.figures.title.casefold()))
@@ -227,7 +227,7 @@ def remove_sensor(
     InputError
         Where it comes with the program, or cannot be removed.
     """
-    if not sensor.own:
+    if not sensor.is_user_defined:
         raise InputError(error("sensor.supplied", title=sensor.figures.title))
     path = _sensor_path(folder, sensor.figures, sensor.name)
     try:

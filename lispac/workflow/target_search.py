@@ -82,8 +82,8 @@ class TargetSearch:
     sphere_radius: float | None = None
 
     @classmethod
-    def of(cls, target: Target) -> "TargetSearch":
-        """A target already picked, again."""
+    def for_target(cls, target: Target) -> "TargetSearch":
+        """Search for a target that is already picked, with its shape and radius."""
         return cls(target.shape, target.sphere_radius)
 
     @property

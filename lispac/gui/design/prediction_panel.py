@@ -27,7 +27,7 @@ PAIRS = (N_("roll–pitch"), N_("roll–yaw"), N_("pitch–yaw"))
 
 
 class PredictionPanel(QScrollArea):
-    """Standard deviations beside those of the thesis, correlations and information gain."""
+    """Standard deviations beside those of Shahraji's plan, correlations and information gain."""
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()

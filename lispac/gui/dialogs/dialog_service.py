@@ -42,9 +42,9 @@ from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.visibility_study import VisibilityStudy
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.targets.finder_settings import FinderChoices
+from lispac.workflow.calibration_history import CalibrationHistory
 from lispac.workflow.export_request import ExportRequest, What
 from lispac.workflow.georeferencing import Which
-from lispac.workflow.history import History
 from lispac.workflow.input_files import ImportRequest
 from lispac.workflow.line_quality import LineQuality
 from lispac.workflow.proposals import Proposal
@@ -153,7 +153,7 @@ class Dialogs(Questions):
         dialog.exec()
         dialog.deleteLater()
 
-    def history(self, histories: Sequence[History], remarks: Sequence[Message]) -> None:
+    def history(self, histories: Sequence[CalibrationHistory], remarks: Sequence[Message]) -> None:
         """Show the calibrations of each system."""
         dialog = HistoryDialog(histories, remarks, self.parent)
         dialog.exec()

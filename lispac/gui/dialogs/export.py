@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from lispac.errors import InputError, LispacError
 from lispac.gui import theme
 from lispac.gui.actions import dialog_title
-from lispac.gui.dialogs.error import error_text
+from lispac.gui.dialogs.error import exception_text
 from lispac.gui.dialogs.system_choice import HEIGHTS, HEIGHTS_TIP, REST_MS, system_box, system_text
 from lispac.gui.panels import widgets
 from lispac.installation_paths import expand_user
@@ -246,7 +246,7 @@ class ExportDialog(QDialog):
             serious = any(isinstance(each, Message) and each.is_serious for each in meaning)
             role = "error" if serious else "muted"
         except LispacError as error:
-            text, role, good = error_text(error), "error", False
+            text, role, good = exception_text(error), "error", False
         self.message_label.setText(text)
         self.message_label.setProperty("role", role)
         self.message_label.style().unpolish(self.message_label)

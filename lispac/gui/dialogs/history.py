@@ -12,7 +12,12 @@ from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, 
 from lispac.language import N_, gettext, short_date
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.workflow.history import CalibratedSystem, History, HistoryEntry, change_message
+from lispac.workflow.calibration_history import (
+    CalibratedSystem,
+    CalibrationHistory,
+    HistoryEntry,
+    change_message,
+)
 
 DISTANCE = 50.0
 """Metres from the scanner, for the displacement of a point in the table."""
@@ -48,7 +53,7 @@ class HistoryDialog(StudyDialog):
 
     def __init__(
         self,
-        histories: Sequence[History],
+        histories: Sequence[CalibrationHistory],
         remarks: Sequence[Message],
         parent: QWidget | None = None,
     ) -> None:
@@ -139,8 +144,8 @@ def _row(entry: HistoryEntry) -> Row:
         result = gettext("first calibration")
     else:
         result = (
-            gettext("mounting has moved") if charted.moved else gettext("no significant change")
+            gettext("mounting has moved") if charted.has_moved else gettext("no significant change")
         )
     return Row(
-        (*cells, Cell(result)), marked=charted.moved, tip=message_text(change_message(entry))
+        (*cells, Cell(result)), marked=charted.has_moved, tip=message_text(change_message(entry))
     )

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QFormLayout, QHBoxLayout, QLin
 
 from lispac.errors import InputError
 from lispac.gui import theme
-from lispac.gui.dialogs.error import error_text
+from lispac.gui.dialogs.error import exception_text
 from lispac.gui.panels import widgets
 from lispac.io.sensor_file import (
     STATES,
@@ -101,7 +101,7 @@ class SensorEditor(QDialog):
             line.textChanged.connect(self._check_input)
             line.left.connect(lambda line=line: self._on_field_left(line))
         for part in self.parts:
-            part.moved.connect(self._check_input)
+            part.value_changed.connect(self._check_input)
         self._check_input()
 
     @property
@@ -132,7 +132,7 @@ class SensorEditor(QDialog):
             require_storable(self._folder, self.figures, self.name)
             problem = ""
         except InputError as error:
-            problem = error_text(error)
+            problem = exception_text(error)
         if self._first_empty_field is not None and self._first_empty_field not in self._left:
             problem = ""  # the user has not reached this field yet
         self.message_label.setText(problem)
@@ -147,7 +147,7 @@ class SensorEditor(QDialog):
         try:
             self.name = store_sensor(self._folder, self.figures, self.name)
         except InputError as error:
-            self.message_label.setText(error_text(error))
+            self.message_label.setText(exception_text(error))
         else:
             self.accept()
 
@@ -190,7 +190,7 @@ class _ScannerFields:
         self.angle.setValue(specification.angle_sigma_deg)
         self.beam.setValue(specification.divergence_mrad)
         self.origin = _SourceFields("sensor", specification.source, specification.from_memory)
-        self.moved = self.range.valueChanged
+        self.value_changed = self.range.valueChanged
         form.addRow(gettext("Range noise (1 σ)"), self.range)
         form.addRow(gettext("Beam angular noise (1 σ)"), self.angle)
         form.addRow(gettext("Beam divergence"), self.beam)
@@ -227,7 +227,7 @@ class _PosStateFields:
             usual.source if specification else "",
             specification is not None and specification.from_memory,
         )
-        self.moved = self.stated.toggled
+        self.value_changed = self.stated.toggled
         form.addRow(self.stated)
         form.addRow(gettext("Position (1 σ)"), self.position)
         form.addRow(gettext("Attitude (1 σ)"), self.attitude)

@@ -66,7 +66,7 @@ class VisibilityDialog(StudyDialog):
     """
 
     def __init__(self, studies: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
-        from lispac.report.visibility_figures import CRITERIA, error_text
+        from lispac.report.visibility_figures import CRITERIA, systematic_error_label
 
         columns = [Column(gettext(title), gettext(tip), words=True) for title, tip in COLUMNS]
         table = DiagnosticsTable(
@@ -95,7 +95,7 @@ class VisibilityDialog(StudyDialog):
             ),
         )  # fmt: skip
         self.error = widgets.ChoiceBox(
-            "visibility_error", [error_text(each) for each in studies[0].site.errors],
+            "visibility_error", [systematic_error_label(each) for each in studies[0].site.errors],
             gettext("Systematic error to show"),
         )  # fmt: skip
         self.criterion = widgets.ChoiceBox(
@@ -144,14 +144,14 @@ class VisibilityDialog(StudyDialog):
         )
 
     def _on_site_changed(self) -> None:
-        from lispac.report.visibility_figures import error_text
+        from lispac.report.visibility_figures import systematic_error_label
         from lispac.report.visibility_tables import all_errors_text, comparison_table
 
         found = self._shown
         self.error.blockSignals(True)
         chosen = self.error.currentIndex()
         self.error.clear()
-        self.error.addItems([error_text(each) for each in found.site.errors])
+        self.error.addItems([systematic_error_label(each) for each in found.site.errors])
         self.error.setCurrentIndex(min(chosen, self.error.count() - 1))
         self.error.blockSignals(False)
         rows = comparison_table(found, found.site.errors).rows
@@ -173,7 +173,7 @@ class VisibilityDialog(StudyDialog):
             self.error.setCurrentIndex(self._shown.site.errors.index(key[0]))
 
     def _draw(self) -> None:
-        from lispac.report.visibility_figures import error_text, visibility_figure
+        from lispac.report.visibility_figures import systematic_error_label, visibility_figure
 
         found, error, criterion = self._drawn
         visibility_figure(found, error, criterion, self.figure())
@@ -182,7 +182,7 @@ class VisibilityDialog(StudyDialog):
         self._clear_reading()
         texts = [self._summary]
         if reason := self._reasons[self.error.currentIndex()]:
-            name = error_text(error)
+            name = systematic_error_label(error)
             texts.insert(
                 0,
                 gettext(

@@ -163,8 +163,8 @@ class Viewport(Protocol):
     def widget(self) -> QWidget:
         """The widget to put into the window."""
 
-    def new_viewport(self) -> "Viewport":
-        """New empty viewport of the same kind."""
+    def create_empty_viewport(self) -> "Viewport":
+        """Create an empty viewport of the same kind."""
 
     def show_clouds(
         self,

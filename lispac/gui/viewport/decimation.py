@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.camera import Camera, ViewportSize
 
 Array = NDArray[np.float64]
 
@@ -61,7 +61,7 @@ def lowest_ranked(places: NDArray[np.float32], number: int) -> NDArray[np.int64]
     return few
 
 
-def points_in_view(points: Array, camera: Camera, size: Size) -> NDArray[np.int64]:
+def points_in_view(points: Array, camera: Camera, size: ViewportSize) -> NDArray[np.int64]:
     """Indices of the points (n, 3) in the picture, with a margin of a tenth."""
     half = 0.55 * np.array([size.width, size.height]) / size.pixels_per_tangent
     axes, shift = camera.axes.T, camera.axes @ camera.position

@@ -50,7 +50,7 @@ class LazyViewport:
             return
         self._real_viewport().show_clouds(clouds, colours, shading)
 
-    def new_viewport(self) -> "LazyViewport":
+    def create_empty_viewport(self) -> "LazyViewport":
         """New empty viewport, which is also created when it is needed."""
         return LazyViewport(self._make)
 

@@ -19,7 +19,7 @@ from lispac.gui.viewport.actors import (
     shift_depth,
 )
 from lispac.gui.viewport.base import Array, Colour, Shading
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.clipping import Box
 from lispac.gui.viewport.decimation import line_budgets, lowest_ranked, points_in_view, random_ranks
 from lispac.gui.viewport.frame_times import SLICES
@@ -125,7 +125,7 @@ class LineLayer:
         for actor in actors:
             self._renderer.AddActor(actor)
 
-    def refinement_steps(self, camera: Camera, size: Size, budget: int) -> Iterator[None]:
+    def refinement_steps(self, camera: Camera, size: ViewportSize, budget: int) -> Iterator[None]:
         """Draw the points in view with rims, at most ``budget`` in all, step by step.
 
         Works from step to step, a line in each, and changes what is drawn in the last.

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from lispac.gui import theme, units
 from lispac.gui.colour_schemes import LIGHT
 from lispac.gui.viewport.base import Array, Marker, Shading
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.language import N_, gettext
 
 EMPTY_TITLE = N_("No project open")
@@ -85,7 +85,7 @@ class Overlay(QWidget):
         self.shading: Shading | None = None
         self.hint = ""
         """What the mouse does now, where it is not the usual."""
-        self.sheets: list[Callable[[QPainter, Camera, Size], None]] = []
+        self.sheets: list[Callable[[QPainter, Camera, ViewportSize], None]] = []
         """Paint between the markers and the frame of axes, scale and help."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -106,7 +106,7 @@ class Overlay(QWidget):
         if self.camera is None:
             self._paint_hint(painter)
             return
-        size = Size(self.width(), self.height())
+        size = ViewportSize(self.width(), self.height())
         self._paint_markers(painter, self.camera, size)
         painter.setFont(self.font())
         for paint in self.sheets:
@@ -128,7 +128,7 @@ class Overlay(QWidget):
         flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
         painter.drawText(QRectF(0.0, middle.y() + 4.0, width, 56.0), flags, gettext(EMPTY_HINT))
 
-    def _paint_markers(self, painter: QPainter, camera: Camera, size: Size) -> None:
+    def _paint_markers(self, painter: QPainter, camera: Camera, size: ViewportSize) -> None:
         if not self.markers:
             return
         font = QFont(self.font())

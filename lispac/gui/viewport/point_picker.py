@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.camera import Camera, ViewportSize
 
 Array = NDArray[np.float64]
 
@@ -35,7 +35,7 @@ def pick_point(
     camera: Camera,
     x: float,
     y: float,
-    size: Size,
+    size: ViewportSize,
     radii: tuple[float, ...] = RADII,
 ) -> Hit | None:
     """Find the point under a pixel.
@@ -66,7 +66,7 @@ def pick_point(
 
 
 def _points_near_pixel(
-    points: Array, camera: Camera, x: float, y: float, size: Size, radius: float
+    points: Array, camera: Camera, x: float, y: float, size: ViewportSize, radius: float
 ) -> tuple[NDArray[np.int64], Array, Array]:
     """Index, distance in pixels and depth of the points within ``radius`` pixels."""
     position, axes, focal = camera.position, camera.axes, size.pixels_per_tangent

@@ -199,7 +199,7 @@ class RecordingViewport:
         self.highlights, self.markers, self.selected = [], [], None
         self.sketches, self.box, self.beside = {}, None, None
 
-    def new_viewport(self) -> "RecordingViewport":
+    def create_empty_viewport(self) -> "RecordingViewport":
         """New empty viewport."""
         return RecordingViewport()
 

@@ -269,7 +269,7 @@ class VtkViewport:
         self.show_highlights([])
         self._draw_clouds()
 
-    def new_viewport(self) -> "VtkViewport":
+    def create_empty_viewport(self) -> "VtkViewport":
         """New empty viewport."""
         return VtkViewport()
 

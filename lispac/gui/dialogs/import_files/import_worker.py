@@ -32,7 +32,7 @@ class ImportWorker(QObject):
 
     changed = Signal()
     """The files or their settings have changed."""
-    moved = Signal()
+    progress_changed = Signal()
     """The running work has progressed: see `words` and `fraction`."""
     project_found = Signal(object)
     """A project was dropped, to be opened."""
@@ -44,7 +44,7 @@ class ImportWorker(QObject):
         self._queued: dict[Path, InputFile] = {}
         self._done = 0
         self.runner = TaskRunner(self)
-        self.runner.moved.connect(self.moved)
+        self.runner.progress_changed.connect(self.progress_changed)
 
     def begin(self, input_files: InputFiles) -> None:
         """Set the files of an open project."""
@@ -135,7 +135,7 @@ class ImportWorker(QObject):
 
         def work(progress: Progress) -> InputFile:
             try:
-                if entry.given is not None:
+                if entry.project_reading is not None:
                     return examine_project_file(entry, progress=progress)
                 if not entry.looks:
                     return examine_file(entry.path, mappings, progress=progress)
