@@ -113,7 +113,8 @@ def _pair_tip(pair: PairComparison) -> str:
     if planes is not None:
         lines.append(
             gettext(
-                "Plane offset after calibration: {offset} ± {half_width} (95 % confidence interval)",
+                "Plane offset after calibration: {offset} ± {half_width} (95 % confidence "
+                "interval)",
                 offset=_millimetres(planes.offset, sign=True),
                 half_width=_millimetres(planes.offset_95),
             )
