@@ -21,7 +21,7 @@ from lispac.survey.conventions.conversion import (
     mounting_of_angles,
 )
 from lispac.survey.conventions.matrix_input import angle_product_of_matrix, matrix_of_text
-from lispac.survey.conventions.mounting_texts import THESIS_MODE
+from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
 from lispac.survey.conventions.present_settings import (
     PresentSettings,
     present_settings_of_matrix,
@@ -120,7 +120,7 @@ def _input_of_project(folder: Path, setup: ConventionSetup) -> ConversionInput:
         mounting,
         True,
         np.asarray(result.covariance)[:3, :3],
-        THESIS_MODE if independent else None,
+        UNCORRELATED_WARNING if independent else None,
         OF_PROJECT,
     )
 

@@ -21,7 +21,7 @@ def upgrade_content(content: Content) -> Content:
 def _upgrade_from_1(content: Content) -> Content:
     """Upgrade to version 2; an adjustment of version 1 has to be repeated.
 
-    The given model is kept: a project that was set to thesis mode stays so.
+    The given model is kept: a project with independent POS errors keeps them.
     """
     targets = [target | {"shape": "plane", "sphere_radius": None} for target in content["targets"]]
     return content | {

@@ -88,7 +88,7 @@ def component_values(result: AdjustmentResult) -> tuple[VarianceComponent, ...]:
 
 
 def reliability_values(result: AdjustmentResult) -> tuple[SightingCheck, ...]:
-    """Tests of every sighting; none in thesis mode."""
+    """Tests of every sighting; none with independent POS errors."""
     critical = critical_test_value(result) or math.inf
     points = {(s.sighting.target, s.sighting.line): s.points for s in result.sightings}
     return tuple(

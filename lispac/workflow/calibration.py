@@ -52,7 +52,7 @@ def observations_of(
 ) -> Observations:
     """Bring the points of every used sighting into the adjustment's form, fewer of them.
 
-    Neighbours are averaged; in thesis mode one of them is kept, as the thesis does.
+    Neighbours are averaged; with independent POS errors one of them is kept, as in the thesis.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def observations_of(
 def thin_observations(
     observations: Observations, mounting: Mounting, settings: Settings
 ) -> Observations:
-    """Fewer observations: neighbours are averaged; in thesis mode one of them is kept.
+    """Fewer observations: neighbours are averaged; with independent POS errors one of them is kept.
 
     Parameters
     ----------

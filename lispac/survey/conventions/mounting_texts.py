@@ -16,7 +16,7 @@ Amounts = Callable[[Sequence[float]], Sequence[LazyText | str]]
 """Sizes of three angles (radians) or lengths (metres) with their units; empty where one is zero."""
 
 CHECK_FIRST = note("convention.check_first")
-THESIS_MODE = warning("convention.uncorrelated")
+UNCORRELATED_WARNING = warning("convention.uncorrelated")
 _DEGREES = {3: N_("{value:deg.3} deg"), 4: N_("{value:deg.4} deg")}
 _METRES = {3: N_("{value:m.3} m"), 4: N_("{value:m.4} m")}
 """Texts of an amount by its decimals."""
