@@ -25,7 +25,11 @@ from lispac.survey.time_base import (
     plausible_bases,
     to_gps,
 )
-from lispac.survey.time_quality import Coverage, accuracy_coverage_warning, exclusion_notes
+from lispac.survey.time_quality import (
+    TrajectoryCoverage,
+    accuracy_coverage_warning,
+    exclusion_notes,
+)
 from lispac.survey.trajectory import LocalTrajectory
 from tests.error_codes import has_code
 
@@ -204,8 +208,8 @@ def test_no_times_are_in_no_base_and_stay_none() -> None:
     assert from_gps(nothing, week).shape == (0,)
 
 
-def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> Coverage:
-    return Coverage(0.0, 10.0, count, outside, in_gaps, (), 1.0)
+def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> TrajectoryCoverage:
+    return TrajectoryCoverage(0.0, 10.0, count, outside, in_gaps, (), 1.0)
 
 
 @pytest.mark.parametrize(
@@ -218,7 +222,9 @@ def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> Coverage:
         ),
     ],
 )  # fmt: skip
-def test_what_is_excluded_is_said(covered: Coverage, lost: int, found: dict[str, int]) -> None:
+def test_what_is_excluded_is_said(
+    covered: TrajectoryCoverage, lost: int, found: dict[str, int]
+) -> None:
     notes = exclusion_notes(covered, lost, "a")
     assert {each.code: each.params["count"] for each in notes} == found
 

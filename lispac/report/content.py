@@ -37,7 +37,6 @@ from lispac.report.displacement import EFFECT_DISTANCES_M, angle_displacements, 
 from lispac.report.report_values import (
     AdjustmentValues,
     AngleValues,
-    Chi2,
     InputFile,
     LineValues,
     PickedPlane,
@@ -45,6 +44,7 @@ from lispac.report.report_values import (
     SightingFit,
     SightingQualityValues,
     TargetFit,
+    VarianceFactorTest,
 )
 from lispac.report.report_warnings import report_warnings
 from lispac.report.settings_used import CONVENTION, role_of_line, settings_used
@@ -308,10 +308,10 @@ TOO_SMALL = N_(
 )
 
 
-def _chi_square_values(result: AdjustmentResult) -> Chi2:
+def _chi_square_values(result: AdjustmentResult) -> VarianceFactorTest:
     test = result.chi_square
     if result.degrees_of_freedom <= 0:
-        return Chi2(test.statistic, None, None, None, NOT_TESTED)
+        return VarianceFactorTest(test.statistic, None, None, None, NOT_TESTED)
     if test.passed:
         finding = PASSED
     elif test.statistic <= test.upper:
@@ -322,7 +322,7 @@ def _chi_square_values(result: AdjustmentResult) -> Chi2:
         finding = TOO_LARGE_NOISE
     else:
         finding = TOO_LARGE
-    return Chi2(test.statistic, test.lower, test.upper, test.passed, finding)
+    return VarianceFactorTest(test.statistic, test.lower, test.upper, test.passed, finding)
 
 
 def _picked_plane_values(target: Target) -> PickedPlane:

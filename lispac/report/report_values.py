@@ -80,7 +80,7 @@ class AngleValues:
 
 
 @dataclass(frozen=True)
-class Chi2:
+class VarianceFactorTest:
     """Two-sided test of the variance factor at 95 %; bounds are None without redundancy."""
 
     statistic: float
@@ -269,7 +269,7 @@ class AdjustmentValues:
     reliability: tuple[SightingCheck, ...]
     variance_factor: float | None
     degrees_of_freedom: int
-    chi_square: Chi2
+    chi_square: VarianceFactorTest
     iterations: int
     points: int
     left_out: int

@@ -12,10 +12,10 @@ from lispac.messages import Message, Value, note, sort_by_level, warning
 from lispac.report.absolute_warnings import absolute_check_warnings
 from lispac.report.report_values import (
     AdditionalParameterValues,
-    Chi2,
     PickedPlane,
     ReportContent,
     SightingQualityValues,
+    VarianceFactorTest,
 )
 from lispac.warning_causes import RESULT, Cause
 
@@ -108,7 +108,9 @@ def _single_parameter_warnings(parameter: AdditionalParameterValues) -> Iterator
 CHI_SQUARE_LOW = "report.chi_square_low"
 
 
-def _chi_square_warnings(test: Chi2, independent: bool, noisy: bool) -> Iterator[Message]:
+def _chi_square_warnings(
+    test: VarianceFactorTest, independent: bool, noisy: bool
+) -> Iterator[Message]:
     if test.passed is None:
         yield warning("report.no_redundancy", subject=RESULT)
     elif test.passed:

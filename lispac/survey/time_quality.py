@@ -89,7 +89,7 @@ def _float32_step(times: Array) -> float | None:
 
 
 @dataclass(frozen=True)
-class Coverage:
+class TrajectoryCoverage:
     """How a trajectory covers a line.
 
     Attributes
@@ -131,7 +131,9 @@ class Coverage:
         return self.count - self.outside - self.in_gaps
 
 
-def assess_coverage(line_times: Array, trajectory_times: Array, longest_gap: float) -> Coverage:
+def assess_coverage(
+    line_times: Array, trajectory_times: Array, longest_gap: float
+) -> TrajectoryCoverage:
     """How a trajectory covers one line, or a part of it (join parts with `join_coverages`).
 
     Parameters
@@ -144,10 +146,10 @@ def assess_coverage(line_times: Array, trajectory_times: Array, longest_gap: flo
     times = np.asarray(line_times, dtype=np.float64)
     track = np.asarray(trajectory_times, dtype=np.float64)
     if not times.size:
-        return Coverage(np.nan, np.nan, 0, 0, 0, (), longest_gap)
+        return TrajectoryCoverage(np.nan, np.nan, 0, 0, 0, (), longest_gap)
     start, end = float(times.min()), float(times.max())
     if not track.size:
-        return Coverage(start, end, len(times), len(times), 0, (), longest_gap)
+        return TrajectoryCoverage(start, end, len(times), len(times), 0, (), longest_gap)
     wide = np.flatnonzero(np.diff(track) > longest_gap)
     inside = (times >= track[0]) & (times <= track[-1])
     in_gaps = 0
@@ -160,7 +162,9 @@ def assess_coverage(line_times: Array, trajectory_times: Array, longest_gap: flo
         for k in wide
         if track[k] < end and track[k + 1] > start
     )
-    return Coverage(start, end, len(times), int((~inside).sum()), in_gaps, gaps, longest_gap)
+    return TrajectoryCoverage(
+        start, end, len(times), int((~inside).sum()), in_gaps, gaps, longest_gap
+    )
 
 
 SHORT = 2.0
@@ -186,12 +190,12 @@ def accuracy_coverage_warning(accuracy_times: Array, track: Array, file: str) ->
     )  # fmt: skip
 
 
-def exclusion_notes(covered: Coverage, lost: int, file: str) -> tuple[Message, ...]:
+def exclusion_notes(covered: TrajectoryCoverage, lost: int, file: str) -> tuple[Message, ...]:
     """Notes on the points of a line that have no pose, and why.
 
     Parameters
     ----------
-    covered : Coverage
+    covered : TrajectoryCoverage
         Of all points of the line.
     lost : int
         Points without a pose.
@@ -213,12 +217,12 @@ def exclusion_notes(covered: Coverage, lost: int, file: str) -> tuple[Message, .
     return tuple(found)
 
 
-def join_coverages(parts: list[Coverage]) -> Coverage:
+def join_coverages(parts: list[TrajectoryCoverage]) -> TrajectoryCoverage:
     """Coverage of a line read in parts."""
     parts = [part for part in parts if part.count] or parts[:1]
     if not parts:
-        return Coverage(np.nan, np.nan, 0, 0, 0, (), np.nan)
-    return Coverage(
+        return TrajectoryCoverage(np.nan, np.nan, 0, 0, 0, (), np.nan)
+    return TrajectoryCoverage(
         min(part.start for part in parts),
         max(part.end for part in parts),
         sum(part.count for part in parts),

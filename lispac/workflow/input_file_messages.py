@@ -22,7 +22,7 @@ from lispac.survey.known_time_base import (
 )
 from lispac.survey.line_source import RESTART, printable
 from lispac.survey.time_base import TimeBase, TimeMatch, equally_good_matches
-from lispac.survey.time_quality import Coverage, accuracy_coverage_warning
+from lispac.survey.time_quality import TrajectoryCoverage, accuracy_coverage_warning
 from lispac.survey.time_rollover import NONE, rollover_note
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.input_file import COLUMNS_NOT_CHOSEN, InputFile
@@ -321,7 +321,7 @@ def _shift_action(match: TimeMatch) -> Action:
 
 
 def _coverage_warnings(
-    covered: Coverage, file: str, longest_gap: float, *, whole: bool
+    covered: TrajectoryCoverage, file: str, longest_gap: float, *, whole: bool
 ) -> list[Message]:
     """Warnings that some points have no place on the trajectory."""
     found = []

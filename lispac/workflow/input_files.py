@@ -22,7 +22,7 @@ from lispac.project import LineSource, Project, Settings
 from lispac.survey.known_time_base import KnownTimeBase
 from lispac.survey.line_source import USUAL, Reading, printable
 from lispac.survey.time_base import TimeBase, plausible_bases
-from lispac.survey.time_quality import Coverage
+from lispac.survey.time_quality import TrajectoryCoverage
 from lispac.survey.trajectory import LONGEST_GAP, Trajectory, TrajectoryAccuracy
 from lispac.workflow.input_columns import with_meaning
 from lispac.workflow.input_file import InputFile
@@ -283,7 +283,7 @@ class InputFiles:
     def _project_lines(self) -> tuple[LineSource, ...]:
         return () if self.into is None else self.into.lines
 
-    def coverage(self, entry: InputFile) -> Coverage | None:
+    def coverage(self, entry: InputFile) -> TrajectoryCoverage | None:
         """Coverage of a line by the trajectory; None before both are read."""
         return (
             None

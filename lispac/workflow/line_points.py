@@ -27,7 +27,12 @@ from lispac.survey.scan import Scan
 from lispac.survey.scanner_frame_recovery import RecoverySetup, require_scanner_frame
 from lispac.survey.scanner_frame_recovery_check import LineSample, recovery_messages, ring_numbers
 from lispac.survey.store.point_blocks import PointPiece
-from lispac.survey.time_quality import Coverage, assess_coverage, exclusion_notes, join_coverages
+from lispac.survey.time_quality import (
+    TrajectoryCoverage,
+    assess_coverage,
+    exclusion_notes,
+    join_coverages,
+)
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.warning_causes import Cause
 from lispac.workflow.file_reading import format_of_line
@@ -146,7 +151,7 @@ class LinePoints:
             assumptions += self.recovery.assumptions
         self._assumptions = assumptions
         self._screen = self._new_screen()
-        self._covered: list[Coverage] = []
+        self._covered: list[TrajectoryCoverage] = []
         self._times: list[Array] = []
         self._samples: list[LineSample] = []
         self._without_pose = 0

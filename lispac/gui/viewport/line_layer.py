@@ -18,7 +18,7 @@ from lispac.gui.viewport.actors import (
     set_point_pixels,
     shift_depth,
 )
-from lispac.gui.viewport.base import Array, Colour, Shading
+from lispac.gui.viewport.base import Array, Colour, PointColouring
 from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.clipping import Box
 from lispac.gui.viewport.decimation import line_budgets, lowest_ranked, points_in_view, random_ranks
@@ -48,7 +48,7 @@ class LineLayer:
     def __init__(self, renderer: Any) -> None:
         self._renderer = renderer
         self.colours: dict[str, Colour] = {}
-        self.shading: Shading | None = None
+        self.shading: PointColouring | None = None
         self._clouds: dict[str, Array] = {}
         self._kept: dict[str, NDArray[np.int64] | None] = {}
         self._kept_by: Box | None = None
@@ -73,7 +73,7 @@ class LineLayer:
         self,
         clouds: Mapping[str, Array],
         colours: Mapping[str, Colour],
-        shading: Shading | None = None,
+        shading: PointColouring | None = None,
     ) -> None:
         """Set the lines without drawing them."""
         former = self._ranks

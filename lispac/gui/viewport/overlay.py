@@ -22,7 +22,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from lispac.gui import theme, units
 from lispac.gui.colour_schemes import LIGHT
-from lispac.gui.viewport.base import Array, Marker, Shading
+from lispac.gui.viewport.base import Array, Marker, PointColouring
 from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.language import N_, gettext
 
@@ -50,7 +50,7 @@ def scale_bar_length(metres_per_pixel: float, longest: float = 150.0) -> float:
     return float(max(fitting)) / factor
 
 
-def legend_texts(shading: Shading) -> tuple[str, str, str]:
+def legend_texts(shading: PointColouring) -> tuple[str, str, str]:
     """Title and end values of the colour scale, in the unit shown."""
     ends = (shading.low, shading.high)
     if shading.metric is not None and not units.is_converted("m"):
@@ -82,7 +82,7 @@ class Overlay(QWidget):
         self.camera: Camera | None = None
         """None paints the hint of an empty view."""
         self.markers: Sequence[Marker] = ()
-        self.shading: Shading | None = None
+        self.shading: PointColouring | None = None
         self.hint = ""
         """What the mouse does now, where it is not the usual."""
         self.sheets: list[Callable[[QPainter, Camera, ViewportSize], None]] = []
@@ -200,7 +200,7 @@ class Overlay(QWidget):
         """Rectangles where no label of a target may be placed."""
         return [] if self.shading is None else [self.legend(self.shading)]
 
-    def legend(self, shading: Shading) -> QRectF:
+    def legend(self, shading: PointColouring) -> QRectF:
         """Rectangle of the colour scale."""
         metrics = QFontMetricsF(_scaled_font(self.font(), 0.95))
         title, low, high = legend_texts(shading)
@@ -208,7 +208,7 @@ class Overlay(QWidget):
         width = max(180.0, metrics.horizontalAdvance(title), ends + 24.0)
         return QRectF(MARGIN, MARGIN, width + 24.0, 66.0)
 
-    def _paint_legend(self, painter: QPainter, shading: Shading) -> None:
+    def _paint_legend(self, painter: QPainter, shading: PointColouring) -> None:
         painter.setFont(_scaled_font(self.font(), 0.95))
         box = self.legend(shading)
         title, low, high = legend_texts(shading)

@@ -22,7 +22,7 @@ CHUNK = 1 << 14
 
 
 @dataclass(frozen=True)
-class Hit:
+class PointHit:
     """Picked point: its line, its index there and its depth in metres."""
 
     line: str
@@ -37,7 +37,7 @@ def pick_point(
     y: float,
     size: ViewportSize,
     radii: tuple[float, ...] = RADII,
-) -> Hit | None:
+) -> PointHit | None:
     """Find the point under a pixel.
 
     Parameters
@@ -61,7 +61,7 @@ def pick_point(
         slack = 4.0 * radius * camera.reach(front) / size.pixels_per_tangent
         candidates = np.flatnonzero(inside & (depth <= front + slack))
         best = candidates[np.argmin(distance[candidates])]
-        return Hit(names[line[best]], int(index[best]), float(depth[best]))
+        return PointHit(names[line[best]], int(index[best]), float(depth[best]))
     return None
 
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from lispac.gui import theme, units
-from lispac.gui.viewport.base import Array, Handle, PickedPoint, Sketch, ViewportSignals
+from lispac.gui.viewport.base import Array, DragHandle, PickedPoint, Sketch, ViewportSignals
 from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.navigation import SNAP, Navigator
 from lispac.gui.viewport.overlay import Overlay, has_right_neighbour
@@ -98,7 +98,7 @@ class SketchLayer(QObject):
 
     # The mouse
 
-    def _handles(self) -> list[tuple[str, int, Handle]]:
+    def _handles(self) -> list[tuple[str, int, DragHandle]]:
         return [
             (name, k, handle)
             for name, sketch in self._sketches.items()

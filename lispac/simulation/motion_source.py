@@ -37,8 +37,8 @@ class RecordedLeg:
         return cls(f"L{number}_{round(heading_deg) % 360:03d}", heading_deg, starboard)
 
 
-class Voyage(Protocol):
-    """True motion and what is recorded of it."""
+class MotionSource(Protocol):
+    """Source of the true motion of the simulated vessel and of its recorded trajectory."""
 
     @property
     def start(self) -> float:
