@@ -41,7 +41,7 @@ def test_a_boresight_in_a_sentence() -> None:
     )
     assert said(np.radians([-0.13, 0.12, -0.28])) == (
         "The scanner is pitched 0.120 deg bow down, is yawed 0.280 deg to port and is rolled "
-        "0.130 deg right side up."
+        "0.130 deg starboard side up."
     )
     assert said(np.zeros(3)) == "The scanner is parallel to the body."
     assert said(np.radians([0, 0, 0.0251])) == "The scanner is yawed 0.0251 deg to starboard."

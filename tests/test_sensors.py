@@ -177,7 +177,7 @@ def test_the_list_has_every_sensor_with_its_source(
     listed = answer(capsys, "sensors")
     assert listed["folder"] == str(own)
     assert listed["scanners"]["maker-s-new-one-2"]["own"]
-    assert listed["pos"]["hydrins"]["states"][0]["source"].startswith("Thesis")
+    assert listed["pos"]["hydrins"]["states"][0]["source"].startswith("Shahraji's thesis")
     code, out, _ = run(capsys, "sensors")
     assert code == 0
     assert "8.7 mm   0.0200 deg   0.50 mrad  Z+F PROFILER 9012" in out
