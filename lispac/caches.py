@@ -168,15 +168,15 @@ def set_cache_variables(variables: MutableMapping[str, str]) -> Message | None:
     Message or None
         A note where something is kept in a temporary folder because its own cannot be written.
     """
-    wanted = cache_folder_in(chosen_folder())
+    folder = cache_folder_in(chosen_folder())
     place = usable_cache_folder()
-    refused = [] if place == wanted else [wanted]
+    refused = [] if place == folder else [folder]
     for variable, part in VARIABLES.items():
-        given = variables.get(variable)
-        if given and not _may_be_written(Path(given)):
-            refused.append(Path(given))
-            given = ""
-        variables[variable] = given or str(place / part)
+        current = variables.get(variable)
+        if current and not _may_be_written(Path(current)):
+            refused.append(Path(current))
+            current = ""
+        variables[variable] = current or str(place / part)
     if not refused:
         return None
     return Message(

@@ -195,15 +195,15 @@ def data_warnings(project: Project) -> tuple[Message, ...]:
     return tuple(found)
 
 
-def _overlap_cause(found: TargetOverlap) -> Cause:
-    return Cause.of_sighting(found.smaller, found.line)
+def _overlap_cause(overlap: TargetOverlap) -> Cause:
+    return Cause.of_sighting(overlap.smaller, overlap.line)
 
 
-def _swapped_overlap(found: TargetOverlap) -> TargetOverlap:
-    return replace(found, one=found.other, other=found.one)
+def _swapped_overlap(overlap: TargetOverlap) -> TargetOverlap:
+    return replace(overlap, one=overlap.other, other=overlap.one)
 
 
-def _overlap_items(found: Sequence[TargetOverlap]) -> tuple[str | Message, ...]:
+def _overlap_items(overlaps: Sequence[TargetOverlap]) -> tuple[str | Message, ...]:
     """Pairs of targets for a message."""
     return shortened_list(
         [
@@ -211,7 +211,7 @@ def _overlap_items(found: Sequence[TargetOverlap]) -> tuple[str | Message, ...]:
                 "item.points_in_common",
                 one=each.one, other=each.other, share=each.share, line=each.line,
             )
-            for each in found
+            for each in overlaps
         ]
     )  # fmt: skip
 

@@ -54,9 +54,11 @@ def method_results(project: Project) -> tuple[MethodResult, ...]:
     """Results of all methods, that of the project first; each is compared with the first."""
     found: list[MethodResult] = []
 
-    def add(said: Calibration, lines: int, surfaces: int, remarks: tuple[Message, ...]) -> None:
-        against = compare_calibrations(found[0].calibration, said) if found else None
-        found.append(MethodResult(said, lines, surfaces, against, remarks))
+    def add(
+        calibration: Calibration, lines: int, surfaces: int, remarks: tuple[Message, ...]
+    ) -> None:
+        against = compare_calibrations(found[0].calibration, calibration) if found else None
+        found.append(MethodResult(calibration, lines, surfaces, against, remarks))
 
     result = project.result
     if result is not None:
@@ -84,11 +86,11 @@ def missing_methods(project: Project) -> tuple[Method, ...]:
     )
 
 
-def comparison_remarks(found: tuple[MethodResult, ...]) -> tuple[Message, ...]:
+def comparison_remarks(results: tuple[MethodResult, ...]) -> tuple[Message, ...]:
     """Remarks on the agreement of each method with the first, and on its limits."""
-    if len(found) < 2:
+    if len(results) < 2:
         return ()
-    compared = [_agreement_note(each.against) for each in found if each.against is not None]
+    compared = [_agreement_note(each.against) for each in results if each.against is not None]
     return (*compared, note("methods.same_lines"))
 
 

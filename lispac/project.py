@@ -78,10 +78,10 @@ class Settings:
     lidar_beam_sigma : sigma of the range in metres and of the beam's direction in degrees
     range_offset : metres, scan_angle_offset_deg : degrees, latency : seconds
         What is known of the scanner's own errors, as `Mounting` applies them.
-    subsample : metres; points closer than this are averaged, in thesis mode one of them is kept;
-        0 keeps all
+    subsample : metres; points closer than this are averaged, or one of them is kept
+        with independent POS errors; 0 keeps all
     pos_errors, position_time, attitude_time, surface : see `StochasticModel`
-    loss : None for the model's own: ``tukey`` with ``correlated``, ``none`` in thesis mode
+    loss : None for the model's own: ``tukey`` with ``correlated``, ``none`` with ``independent``
     parameters : values of the mounting to estimate besides the boresight
     variance_components : whether to estimate how large LiDAR and POS errors really are
     accept_single_orientation : whether to answer where all targets are planes that face one way

@@ -22,7 +22,7 @@ from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.messages import error, note
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
-from lispac.report.trajectory_values import TrajectoryOnLine
+from lispac.report.trajectory_values import LineTrajectorySummary
 from lispac.survey.georeferencing import Mounting
 from lispac.validation.comparison_results import (
     DistanceStatistics,
@@ -261,7 +261,7 @@ def sample_content(
         generated=generated,
         convention=convention,
         trajectory=[
-            TrajectoryOnLine(
+            LineTrajectorySummary(
                 line, 81.2, 1.54, 0.005, 0.010, (1.21, 0.63), 0.017, 0.02, 0.008, 0.012
             )
             for line in HEADINGS

@@ -17,7 +17,7 @@ from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
 from lispac.workflow.absolute_check import check_absolute
 from lispac.workflow.budget import error_budget_of
-from lispac.workflow.history import History, read_histories
+from lispac.workflow.calibration_history import CalibrationHistory, read_histories
 from lispac.workflow.proposals import Proposal, propose_targets
 from lispac.workflow.seed_lists import SeedOutcome, pick_seeds, read_seeds
 from lispac.workflow.subsampling import USUAL, SubsamplingResult, subsampling_study
@@ -41,7 +41,7 @@ class Findings:
 
     checked: AbsoluteCheckValues
     budget: ErrorBudgetValues
-    histories: tuple[tuple[History, ...], tuple[str, ...]]
+    histories: tuple[tuple[CalibrationHistory, ...], tuple[str, ...]]
     subsampled: tuple[SubsamplingResult, ...]
     visible: list[VisibilityStudy]
     proposal: Proposal
@@ -112,7 +112,9 @@ def _check_points(project: Project, folder: Path) -> Path:
     return path
 
 
-def _years(project: Project, folder: Path) -> tuple[tuple[History, ...], tuple[str, ...]]:
+def _years(
+    project: Project, folder: Path
+) -> tuple[tuple[CalibrationHistory, ...], tuple[str, ...]]:
     """The project's answer this year and last."""
     last = sample_project(folder / "years" / "2025")
     write_project(replace(last, identity=replace(SYSTEM, dates="2025-04-02")))

@@ -73,8 +73,8 @@ CHECK = "Check the path, the disk and the permissions."
     ("error", "said"),
     [
         (MemoryError(), "lispac: not enough memory; use shorter lines.\n"),
-        (KeyboardInterrupt(), "lispac: stopped.\n"),
-        (Cancelled(), "lispac: stopped.\n"),
+        (KeyboardInterrupt(), "lispac: interrupted.\n"),
+        (Cancelled(), "lispac: interrupted.\n"),
         (OSError(28, "No space left on device", "/d/a.laz"),
          f"lispac: /d/a.laz: No space left on device. {CHECK}\n"),
         (OSError("gone"), f"lispac: a file: gone. {CHECK}\n"),

@@ -21,7 +21,7 @@ from lispac.messages import Message, as_message, note
 from lispac.picked_targets import Target
 from lispac.report.budget_values import BeamErrors, ErrorBudgetValues, ErrorSource, PointError
 from lispac.simulation.thesis_site import MARINE
-from lispac.survey.conventions.mounting_texts import THESIS_MODE
+from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
 from lispac.survey.georeferencing import Mounting
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.workflow import sensors
@@ -226,12 +226,12 @@ def test_what_goes_with_the_angles_of_a_project_is_told(
     words = " ".join(out.split())
     assert "range offset -0.0500 m" in words
     assert "latency +20.0000 ms" in words
-    assert words.count(" ".join(message_text(THESIS_MODE).split())) == 1, (
+    assert words.count(" ".join(message_text(UNCORRELATED_WARNING).split())) == 1, (
         "the sigmas are told to be too small"
     )
     write_project(sample_project(tmp_path))
     words = " ".join(told(capsys, "angles", project.folder)[0].split())
-    assert message_text(THESIS_MODE) not in words
+    assert message_text(UNCORRELATED_WARNING) not in words
     assert "range offset" not in words
 
 

@@ -19,8 +19,8 @@ from lispac.errors import ProjectError
 from lispac.io.project_file import read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import note
+from lispac.patchtest.bootstrap_precision import ObjectAgreement
 from lispac.patchtest.line_pairs import LinePair
-from lispac.patchtest.minimum_precision import ObjectAgreement
 from lispac.patchtest.object_boxes import ObjectBox, PatchObject
 from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.picked_targets import PickedSighting, Target

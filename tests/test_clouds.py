@@ -13,12 +13,12 @@ from lispac.io.format_types import PointChunk
 from lispac.io.las_chunks import LAS
 from lispac.io.las_crs import read_header_crs
 from lispac.io.las_export import layout_of_columns, layout_of_las
-from lispac.io.point_reading import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.messages import error, note
 from lispac.progress import Step
 from lispac.survey.crs import CoordinateSystem, coordinate_system
-from lispac.survey.point_mapping import PointMapper
-from lispac.survey.scanner_frame_recovery import RecoverySetup, recover_chunks
+from lispac.survey.point_mapping import ScannerPointConverter
+from lispac.survey.scanner_frame_recovery import RecoverySetup, recover_scanner_points
 from lispac.workflow.cloud_export import write_cloud
 from tests.cloud_files import (
     MOUNTING,
@@ -38,7 +38,7 @@ def to_las(
     source: Path, path: Path, system: CoordinateSystem | None, *, chunk: PointChunk | None = None
 ) -> laspy.LasData:
     """Georeference a LAS file along the test track."""
-    mapper = PointMapper(system, track(), MOUNTING)
+    mapper = ScannerPointConverter(system, track(), MOUNTING)
     chunks = LAS.read(source, LAS.resolved({})) if chunk is None else [chunk]
     write_cloud(
         chunks, path, path, mapper, lambda _: layout_of_las(source),
@@ -171,7 +171,7 @@ def test_what_is_written_is_read_back(tmp_path: Path, code: str, height: str, nu
     assert found is not None
     trajectory = track()
     recovery = RecoverySetup(found, trajectory, MOUNTING)
-    parts = [part.xyz for part, _ in recover_chunks(LAS.read(path, choice), recovery)]
+    parts = [part.xyz for part, _ in recover_scanner_points(LAS.read(path, choice), recovery)]
     assert np.linalg.norm(np.concatenate(parts) - before.xyz, axis=1).max() < 2e-4
 
 
@@ -216,7 +216,7 @@ def test_other_columns_become_extra_bytes(tmp_path: Path) -> None:
     pattern = layout_of_columns(chunk)
     assert pattern.notes == (note("export.column_excluded", column="remark"),)
     path = tmp_path / "map.laz"
-    mapper = PointMapper(coordinate_system(UTM), track(), MOUNTING)
+    mapper = ScannerPointConverter(coordinate_system(UTM), track(), MOUNTING)
     write_cloud([chunk], path, path, mapper, layout_of_columns)
     after = laspy.read(path)
     assert after.point_format.id == 7
@@ -241,7 +241,7 @@ def test_a_column_that_outgrows_its_dimension_is_refused(tmp_path: Path) -> None
     first = PointChunk(points[:100], time[:100], {"return_number": returns[:100]}, 200)
     second = PointChunk(points[100:], time[100:], {"return_number": returns[100:] + 40}, 200)
     path = tmp_path / "map.laz"
-    mapper = PointMapper(coordinate_system(UTM), track(), MOUNTING)
+    mapper = ScannerPointConverter(coordinate_system(UTM), track(), MOUNTING)
     with pytest.raises(InputError) as refused:
         write_cloud([first, second], path, path, mapper, layout_of_columns)
     assert refused.value.message == error(
@@ -256,7 +256,7 @@ def test_progress_says_rate_and_time_left(tmp_path: Path, monkeypatch: pytest.Mo
     chunks = (PointChunk(points[k], time[k], {}, len(time)) for k in parts)
     said: list[tuple[float, str]] = []
     path = tmp_path / "map.laz"
-    mapper = PointMapper(coordinate_system(UTM), track(), MOUNTING)
+    mapper = ScannerPointConverter(coordinate_system(UTM), track(), MOUNTING)
 
     def listen(fraction: float, step: Step | None = None) -> None:
         said.append((fraction, str(step)))
@@ -285,7 +285,7 @@ def test_waveforms_stay_behind_and_that_is_said(tmp_path: Path) -> None:
 
 
 def test_a_line_without_points_is_refused(tmp_path: Path) -> None:
-    mapper = PointMapper(coordinate_system(UTM), track(), MOUNTING)
+    mapper = ScannerPointConverter(coordinate_system(UTM), track(), MOUNTING)
     path = tmp_path / "L1.las"
     with pytest.raises(InputError) as caught:
         write_cloud([], path, path, mapper, layout_of_columns)
@@ -297,7 +297,7 @@ def test_chunks_before_the_trajectory_write_nothing_and_are_counted(tmp_path: Pa
     points, time = sweep(track(), 600)
     early = PointChunk(points[:200], time[:200] - 7200.0, {}, 800)
     inside = PointChunk(points, time, {}, 800)
-    mapper = PointMapper(coordinate_system(UTM), track(), MOUNTING)
+    mapper = ScannerPointConverter(coordinate_system(UTM), track(), MOUNTING)
     path = tmp_path / "L1.las"
     done = write_cloud([early, inside], path, path, mapper, layout_of_columns)
     assert (done.points, done.outside) == (600, 200)

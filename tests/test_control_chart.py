@@ -15,7 +15,7 @@ from lispac.messages import note
 from lispac.report.control_charts import control_chart_figure
 from lispac.validation.control_chart import CHANCE, control_chart, control_limits
 from lispac.validation.repeatability import Calibration
-from lispac.workflow.history import CalibratedSystem, read_histories
+from lispac.workflow.calibration_history import CalibratedSystem, read_histories
 from tests.command_errors import command_error
 from tests.report_sample import sample_project, with_lines_of_its_own
 from tests.test_cli import answer, run
@@ -41,7 +41,7 @@ def test_alarms_without_a_reason_come_as_often_as_stated() -> None:
         # After an alarm the series is short, and the next difference is no sample of the first.
         for each in chart[1:]:
             total += 1
-            if each.moved:
+            if each.has_moved:
                 alarms += 1
                 break
     # At least as often as one angle alone goes beyond, at most as often as any of four tests does.
@@ -59,7 +59,7 @@ def test_what_lies_outside_its_band_has_moved() -> None:
     (_, each) = control_chart([first, second])
     assert each.change is not None
     assert each.change.probability > CHANCE
-    assert each.moved
+    assert each.has_moved
 
 
 def test_a_mounting_that_moved_begins_a_new_series() -> None:
@@ -67,7 +67,7 @@ def test_a_mounting_that_moved_begins_a_new_series() -> None:
     truth[4:, 1] = np.radians(0.2)
     chart = control_chart(calibrations(np.random.default_rng(3), truth))
     assert [each.series for each in chart] == [0, 0, 0, 0, 1, 1, 1]
-    assert [each.moved for each in chart] == [False] * 4 + [True] + [False] * 2
+    assert [each.has_moved for each in chart] == [False] * 4 + [True] + [False] * 2
     moved = chart[4]
     assert moved.change is not None
     assert np.degrees(moved.change.angles[1]) == pytest.approx(0.2, abs=4 * 0.022)

@@ -37,11 +37,11 @@ def test_a_steep_pitch_is_told_by_the_axes() -> None:
 def test_a_boresight_in_a_sentence() -> None:
     assert said(np.radians([0.13, -0.12, 0.28])) == (
         "The scanner is pitched 0.120 deg bow up, is yawed 0.280 deg to starboard and is rolled "
-        "0.130 deg left side up."
+        "0.130 deg port side up."
     )
     assert said(np.radians([-0.13, 0.12, -0.28])) == (
         "The scanner is pitched 0.120 deg bow down, is yawed 0.280 deg to port and is rolled "
-        "0.130 deg right side up."
+        "0.130 deg starboard side up."
     )
     assert said(np.zeros(3)) == "The scanner is parallel to the body."
     assert said(np.radians([0, 0, 0.0251])) == "The scanner is yawed 0.0251 deg to starboard."
@@ -51,7 +51,7 @@ def test_a_boresight_in_a_sentence() -> None:
 def test_angles_are_said_with_as_many_decimals_as_each_other() -> None:
     assert said(np.radians([0.2, 1.178, 0.3])) == (
         "The scanner is pitched 1.178 deg bow down, is yawed 0.300 deg to starboard and is rolled "
-        "0.200 deg left side up."
+        "0.200 deg port side up."
     )
     assert said(np.radians([0, 1.2, 0.0251])) == (
         "The scanner is pitched 1.200 deg bow down and is yawed 0.0251 deg to starboard."
@@ -71,7 +71,7 @@ def test_the_words_say_what_the_matrix_does(sign: int) -> None:
         rotation_matrix(angle, 0, 0) @ [0, 1, 0],
     )
     assert ("bow up" in said(np.array([0, angle, 0]))) == (forward[2] > 0)
-    assert ("left side up" in said(np.array([angle, 0, 0]))) == (left[2] > 0)
+    assert ("port side up" in said(np.array([angle, 0, 0]))) == (left[2] > 0)
     turned = rotation_matrix(0, 0, angle) @ [1, 0, 0]
     assert ("to port" in said(np.array([0, 0, angle]))) == (turned[1] > 0)
 

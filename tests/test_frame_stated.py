@@ -10,7 +10,7 @@ from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.io.formats import format_of
 from lispac.io.line_times import read_line_times
-from lispac.io.point_reading import CHOOSE_FRAME
+from lispac.io.point_reader_common import CHOOSE_FRAME
 from lispac.messages import warning
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system

@@ -26,7 +26,7 @@ from lispac.io.format_types import FilePreview
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of
 from lispac.io.mesh_file import MeshReader, read_mesh
 from lispac.io.plan_file import read_plan, read_site
-from lispac.io.point_reading import usable_points
+from lispac.io.point_reader_common import usable_points
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.scanner_file import read_scanner
 from lispac.io.scene_file import read_scene

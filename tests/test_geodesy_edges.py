@@ -15,7 +15,7 @@ from lispac.survey.crs_operation import realizations
 from lispac.survey.geoid import geoid_grid
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.known_time_base import KnownTimeBase, known_base_notes
-from lispac.survey.point_mapping import PointMapper
+from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup, require_within_reach
 from lispac.survey.time_base import (
     LEAP_SECONDS_NOW,
@@ -25,7 +25,11 @@ from lispac.survey.time_base import (
     plausible_bases,
     to_gps,
 )
-from lispac.survey.time_quality import Coverage, accuracy_coverage_warning, exclusion_notes
+from lispac.survey.time_quality import (
+    TrajectoryCoverage,
+    accuracy_coverage_warning,
+    exclusion_notes,
+)
 from lispac.survey.trajectory import LocalTrajectory
 from tests.error_codes import has_code
 
@@ -163,7 +167,7 @@ def test_points_farther_off_get_a_wider_map_and_the_same_places() -> None:
     """Those near the trajectory first, some 3 km off next, and near ones again."""
     system = coordinate_system("EPSG:32619")
     track = _track(longest_gap=5.0, latitude=np.radians(46.0), longitude=np.radians(-69.0))
-    mapper = PointMapper(system, track, AT_POS)
+    mapper = ScannerPointConverter(system, track, AT_POS)
     time = np.array([1.0, 8.0])
     for metres in (20.0, 3000.0, 25.0):
         seen = np.array([[1.0, metres, 2.0], [3.0, -metres, 1.0]])
@@ -176,10 +180,10 @@ def test_a_site_that_is_not_on_the_map_says_so_by_its_points() -> None:
     system = coordinate_system("+proj=gnom +lat_0=-46 +lon_0=110 +datum=WGS84 +type=crs")
     track = _track(longest_gap=5.0, latitude=np.radians(46.0), longitude=np.radians(-69.0))
     time, points = np.array([1.0, 8.0]), np.array([[1.0, 2.0, 3.0], [5e5, -4e5, 20.0]])
-    found = PointMapper(system, track, AT_POS).to_scanner(points, time)
+    found = ScannerPointConverter(system, track, AT_POS).to_scanner(points, time)
     local = system.to_local(points, track.frame)
     np.testing.assert_allclose(
-        found, PointMapper(None, track, AT_POS).to_scanner(local, time), atol=1e-3
+        found, ScannerPointConverter(None, track, AT_POS).to_scanner(local, time), atol=1e-3
     )
     assert np.linalg.norm(found, axis=1).min() > 1e7, "the other side of the earth"
 
@@ -204,8 +208,8 @@ def test_no_times_are_in_no_base_and_stay_none() -> None:
     assert from_gps(nothing, week).shape == (0,)
 
 
-def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> Coverage:
-    return Coverage(0.0, 10.0, count, outside, in_gaps, (), 1.0)
+def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> TrajectoryCoverage:
+    return TrajectoryCoverage(0.0, 10.0, count, outside, in_gaps, (), 1.0)
 
 
 @pytest.mark.parametrize(
@@ -218,7 +222,9 @@ def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> Coverage:
         ),
     ],
 )  # fmt: skip
-def test_what_is_excluded_is_said(covered: Coverage, lost: int, found: dict[str, int]) -> None:
+def test_what_is_excluded_is_said(
+    covered: TrajectoryCoverage, lost: int, found: dict[str, int]
+) -> None:
     notes = exclusion_notes(covered, lost, "a")
     assert {each.code: each.params["count"] for each in notes} == found
 

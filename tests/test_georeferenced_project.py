@@ -14,15 +14,15 @@ from lispac.errors import Cancelled, InputError, ProjectError
 from lispac.io.las_chunks import LAS
 from lispac.io.las_crs import read_header_crs
 from lispac.io.mounting_record import MountingRecord
-from lispac.io.point_reading import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.io.project_file import write_project
 from lispac.io.sbet import write_sbet
 from lispac.messages import Level, note
 from lispac.progress import Step
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
-from lispac.survey.point_mapping import PointMapper
-from lispac.survey.scanner_frame_recovery import RecoverySetup, recover_chunks
+from lispac.survey.point_mapping import ScannerPointConverter
+from lispac.survey.scanner_frame_recovery import RecoverySetup, recover_scanner_points
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.file_reading import local_trajectory
 from lispac.workflow.georeferencing import georeference_project
@@ -89,7 +89,7 @@ def test_a_project_goes_to_the_map_and_comes_back(
     assert system is not None
     chunks = (replace(c, time=c.time + 18.0) for c in LAS.read(done[0].path, choice))
     recovery = RecoverySetup(system, trajectory, project.mounting("prior"))
-    back = np.concatenate([part.xyz for part, _ in recover_chunks(chunks, recovery)])
+    back = np.concatenate([part.xyz for part, _ in recover_scanner_points(chunks, recovery)])
     worst = np.linalg.norm(back - raw.xyz, axis=1).max()
     with capsys.disabled():
         print(f"\nscanner, UTM LAZ, scanner: within {1e3 * worst:.4f} mm")
@@ -110,7 +110,7 @@ def test_a_line_whose_file_is_gone_comes_from_its_store(project: Project, tmp_pa
     np.testing.assert_allclose(
         np.array(written.gps_time)[order], np.array(raw.gps_time)[own], rtol=0, atol=1e-9
     )
-    mapper = PointMapper(
+    mapper = ScannerPointConverter(
         coordinate_system(UTM), local_trajectory(project)[0], project.mounting("prior")
     )
     expected = mapper.to_map(raw.xyz, np.array(raw.gps_time) + 18.0)[own]
@@ -147,7 +147,7 @@ def test_another_boresight_on_a_cloud_that_is_georeferenced(
     (done,) = georeference_project(better, tmp_path / "new", "estimated")
     raw, new = laspy.read(tmp_path / "raw.laz"), laspy.read(done.path)
     assert read_header_crs(new.header).text == UTM
-    mapper = PointMapper(coordinate_system(UTM), local_trajectory(project)[0], turned)
+    mapper = ScannerPointConverter(coordinate_system(UTM), local_trajectory(project)[0], turned)
     expected = mapper.to_map(raw.xyz, np.array(raw.gps_time) + 18.0)
     assert np.linalg.norm(new.xyz - expected, axis=1).max() < 2.5e-4
     np.testing.assert_array_equal(new["amplitude"], raw["amplitude"])
@@ -200,7 +200,7 @@ def test_the_local_frame(project: Project, tmp_path: Path) -> None:
     las = laspy.read(done.path)
     assert las.header.parse_crs() is None
     raw = laspy.read(tmp_path / "raw.laz")
-    mapper = PointMapper(None, local_trajectory(project)[0], project.mounting("prior"))
+    mapper = ScannerPointConverter(None, local_trajectory(project)[0], project.mounting("prior"))
     expected = mapper.to_map(raw.xyz, np.array(raw.gps_time) + 18.0)
     np.testing.assert_allclose(las.xyz, expected, rtol=0, atol=0.51e-4)
 

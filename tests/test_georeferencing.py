@@ -83,7 +83,7 @@ def test_a_range_offset_lengthens_every_range(offset: float) -> None:
     longer = mounting.corrected(points)
     np.testing.assert_allclose(np.linalg.norm(longer, axis=1), [5 + offset, 20 + offset])
     np.testing.assert_allclose(np.cross(longer, points), 0.0, atol=1e-12)
-    np.testing.assert_allclose(mounting.apply_offsets(longer), points, atol=1e-12)
+    np.testing.assert_allclose(mounting.raw_points(longer), points, atol=1e-12)
 
 
 def test_both_ends_of_the_trajectory_belong_to_it() -> None:

@@ -15,7 +15,7 @@ from lispac.io.sbet import read_sbet, write_sbet
 from lispac.survey import point_mapping
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference, place_points, to_lidar
-from lispac.survey.point_mapping import PointMapper
+from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup
 from lispac.survey.smooth_map import PROMISED, fit_smooth_map
 from lispac.survey.trajectory import STEEPEST, LocalTrajectory, Trajectory
@@ -62,7 +62,7 @@ def test_map_agrees_with_proj_point_by_point(
         options = {"height": str(folded_geoid(tmp_path / "folded.gtx"))}
     system, trajectory = coordinate_system(code, **options), track(where)
     points, time = sweep(trajectory)
-    mapper = PointMapper(system, trajectory, MOUNTING)
+    mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
     found = mapper.to_map(points, time)
     off = np.abs((found - expected) * np.array(system.metres)).max()
@@ -95,7 +95,9 @@ def test_utm_against_pipeline_of_proj_alone() -> None:
     )
     local = place_points(points, trajectory.at(time + MOUNTING.latency), MOUNTING)
     expected = np.stack(steps.transform(-local[:, 1], local[:, 0], local[:, 2]), axis=1)
-    found = PointMapper(coordinate_system("EPSG:32619"), trajectory, MOUNTING).to_map(points, time)
+    found = ScannerPointConverter(coordinate_system("EPSG:32619"), trajectory, MOUNTING).to_map(
+        points, time
+    )
     np.testing.assert_allclose(found, expected, rtol=0, atol=PROMISED)
 
 
@@ -104,7 +106,7 @@ def test_far_points_go_the_exact_way() -> None:
     system, trajectory = coordinate_system("EPSG:32619"), track()
     points, time = sweep(trajectory, 200)
     points[::10] *= 250
-    mapper = PointMapper(system, trajectory, MOUNTING)
+    mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
     found = mapper.to_map(points, time)
     np.testing.assert_allclose(found, expected, rtol=0, atol=PROMISED)
@@ -118,7 +120,7 @@ def test_the_pieces_that_threads_take_are_put_together(
     trajectory = track()
     points, time = sweep(trajectory, 1000)
     points[::10] *= 250  # these go the exact way
-    mapper = PointMapper(coordinate_system("EPSG:32619"), trajectory, MOUNTING)
+    mapper = ScannerPointConverter(coordinate_system("EPSG:32619"), trajectory, MOUNTING)
     whole = mapper.to_map(points, time)
     back = mapper.to_scanner(whole, time)
     monkeypatch.setattr(point_mapping, "PIECE", 128)
@@ -130,7 +132,7 @@ def test_a_long_survey_is_divided() -> None:
     """60 km along the coast: one polynomial does not bend enough."""
     system, trajectory = coordinate_system("EPSG:2949"), track(size=30_000.0)
     points, time = sweep(trajectory)
-    mapper = PointMapper(system, trajectory, MOUNTING)
+    mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
     np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=PROMISED)
     fit = mapper.fit_to(points)
@@ -150,7 +152,7 @@ def test_anywhere_on_earth(latitude: float, longitude: float, size: float) -> No
     system = coordinate_system(f"EPSG:{(32600 if latitude >= 0 else 32700) + zone}")
     trajectory = track((latitude, longitude), size=size, turns=1.0)
     points, time = sweep(trajectory, 300)
-    mapper = PointMapper(system, trajectory, MOUNTING)
+    mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
     np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=PROMISED)
     np.testing.assert_allclose(mapper.to_scanner(expected, time), points, rtol=0, atol=2 * PROMISED)
@@ -179,7 +181,7 @@ def test_what_polynomials_cannot_follow_is_left_out_of_them() -> None:
 def test_times_without_a_pose_are_refused() -> None:
     trajectory = track()
     points, time = sweep(trajectory, 50)
-    mapper = PointMapper(coordinate_system("EPSG:32619"), trajectory, MOUNTING)
+    mapper = ScannerPointConverter(coordinate_system("EPSG:32619"), trajectory, MOUNTING)
     found = mapper.to_map(points, time)
     time[20] = trajectory.time[-1] + 1
     with pytest.raises(InputError, check=has_code("survey.outside_trajectory")):
@@ -193,7 +195,7 @@ def test_points_outside_the_system_are_refused(tmp_path: Path) -> None:
     trajectory = track((55.0, -71.2))
     points, time = sweep(trajectory, 50)
     with pytest.raises(InputError, check=has_code("crs.points_outside")):
-        PointMapper(system, trajectory, MOUNTING).to_map(points, time)
+        ScannerPointConverter(system, trajectory, MOUNTING).to_map(points, time)
 
 
 def test_a_site_at_the_edge_of_a_geoid_grid_is_mapped(tmp_path: Path) -> None:
@@ -201,7 +203,7 @@ def test_a_site_at_the_edge_of_a_geoid_grid_is_mapped(tmp_path: Path) -> None:
     system = coordinate_system("EPSG:2949", height=str(folded_geoid(tmp_path / "g.gtx")))
     trajectory = track((47.9965, -71.2), size=200.0)  # the grid ends 390 m to the north
     points, time = sweep(trajectory, 300)
-    mapper = PointMapper(system, trajectory, MOUNTING)
+    mapper = ScannerPointConverter(system, trajectory, MOUNTING)
     expected = one_by_one(system, trajectory, points, time)
     np.testing.assert_allclose(mapper.to_map(points, time), expected, rtol=0, atol=PROMISED)
     np.testing.assert_allclose(mapper.to_scanner(expected, time), points, rtol=0, atol=2 * PROMISED)
@@ -210,7 +212,7 @@ def test_a_site_at_the_edge_of_a_geoid_grid_is_mapped(tmp_path: Path) -> None:
 def test_local_frame_is_a_map_too() -> None:
     trajectory = track()
     points, time = sweep(trajectory)
-    mapper = PointMapper(None, trajectory, MOUNTING)
+    mapper = ScannerPointConverter(None, trajectory, MOUNTING)
     found = mapper.to_map(points, time)
     np.testing.assert_array_equal(found, georeference(points, time, trajectory, MOUNTING))
     np.testing.assert_allclose(mapper.to_scanner(found, time), points, rtol=0, atol=1e-10)
@@ -225,7 +227,7 @@ def test_compiled_inverse_equals_the_reference_formula() -> None:
     trajectory = track()
     points, time = sweep(trajectory)
     expected = to_lidar(points, trajectory.at(time + MOUNTING.latency), MOUNTING)
-    found = PointMapper(None, trajectory, MOUNTING).to_scanner(points, time)
+    found = ScannerPointConverter(None, trajectory, MOUNTING).to_scanner(points, time)
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-10)
 
 
@@ -252,7 +254,7 @@ def test_heading_through_north_turns_the_short_way(tmp_path: Path, clockwise: bo
     expected = 50 * np.stack([np.cos(angle), -np.sin(angle), 0 * angle], axis=1)
     np.testing.assert_allclose(local, expected, rtol=0, atol=1e-6)
     system = coordinate_system("EPSG:32618")
-    cloud = PointMapper(system, trajectory, mounting).to_map(ahead, time)
+    cloud = ScannerPointConverter(system, trajectory, mounting).to_map(ahead, time)
     back = RecoverySetup(system, trajectory, mounting).points_lidar(cloud, time)
     np.testing.assert_allclose(back, ahead, rtol=0, atol=2 * PROMISED)
 

@@ -170,7 +170,7 @@ def test_interrupted_command_says_how_to_go_on(project: Project, monkeypatch, ca
     assert main(["import", str(project.folder)]) == 1
     told = capsys.readouterr().err
     assert "Run lispac import again to continue." in told
-    assert "stopped" in told
+    assert "lispac: interrupted." in told
     monkeypatch.undo()
     assert main(["import", str(project.folder), "--check", "--json"]) == 0
     lines = json.loads(capsys.readouterr().out)["lines"]

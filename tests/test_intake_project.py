@@ -11,7 +11,7 @@ from lispac.io.first_points import check_first_points
 from lispac.io.format_types import FilePreview
 from lispac.io.formats import format_of
 from lispac.io.line_times import LineTimes
-from lispac.io.point_reading import CHOOSE_SYSTEM, USE_FEET, time_base_warnings
+from lispac.io.point_reader_common import CHOOSE_SYSTEM, USE_FEET, time_base_warnings
 from lispac.io.trajectory_facts import SWAP_COORDINATES, time_warnings
 from lispac.io.trajectory_preview import sign_assumed_warning
 from lispac.language import LANGUAGES, in_language

@@ -50,7 +50,7 @@ def test_a_wall_behind_a_board_is_not_the_board(
     assert check.other_surfaces
     assert all(0.2 < other.distance < 1.0 for other in check.other_surfaces)
     texts = map(english_text, AbsoluteCheckValues.of(check).messages)
-    (said,) = (each for each in texts if "A second surface" in each)
+    (said,) = (each for each in texts if "Another surface" in each)
     assert all(other.line in said for other in check.other_surfaces)
 
 

@@ -34,14 +34,16 @@ def test_times_that_restart_are_offered_to_be_counted_on_once() -> None:
         option="restart=midnight",
     )  # fmt: skip
     reading = Reading(options=(("restart", "midnight"),))
-    assert shift_gain_note(line(reading), reading.moved(ROUND_MIDNIGHT), counted) is None
+    assert (
+        shift_gain_note(line(reading), reading.to_trajectory_time(ROUND_MIDNIGHT), counted) is None
+    )
 
 
 def test_a_line_counted_on_beside_a_sorted_trajectory_is_offered_as_it_was_written() -> None:
     reading = Reading(options=(("restart", "midnight"),))
-    assert shift_gain_note(line(reading), reading.moved(ROUND_MIDNIGHT), track(0, DAY)) == note(
-        "import.restart_not_needed", file="L1.las", share=1.0, option="restart=none"
-    )
+    assert shift_gain_note(
+        line(reading), reading.to_trajectory_time(ROUND_MIDNIGHT), track(0, DAY)
+    ) == note("import.restart_not_needed", file="L1.las", share=1.0, option="restart=none")
 
 
 def test_beside_a_typed_shift_no_other_is_offered() -> None:

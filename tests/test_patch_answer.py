@@ -7,8 +7,8 @@ import pytest
 
 from lispac.adjustment.message_parts import mounting_value_name
 from lispac.messages import Message, note
+from lispac.patchtest.bootstrap_precision import FEWEST
 from lispac.patchtest.line_mismatch import SCALE
-from lispac.patchtest.minimum_precision import FEWEST
 from lispac.patchtest.patch_test_result import PatchTestResult
 
 SOUND = PatchTestResult(

@@ -5,7 +5,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from lispac.patchtest.minimum_precision import ObjectAgreement, _object_agreement, _ObjectEquations
+from lispac.patchtest.bootstrap_precision import (
+    ObjectAgreement,
+    _object_agreement,
+    _ObjectEquations,
+)
 
 
 def judged(stiff: float, gradient: float) -> ObjectAgreement:

@@ -13,7 +13,7 @@ from lispac.io import las_chunks, pcd, point_records, text_chunks
 from lispac.io.format_types import FileFormat, FilePreview, PointChunk
 from lispac.io.las import read_scan
 from lispac.io.point_formats import POINTS
-from lispac.io.point_reading import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.message_texts import fact_text
 from tests import point_files as files
 from tests.error_codes import has_code

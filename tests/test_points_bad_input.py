@@ -15,7 +15,7 @@ from pyproj import CRS
 from lispac.errors import InputError
 from lispac.io.line_times import read_line_times
 from lispac.io.point_formats import POINTS
-from lispac.io.point_reading import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.messages import error
 from lispac.survey.point_screening import PointScreen, PointSelection
 from tests import point_files as files

@@ -10,7 +10,7 @@ from lispac.errors import InputError
 from lispac.io import text_chunks
 from lispac.io.first_points import check_first_points
 from lispac.io.formats import format_of
-from lispac.io.point_reading import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.io.text_export import write_table
 from lispac.io.text_layout import RowLayout, guess_layout
 from lispac.io.text_table import clock_seconds, find_coordinates, last_lines

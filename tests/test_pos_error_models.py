@@ -6,8 +6,8 @@ import pytest
 from lispac.simulation.pos_error_models import (
     CombinedModel,
     GnssOutage,
-    Jumps,
     PosErrors,
+    StepErrors,
     WhiteNoise,
     combine_models,
 )
@@ -73,17 +73,17 @@ def test_an_outage_between_two_samples_does_nothing() -> None:
 
 
 def test_jumps_come_as_often_as_stated_and_stay() -> None:
-    errors = drawn(Jumps(POSITION, ATTITUDE, per_hour=120.0))
+    errors = drawn(StepErrors(POSITION, ATTITUDE, per_hour=120.0))
     changes = np.count_nonzero(np.diff(errors[..., 0], axis=1), axis=1)
     expected = 120 * 240 * INTERVAL / 3600  # 4 in 120 s
     assert changes.mean() == pytest.approx(expected, rel=0.05)
     assert changes.var() == pytest.approx(expected, rel=0.12), "as Poisson's law has it"
     np.testing.assert_allclose(errors[:, -1].std(axis=0), np.sqrt(1 - np.exp(-4)), rtol=0.065)
-    assert not Jumps(POSITION, ATTITUDE, per_hour=120.0).variance(COUNT, INTERVAL).any()
+    assert not StepErrors(POSITION, ATTITUDE, per_hour=120.0).variance(COUNT, INTERVAL).any()
 
 
 def test_jumps_at_stated_times() -> None:
-    errors = drawn(Jumps(POSITION, ATTITUDE, at=(30.0, 90.0)), draws=500)
+    errors = drawn(StepErrors(POSITION, ATTITUDE, at=(30.0, 90.0)), draws=500)
     time = np.arange(COUNT) * INTERVAL
     assert not errors[:, time < 30].any()
     for inside in ((time >= 30) & (time < 90), time >= 90):
@@ -92,14 +92,14 @@ def test_jumps_at_stated_times() -> None:
 
 
 def test_together_is_the_sum_of_independent_parts() -> None:
-    both = CombinedModel((NOISE, Jumps(POSITION, ATTITUDE, at=(0.0,))))
+    both = CombinedModel((NOISE, StepErrors(POSITION, ATTITUDE, at=(0.0,))))
     errors = drawn(both, draws=1000)
     np.testing.assert_allclose((errors**2).mean(axis=(0, 1)), 2.0, rtol=0.12)
     assert combine_models([HYDROGRAPHIC_INS]) is HYDROGRAPHIC_INS
     assert combine_models([NOISE, OUTAGE]) == CombinedModel((NOISE, OUTAGE))
 
 
-@pytest.mark.parametrize("model", [NOISE, SMOOTHED, Jumps(POSITION, ATTITUDE, per_hour=60.0)])
+@pytest.mark.parametrize("model", [NOISE, SMOOTHED, StepErrors(POSITION, ATTITUDE, per_hour=60.0)])
 def test_the_same_seed_gives_the_same_errors(model: PosErrors) -> None:
     first, second, other = (
         np.hstack(model.draw(COUNT, INTERVAL, np.random.default_rng(seed))) for seed in (1, 1, 2)

@@ -15,14 +15,14 @@ from lispac.geometry.frames import LocalFrame
 from lispac.io.format_types import PointChunk
 from lispac.io.las import read_scan
 from lispac.io.las_chunks import LAS
-from lispac.io.point_reading import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.io.sbet import read_sbet
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.scanner_frame_recovery import (
     RecoverySetup,
-    recover_chunks,
+    recover_scanner_points,
     require_scanner_frame,
 )
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
@@ -103,7 +103,7 @@ def test_simulated_lines_come_back(
         cloud = system.from_local(local, trajectory.frame)
         path = written(tmp_path / f"{line.name}.laz", cloud, line.time, code, scales)
         recovery = RecoverySetup(system_in(path), trajectory, mounting)
-        chunks = list(recover_chunks(LAS.read(path, LAS.look(path, {}).choice), recovery))
+        chunks = list(recover_scanner_points(LAS.read(path, LAS.look(path, {}).choice), recovery))
         back = np.concatenate([chunk.xyz for chunk, _ in chunks])
         worst = max(worst, float(np.linalg.norm(back - line.points_lidar, axis=1).max()))
         assert sum(lost for _, lost in chunks) == 0
@@ -145,7 +145,9 @@ def test_real_drone_survey_comes_back(
         back = np.concatenate(
             [
                 chunk.xyz
-                for chunk, _ in recover_chunks(LAS.read(path, {"frame": "georeferenced"}), recovery)
+                for chunk, _ in recover_scanner_points(
+                    LAS.read(path, {"frame": "georeferenced"}), recovery
+                )
             ]
         )
         apart = np.linalg.norm(back - scan.points_lidar, axis=1)
@@ -171,7 +173,7 @@ def test_points_without_a_pose_are_left_out_and_counted(port: SimulatedSurvey) -
     outside = time.copy()
     outside[:30] = recovery.trajectory.time[0] - 1.0
     chunk = PointChunk(cloud, outside, {"mark": np.arange(len(time))}, None)
-    ((kept, lost),) = recover_chunks([chunk], recovery)
+    ((kept, lost),) = recover_scanner_points([chunk], recovery)
     assert lost == 30
     assert len(kept.xyz) == len(kept.time) == len(time) - 30
     np.testing.assert_array_equal(kept.extra["mark"], np.arange(30, len(time)))
@@ -186,7 +188,7 @@ def test_points_in_a_gap_are_left_out(port: SimulatedSurvey) -> None:
         whole, time=whole.time[kept], position=whole.position[kept], attitude=whole.attitude[kept]
     )
     chunk = PointChunk(cloud, time, {}, None)
-    ((_, lost),) = recover_chunks([chunk], replace(recovery, trajectory=torn))
+    ((_, lost),) = recover_scanner_points([chunk], replace(recovery, trajectory=torn))
     last, first = torn.time[torn.time < middle].max(), torn.time[torn.time > middle].min()
     assert lost == np.count_nonzero((time > last) & (time < first)) > 0
 
@@ -205,7 +207,7 @@ def test_a_wrong_coordinate_system_is_refused(port: SimulatedSurvey, wrong: str)
         InputError,
         check=lambda error: error.code in ("survey.points_too_far", "crs.points_outside"),
     ):
-        list(recover_chunks([PointChunk(cloud, time, {}, None)], recovery))
+        list(recover_scanner_points([PointChunk(cloud, time, {}, None)], recovery))
 
 
 def test_what_has_to_hold_is_said(port: SimulatedSurvey) -> None:

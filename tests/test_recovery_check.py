@@ -11,7 +11,7 @@ from lispac.geometry.rotations import rotation_matrix
 from lispac.messages import Level, Message
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.georeferencing import Mounting
-from lispac.survey.point_mapping import PointMapper
+from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup
 from lispac.survey.scanner_frame_recovery_check import LineSample, recovery_messages
 from lispac.survey.trajectory import LocalTrajectory
@@ -59,7 +59,7 @@ def cloud(
         own, trajectory(seed, system), Mounting(LEVER, np.radians([0.3, -0.4, 0.6]))
     )
     points, time = profiler(seed, np.eye(3) if turn is None else turn)
-    placed = PointMapper(own, made.trajectory, made.mounting).to_map(points, time)
+    placed = ScannerPointConverter(own, made.trajectory, made.mounting).to_map(points, time)
     step = 0.001 / np.array(own.metres)
     return np.round(placed / step) * step, time, made
 
@@ -173,7 +173,7 @@ def test_a_scanner_that_is_no_profiler_has_no_message(
     _, time, made = cloud(1)
     rng = np.random.default_rng(5)
     points = beams(rng, len(time)) * rng.uniform(5, 40, len(time))[:, None]
-    placed = PointMapper(made.system, made.trajectory, made.mounting).to_map(points, time)
+    placed = ScannerPointConverter(made.system, made.trajectory, made.mounting).to_map(points, time)
     assert found(placed, time, made) is None
 
 
@@ -196,7 +196,7 @@ def other_scanner(
             [flat * np.cos(azimuth), flat * np.sin(azimuth), np.sin(elevation)], axis=1
         )
     ranges = rng.uniform(5, 40, count) + rng.normal(0, 0.01, count)
-    mapper = PointMapper(made.system, made.trajectory, made.mounting)
+    mapper = ScannerPointConverter(made.system, made.trajectory, made.mounting)
     return mapper.to_map(beams * ranges[:, None], time), time, made, ring
 
 

@@ -25,8 +25,8 @@ from lispac.project import LineSource, PickedSighting, Project, Settings
 from lispac.report.content import report_content
 from lispac.warning_causes import Cause
 from lispac.workflow import calibration, picking, projects
+from lispac.workflow.calibration_history import find_projects, read_histories
 from lispac.workflow.demo import make_demo
-from lispac.workflow.history import find_projects, read_histories
 from lispac.workflow.project_copy import save_project_as
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import Survey, load_survey

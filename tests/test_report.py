@@ -355,7 +355,12 @@ def test_what_the_figures_are_drawn_from_is_among_the_tables(
         }
     (histogram,) = (list(csv.reader(v)) for n, v in texts.items() if "histogram-of-v1" in n)
     plane = project.validation[0]
-    assert histogram[0] == ["From (mm)", "To (mm)", "Points before", "Points after"]
+    assert histogram[0] == [
+        "From (mm)",
+        "To (mm)",
+        "Points before calibration",
+        "Points after calibration",
+    ]
     assert [int(row[3]) for row in histogram[1:]] == plane.counts_after.tolist()
     lows = [float(row[0]) for row in histogram[1:]]
     assert lows == pytest.approx(1000 * plane.bin_edges[:-1], abs=1e-3)

@@ -25,7 +25,7 @@ from lispac.report.budget_values import ErrorBudgetValues
 from lispac.report.content import ReportContent, report_content
 from lispac.report.csv_tables import write_tables
 from lispac.report.document import drawn_document, report_document, undrawn_document
-from lispac.report.document_blocks import Bullets, Paragraph, Signature, Table, UndrawnPictures
+from lispac.report.document_blocks import Bullets, Paragraph, SignatureLines, Table, UndrawnPictures
 from lispac.report.html import html_text
 from lispac.report.options import USUAL, ReportOptions
 from lispac.report.pdf import write_pdf
@@ -206,7 +206,7 @@ def test_what_the_user_typed_stays(project: Project) -> None:
     assert document.letterhead.heading == "Good."
     *_, closing, signature = document.summary
     assert closing == Paragraph("yes")
-    assert isinstance(signature, Signature)
+    assert isinstance(signature, SignatureLines)
     assert signature.values[1] == "up"
     assert signature.fields[:2] == ("Hydrographe", "Entreprise")
 

@@ -29,7 +29,7 @@ from lispac.survey.conventions.conversion import (
     convert_from_system,
     mounting_of_angles,
 )
-from lispac.survey.conventions.mounting_texts import CHECK_FIRST, THESIS_MODE
+from lispac.survey.conventions.mounting_texts import CHECK_FIRST, UNCORRELATED_WARNING
 from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
 from lispac.survey.georeferencing import Mounting
 from lispac.workflow.report_options import KEYS, report_options
@@ -310,8 +310,8 @@ def test_thesis_mode_says_that_its_sigmas_are_too_small(tmp_path: Path) -> None:
         sample_project(tmp_path / "t", model="independent"), convention="qinsy"
     )
     assert content.in_convention is not None
-    assert content.in_convention.warning == THESIS_MODE
-    assert message_text(THESIS_MODE) in "".join(_page(html_text(content, {})).words)
+    assert content.in_convention.warning == UNCORRELATED_WARNING
+    assert message_text(UNCORRELATED_WARNING) in "".join(_page(html_text(content, {})).words)
 
 
 def test_the_matrix_is_that_of_the_boresight(project: Project, tmp_path: Path) -> None:

@@ -94,7 +94,7 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
     )
     said = _settings(noisy)
     assert said["Estimated LiDAR noise"].startswith(
-        "1.4\u00a0times (T2) the given noise; the sigmas"
+        "T2: 1.4\u00a0times the given noise; the sigmas"
     )
     assert "T1" not in said["Estimated LiDAR noise"]
     assert said["Surface sigma"].startswith("0.4\u00a0mm, as given")

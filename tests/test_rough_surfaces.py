@@ -71,7 +71,7 @@ def test_cross_checks_take_the_noise_of_the_whole(
     for check in cross_checks(data, PRIOR, result).parts:
         if check.kind != "line":
             continue
-        omitted = np.array([each.line == check.without for each in data.sightings])
+        omitted = np.array([each.line == check.part for each in data.sightings])
         expected = sigmas_without(solved.here, omitted)
         assert check.sigma == pytest.approx(expected, rel=0.05)
 

@@ -14,8 +14,8 @@ from lispac.io.vessel_file import read_vessel
 from lispac.simulation.pos_error_models import (
     CombinedModel,
     GnssOutage,
-    Jumps,
     PosErrors,
+    StepErrors,
     WhiteNoise,
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS, PosErrorModel
@@ -128,7 +128,7 @@ def test_a_pos_with_many_errors() -> None:
     pos = read_vessel(resource_path("vessels") / "launch-outage.toml").pos
     assert isinstance(pos, CombinedModel)
     assert [type(part) for part in pos.parts] == [
-        type(HYDROGRAPHIC_INS), WhiteNoise, GnssOutage, Jumps,
+        type(HYDROGRAPHIC_INS), WhiteNoise, GnssOutage, StepErrors,
     ]  # fmt: skip
     assert pos.parts[2] == GnssOutage(
         100.0, 60.0, (0.4, 0.4, 0.2), tuple(np.radians([0.005, 0.005, 0.01]))

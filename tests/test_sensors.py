@@ -47,7 +47,7 @@ def test_every_sensor_of_the_program_has_sigmas_and_a_source(tmp_path: Path) -> 
     }  # fmt: skip
     assert {s.name.partition("-")[0] for s in found.pos} == {"hydrins", "atlans", "pos", "apogee"}
     for scanner in found.scanners:
-        assert not scanner.own
+        assert not scanner.is_user_defined
         assert len(scanner.figures.source) > 20
     for pos in found.pos:
         for state in pos.figures.states:
@@ -98,12 +98,12 @@ def test_own_sensors_come_back_and_go(tmp_path: Path) -> None:
     for figures in (MINE, INS):
         name = sensors.store_sensor(tmp_path, figures)
         found = sensors.read_library(tmp_path)
-        (own,) = [s for s in (*found.scanners, *found.pos) if s.own]
+        (own,) = [s for s in (*found.scanners, *found.pos) if s.is_user_defined]
         assert (own.name, own.figures) == (name, figures)
         changed = replace(figures, title="Renamed")
         assert sensors.store_sensor(tmp_path, changed, name) == name
         found = sensors.read_library(tmp_path)
-        (own,) = [s for s in (*found.scanners, *found.pos) if s.own]
+        (own,) = [s for s in (*found.scanners, *found.pos) if s.is_user_defined]
         assert own.figures == changed
         sensors.remove_sensor(tmp_path, own)
         assert sensors.read_library(tmp_path) == sensors.read_library(tmp_path / "none")
@@ -149,7 +149,7 @@ def test_names_are_used_once_and_the_programs_own_stay(tmp_path: Path) -> None:
     with pytest.raises(InputError) as raised:
         sensors.store_sensor(tmp_path, MINE)
     assert raised.value.code == "sensor.title_taken"
-    supplied = next(s for s in sensors.read_library(tmp_path).scanners if not s.own)
+    supplied = next(s for s in sensors.read_library(tmp_path).scanners if not s.is_user_defined)
     with pytest.raises(InputError) as raised:
         sensors.remove_sensor(tmp_path, supplied)
     assert raised.value.code == "sensor.supplied"
@@ -177,7 +177,7 @@ def test_the_list_has_every_sensor_with_its_source(
     listed = answer(capsys, "sensors")
     assert listed["folder"] == str(own)
     assert listed["scanners"]["maker-s-new-one-2"]["user_defined"]
-    assert listed["pos"]["hydrins"]["states"][0]["source"].startswith("Thesis")
+    assert listed["pos"]["hydrins"]["states"][0]["source"].startswith("Shahraji's thesis")
     code, out, _ = run(capsys, "sensors")
     assert code == 0
     assert "8.7 mm   0.0200 deg   0.50 mrad  Z+F PROFILER 9012" in out

@@ -11,10 +11,10 @@ from lispac.adjustment.result import ANGLES
 from lispac.cli.main import main
 from lispac.geometry.frames import LocalFrame
 from lispac.installation_paths import resource_path
+from lispac.simulation.motion_source import RecordedTrajectory, TrajectoryStretch
 from lispac.simulation.pos_error_models import WhiteNoise
 from lispac.simulation.scene import tilted_rectangle
 from lispac.simulation.simulated_survey import simulate_survey
-from lispac.simulation.voyage import RecordedTrajectory, TrajectoryStretch
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.projects import open_project
 from lispac.workflow.simulated_setup import read_simulation

@@ -23,7 +23,12 @@ from lispac.survey.time_base import (
     to_gps,
     unroll_times,
 )
-from lispac.survey.time_quality import Coverage, assess_coverage, assess_times, join_coverages
+from lispac.survey.time_quality import (
+    TrajectoryCoverage,
+    assess_coverage,
+    assess_times,
+    join_coverages,
+)
 from lispac.survey.time_rollover import find_rollover, resolve_rollover
 from tests.error_codes import has_code
 from tests.message_codes import codes
@@ -269,7 +274,7 @@ def test_coverage_of_nothing() -> None:
     assert (empty.count, empty.outside, empty.in_gaps, empty.gaps) == (0, 0, 0, ())
     assert (empty.longest_gap, join_coverages([empty, empty]).longest_gap) == (1, 1)
     alone = assess_coverage(np.array([7.0, 3.0, 4.0]), np.zeros(0), 1)
-    assert alone == Coverage(3.0, 7.0, 3, 3, 0, (), 1)
+    assert alone == TrajectoryCoverage(3.0, 7.0, 3, 3, 0, (), 1)
     none = join_coverages([])
     assert np.isnan([none.start, none.end, none.longest_gap]).all()
     assert (none.count, none.outside, none.in_gaps, none.gaps) == (0, 0, 0, ())

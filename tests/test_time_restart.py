@@ -78,7 +78,7 @@ def test_times_moved_back_are_those_of_the_file(restart: str, shift: float) -> N
     reading = Reading("", (("restart", restart),), shift)
     period = {"midnight": DAY, "week-end": WEEK, "none": 0.0}[restart]
     written = np.array([period - 0.5, 0.0, 3.0]) if period else np.array([5.0, 6.5])
-    moved = reading.moved(written)
+    moved = reading.to_trajectory_time(written)
     counted = [period - 0.5, period, period + 3.0] if period else [5.0, 6.5]
     assert moved.tolist() == [time + shift for time in counted]
     assert reading.to_file_time(moved).tolist() == written.tolist()

@@ -20,7 +20,7 @@ from lispac.gui.viewport.base import (
     Highlight,
     Marker,
     PickedPoint,
-    Shading,
+    PointColouring,
 )
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording_viewport import RecordingViewport
@@ -191,7 +191,7 @@ def test_shaded_points_have_their_own_colours_and_a_legend_says_what_they_mean(v
         for line, points in clouds.items()
     }
     scale = np.array([low, high], np.uint8)
-    viewport.show_clouds(clouds, colours, Shading(shades, "Height (m)", "0", "12", scale))
+    viewport.show_clouds(clouds, colours, PointColouring(shades, "Height (m)", "0", "12", scale))
     shaded = picture(viewport)
     assert count(shaded, RED) == count(shaded, BLUE) == 0
     assert min(count(shaded, low), count(shaded, high)) > 300

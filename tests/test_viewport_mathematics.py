@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.decimation import (
     line_budgets,
     lowest_ranked,
@@ -109,7 +109,7 @@ def test_elevation_stops_overhead():
 
 
 @pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("size", [SIZE, Size(300, 900)])
+@pytest.mark.parametrize("size", [SIZE, ViewportSize(300, 900)])
 def test_fit_brings_all_points_into_view_without_waste(seed, size):
     points = np.random.default_rng(seed).normal(size=(500, 3)) * [30.0, 10.0, 5.0] + 100.0
     pixels = random_camera(seed).fitted(points, size).project(points, size)

@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from lispac.gui.viewport.base import Handle, Highlight, Shading, Sketch
+from lispac.gui.viewport.base import DragHandle, Highlight, PointColouring, Sketch
 from lispac.gui.viewport.clipping import Box
 from tests.view_scenes import BLUE, RED, YELLOW, count, picture, pixel, scene, wall
 
@@ -121,7 +121,9 @@ def test_a_handle_follows_the_mouse_along_its_axis(viewport, parallel):
     moved, ended = [], []
     viewport.signals.handle_moved.connect(lambda *told: moved.append(told))
     viewport.signals.handle_let_go.connect(ended.append)
-    viewport.show_sketch("box", Sketch((), (), INKED, handles=(Handle(tuple(place), tuple(axis)),)))
+    viewport.show_sketch(
+        "box", Sketch((), (), INKED, handles=(DragHandle(tuple(place), tuple(axis)),))
+    )
     camera = viewport.camera
     start = pixel(viewport, place)
     way = pixel(viewport, place + 0.8 * axis) - start
@@ -185,7 +187,7 @@ def test_only_what_lies_in_the_box_is_drawn_and_picked(viewport, qtbot):
     shades["red"][half] = (0, 90, 20)
     scale = np.zeros((2, 3), np.uint8)
     viewport.show_highlights([])
-    viewport.show_clouds(clouds, colours, Shading(shades, "", "", "", scale))
+    viewport.show_clouds(clouds, colours, PointColouring(shades, "", "", "", scale))
     image = picture(viewport)  # each point keeps its own colour
     assert count(image, (0, 90, 20)) == pytest.approx(count(image, INKED), rel=0.25)
     with qtbot.waitSignal(viewport.signals.missed, timeout=2000):
@@ -232,11 +234,11 @@ def test_a_box_is_changed_side_by_side_and_never_turns_inside_out():
     np.testing.assert_allclose(box.axes @ box.axes.T, np.eye(3), atol=1e-14)
     for side in range(6):
         (middle, out), other = box.sides[side], side ^ 1
-        moved = box.moved(side, -0.3)
+        moved = box.with_side_moved(side, -0.3)
         np.testing.assert_allclose(moved.sides[side][0], middle - 0.3 * out, atol=1e-12)
         np.testing.assert_allclose(moved.sides[other][0], box.sides[other][0], atol=1e-12)
         beyond = (points - moved.sides[side][0]) @ out > 0
         assert len(moved.inside(points)) == np.count_nonzero(~beyond)
-        flat = box.moved(side, -1e6)
+        flat = box.with_side_moved(side, -1e6)
         assert (flat.half > 0.02).all()
         np.testing.assert_allclose(flat.sides[other][0], box.sides[other][0], atol=1e-9)

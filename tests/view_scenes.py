@@ -4,11 +4,11 @@ import numpy as np
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QImage
 
-from lispac.gui.viewport.camera import Size
+from lispac.gui.viewport.camera import ViewportSize
 
 BLUE, RED, GREEN = (0, 114, 178), (213, 94, 0), (0, 158, 115)
 YELLOW = (240, 228, 66)
-SIZE = Size(800, 600)
+SIZE = ViewportSize(800, 600)
 
 
 def wall(west, north=(-5.0, 5.0), up=(0.0, 6.0), step=0.1, origin=(0.0, 0.0, 0.0)):

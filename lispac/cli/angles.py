@@ -21,7 +21,7 @@ from lispac.survey.conventions.conversion import (
     mounting_of_angles,
 )
 from lispac.survey.conventions.matrix_input import angle_product_of_matrix, matrix_of_text
-from lispac.survey.conventions.mounting_texts import THESIS_MODE
+from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
 from lispac.survey.conventions.present_settings import (
     PresentSettings,
     present_settings_of_matrix,
@@ -44,19 +44,19 @@ def angles(arguments: Namespace) -> None:
     if not arguments.values and arguments.from_matrix is None:
         list_systems(arguments.json)
         return
-    given = _conversion_input(arguments)
+    conversion_input = _conversion_input(arguments)
     target = _convention_setup(arguments, arguments.to)
     current = _current_settings(arguments, target)
     if current is None and arguments.current_applied:
         raise UsageError("angles: --current-applied requires --current or --current-matrix.")
     new = replace_settings(
-        target, given.mounting, given.covariance, current,
-        applied=arguments.current_applied, has_lever_arm=given.has_lever_arm,
+        target, conversion_input.mounting, conversion_input.covariance, current,
+        applied=arguments.current_applied, has_lever_arm=conversion_input.has_lever_arm,
     )  # fmt: skip
     if arguments.json:
-        print(json.dumps(conversion_values(given, new), indent=1, allow_nan=False))
+        print(json.dumps(conversion_values(conversion_input, new), indent=1, allow_nan=False))
     else:
-        print_conversion(given, new, matrices=arguments.matrix)
+        print_conversion(conversion_input, new, matrices=arguments.matrix)
 
 
 def _convention_setup(arguments: Namespace, key: str) -> ConventionSetup:
@@ -121,7 +121,7 @@ def _input_of_project(folder: Path, setup: ConventionSetup) -> ConversionInput:
         mounting,
         True,
         np.asarray(result.covariance)[:3, :3],
-        THESIS_MODE if independent else None,
+        UNCORRELATED_WARNING if independent else None,
         OF_PROJECT,
     )
 

@@ -61,15 +61,21 @@ class ConversionInput:
     typed: Array | None = None
 
 
-def print_conversion(given: ConversionInput, new: ReplacementSettings, *, matrices: bool) -> None:
+def print_conversion(
+    conversion_input: ConversionInput, new: ReplacementSettings, *, matrices: bool
+) -> None:
     """Print the given angles, and the angles to enter in the other program."""
     convention = new.stated.setup.convention
-    _print_input(given)
+    _print_input(conversion_input)
     print()
-    if given.name == OF_PROJECT and convention.key == "lispac" and new.correction is None:
+    if (
+        conversion_input.name == OF_PROJECT
+        and convention.key == "lispac"
+        and new.correction is None
+    ):
         _print_lever_arm(new)  # the rest stands above
     else:
-        _print_converted(given, new)
+        _print_converted(conversion_input, new)
     if matrices or not convention.has_angles or new.transform is not None:
         _print_matrices(new)
 
@@ -125,29 +131,34 @@ def _angle_row(label: str, values: Array, *, signed: bool = True, decimals: int 
     )
 
 
-def _print_input(given: ConversionInput) -> None:
-    setup, mounting = given.setup, given.mounting
+def _print_input(conversion_input: ConversionInput) -> None:
+    setup, mounting = conversion_input.setup, conversion_input.mounting
     convention = setup.convention
     _print_labelled("FROM", f"{convention.name}: {STATUS_WORDS[setup.status]}")
     _print_rules(setup)
     if convention.has_angles:
-        own = convert_to_system(mounting, setup, given.covariance)
+        own = convert_to_system(mounting, setup, conversion_input.covariance)
         assert own.angles is not None
         print(_angle_heads(setup))
         # What was typed is shown as typed; another triple may stand for the same rotation.
-        print(_angle_row(given.name, own.angles if given.typed is None else given.typed))
-        _print_sigmas(own, given)
+        print(
+            _angle_row(
+                conversion_input.name,
+                own.angles if conversion_input.typed is None else conversion_input.typed,
+            )
+        )
+        _print_sigmas(own, conversion_input)
     if convention.key != "lispac":
         _print_labelled("", str(setup.scanner_axes(mounting.rotation_body_lidar)))
     print()
     _print_labelled("ORIENTATION", str(orientation_text(mounting.without_nominal_axes.boresight)))
-    if given.has_lever_arm:
+    if conversion_input.has_lever_arm:
         _print_labelled("", str(lever_arm_text(mounting.lever_arm)))
     if offsets := offsets_note(mounting):
         _print_labelled("", message_text(offsets))
 
 
-def _print_converted(given: ConversionInput, new: ReplacementSettings) -> None:
+def _print_converted(conversion_input: ConversionInput, new: ReplacementSettings) -> None:
     stated, correction = new.stated, new.correction
     setup = stated.setup
     convention = setup.convention
@@ -162,7 +173,7 @@ def _print_converted(given: ConversionInput, new: ReplacementSettings) -> None:
             print(_angle_row(_NEW[setup.status], stated.angles, decimals=decimals))
         else:
             _print_correction(correction, _NEW[setup.status], decimals)
-        _print_sigmas(stated, given)
+        _print_sigmas(stated, conversion_input)
         if setup.status != "verified":
             _print_labelled("", message_text(CHECK_FIRST))
         if stated.note is not None:
@@ -195,11 +206,11 @@ def _lever_arm_text(axes: Axes, values: Array) -> str:
     )
 
 
-def _print_sigmas(stated: MountingInSystem, given: ConversionInput) -> None:
+def _print_sigmas(stated: MountingInSystem, conversion_input: ConversionInput) -> None:
     if stated.sigmas is not None:
         print(_angle_row("sigma", stated.sigmas, signed=False))
-        if given.warning:
-            _print_labelled("", message_text(given.warning))
+        if conversion_input.warning:
+            _print_labelled("", message_text(conversion_input.warning))
 
 
 def _print_correction(correction: BoresightCorrection, label: str, decimals: int) -> None:
@@ -289,16 +300,22 @@ def _mounting_values(stated: MountingInSystem, has_lever_arm: bool) -> dict[str,
     return content
 
 
-def conversion_values(given: ConversionInput, new: ReplacementSettings) -> dict[str, Any]:
+def conversion_values(
+    conversion_input: ConversionInput, new: ReplacementSettings
+) -> dict[str, Any]:
     """Result of the conversion as JSON values."""
-    own = convert_to_system(given.mounting, given.setup, given.covariance)
+    own = convert_to_system(
+        conversion_input.mounting, conversion_input.setup, conversion_input.covariance
+    )
     stated, correction = new.stated, new.correction
     content: dict[str, Any] = {
-        "from": _mounting_values(own, given.has_lever_arm),
+        "from": _mounting_values(own, conversion_input.has_lever_arm),
         "to": _mounting_values(stated, new.has_lever_arm),
-        "orientation_text": str(orientation_text(given.mounting.without_nominal_axes.boresight)),
-        "offsets": _optional_text(offsets_note(given.mounting)),
-        "warning": _optional_text(given.warning),
+        "orientation_text": str(
+            orientation_text(conversion_input.mounting.without_nominal_axes.boresight)
+        ),
+        "offsets": _optional_text(offsets_note(conversion_input.mounting)),
+        "warning": _optional_text(conversion_input.warning),
     }
     if correction is not None:
         content["correction"] = {

@@ -49,7 +49,7 @@ def campaign(arguments: Namespace) -> None:
         print(sentence)
 
 
-def scatter_table(found: MonteCarloResult) -> str:
+def scatter_table(result: MonteCarloResult) -> str:
     """Table of sigmas and hits, one row each, with a column for each angle."""
-    lines = [f"{name:22s}" + "".join(f"{cell:>9s}" for cell in row) for name, *row in found.rows]
+    lines = [f"{name:22s}" + "".join(f"{cell:>9s}" for cell in row) for name, *row in result.rows]
     return "\n".join([" " * 22 + "".join(f"{angle:>9s}" for angle in ANGLES), *lines])

@@ -55,8 +55,8 @@ def check(arguments: Namespace) -> None:
         print(f"not compared: {message_text(reason)}")
 
 
-def _statistics_cells(found: ReferenceDistances) -> str:
+def _statistics_cells(distances: ReferenceDistances) -> str:
     return (
-        f"{1000 * found.signed.mean_m:+12.1f}{1000 * found.mean_interval95_m:9.1f}"
-        f"{1000 * found.distances.rms_m:11.1f}"
+        f"{1000 * distances.signed.mean_m:+12.1f}{1000 * distances.mean_interval95_m:9.1f}"
+        f"{1000 * distances.distances.rms_m:11.1f}"
     )

@@ -62,20 +62,20 @@ def compare(arguments: Namespace) -> None:
 
 
 def _print_comparison(
-    found: Sequence[Calibration],
+    calibrations: Sequence[Calibration],
     against: Sequence[CalibrationDifference],
     together: RepeatedCalibrations,
     counted: int,
 ) -> None:
-    width = max(12, *(len(each.name) for each in found)) + 2
+    width = max(12, *(len(each.name) for each in calibrations)) + 2
     heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
     print(f"{'calibration':{width}s}{heads}  deg")
-    for each in found:
+    for each in calibrations:
         print(f"{each.name:{width}s}{_angle_cells(each.boresight, each.sigma)}")
     print(f"{'all together':{width}s}{_angle_cells(together.boresight, together.sigma)}")
     if together.spread is not None:
         print(f"{'spread':{width}s}" + "".join(f"{v:20.4f}" for v in np.degrees(together.spread)))
-    print(f"\ndifference from {found[0].name}, and (difference / sigma)")
+    print(f"\ndifference from {calibrations[0].name}, and (difference / sigma)")
     for change in against:
         cells = "".join(
             f"{np.degrees(angle):+12.4f} {f'({significance:+.1f})':>7s}"

@@ -77,29 +77,29 @@ def _run_missing_methods(project: Project) -> tuple[Project, dict[str, Message]]
     return found, refused
 
 
-def _print_methods(found: tuple[MethodResult, ...]) -> None:
-    width = max(len(each.method) for each in found) + 2
+def _print_methods(results: tuple[MethodResult, ...]) -> None:
+    width = max(len(each.method) for each in results) + 2
     heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
     print(f"{'method':{width}s}{'lines':>6s}{'surfaces':>10s}{heads}  deg")
-    for each in found:
+    for each in results:
         said = each.calibration
         cells = "".join(
             f"{angle:+12.4f} {sigma:7.4f}"
             for angle, sigma in zip(np.degrees(said.boresight), np.degrees(said.sigma), strict=True)
         )
         print(f"{each.method:{width}s}{each.lines:6d}{each.surfaces:10d}{cells}")
-    if len(found) > 1:
-        print(f"\ndifference from {found[0].method}, and (difference / sigma)")
-    for each in found:
+    if len(results) > 1:
+        print(f"\ndifference from {results[0].method}, and (difference / sigma)")
+    for each in results:
         if each.against is not None:
             cells = "".join(
                 f"{np.degrees(angle):+12.4f} {f'({over:+.1f})':>7s}"
                 for angle, over in zip(each.against.angles, each.against.significance, strict=True)
             )
             print(f"{each.method:{width + 16}s}{cells}")
-    for remark in comparison_remarks(found):
+    for remark in comparison_remarks(results):
         print(message_text(remark))
-    for each in found:
+    for each in results:
         for remark in each.messages:
             print(f"{each.method}: {message_text(remark)}")
 

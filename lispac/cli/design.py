@@ -41,7 +41,7 @@ def design(arguments: Namespace) -> None:
         print_json(_design_values(title, site, found, usual))
         return
     print(f"{title}: smallest {CRITERIA[objective.criterion]}")
-    for name, plan in (("best plan", found.plan), ("thesis", usual)):
+    for name, plan in (("best plan", found.plan), ("Shahraji", usual)):
         prediction = predict(plan)
         text = "not determined"
         if prediction.determined:
@@ -72,21 +72,21 @@ def design(arguments: Namespace) -> None:
         print(arguments.output)
 
 
-def _design_values(title: str, site: Site, found: DesignResult, usual: Plan) -> dict[str, object]:
+def _design_values(title: str, site: Site, result: DesignResult, usual: Plan) -> dict[str, object]:
     thesis = predict(usual)
     return {
         "title": title,
-        "sigma_deg": np.degrees(found.prediction.sigma).tolist(),
-        "value_deg": float(np.degrees(found.value)),
+        "sigma_deg": np.degrees(result.prediction.sigma).tolist(),
+        "value_deg": float(np.degrees(result.value)),
         "thesis_sigma_deg": np.degrees(thesis.sigma).tolist() if thesis.determined else None,
-        "exact": found.exact,
-        "plans_evaluated": found.looked_at,
+        "exact": result.exact,
+        "plans_evaluated": result.looked_at,
         "targets": [
             {"name": t.name, "along_off_up_m": list(site.wall.wall_coordinates(t.centre))}
-            for t in found.plan.targets
+            for t in result.plan.targets
         ],
-        "lines": [vars(line) for line in found.plan.lines],
-        "without_deg": {each.name: sigma_degrees(each.without) for each in found.worth},
+        "lines": [vars(line) for line in result.plan.lines],
+        "without_deg": {each.name: sigma_degrees(each.without) for each in result.worth},
         "pareto_front": [
             {
                 "minutes": step.minutes,
@@ -94,6 +94,6 @@ def _design_values(title: str, site: Site, found: DesignResult, usual: Plan) -> 
                 "targets": [t.name for t in step.plan.targets],
                 "lines": len(step.plan.lines),
             }
-            for step in found.front
+            for step in result.front
         ],
     }

@@ -43,7 +43,8 @@ def _add_scenarios(commands: "Commands[argparse.ArgumentParser]") -> None:
     )  # fmt: skip
     scenarios.add_argument(
         "plan", type=Path, nargs="?", metavar="PLAN",
-        help="survey plan to vary (default: one vertical board and six lines, as in the thesis)",
+        help="survey plan to vary (default: one vertical board and six lines, as in Shahraji's "
+             "thesis)",
     )  # fmt: skip
     scenarios.add_argument(
         "--only", nargs="+", choices=SCENARIOS, metavar="SCENARIO",

@@ -99,7 +99,7 @@ def estimate(arguments: Namespace) -> None:
 
 def settings_with_options(settings: Settings, arguments: Namespace) -> Settings:
     """Settings changed by the options of the command line."""
-    given: dict[str, Any] = {
+    changes: dict[str, Any] = {
         "subsample": arguments.subsample,
         "pos_errors": arguments.pos_errors,
         "position_time": arguments.position_time,
@@ -115,7 +115,7 @@ def settings_with_options(settings: Settings, arguments: Namespace) -> Settings:
         settings = replace(
             settings, surface=None if arguments.surface == "auto" else arguments.surface
         )
-    return replace(settings, **{key: value for key, value in given.items() if value is not None})
+    return replace(settings, **{key: value for key, value in changes.items() if value is not None})
 
 
 def parse_parameters(named: Iterable[str] | None) -> tuple[Parameter, ...] | None:
@@ -196,8 +196,8 @@ def _degrees_by_angle(values: Any) -> dict[str, float] | None:
 def project_result_values(project: Project) -> dict[str, Any]:
     """Result of a project as plain values, in degrees and metres."""
     assert project.result is not None
-    said = result_values(project.result, project.cross_checks, project_warnings(project))
-    return said | {"subsample_m": project.settings.subsample}
+    values = result_values(project.result, project.cross_checks, project_warnings(project))
+    return values | {"subsample_m": project.settings.subsample}
 
 
 def result_values(
@@ -274,16 +274,16 @@ def _parameter_values(estimate: ParameterEstimate) -> dict[str, Any]:
     }
 
 
-def _contradiction_values(found: ContradictedParameter) -> dict[str, Any]:
-    factor, unit = STATED[found.name]
+def _contradiction_values(parameter: ContradictedParameter) -> dict[str, Any]:
+    factor, unit = STATED[parameter.name]
     return {
-        "name": found.name,
+        "name": parameter.name,
         "unit": unit,
-        "change": factor * found.change,
-        "sigma": factor * found.sigma,
-        "w": found.w,
-        "angle_change_deg": _degrees_by_angle(found.angle_change),
-        "surface_sigma_m": found.surface_sigma,
+        "change": factor * parameter.change,
+        "sigma": factor * parameter.sigma,
+        "w": parameter.w,
+        "angle_change_deg": _degrees_by_angle(parameter.angle_change),
+        "surface_sigma_m": parameter.surface_sigma,
     }
 
 
@@ -434,8 +434,9 @@ def _parameter_line(estimate: ParameterEstimate) -> str:
     )
 
 
-def _component_line(found: VarianceComponent) -> str:
+def _component_line(component: VarianceComponent) -> str:
     return (
-        f"{found.name} sigmas multiplied by {found.factor:.2f} (95 % interval {found.lower:.2f} to "
-        f"{found.upper:.2f}), {message_text(variance_component_finding(found))}"
+        f"{component.name} sigmas multiplied by {component.factor:.2f} (95 % interval "
+        f"{component.lower:.2f} to {component.upper:.2f}), "
+        f"{message_text(variance_component_finding(component))}"
     )

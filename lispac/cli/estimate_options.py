@@ -64,9 +64,9 @@ def add_offset_options(parser: argparse.ArgumentParser) -> None:
 
 def noise_and_offset_settings(arguments: argparse.Namespace) -> Mapping[str, Any]:
     """Settings of LiDAR noise and offsets given on the command line."""
-    given: dict[str, Any] = {}
+    changes: dict[str, Any] = {}
     if arguments.scanner is not None:
-        given = scanner_noise_settings(arguments.scanner)
+        changes = scanner_noise_settings(arguments.scanner)
     noise = {
         "lidar_sigma": arguments.lidar_sigma,
         "lidar_sigma_xyz": arguments.lidar_sigma_xyz and tuple(arguments.lidar_sigma_xyz),
@@ -74,16 +74,16 @@ def noise_and_offset_settings(arguments: argparse.Namespace) -> Mapping[str, Any
     }
     if any(value is not None for value in noise.values()):
         # One way of stating it takes the place of another.
-        given = {"lidar_sigma_xyz": None, "lidar_beam_sigma": None}
-        given |= {name: value for name, value in noise.items() if value is not None}
+        changes = {"lidar_sigma_xyz": None, "lidar_beam_sigma": None}
+        changes |= {name: value for name, value in noise.items() if value is not None}
     for setting, value in (
         ("range_offset", arguments.range_offset),
         ("scan_angle_offset_deg", arguments.scan_angle_offset),
         ("latency", arguments.latency),
     ):
         if value is not None:
-            given[setting] = value
-    return given
+            changes[setting] = value
+    return changes
 
 
 def add_estimate_command(commands: "Commands[argparse.ArgumentParser]") -> None:

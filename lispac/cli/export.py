@@ -36,7 +36,7 @@ def export(arguments: Namespace) -> None:
     if form not in FORMATS[what]:
         raise UsageError(f"export {what}: --format is one of {', '.join(FORMATS[what])}")
     on_map = (arguments.crs, arguments.height, arguments.trajectory_datum, arguments.epoch)
-    if what != "targets" and any(given not in ("", None) for given in on_map):
+    if what != "targets" and any(value not in ("", None) for value in on_map):
         raise UsageError(
             f"export {what}: a coordinate system cannot be selected; "
             + ("the angles of plane files refer to the local frame" if what == "planes" else

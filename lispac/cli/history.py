@@ -11,7 +11,12 @@ from lispac.cli.console import ConsoleProgress, print_json
 from lispac.io.files import atomic_write
 from lispac.message_texts import message_text
 from lispac.validation.control_chart import control_limits
-from lispac.workflow.history import History, HistoryEntry, change_message, read_histories
+from lispac.workflow.calibration_history import (
+    CalibrationHistory,
+    HistoryEntry,
+    change_message,
+    read_histories,
+)
 
 
 def history(arguments: Namespace) -> None:
@@ -37,7 +42,7 @@ def history(arguments: Namespace) -> None:
         print(f"note: {message_text(remark)}", file=sys.stderr)
 
 
-def _print_calibrations(history: History) -> None:
+def _print_calibrations(history: CalibrationHistory) -> None:
     width = max(12, *(len(each.charted.calibration.name) for each in history.entries)) + 2
     print(history.system.in_words)
     heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
@@ -56,7 +61,7 @@ def _print_calibrations(history: History) -> None:
     print()
 
 
-def _draw_chart(arguments: Namespace, history: History) -> None:
+def _draw_chart(arguments: Namespace, history: CalibrationHistory) -> None:
     from lispac.report.control_charts import control_chart_figure
 
     figure = control_chart_figure(
@@ -66,7 +71,7 @@ def _draw_chart(arguments: Namespace, history: History) -> None:
         figure.savefig(temporary, format=arguments.picture.suffix[1:].lower(), dpi=200)
 
 
-def _history_values(history: History) -> dict[str, Any]:
+def _history_values(history: CalibrationHistory) -> dict[str, Any]:
     return {
         "system": vars(history.system),
         "calibrations": [_calibration_values(each) for each in history.entries],
@@ -88,5 +93,5 @@ def _calibration_values(each: HistoryEntry) -> dict[str, Any]:
         "difference_deg": None if change is None else np.degrees(change.angles).tolist(),
         "significance": None if change is None else change.significance.tolist(),
         "probability": None if change is None else change.probability,
-        "moved": charted.moved,
+        "moved": charted.has_moved,
     }

@@ -9,7 +9,7 @@ from lispac.errors import InputError
 from lispac.identity import LABELS, NAMES
 from lispac.messages import error
 from lispac.project import Project
-from lispac.workflow.history import first_date_in
+from lispac.workflow.calibration_history import first_date_in
 from lispac.workflow.projects import save_project
 from lispac.workflow.survey_dates import survey_dates
 
@@ -18,8 +18,8 @@ AUTO = "auto"
 
 def identity(arguments: Namespace) -> None:
     """Set the fields that are given, and show all of them."""
-    given = {name: getattr(arguments, name) for name in NAMES}
-    texts = {name: text for name, text in given.items() if text is not None}
+    values = {name: getattr(arguments, name) for name in NAMES}
+    texts = {name: text for name, text in values.items() if text is not None}
     with opened_project(arguments.project, change=bool(texts)) as project:
         if texts.get("dates") == AUTO:
             texts["dates"] = _require_survey_dates(project)

@@ -49,8 +49,8 @@ def import_lines(arguments: Namespace) -> None:
         print(f"{message.level}: {message_text(message)}", file=sys.stderr)
 
 
-def _check_imported(found: list[ImportedLine], progress: Progress) -> None:
-    for item in found:
+def _check_imported(imported: list[ImportedLine], progress: Progress) -> None:
+    for item in imported:
         words = gettext_lazy("Checking {line}", line=item.stored.name)
         item.stored.require_sound(lambda done, words=words: progress(done, words))  # type: ignore[misc]
         if is_header_damaged(item.stored):

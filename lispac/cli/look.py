@@ -33,9 +33,9 @@ def look(arguments: Namespace) -> None:
             _print_check(item)
 
 
-def _checks_with_audit(path: Path, found: Sequence[FileCheck]) -> list[FileCheck]:
+def _checks_with_audit(path: Path, checks: Sequence[FileCheck]) -> list[FileCheck]:
     """Checks with the audit of all points, if the most likely format has points."""
-    items = list(found)
+    items = list(checks)
     if items and items[0].finding is not None and items[0].format.kind == "points":
         finding = items[0].finding
         with ConsoleProgress() as progress:

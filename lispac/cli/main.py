@@ -49,8 +49,8 @@ def _escape_control_characters(stream: TextIOWrapper) -> None:
     stream.write = lambda text: write(CONTROL.sub(_escape_match, text))  # type: ignore[method-assign]
 
 
-def _escape_match(found: re.Match[str]) -> str:
-    return found.group().encode("unicode_escape").decode()
+def _escape_match(match: re.Match[str]) -> str:
+    return match.group().encode("unicode_escape").decode()
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -69,7 +69,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"lispac: {error}", file=sys.stderr)
         return 1
     except (KeyboardInterrupt, Cancelled):
-        print("lispac: stopped.", file=sys.stderr)
+        print("lispac: interrupted.", file=sys.stderr)
         return 1
     except BrokenPipeError:
         return 1

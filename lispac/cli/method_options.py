@@ -24,7 +24,8 @@ def _add_compare(commands: "Commands[argparse.ArgumentParser]") -> None:
     compare.add_argument(
         "--compute",
         action="store_true",
-        help="with a single project: run the other methods and save their results",
+        help="with a single project: run the methods without a result (natural planes, targetless, "
+        "patch test) and save their results",
     )
     add_json_option(compare)
 

@@ -24,13 +24,13 @@ from lispac.workflow.survey import Survey
 def new(arguments: Namespace) -> None:
     """Create a project and read its lines once to check them."""
     columns = tuple(arguments.columns.split(",")) if arguments.columns else ()
-    given: dict[str, Any] = {
+    options: dict[str, Any] = {
         "boresight_deg": arguments.boresight,
         "origin_deg_m": arguments.origin,
         "position_sigma": arguments.position_sigma,
         "attitude_sigma_deg": arguments.attitude_sigma,
     }
-    triples: dict[str, Any] = {k: tuple(v) for k, v in given.items() if v is not None}
+    triples: dict[str, Any] = {k: tuple(v) for k, v in options.items() if v is not None}
     triples = pos_sigma_settings(arguments.pos) | triples
     settings = Settings(
         lever_arm=tuple(arguments.lever_arm), **triples, **noise_and_offset_settings(arguments)

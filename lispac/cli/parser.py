@@ -35,7 +35,7 @@ def build_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="lispac",
         description="Boresight calibration of mobile LiDAR systems.",
-        epilog="Angles: roll positive left side up, pitch positive bow down, yaw positive "
+        epilog="Angles: roll positive port side up, pitch positive bow down, yaw positive "
         "clockwise; rotation from LiDAR to body frame (forward, left, up). Lengths in "
         "metres, angles in degrees.",
     )
@@ -484,6 +484,6 @@ def _add_visibility(commands: "Commands[argparse.ArgumentParser]") -> None:
     visibility.add_argument(
         "--hit-beams", action="store_true",
         help="use the beams that hit the board in the presence of the error, as in a real survey, "
-             "instead of the beams aimed at it, as in the thesis",
+             "instead of the beams aimed at it, as in Shahraji's thesis",
     )  # fmt: skip
     add_json_option(visibility)

@@ -34,11 +34,11 @@ def patchtest(arguments: Namespace) -> None:
     UsageError
         Where a box or a line is not one.
     """
-    given = [_parse_object(name, text) for name, text in arguments.object or ()]
-    if len({each.name for each in given}) < len(given):
+    given_objects = [_parse_object(name, text) for name, text in arguments.object or ()]
+    if len({each.name for each in given_objects}) < len(given_objects):
         raise UsageError("patchtest: two objects have the same name.")
-    count = arguments.count if arguments.count is not None else 0 if given else COUNT
-    if not given and not count:
+    count = arguments.count if arguments.count is not None else 0 if given_objects else COUNT
+    if not given_objects and not count:
         raise UsageError("patchtest: give objects with --object, or detect some with --count.")
     with opened_project(arguments.project, change=arguments.save) as project:
         with ConsoleProgress() as progress:
@@ -47,12 +47,12 @@ def patchtest(arguments: Namespace) -> None:
             if count:
                 step = sub_progress(progress, 0.3, 0.6)
                 laid = workflow.propose_objects(project, survey, count=count, progress=step)
-                if given:
-                    objects = (*given, *laid.objects)
+                if given_objects:
+                    objects = (*given_objects, *laid.objects)
                     laid = workflow.place_objects(project, survey, objects, laid.boresight)
             else:
                 laid = workflow.place_objects(
-                    project, survey, given, survey.alignment.mounting.boresight
+                    project, survey, given_objects, survey.alignment.mounting.boresight
                 )
             found = workflow.find_boresight(
                 project, survey, laid, pairs=pairs, progress=sub_progress(progress, 0.6, 1.0)
@@ -65,18 +65,18 @@ def patchtest(arguments: Namespace) -> None:
         print_patch_test(found)
 
 
-def print_patch_test(found: PatchTestResult) -> None:
+def print_patch_test(result: PatchTestResult) -> None:
     """Print the angles with their sigmas, the objects and the remarks."""
     print("LiDAR patch test (deg)     result   sigma  separately   mm per 0.01 deg")
     for k, angle in enumerate(ANGLES):
-        sigma = "none" if found.sigma is None else f"{np.degrees(found.sigma[k]):.4f}"
+        sigma = "none" if result.sigma is None else f"{np.degrees(result.sigma[k]):.4f}"
         print(
-            f"  {angle:<18}{np.degrees(found.boresight[k]):>+13.4f}  {sigma:>6}"
-            f"{np.degrees(found.one_by_one[k]):>+12.4f}"
-            f"{1000 * np.radians(0.01) * found.curvature[k]:>18.1f}"
+            f"  {angle:<18}{np.degrees(result.boresight[k]):>+13.4f}  {sigma:>6}"
+            f"{np.degrees(result.one_by_one[k]):>+12.4f}"
+            f"{1000 * np.radians(0.01) * result.curvature[k]:>18.1f}"
         )
     print("Object            pairs  dist. (mm)       angle diff. (deg)  limit (deg)")
-    for each in found.objects:
+    for each in result.objects:
         mark = "  DIFFERS" if each.disagrees else ""
         angle = "none" if each.angle is None else ANGLES[each.angle]
         print(
@@ -84,26 +84,28 @@ def print_patch_test(found: PatchTestResult) -> None:
             f"  {angle:>10}{np.degrees(each.off):>+11.4f}"
             f"{np.degrees(each.allowed):>13.4f}{mark}"
         )
-    for remark in found.remarks:
+    for remark in result.remarks:
         print(message_text(remark))
 
 
-def patch_test_values(found: PatchTestResult) -> dict[str, Any]:
+def patch_test_values(result: PatchTestResult) -> dict[str, Any]:
     """Patch test as plain values, angles in degrees."""
-    sigma = found.sigma
+    sigma = result.sigma
     return {
-        "boresight_deg": _values_by_angle(np.degrees(found.boresight)),
+        "boresight_deg": _values_by_angle(np.degrees(result.boresight)),
         "sigma_deg": None if sigma is None else _values_by_angle(np.degrees(sigma)),
         "covariance_deg2": None
-        if found.covariance is None
-        else (np.degrees(1.0) ** 2 * found.covariance).tolist(),
-        "separate_boresight_deg": _values_by_angle(np.degrees(found.one_by_one)),
-        "curvature_m_per_deg": _values_by_angle(np.radians(1.0) * found.curvature),
-        "mismatch_before_m": found.mismatch_before if np.isfinite(found.mismatch_before) else None,
-        "mismatch_m": found.mismatch,
-        "iterations": found.rounds,
-        "converged": found.converged,
-        "lines": list(found.lines),
+        if result.covariance is None
+        else (np.degrees(1.0) ** 2 * result.covariance).tolist(),
+        "separate_boresight_deg": _values_by_angle(np.degrees(result.one_by_one)),
+        "curvature_m_per_deg": _values_by_angle(np.radians(1.0) * result.curvature),
+        "mismatch_before_m": result.mismatch_before
+        if np.isfinite(result.mismatch_before)
+        else None,
+        "mismatch_m": result.mismatch,
+        "iterations": result.rounds,
+        "converged": result.converged,
+        "lines": list(result.lines),
         "objects": [
             {
                 "name": each.name,
@@ -114,10 +116,10 @@ def patch_test_values(found: PatchTestResult) -> dict[str, Any]:
                 "limit_deg": float(np.degrees(each.allowed)),
                 "disagrees": each.disagrees,
             }
-            for each in found.objects
+            for each in result.objects
         ],
-        "objects_without_pairs": list(found.unmet),
-        "messages": [english_text(each) for each in found.remarks],
+        "objects_without_pairs": list(result.unmet),
+        "messages": [english_text(each) for each in result.remarks],
     }
 
 

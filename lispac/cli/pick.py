@@ -133,11 +133,15 @@ def search_notes(target: Target, radius: float | None) -> tuple[Message, ...]:
 
 
 def target_values(
-    target: Target, spheres: dict[str, SpherePatch], found: dict[str, SightingQuality]
+    target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
 ) -> dict[str, Any]:
     """A target with its sightings as ``pick --json`` prints it; lengths in metres."""
     lines: dict[str, dict[str, Any]] = {
-        s.line: {"points": len(s.indices), "rms_m": s.rms, "quality": quality_values(found[s.line])}
+        s.line: {
+            "points": len(s.indices),
+            "rms_m": s.rms,
+            "quality": quality_values(qualities[s.line]),
+        }
         for s in target.sightings
     }
     for line, patch in spheres.items():
@@ -163,14 +167,14 @@ def target_values(
 
 
 def _print_target(
-    target: Target, spheres: dict[str, SpherePatch], found: dict[str, SightingQuality]
+    target: Target, spheres: dict[str, SpherePatch], qualities: dict[str, SightingQuality]
 ) -> None:
     for sighting in target.sightings:
         print(
             f"{target.name} on {sighting.line:20s} {len(sighting.indices):8,} points, "
-            f"RMS {sighting.rms * 1000:.1f} mm, {found[sighting.line].rating}"
+            f"RMS {sighting.rms * 1000:.1f} mm, {qualities[sighting.line].rating}"
         )
-        for reason in found[sighting.line].reasons:
+        for reason in qualities[sighting.line].reasons:
             print(f"    {message_text(reason)}")
         if sighting.line in spheres:
             patch = spheres[sighting.line]

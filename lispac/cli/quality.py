@@ -63,10 +63,12 @@ def _statistics_in_metres(figures: DifferenceStatistics) -> dict[str, float | No
     return {k if k in shared else f"{k}_m": v for k, v in asdict(figures).items()}
 
 
-def _print_differences(found: LineQuality) -> None:
-    rows = found.rows()
+def _print_differences(result: LineQuality) -> None:
+    rows = result.rows()
     width = max(10, *(len(name) for row in rows for name in row[:2])) + 2
-    print(f"Differences between lines along the normal of flat places, {found.which} boresight, mm")
+    print(
+        f"Differences between lines along the normal of flat places, {result.which} boresight, mm"
+    )
     heads = "".join(f"{head:>9s}" for head in HEADS)
     print(f"{'first':{width}s}{'second':{width}s}{'facing':9s}{heads}")
     for one, other, facing, each in rows:
@@ -81,19 +83,19 @@ def _millimetre_cell(value: float | None, sign: str = "") -> str:
     return f"{'-':>9s}" if value is None else f"{1000 * value:{sign}9.1f}"
 
 
-def _draw_map(found: LineQuality, path: Path) -> None:
+def _draw_map(result: LineQuality, path: Path) -> None:
     from lispac.report.line_map import line_difference_map
 
-    figure = line_difference_map(found.pairs)
+    figure = line_difference_map(result.pairs)
     with atomic_write(path) as temporary:
         figure.savefig(temporary, format=path.suffix[1:].lower(), dpi=200)
 
 
-def _write_differences(found: LineQuality, path: Path) -> None:
+def _write_differences(result: LineQuality, path: Path) -> None:
     with atomic_write(path) as temporary, temporary.open("w", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(LIST_HEADS)
-        for pair in found.pairs:
+        for pair in result.pairs:
             table = np.column_stack(
                 [pair.place, pair.distance, pair.half_width, np.abs(pair.normal[:, 2])]
             )

@@ -20,18 +20,23 @@ def sensors(arguments: Namespace) -> None:
             {
                 "folder": str(folder),
                 "scanners": {
-                    s.name: {**asdict(s.figures), "user_defined": s.own} for s in found.scanners
+                    s.name: {**asdict(s.figures), "user_defined": s.is_user_defined}
+                    for s in found.scanners
                 },
-                "pos": {s.name: {**asdict(s.figures), "user_defined": s.own} for s in found.pos},
+                "pos": {
+                    s.name: {**asdict(s.figures), "user_defined": s.is_user_defined}
+                    for s in found.pos
+                },
             }
         )
         return
     print(f"{'scanner, 1 sigma':28s}{'range':>9s}{'direction':>13s}{'beam':>12s}")
     for sensor in found.scanners:
         figures = sensor.figures
+        mark = _own_mark(sensor.is_user_defined)
         print(
             f"{sensor.name:28s}{1000 * figures.range_sigma:6.1f} mm{figures.angle_sigma_deg:9.4f} "
-            f"deg{figures.divergence_mrad:7.2f} mrad  {figures.title}{_own_mark(sensor.own)}"
+            f"deg{figures.divergence_mrad:7.2f} mrad  {figures.title}{mark}"
         )
         print(f"    {source_text(figures)}")
     print(f"\n{'INS/GNSS, 1 sigma':28s}{'north, east, down':>22s}{'roll, pitch, heading':>26s}")
@@ -41,11 +46,11 @@ def sensors(arguments: Namespace) -> None:
             attitude = " ".join(f"{value:.4f}" for value in state.attitude_sigma_deg)
             print(
                 f"{f'{each.name}:{state.name}':28s}{position:>20s} m{attitude:>22s} deg  "
-                f"{each.figures.title}{_own_mark(each.own)}"
+                f"{each.figures.title}{_own_mark(each.is_user_defined)}"
             )
             print(f"    {source_text(state)}")
     print(f"\nUser-defined sensors are stored in {folder}")
 
 
-def _own_mark(own: bool) -> str:
-    return " (user-defined)" if own else ""
+def _own_mark(user_defined: bool) -> str:
+    return " (user-defined)" if user_defined else ""

@@ -31,17 +31,17 @@ def quality_values(quality: SightingQuality) -> dict[str, Any]:
     }
 
 
-def quality_list(found: Mapping[Key, SightingQuality]) -> list[dict[str, Any]]:
+def quality_list(qualities: Mapping[Key, SightingQuality]) -> list[dict[str, Any]]:
     """All qualities as plain values."""
     return [
         {"target": target, "line": line, **quality_values(quality)}
-        for (target, line), quality in found.items()
+        for (target, line), quality in qualities.items()
     ]
 
 
-def print_weak_sightings(found: Mapping[Key, SightingQuality]) -> None:
+def print_weak_sightings(qualities: Mapping[Key, SightingQuality]) -> None:
     """Print the sightings that are not good, the poor ones first."""
-    listed = [(key, quality) for key, quality in found.items() if quality.rating != "good"]
+    listed = [(key, quality) for key, quality in qualities.items() if quality.rating != "good"]
     if not listed:
         return
     print("\nSightings of doubtful or poor quality:")

@@ -6,7 +6,7 @@ from typing import Any
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.workflow import simulate as simulated
 from lispac.workflow.plan_simulation import is_plan, simulation_of_plan
-from lispac.workflow.simulated_setup import KINDS, Simulation, read_simulation, supplied_titles
+from lispac.workflow.simulated_setup import KINDS, SimulatedSetup, read_simulation, supplied_titles
 
 
 def simulate(arguments: Namespace) -> None:
@@ -76,7 +76,7 @@ def simulate(arguments: Namespace) -> None:
         print(f"spheres    {balls} (for lispac pick --shape sphere --seeds)")
 
 
-def _read_plan_simulation(arguments: Namespace, errors: dict[str, Any]) -> Simulation:
+def _read_plan_simulation(arguments: Namespace, errors: dict[str, Any]) -> SimulatedSetup:
     if arguments.scanner or arguments.trajectory:
         raise UsageError(
             "simulate: a survey plan contains its scanner and lines; omit --scanner and "

@@ -69,7 +69,7 @@ def further_lines(observations: Observations, result: AdjustmentResult) -> tuple
 def _parameters_with_sigmas(result: AdjustmentResult) -> tuple[Parameter, ...]:
     """Parameters with their prior sigmas; values fixed without a sigma are left out."""
     if not result.model.correlated:
-        return ()  # thesis mode estimates the angles alone
+        return ()  # the model of independent POS errors estimates the angles alone
     return tuple(
         Parameter(each.name, each.prior_sigma)
         for each in result.parameters

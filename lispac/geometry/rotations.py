@@ -1,7 +1,7 @@
 """Rotations in the program's own angle convention.
 
 Frames are right-handed: the local frame is North-West-Up, the body frame forward-left-up.
-Roll is positive left side up, pitch positive bow down, heading and yaw clockwise from above
+Roll is positive port side up, pitch positive bow down, heading and yaw clockwise from above
 (thesis equation 4.3; the printed factors of 4.2 contradict it and are wrong).
 """
 

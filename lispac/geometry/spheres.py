@@ -108,19 +108,19 @@ def fit_sphere(
     # In units of the cap's own size all tolerances are plain numbers.
     size = float(np.sqrt(spread.sum()))
     scaled = np.ascontiguousarray(local / size)
-    given = None if start is None else (start.centre - mean) / size
+    start_centre = None if start is None else (start.centre - mean) / size
     if radius is None:
         first = _fit_algebraically(scaled, weights)
-        if start is not None and given is not None:
-            first = Sphere(given, start.radius / size)
+        if start is not None and start_centre is not None:
+            first = Sphere(start_centre, start.radius / size)
         sphere = _fit_free_radius(scaled, weights, first)
         return Sphere(mean + size * sphere.centre, size * sphere.radius)
-    if given is None:
+    if start_centre is None:
         lift = np.sqrt(max((radius / size) ** 2 - 1.0, (0.1 * radius / size) ** 2))
         thin = np.ascontiguousarray(axes[:, 0])
         centres = [_fit_algebraically(scaled, weights).centre, lift * thin, -lift * thin]
     else:
-        centres = [given]
+        centres = [start_centre]
     sphere = _fit_known_radius(
         scaled, weights, [Sphere(centre, radius / size) for centre in centres]
     )

@@ -203,6 +203,11 @@ def action_texts(name: str) -> tuple[str, str]:
     return gettext(text), gettext(tip)
 
 
+def dialog_title(name: str) -> str:
+    """Title of the dialogue that an action opens: its menu text without mnemonic and ellipsis."""
+    return action_texts(name)[0].replace("&", "").removesuffix("…").rstrip()
+
+
 class Actions(QObject):
     """Actions of the window, by name."""
 

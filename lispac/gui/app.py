@@ -59,14 +59,14 @@ def main(argv: Sequence[str] | None = None) -> int:
     application.setDesktopFileName("lispac")
 
     message = caches.set_cache_variables(os.environ)
-    gc.disable()  # `GarbageCollection` takes over; what is imported holds no garbage
-    from lispac.gui.garbage_collection import GarbageCollection
+    gc.disable()  # `GuiThreadGarbageCollector` takes over; what is imported holds no garbage
+    from lispac.gui.garbage_collection import GuiThreadGarbageCollector
     from lispac.gui.log_file import LogFile
     from lispac.gui.session import Session
     from lispac.gui.viewport.lazy_viewport import LazyViewport
     from lispac.message_texts import message_text
 
-    tidying = GarbageCollection(application)
+    tidying = GuiThreadGarbageCollector(application)
     session = Session(application, lambda: LazyViewport(_create_viewport))
     # It is there when the first project has been read, and the window is drawn before
     importing = threading.Thread(target=_import_viewport, name="lispac-import")

@@ -30,9 +30,9 @@ class CentralWidget(QWidget):
         layout.addWidget(self.card)
         layout.addWidget(_FocusFrame(self._pages, self._view), 1)
 
-    def show_view(self, wanted: bool) -> None:
+    def show_view(self, visible: bool) -> None:
         """Show the 3D view, or the start page."""
-        self._pages.setCurrentWidget(self._view if wanted else self.start)
+        self._pages.setCurrentWidget(self._view if visible else self.start)
 
 
 class _FocusFrame(QWidget):

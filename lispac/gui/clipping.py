@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject
 from lispac.gui.actions import Actions
 from lispac.gui.panels.clipping import ClippingPanel
 from lispac.gui.scene import Scene
-from lispac.gui.viewport.base import Colour, Handle, Sketch, Viewport
+from lispac.gui.viewport.base import Colour, DragHandle, Sketch, Viewport
 from lispac.gui.viewport.clipping import EDGES, Array, Box
 from lispac.gui.viewport.decimation import trimmed_points
 from lispac.language import gettext
@@ -88,7 +88,7 @@ class ClipBoxController(QObject):
 
     def _move_side(self, name: str, side: int, metres: float) -> None:
         if name == SKETCH and self.box is not None:
-            self.box = self.box.moved(side, metres)
+            self.box = self.box.with_side_moved(side, metres)
             self._show()  # the points follow when the handle is let go
 
     def _on_handle_released(self, name: str) -> None:
@@ -100,5 +100,5 @@ def _box_sketch(box: Box) -> Sketch:
     def place(point: np.ndarray) -> tuple[float, float, float]:
         return float(point[0]), float(point[1]), float(point[2])
 
-    handles = tuple(Handle(place(middle), place(out)) for middle, out in box.sides)
+    handles = tuple(DragHandle(place(middle), place(out)) for middle, out in box.sides)
     return Sketch(tuple(map(place, box.corners)), EDGES, COLOUR, handles=handles)

@@ -79,14 +79,14 @@ class Controller(QObject):
 
     def open_relocated(self, project: Project) -> None:
         """Open a project whose moved files were found, and mark it as modified."""
-        self._open(project.name, lambda: (project, ()), found=True)
+        self._open(project.name, lambda: (project, ()), has_recovery_copy=True)
 
     def _open(
         self,
         name: str,
         read: Callable[[], tuple[Project, tuple[Message, ...]]],
         *,
-        found: bool = False,
+        has_recovery_copy: bool = False,
     ) -> None:
         def work(progress: Progress) -> Opened | Project:
             from lispac.workflow.moved_files import missing_files
@@ -104,7 +104,7 @@ class Controller(QObject):
                 self.files_missing.emit(opened)
                 return
             self._show_opened_project(opened)
-            if found and self._document.project is opened[0]:
+            if has_recovery_copy and self._document.project is opened[0]:
                 self._document.undo_stack.resetClean()
                 self.noted.emit(
                     gettext("The files were found. Save the project to keep their new location.")
@@ -227,13 +227,13 @@ class Controller(QObject):
             return save_project_as(project, survey, folder, progress=progress)
 
         def done(saved: Opened) -> None:
-            moved, found = saved
-            self._document.move(moved, found)
-            self._settings.add_recent(moved.folder)
+            saved_project, found = saved
+            self._document.move(saved_project, found)
+            self._settings.add_recent(saved_project.folder)
             self.noted.emit(
                 gettext(
                     "Saved as {folder}. The project in {former} stays as it was last saved.",
-                    folder=moved.folder,
+                    folder=saved_project.folder,
                     former=project.folder,
                 )
             )

@@ -106,13 +106,13 @@ class Estimation(QObject):
         if project is None or survey is None:
             return
         selected_with = project if settings == project.settings else project.with_settings(settings)
-        moved = data_key(selected_with) != data_key(project)
+        data_changed = data_key(selected_with) != data_key(project)
 
         def work(progress: Progress) -> _EstimationResult:
             settings.require_sound()
-            placed = survey.with_prior(selected_with.mounting("prior")) if moved else survey
+            placed = survey.with_prior(selected_with.mounting("prior")) if data_changed else survey
             answer = _adjust(selected_with, placed, None, cross_check, progress)
-            return replace(answer, replaced=placed) if moved else answer
+            return replace(answer, replaced=placed) if data_changed else answer
 
         def done(answer: _EstimationResult) -> None:
             if self._document.project is not project or answer.estimated.result is None:

@@ -35,11 +35,11 @@ REST_S = 5.0
 """Between two times that memory is given back: it takes 0.01 to 0.04 s."""
 
 
-class GarbageCollection(QObject):
-    """Collects garbage in the thread it lives in, until it is ended.
+class GuiThreadGarbageCollector(QObject):
+    """Runs Python's garbage collector in the thread of the window only, until it is ended.
 
-    The modules that are there when it is made, and those that come, are not examined again: they
-    stay anyhow, and looking takes 0.16 s. What else was there then is, when a window has gone.
+    Imported modules are not examined again: they are never freed, and examining them takes 0.16 s.
+    Other objects of that time are examined after a window is closed.
     """
 
     left_alone = 0
@@ -50,7 +50,7 @@ class GarbageCollection(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         gc.disable()
-        GarbageCollection.left_alone = len(sys.modules)
+        GuiThreadGarbageCollector.left_alone = len(sys.modules)
         gc.freeze()
         self._looked = time.monotonic()
         self._timer = QTimer(self, interval=EVERY_MS)
@@ -62,7 +62,7 @@ class GarbageCollection(QObject):
         young, middle, _old = gc.get_count()
         if young <= YOUNG or IdleTask.taken:
             return
-        new = len(sys.modules) - GarbageCollection.left_alone
+        new = len(sys.modules) - GuiThreadGarbageCollector.left_alone
         # A dialogue that is open will go, with the lines it was asked about
         came = new > NEW_MODULES and QApplication.activeModalWidget() is None
         due = came or time.monotonic() > self._looked + ALL_S
@@ -70,7 +70,10 @@ class GarbageCollection(QObject):
         if due:
             self._looked = time.monotonic()
         if came:
-            GarbageCollection.left_alone, GarbageCollection.with_windows = len(sys.modules), True
+            GuiThreadGarbageCollector.left_alone, GuiThreadGarbageCollector.with_windows = (
+                len(sys.modules),
+                True,
+            )
             gc.freeze()
 
     def end(self) -> None:
@@ -81,10 +84,10 @@ class GarbageCollection(QObject):
 
 def collect_all() -> None:
     """Collect all garbage, including objects of a closed window that were frozen."""
-    if GarbageCollection.with_windows:
+    if GuiThreadGarbageCollector.with_windows:
         gc.unfreeze()
     gc.collect()
-    if GarbageCollection.with_windows:
+    if GuiThreadGarbageCollector.with_windows:
         gc.freeze()
 
 

@@ -18,9 +18,9 @@ SKETCH = "measure"
 HINTS = {
     "measure_distance": (N_("Click the first point"), N_("Click the second point")),
     "measure_angle": (
-        N_("Click a point on the first side"),
-        N_("Click the vertex"),
-        N_("Click a point on the second side"),
+        N_("Click a point on the first side of the angle"),
+        N_("Click the vertex of the angle"),
+        N_("Click a point on the second side of the angle"),
     ),
 }
 AGAIN = N_("Click to measure again")

@@ -29,7 +29,7 @@ class PanelRefresh(QObject):
         window.workflow.step_opened.connect(lambda _step: self.refresh())
         window.document.opened.connect(self._open_step)
         window.runner.changed.connect(self._show_task)
-        window.runner.moved.connect(self._show_progress)
+        window.runner.progress_changed.connect(self._show_progress)
         window.controller.candidate_changed.connect(self._show_candidate)
         window.computations.counted.connect(self._show_count)
         window.scene.which_changed.connect(self._show_before_after)

@@ -136,11 +136,11 @@ class PatchObjects(QObject):
                 )
             return found
 
-        def done(found: PlacedObjects | str) -> None:
-            if isinstance(found, str):
-                self._controller.noted.emit(found)
+        def done(result: PlacedObjects | str) -> None:
+            if isinstance(result, str):
+                self._controller.noted.emit(result)
                 return
-            self.laid.emit(found if before is None else before.joined_with(found), name)
+            self.laid.emit(result if before is None else before.joined_with(result), name)
 
         task = self._runner.run(gettext("Placing a box"), work, done)
         self._controller.cancel_on_edit(task)

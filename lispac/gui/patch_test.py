@@ -263,10 +263,10 @@ class PatchTestController(QObject):
             self.panel.angles.boresight,
         )
 
-        def done(found: MismatchMinimum) -> None:
+        def done(result: MismatchMinimum) -> None:
             self._angle = angle
-            self.panel.angles.start_at(found.boresight, NEAR)
-            degrees = float(np.degrees(found.boresight[angle]))
+            self.panel.angles.start_at(result.boresight, NEAR)
+            degrees = float(np.degrees(result.boresight[angle]))
             self.panel.message_label.setText(
                 gettext(
                     "The mismatch is smallest at {angle} {value}, with the other angles unchanged.",
@@ -300,15 +300,15 @@ class PatchTestController(QObject):
                 project, survey, laid, pairs=pairs, start=start, progress=progress
             )
 
-        def done(found: PatchTestResult) -> None:
-            self._answer = found
+        def done(result: PatchTestResult) -> None:
+            self._answer = result
             panel = self.panel
-            panel.angles.start_at(found.boresight, NEAR)
-            panel.angles.show_found(found.boresight, found.sigma, found.curvature)
+            panel.angles.start_at(result.boresight, NEAR)
+            panel.angles.show_found(result.boresight, result.sigma, result.curvature)
             panel.message_label.setText(
-                units.convert_unit_signs("\n".join(map(message_text, found.remarks)), "°", "mm")
+                units.convert_unit_signs("\n".join(map(message_text, result.remarks)), "°", "mm")
             )
-            panel.mark_objects({each.name: each.disagreement_remark for each in found.disagreeing})
+            panel.mark_objects({each.name: each.disagreement_remark for each in result.disagreeing})
             self._draw_lines()
             self._enable_controls()
 

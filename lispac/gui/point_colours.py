@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.gui import units
-from lispac.gui.viewport.base import Array, Shading
+from lispac.gui.viewport.base import Array, PointColouring
 from lispac.language import N_, gettext
 from lispac.survey.cloud import Cloud
 
@@ -49,7 +49,7 @@ def set_colour_scale(scale: Scale) -> None:
     _used = scale
 
 
-def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> Shading | None:
+def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> PointColouring | None:
     """Colours of the lines' samples; None where each line has its own colour.
 
     Raises
@@ -78,7 +78,7 @@ def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> Shading 
         if length
         else metric
     )
-    return Shading(colours, gettext(TITLES[colouring]), *shown, scale, metric)
+    return PointColouring(colours, gettext(TITLES[colouring]), *shown, scale, metric)
 
 
 def _point_values(colouring: Colouring, name: str, cloud: Cloud) -> Array:

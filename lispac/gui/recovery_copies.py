@@ -183,9 +183,9 @@ class RecoveryCopies(QObject):
         self.troubled.emit()
 
 
-def _copy_time_text(found: UnsavedProject) -> str:
+def _copy_time_text(unsaved: UnsavedProject) -> str:
     """Text of the time of the recovery copy, and of a later save of the project."""
-    kept, saved = local_datetime(found.kept), local_datetime(found.saved)
-    if found.saved <= found.kept:
+    kept, saved = local_datetime(unsaved.kept), local_datetime(unsaved.saved)
+    if unsaved.saved <= unsaved.kept:
         return kept
     return gettext("{time}; the project was saved later, at {saved}", time=kept, saved=saved)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from lispac.geometry.planes import Plane, fit_plane
 from lispac.geometry.spheres import Sphere
 from lispac.gui import units
-from lispac.gui.viewport.base import Array, Shading
+from lispac.gui.viewport.base import Array, PointColouring
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
@@ -98,14 +98,14 @@ def residual_colour_limit(
     )
 
 
-def _colour_limit(found: Mapping[Key, Array]) -> float:
-    everything = np.abs(np.concatenate(list(found.values())))
+def _colour_limit(residuals_by_sighting: Mapping[Key, Array]) -> float:
+    everything = np.abs(np.concatenate(list(residuals_by_sighting.values())))
     return float(np.percentile(everything, 100 - OUTER)) or 1e-3
 
 
 def residual_shading(
     project: Project, survey: Survey, clouds: Mapping[str, Cloud], *, reach: float | None = None
-) -> tuple[Shading, dict[Key, NDArray[np.uint8]]]:
+) -> tuple[PointColouring, dict[Key, NDArray[np.uint8]]]:
     """Grey lines with a legend, and colours of the points of the sightings.
 
     Parameters
@@ -137,7 +137,7 @@ def residual_shading(
     low, high = _legend_ends(reach)
     with units.standard_units():
         metric = _legend_ends(reach)
-    return Shading(grey, gettext(TITLE), low, high, scale, metric), colours
+    return PointColouring(grey, gettext(TITLE), low, high, scale, metric), colours
 
 
 def _legend_ends(reach: float) -> tuple[str, str]:

@@ -14,14 +14,14 @@ from lispac.gui.document import Document
 from lispac.gui.idle_tasks import IdleTask
 from lispac.gui.point_colours import Colouring, point_shading
 from lispac.gui.residuals import residual_colour_limit, residual_shading
-from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, Shading, Viewport
+from lispac.gui.viewport.base import Array, Highlight, Marker, PickedPoint, PointColouring, Viewport
 from lispac.project import Target, Triple
 from lispac.survey.cloud import Cloud
 
 Which = Literal["prior", "estimated"]
 Residuals = Mapping[tuple[str, str], NDArray[np.uint8]]
 """Colours of the points of a sighting, by target and line."""
-Shaded = tuple[Shading | None, Residuals]
+Shaded = tuple[PointColouring | None, Residuals]
 
 
 class Scene(QObject):

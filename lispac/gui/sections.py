@@ -164,7 +164,7 @@ class SectionTool(QObject):
     def _draw_frame(self) -> None:
         """Draw the frame of the section into the view."""
         cut = next((c for c in self._cuts if c.which == self._scene.which), self._cuts[0])
-        self._draw_sketch(section_frame(cut.section))
+        self._draw_sketch(section_box_sketch(cut.section))
 
     def _draw_sketch(self, sketch: Sketch | None) -> None:
         if sketch is not None or self._drawn:
@@ -172,8 +172,8 @@ class SectionTool(QObject):
             self._viewport.show_sketch(SKETCH, sketch)
 
 
-def section_frame(section: Section) -> Sketch:
-    """Sketch of the box of a section."""
+def section_box_sketch(section: Section) -> Sketch:
+    """Outline of the box that a section cuts out, for the 3D view."""
     half = 0.5 * np.array([section.width, section.height, section.thickness])
     box = Box(section.centre, np.array([section.right, section.up, section.across]), half)
     places = tuple((float(x), float(y), float(z)) for x, y, z in box.corners)

@@ -83,7 +83,7 @@ class SiteDesign(QObject):
         self.window.activateWindow()
 
     def _create_window(self) -> DesignWindow:
-        window = DesignWindow(self.workspace, self._main.viewport.new_viewport, self._main)
+        window = DesignWindow(self.workspace, self._main.viewport.create_empty_viewport, self._main)
         for name, slot in {
             "new": self.new, "open": self.open_plan, "save": self.save, "save_as": self.save_as,
             "page": self.save_field_plan, "scenarios": self.scenarios, "cancel": self.runner.cancel,
@@ -98,7 +98,7 @@ class SiteDesign(QObject):
         window.search.file_requested.connect(self.read_site)
         window.task_bar.cancel_requested.connect(self.runner.cancel)
         self.runner.changed.connect(lambda: window.show_busy(self.runner.busy))
-        self.runner.moved.connect(lambda: window.task_bar.show_task(self.runner.current))
+        self.runner.progress_changed.connect(lambda: window.task_bar.show_task(self.runner.current))
         self.runner.failed.connect(self._dialogs.show_error)
         self.paper.failed.connect(self._dialogs.show_error)
         window.results.following.failed.connect(self._dialogs.show_error)
@@ -210,8 +210,8 @@ class SiteDesign(QObject):
             preload_matplotlib()
             return compute_scenarios(plan, progress)
 
-        def done(found: tuple[ScenarioOutcome, ...]) -> None:
-            window.pictures.show_outcomes(found)
+        def done(result: tuple[ScenarioOutcome, ...]) -> None:
+            window.pictures.show_outcomes(result)
             window.show_figures()
 
         self.runner.run(gettext("Scenarios"), work, done)
@@ -232,12 +232,12 @@ class SiteDesign(QObject):
             preload_matplotlib()
             return find_best_plan(site, objective, plans, before.plan, progress)
 
-        def done(found: DesignResult) -> None:
-            best = TitledPlan(title, found.plan, site.wall)
+        def done(result: DesignResult) -> None:
+            best = TitledPlan(title, result.plan, site.wall)
             self.workspace.edit(gettext_lazy("best survey design"), best)
-            value = float(np.degrees(found.value))
-            panel.show_found(SearchResult(value, objective, found.looked_at, found.exact))
-            window.pictures.show_front(found.front, CRITERIA[objective.criterion])
+            value = float(np.degrees(result.value))
+            panel.show_found(SearchResult(value, objective, result.looked_at, result.exact))
+            window.pictures.show_front(result.front, CRITERIA[objective.criterion])
 
         panel.show_found(None)
         self.runner.run(gettext("Searching for the best survey design"), work, done)
@@ -260,11 +260,11 @@ class SiteDesign(QObject):
             preload_matplotlib()
             return run_survey_simulation(titled.plan, requested, progress)
 
-        def done(found: MonteCarloResult) -> None:
-            head = result_heading(titled.title, found, requested.surveys)
-            window.surveys.answer.show_result(head, found, titled.plan)
+        def done(result: MonteCarloResult) -> None:
+            head = result_heading(titled.title, result, requested.surveys)
+            window.surveys.answer.show_result(head, result, titled.plan)
             window.surveys.answer.follow(self.workspace.titled.plan)
-            window.pictures.show_errors(found)
+            window.pictures.show_errors(result)
             window.show_figures()
 
         # Cancelled, it still has an answer where enough surveys were finished.

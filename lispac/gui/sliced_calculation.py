@@ -12,7 +12,7 @@ SLICE_S = 0.03
 """Seconds after which the calculation pauses where it allows it."""
 
 
-class _Abandoned(BaseException):
+class _CalculationAbandoned(BaseException):
     """Ends a calculation that was abandoned."""
 
 
@@ -43,7 +43,7 @@ class SlicedCalculation:
             try:
                 if not self._given_up:
                     work()
-            except _Abandoned:
+            except _CalculationAbandoned:
                 pass
             except BaseException as error:
                 self._error = error
@@ -73,7 +73,7 @@ class SlicedCalculation:
         self._back.release()
         self._turn.acquire()
         if self._given_up:
-            raise _Abandoned
+            raise _CalculationAbandoned
         self._until = time.perf_counter() + SLICE_S
 
     def abandon(self) -> None:

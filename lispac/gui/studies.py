@@ -1,4 +1,4 @@
-"""Studies of a result, and of boards before a survey.
+"""Actions that compute and show a study.
 
 Of a result: comparison with a reference, history of calibrations, subsampling study, error budget,
 and differences between lines.
@@ -21,7 +21,7 @@ from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
 from lispac.workflow.absolute_check import check_absolute
 from lispac.workflow.budget import error_budget_of
-from lispac.workflow.history import History, read_histories
+from lispac.workflow.calibration_history import CalibrationHistory, read_histories
 from lispac.workflow.line_quality import LineQuality, line_quality
 from lispac.workflow.subsampling import USUAL, SubsamplingResult, subsampling_study
 from lispac.workflow.survey import Survey
@@ -59,7 +59,7 @@ class Studies(QObject):
         if folder is None:
             return
 
-        def work(progress: Progress) -> tuple[tuple[History, ...], tuple[Message, ...]]:
+        def work(progress: Progress) -> tuple[tuple[CalibrationHistory, ...], tuple[Message, ...]]:
             preload_matplotlib()
             # An answer that is not saved yet counts too.
             current = [] if project is None or project.result is None else [project]

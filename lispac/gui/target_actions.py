@@ -125,8 +125,8 @@ class TargetActions(QObject):
         self._actions["find_again"].setEnabled(ready and self._targets.current is not None)
 
 
-def _used_as_before(found: Target, before: Target) -> Target:
+def _used_as_before(target: Target, before: Target) -> Target:
     """Exclude the sightings that were excluded before."""
     left_out = {sighting.line for sighting in before.sightings if not sighting.used}
-    sightings = tuple(replace(s, used=s.line not in left_out) for s in found.sightings)
-    return replace(found, used=before.used, sightings=sightings)
+    sightings = tuple(replace(s, used=s.line not in left_out) for s in target.sightings)
+    return replace(target, used=before.used, sightings=sightings)

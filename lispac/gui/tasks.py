@@ -82,7 +82,7 @@ class TaskRunner(QObject):
 
     changed = Signal()
     """A task started or ended: see `current`."""
-    moved = Signal()
+    progress_changed = Signal()
     """A task started, progressed or ended: see the progress of `current`."""
     failed = Signal(object)
     """The exception a task ended with."""
@@ -103,8 +103,8 @@ class TaskRunner(QObject):
         self._closed = False
         self._timer = QTimer(self)
         self._timer.setInterval(REFRESH_MS)
-        self._timer.timeout.connect(self.moved)
-        self.changed.connect(self.moved)
+        self._timer.timeout.connect(self.progress_changed)
+        self.changed.connect(self.progress_changed)
         self._ended.connect(self._finish_task, Qt.ConnectionType.QueuedConnection)
 
     @property

@@ -143,9 +143,9 @@ def apply_theme(application: QApplication, choice: str = "light") -> None:
     choice : one of `settings.THEMES`
     """
     global _used
-    asked = {"light": Qt.ColorScheme.Light, "dark": Qt.ColorScheme.Dark}
+    scheme_of_theme = {"light": Qt.ColorScheme.Light, "dark": Qt.ColorScheme.Dark}
     # The frame of the window and the system's own dialogues follow.
-    application.styleHints().setColorScheme(asked.get(choice, Qt.ColorScheme.Unknown))
+    application.styleHints().setColorScheme(scheme_of_theme.get(choice, Qt.ColorScheme.Unknown))
     _used = choose_scheme(application, choice)
     if application.styleSheet() == style_sheet(_used):
         return

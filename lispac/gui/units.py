@@ -108,7 +108,7 @@ def figure(value: float, base: Base, form: str) -> str:
 
 
 def amount(value: float, base: Base, form: str) -> str:
-    """Text of a value, given in the base unit, with the sign of the unit shown."""
+    """Text of a value with the sign of the unit shown; the value is in the base unit."""
     sign = _used[base].sign
     return figure(value, base, form) + (sign if sign in "°′″" else f" {sign}")
 
@@ -164,9 +164,11 @@ def shown_step(usual: float, base: Base) -> float:
     shown = _used[base]
     if shown.factor == 1.0:
         return usual
-    wanted = usual * shown.factor
-    power = 10.0 ** floor(log10(wanted))
-    return min((1.0, 2.0, 5.0, 10.0), key=lambda k: abs(k * power - wanted)) * power / shown.factor
+    usual_step = usual * shown.factor
+    power = 10.0 ** floor(log10(usual_step))
+    return (
+        min((1.0, 2.0, 5.0, 10.0), key=lambda k: abs(k * power - usual_step)) * power / shown.factor
+    )
 
 
 def is_converted(base: Base | None) -> bool:
@@ -183,12 +185,12 @@ def convert_unit_signs(message_label: str, *bases: Base, figures: bool = True) -
         Whether those in the text are of `figure`; others stay, with the unit they are in.
     """
 
-    def replaced(found: re.Match[str]) -> str:
-        before = found["before"] or ""
+    def replaced(match: re.Match[str]) -> str:
+        before = match["before"] or ""
         if not before:
             return shown.sign
         if not figures:
-            return found[0]
+            return match[0]
         return before[0] + ("" if shown.sign in "°′″" else "\N{NO-BREAK SPACE}") + shown.sign
 
     for base in bases:

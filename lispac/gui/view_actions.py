@@ -23,9 +23,9 @@ STEP_ACTIONS: dict[str, Described] = {
 """Actions that open the steps, in the order of the steps."""
 
 VIEW_ACTIONS: dict[str, Described] = {
-    "fit": (N_("&Fit all"), N_("Fit all"), "fit-to-page-outline", "F",
+    "fit": (N_("&Zoom to all"), N_("Zoom to all"), "fit-to-page-outline", "F",
             N_("Show all points in the view")),
-    "fit_selection": (N_("Fit s&election"), "", "target", "Shift+F",
+    "fit_selection": (N_("Zoom to s&election"), "", "target", "Shift+F",
                       N_("Zoom the view to the selected target or sighting")),
     "isometric": (N_("&Isometric"), N_("3D"), "cube-outline", "1",
                   N_("Look obliquely from above")),
@@ -153,7 +153,8 @@ SWITCHES = ("orthographic", "section_points", "measure_distance", "measure_angle
 KEYS = (
     (N_("View"), (
         (N_("Drag, arrows"), N_("rotate about the point under the mouse or the centre")),
-        (N_("Shift + drag, Shift + arrows"), N_("pan the view; or drag with another button")),
+        (N_("Shift + drag, Shift + arrows"),
+         N_("pan the view; or drag with the middle or right button")),
         (N_("Wheel, Page up and down"), N_("zoom in and out")),
         (N_("Double click"), N_("centre the view on the point")),
         (N_("F, Shift + F"), N_("zoom to all points, zoom to the selected target")),

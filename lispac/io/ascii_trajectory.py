@@ -34,13 +34,13 @@ from lispac.io.trajectory_columns import (
     ROLES,
     SIGMAS,
     Column,
-    Conventions,
     Rows,
+    TrajectoryConventions,
     role_of,
     trajectory_of,
 )
-from lispac.io.trajectory_grid import UNSTATED
 from lispac.io.trajectory_preview import TextLayout, preview_text, sign_assumed_warning
+from lispac.io.trajectory_projection import UNSTATED
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import (
     ANGLE_CODES,
@@ -202,9 +202,13 @@ def read_ascii(path: Path, choice: Choice) -> Trajectory:
     """
     path = Path(path)
     layout = layout_by_choice(path, choice)
-    given = note("assumed.given_columns", columns=layout.names)
+    column_note = note("assumed.given_columns", columns=layout.names)
     return trajectory_of(
-        path, layout.rows(path), layout.columns, _conventions(DEFAULTS | dict(choice)), (given,)
+        path,
+        layout.rows(path),
+        layout.columns,
+        _conventions(DEFAULTS | dict(choice)),
+        (column_note,),
     )
 
 
@@ -277,8 +281,8 @@ def _length_unit(option: str, title: str) -> str:
     return _unit_in_title(title) if option == HEADER else _LENGTHS[option]
 
 
-def _conventions(chosen: dict[str, str]) -> Conventions:
-    return Conventions(
+def _conventions(chosen: dict[str, str]) -> TrajectoryConventions:
+    return TrajectoryConventions(
         **{name: chosen[name] for name in ("pitch", "roll", "time", "heading", "crs")}
     )
 
@@ -484,11 +488,11 @@ def _column_values(data: list[list[str]], index: int) -> NDArray[np.float64] | N
 def _detect_units(
     values: dict[str, NDArray[np.float64]],
     written: Mapping[str, Sequence[str]],
-    found: dict[str, str],
+    units: dict[str, str],
     choice: Choice,
     file: str,
 ) -> Iterator[Message]:
-    """Detect units by the first values and put them into ``found``; warn of radians.
+    """Detect units by the first values and put them into ``units``; warn of radians.
 
     Parameters
     ----------
@@ -501,16 +505,16 @@ def _detect_units(
         beyond = largest > 360 or min(latitude.max(), longitude.max()) > 90
         minutes = np.concatenate([latitude, longitude]) % 100
         if (beyond or _has_padded_degrees(written)) and (minutes < 60).all():
-            found.setdefault("position", "degrees-minutes")
-        if _is_in_radians("position", largest, found, choice):
+            units.setdefault("position", "degrees-minutes")
+        if _is_in_radians("position", largest, units, choice):
             actions = (degrees_action("position"),)
             yield warning("trajectory.position_in_radians", file=file, actions=actions)
     elif not {"latitude", "longitude"} & set(values) and "easting" not in values and written:
         # A unit of degrees in the title is no contradiction to degrees with letters or minutes.
-        found["position"] = "degrees-minutes" if _has_padded_degrees(written) else "dms"
+        units["position"] = "degrees-minutes" if _has_padded_degrees(written) else "dms"
     if "heading" in values:
         largest = float(np.abs(values["heading"]).max())
-        if _is_in_radians("attitude", largest, found, choice):
+        if _is_in_radians("attitude", largest, units, choice):
             actions = (degrees_action("attitude"),)
             yield warning("trajectory.attitude_in_radians", file=file, actions=actions)
 
@@ -533,12 +537,12 @@ def _has_padded_degrees(written: Mapping[str, Sequence[str]]) -> bool:
     )
 
 
-def _is_in_radians(option: str, largest: float, found: dict[str, str], choice: Choice) -> bool:
+def _is_in_radians(option: str, largest: float, units: dict[str, str], choice: Choice) -> bool:
     """Determine the unit: degrees if values exceed a full circle in radians, else radians."""
-    if option in found or option in choice:
+    if option in units or option in choice:
         return False
-    found[option] = "degrees" if largest > 2 * np.pi else "radians"
-    return found[option] == "radians"
+    units[option] = "degrees" if largest > 2 * np.pi else "radians"
+    return units[option] == "radians"
 
 
 def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Iterator[Message]:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.first_points import check_first_points
 from lispac.io.format_types import LIKELY, NOT, Choice, FileFormat, FilePreview, PointChunk
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     CHUNK,
     PLACE,
     PREVIEW,

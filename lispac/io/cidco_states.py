@@ -18,7 +18,13 @@ from lispac.io.cidco import NAMES, record_chunks
 from lispac.io.cidco import sniff as sniff_points
 from lispac.io.files import require_numbers
 from lispac.io.format_types import NOT, POSSIBLE, Choice, Fact, FilePreview, FormatOption
-from lispac.io.point_reading import CHUNK, PREVIEW, preview_table, report_damage, require_not_empty
+from lispac.io.point_reader_common import (
+    CHUNK,
+    PREVIEW,
+    preview_table,
+    report_damage,
+    require_not_empty,
+)
 from lispac.io.trajectory_checks import require_attitude, require_heights
 from lispac.io.trajectory_facts import span_facts
 from lispac.io.trajectory_preview import accuracy_facts

@@ -21,7 +21,7 @@ from lispac.io.format_types import (
     FormatOption,
     PointChunk,
 )
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     CHUNK,
     GEOREFERENCED,
     PLACE,

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.e57_packets import excess_records
 from lispac.io.files import library_path
-from lispac.io.point_reading import CHUNK, require_usable_points
+from lispac.io.point_reader_common import CHUNK, require_usable_points
 from lispac.messages import error
 
 Array = NDArray[np.float64]

@@ -25,13 +25,12 @@ from lispac.io.trajectory_columns import (
     POSITION,
     SIGN_NAMES,
     Column,
-    Conventions,
     Rows,
+    TrajectoryConventions,
     accuracy_of,
     role_of,
     trajectory_of,
 )
-from lispac.io.trajectory_grid import UNSTATED
 from lispac.io.trajectory_preview import (
     TextLayout,
     has_sigmas,
@@ -39,6 +38,7 @@ from lispac.io.trajectory_preview import (
     preview_text,
     sign_assumed_warning,
 )
+from lispac.io.trajectory_projection import UNSTATED
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import direction_of, parse_unit
 from lispac.messages import Level, Message, error, note, warning
@@ -248,9 +248,9 @@ def _detect_options(layout: TextLayout) -> dict[str, str]:
     }
 
 
-def _conventions(layout: TextLayout, choice: Choice) -> Conventions:
+def _conventions(layout: TextLayout, choice: Choice) -> TrajectoryConventions:
     geographic = {column.role for column in layout.columns}.issuperset(POSITION)
-    return Conventions(
+    return TrajectoryConventions(
         pitch=choice["pitch"],
         roll=choice["roll"],
         time=choice["time"],

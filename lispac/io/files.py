@@ -68,12 +68,12 @@ def require_file(path: Path, what: str) -> Path:
     """
     path, kind = Path(path), file_kind_message(what)
     try:
-        there = path.exists()
+        exists = path.exists()
     except PermissionError as failure:  # of a folder on the way
         raise InputError(error("file.no_permission", file=str(path), kind=kind)) from failure
     except (OSError, ValueError):  # a name that is too long, or has a null character
-        there = False
-    if not there:
+        exists = False
+    if not exists:
         raise InputError(error("file.not_found", file=str(path), kind=kind))
     if not path.is_file():
         raise InputError(_not_a_file_message(path, kind))

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.format_types import Fact
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     CHOOSE_FRAME,
     CHOOSE_SYSTEM,
     COARSEST_TIME,

@@ -25,7 +25,7 @@ from lispac.io.las_crs import HeaderCrs, read_header_crs
 from lispac.io.las_crs_writer import is_in_local_frame
 from lispac.io.las_header_check import require_sound_header
 from lispac.io.mounting_record import MountingRecord
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     CHUNK,
     GEOREFERENCED,
     PLACE,

@@ -15,7 +15,7 @@ from laspy.vlrs.known import GeoAsciiParamsVlr, GeoKeyDirectoryVlr, WktCoordinat
 from pyproj import CRS
 from pyproj.exceptions import CRSError
 
-from lispac.io.point_reading import CHOOSE_SYSTEM
+from lispac.io.point_reader_common import CHOOSE_SYSTEM
 from lispac.messages import Action, Level, Message, warning
 
 CHECK_SYSTEM = Action("check_system", {"name": "crs"})

@@ -26,7 +26,7 @@ from lispac.io.las_chunks import MIXED_UP, PackedColumns
 from lispac.io.las_crs_writer import write_crs
 from lispac.io.las_header_check import require_sound_header
 from lispac.io.mounting_record import MountingRecord
-from lispac.io.point_reading import damaged_file_error
+from lispac.io.point_reader_common import damaged_file_error
 from lispac.messages import Message, error, note
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import Mounting

@@ -73,18 +73,18 @@ class LazChunks:
         if self.record[0] == LAYERED:
             (last,) = struct.unpack_from("<I", data, laz.item_size())
             return int(before + last) if 0 < last <= most else header
-        return int(before + _LastChunk(data, self.record).points(header - before, most))
+        return int(before + _CompressedLastChunk(data, self.record).points(header - before, most))
 
 
 @dataclass(frozen=True)
-class _LastChunk:
-    """Compressed last chunk, whose number of points is unknown."""
+class _CompressedLastChunk:
+    """Last chunk of a LAZ file, as stored; its number of points is unknown."""
 
     data: bytes
     record: bytes
 
     def points(self, likely: int, most: int) -> int:
-        """The number of points that takes all bytes; ``likely`` where it does.
+        """Count the points: the number whose decoding uses all bytes; ``likely`` is tried first.
 
         Raises
         ------

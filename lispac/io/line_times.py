@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.format_types import Choice, FileFormat, PointChunk
 from lispac.io.las_chunks import opened_las, point_count
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     FRAME,
     SCANNER,
     coordinate_scale,
@@ -96,15 +96,17 @@ def read_line_times(
     return _resolve_rollover(_read_times(path, chunks, scanner, progress), stated)
 
 
-def _resolve_rollover(found: LineTimes, stated: str) -> LineTimes:
-    restart = stated or find_rollover(np.append(found.sample, [found.start, found.end]))
+def _resolve_rollover(line_times: LineTimes, stated: str) -> LineTimes:
+    restart = stated or find_rollover(
+        np.append(line_times.sample, [line_times.start, line_times.end])
+    )
     if restart not in PERIODS:
-        return found
+        return line_times
     # Earliest and latest lie on the two sides of the start, and the sample may have missed one.
-    ends = np.append(found.sample, [found.start, found.end])
+    ends = np.append(line_times.sample, [line_times.start, line_times.end])
     counted = resolve_rollover(ends, restart)
     return replace(
-        found, sample=counted[:-2], start=float(counted.min()), end=float(counted.max()),
+        line_times, sample=counted[:-2], start=float(counted.min()), end=float(counted.max()),
         restart=restart,
     )  # fmt: skip
 

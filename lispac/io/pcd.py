@@ -16,7 +16,7 @@ from lispac.compiled_code import njit
 from lispac.errors import InputError
 from lispac.io.format_types import NOT, SURE, Choice, Fact, FileFormat, FilePreview, PointChunk
 from lispac.io.point_counts import PointCounts
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     CHUNK,
     HEAD,
     PLACE,

@@ -8,7 +8,7 @@ import numpy as np
 from lispac.io.first_points import check_first_points
 from lispac.io.format_types import NOT, SURE, Choice, FileFormat, FilePreview, PointChunk
 from lispac.io.plane_file import COLUMNS, read_plane_table
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     PLACE,
     SCANNER_COLUMNS,
     coordinate_scale,

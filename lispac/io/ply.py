@@ -11,7 +11,7 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.io.format_types import NOT, SURE, Choice, Fact, FileFormat, FilePreview, PointChunk
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     CHUNK,
     HEAD,
     PLACE,

@@ -12,7 +12,7 @@ from lispac.errors import InputError
 from lispac.io.first_points import check_first_points
 from lispac.io.format_types import SAME_TIME_BASE, Choice, Fact, FileFormat, FilePreview, PointChunk
 from lispac.io.point_counts import Flags, Rows, count_records, count_rows
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     PREVIEW,
     SECONDS,
     coordinate_scale,
@@ -107,9 +107,9 @@ class PointRecords:
         least = 2 * len(self.dtype.names or ()) if self.ascii else self.dtype.itemsize
         held = (self.path.stat().st_size - self.start) // least
         if held < self.count - (1 if self.ascii else 0):
-            room = max(held, 0)
+            available = max(held, 0)
             raise InputError(
-                error("file.points_no_room", file=str(self.path), header=self.count, room=room)
+                error("file.points_no_room", file=str(self.path), header=self.count, room=available)
             )
 
 
@@ -127,32 +127,32 @@ def read_record_columns(records: PointRecords, rows: int) -> Iterator[Columns]:
         file.seek(records.start)
         done = 0
         while done < records.count:
-            wanted = min(rows, records.count - done)
+            count = min(rows, records.count - done)
             block = (
-                _read_text(file, records, wanted, done)
+                _read_text(file, records, count, done)
                 if records.ascii
-                else _read_binary(file, records, wanted)
+                else _read_binary(file, records, count)
             )
-            if len(block) != wanted:
+            if len(block) != count:
                 raise InputError(
                     error(
                         "file.points_missing", file=str(records.path), header=records.count,
                         held=done + len(block),
                     )
                 )  # fmt: skip
-            done += wanted
+            done += count
             yield {name: block[name] for name in records.dtype.names or ()}
 
 
-def _read_binary(file: IO[bytes], records: PointRecords, wanted: int) -> NDArray[Any]:
-    data = file.read(wanted * records.dtype.itemsize)
+def _read_binary(file: IO[bytes], records: PointRecords, count: int) -> NDArray[Any]:
+    data = file.read(count * records.dtype.itemsize)
     return np.frombuffer(data[: len(data) // records.dtype.itemsize * records.dtype.itemsize],
                          records.dtype)  # fmt: skip
 
 
-def _read_text(file: IO[bytes], records: PointRecords, wanted: int, done: int) -> NDArray[Any]:
+def _read_text(file: IO[bytes], records: PointRecords, count: int, done: int) -> NDArray[Any]:
     lines = []
-    for _ in range(wanted):
+    for _ in range(count):
         line = file.readline(1 << 16)
         if not line:
             break
@@ -219,7 +219,7 @@ def preview_records(
 ) -> FilePreview:
     """Facts and warnings of the first points."""
     path, count = records.path, records.count
-    given, choice = choice, format_.resolved(choice)
+    given_choice, choice = choice, format_.resolved(choice)
     first = {name: values[:PREVIEW] for name, values in columns.items()}
     field = find_time_field(path, tuple(first), str(choice["time_field"]))
     chunk = point_chunk(first, {**choice, "unit": "metre"}, path, done=0, total=count)
@@ -240,7 +240,7 @@ def preview_records(
             warning("points.coordinates_32_bits", file=file, step=grain, largest=farthest)
         )
     found = {"frame": seen.frame, "time_field": field}
-    resolved = format_.resolved({**found, **given})
+    resolved = format_.resolved({**found, **given_choice})
     return FilePreview(
         {
             **records.facts,

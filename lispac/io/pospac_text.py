@@ -19,8 +19,8 @@ from lispac.io.format_types import LIKELY, NOT, SURE, Choice, Fact, FilePreview
 from lispac.io.text_table import first_lines, is_data_row, numbered_lines, split_fields
 from lispac.io.trajectory_columns import (
     Column,
-    Conventions,
     Rows,
+    TrajectoryConventions,
     accuracy_of,
     role_of,
     trajectory_of,
@@ -219,9 +219,9 @@ def _unit_group(role: str) -> str:
     return role if role == "time" else "position"
 
 
-def _conventions(layout: TextLayout, choice: Choice) -> Conventions:
+def _conventions(layout: TextLayout, choice: Choice) -> TrajectoryConventions:
     roles = {column.role for column in layout.columns}
     geographic = roles.issuperset({"latitude", "longitude"})
-    return Conventions(
+    return TrajectoryConventions(
         time=choice.get("time", "gps-week"), crs="" if geographic else choice.get("crs", "")
     )

@@ -22,7 +22,7 @@ def upgrade_content(content: Content) -> Content:
 def _upgrade_from_1(content: Content) -> Content:
     """Upgrade to version 2; an adjustment of version 1 has to be repeated.
 
-    The given model is kept: a project that was set to thesis mode stays so.
+    The given model is kept: a project with independent POS errors keeps them.
     """
     targets = [target | {"shape": "plane", "sphere_radius": None} for target in content["targets"]]
     return content | {
@@ -138,9 +138,9 @@ def _upgrade_absolute_from_8(check: Any) -> Any:
     return check | {"not_compared": _former_texts(check.pop("unseen"))}
 
 
-def _upgrade_reason_from_8(found: Content) -> Content:
+def _upgrade_reason_from_8(content: Content) -> Content:
     """An estimate, or a part of the data: an empty reason is none."""
-    return found | {"reason": _former_text(found["reason"]) if found["reason"] else None}
+    return content | {"reason": _former_text(content["reason"]) if content["reason"] else None}
 
 
 def _former_texts(texts: Any) -> list[Content]:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.errors import InputError
-from lispac.io.point_reading import CHUNK
+from lispac.io.point_reader_common import CHUNK
 from lispac.io.text_layout import REMARKS
 from lispac.io.text_table import is_number, numbered_lines, parse_number, read_columns
 from lispac.messages import error

@@ -9,6 +9,7 @@ from lispac.errors import ProjectError
 from lispac.io.mesh_file import read_mesh
 from lispac.io.toml_table import TomlTable
 from lispac.picked_targets import require_target_name
+from lispac.simulation.motion_source import TrajectoryStretch
 from lispac.simulation.scene import (
     Cylinder,
     Rectangle,
@@ -20,7 +21,6 @@ from lispac.simulation.scene import (
     upright_rectangle,
 )
 from lispac.simulation.vessel_motion import StraightPass
-from lispac.simulation.voyage import TrajectoryStretch
 
 KINDS = ("board", "wall", "box", "cylinder", "sphere", "mesh")
 ROLES = ("target", "validation")

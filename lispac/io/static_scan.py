@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io import e57, las_chunks, pcd, ply, pts
 from lispac.io.format_types import NOT
-from lispac.io.point_reading import HEAD, report_damage, require_not_empty
+from lispac.io.point_reader_common import HEAD, report_damage, require_not_empty
 from lispac.io.seed_file import header_meanings, separator_of
 from lispac.io.text_layout import REMARKS, SEPARATORS
 from lispac.io.text_table import UTF16, is_number, numbered_lines, split_fields

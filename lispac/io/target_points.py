@@ -16,7 +16,7 @@ from lispac.io.format_types import (
     FilePreview,
     PointChunk,
 )
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     PLACE,
     coordinate_scale,
     frame_facts,

@@ -24,7 +24,7 @@ from lispac.io.format_types import (
     FormatOption,
     PointChunk,
 )
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     CHOOSE_TIME_BASE,
     CHUNK,
     HEAD,
@@ -218,10 +218,10 @@ def _detect_options(path: Path) -> tuple[dict[str, str], RowLayout, list[str]]:
     return found, layout, lines
 
 
-def _merge_options(found: Choice, choice: Choice) -> dict[str, str]:
+def _merge_options(detected: Choice, choice: Choice) -> dict[str, str]:
     """Chosen options, completed by the detected ones."""
     return TEXT.resolved(
-        {**found, **{name: value for name, value in choice.items() if value not in ("", "auto")}}
+        {**detected, **{name: value for name, value in choice.items() if value not in ("", "auto")}}
     )
 
 
@@ -248,9 +248,9 @@ def _read_chunks(path: Path, resolved: Choice, rows: int) -> Iterator[PointChunk
 
 
 def _point_chunk(
-    part: NDArray[np.float64], names: Sequence[str], wanted: list[int], factor: float
+    part: NDArray[np.float64], names: Sequence[str], columns: list[int], factor: float
 ) -> PointChunk:
-    at = {names[k]: column for column, k in enumerate(wanted)}
+    at = {names[k]: column for column, k in enumerate(columns)}
     xyz = np.ascontiguousarray(part[:, [at["x"], at["y"], at["z"]]])
     extra = {name: part[:, column].copy() for name, column in at.items() if name not in REQUIRED}
     return PointChunk(xyz, part[:, at["time"]] * factor, extra)
@@ -278,7 +278,7 @@ def _chosen_columns(path: Path, text: str) -> list[str]:
 
 
 def _parse_block(
-    path: Path, block: list[str], number: int, names: Sequence[str], wanted: list[int],
+    path: Path, block: list[str], number: int, names: Sequence[str], columns: list[int],
     layout: RowLayout,
 ) -> NDArray[np.float64]:  # fmt: skip
     """Numbers of a block of lines, of which ``number`` came before.
@@ -294,17 +294,17 @@ def _parse_block(
         before = next((k for k, row in enumerate(rows) if layout.is_numeric_row(row)), len(rows))
     text = [layout.plain(row) for row in rows[before:]]
     if not text:
-        return np.empty((0, len(wanted)))
+        return np.empty((0, len(columns)))
     _require_width(path, block, number, layout.fields(text[0]), names)
     at = names.index("time")
     clocks = is_clock(layout.fields(text[0])[at])
     try:
         return np.loadtxt(
-            text, delimiter=SEPARATORS[layout.separator], usecols=wanted, ndmin=2, comments=None,
+            text, delimiter=SEPARATORS[layout.separator], usecols=columns, ndmin=2, comments=None,
             converters={at: clock_seconds} if clocks else None, encoding=None,
         )  # fmt: skip
     except ValueError as failure:
-        _raise_row_error(path, block, number, before, names, wanted, layout, clocks=clocks)
+        _raise_row_error(path, block, number, before, names, columns, layout, clocks=clocks)
         raise InputError(
             error("text.not_numbers", file=str(path), reason=str(failure))
         ) from failure
@@ -312,7 +312,7 @@ def _parse_block(
 
 def _raise_row_error(
     path: Path, block: list[str], number: int, before: int, names: Sequence[str],
-    wanted: list[int], layout: RowLayout, *, clocks: bool,
+    columns: list[int], layout: RowLayout, *, clocks: bool,
 ) -> None:  # fmt: skip
     """Raise an error that names the faulty row of a block.
 
@@ -329,7 +329,7 @@ def _raise_row_error(
             continue
         fields = layout.fields(line)
         _require_width(path, [line], k - 1, fields, names)
-        for column in wanted:
+        for column in columns:
             as_clock = clocks and names[column] == "time"
             try:
                 (clock_seconds if as_clock else _parse_number)(fields[column])

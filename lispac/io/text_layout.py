@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from lispac.io.point_reading import TIME_NAMES
+from lispac.io.point_reader_common import TIME_NAMES
 from lispac.io.text_table import DECIMAL_COMMAS, is_clock
 from lispac.io.units import ANGLE_CODES, is_units_row, split_title, stated_unit, titles_with_units
 

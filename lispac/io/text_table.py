@@ -317,14 +317,14 @@ def date_seconds(field: str) -> float:
 def read_columns(
     path: Path,
     rows: Iterator[tuple[int, list[str]]],
-    wanted: Sequence[tuple[int, Callable[[str], float], str]],
+    columns: Sequence[tuple[int, Callable[[str], float], str]],
 ) -> tuple[list[Array], NDArray[np.int64]]:
     """Read columns of numbers from rows of fields.
 
     Parameters
     ----------
     rows : iterator of (row number, fields)
-    wanted : sequence of (index, parser, name)
+    columns : sequence of (index, parser, name)
 
     Returns
     -------
@@ -337,7 +337,7 @@ def read_columns(
     InputError
         With the row and the column where a field is missing or cannot be read.
     """
-    width = max(index for index, _, _ in wanted) + 1
+    width = max(index for index, _, _ in columns) + 1
     blocks: list[Array] = []
     numbers: list[NDArray[np.int64]] = []
     while block := list(islice(rows, BLOCK)):
@@ -351,12 +351,12 @@ def read_columns(
                 )  # fmt: skip
         values = [
             _parse_values([fields[index] for _, fields in block], parse)
-            for index, parse, _ in wanted
+            for index, parse, _ in columns
         ]
         bad = ~np.isfinite(values)
         if bad.any():
             k = int(np.argmax(bad.any(axis=0)))
-            index, _, name = wanted[int(np.argmax(bad[:, k]))]
+            index, _, name = columns[int(np.argmax(bad[:, k]))]
             row, fields = block[k]
             value = fields[index][:40]
             raise InputError(

@@ -5,9 +5,9 @@ from pathlib import Path
 
 from lispac.errors import InputError
 from lispac.io.format_types import Choice
-from lispac.io.point_reading import SCANNER_UNITS
+from lispac.io.point_reader_common import SCANNER_UNITS
 from lispac.io.text_layout import BEAMS, TIME_BASES, RowLayout, ambiguous_columns, name_without_unit
-from lispac.io.trajectory_grid import LENGTHS
+from lispac.io.trajectory_projection import LENGTHS
 from lispac.io.units import ANGLE_CODES, LENGTH_NAMES, UNKNOWN, direction_of
 from lispac.messages import Action, Level, Message, error, warning
 from lispac.survey.crs import UNITS as SYSTEM_UNITS
@@ -95,11 +95,11 @@ def unit_messages(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Mes
     """
     file = printable(path.name)
     for option, stated in header_options(layout).items():
-        given = str(choice.get(option, stated))
-        if given not in ("", stated):
+        unit_option = str(choice.get(option, stated))
+        if unit_option not in ("", stated):
             own = AXES if option == "unit" else ("time",)
             titles = tuple(layout.titles[layout.names.index(name)] for name in own)
-            params = {"file": file, "option": option, "stated": titles, "given": given}
+            params = {"file": file, "option": option, "stated": titles, "given": unit_option}
             actions = (Action("set_option", {"name": option, "value": stated}),)
             yield Message("text.unit_overridden", Level.WARNING, params, actions=actions)
     if layout.units().get("time") == UNKNOWN:

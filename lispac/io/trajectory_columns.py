@@ -27,7 +27,14 @@ from lispac.io.trajectory_checks import (
     require_heights,
     require_time_base,
 )
-from lispac.io.trajectory_grid import LENGTHS, UNSTATED, Grid, LengthUnit, grid_of, unit_of_heights
+from lispac.io.trajectory_projection import (
+    LENGTHS,
+    UNSTATED,
+    LengthUnit,
+    TrajectoryProjection,
+    projection_of_text,
+    unit_of_heights,
+)
 from lispac.io.units import ANGLE_CODES, UNITS, UNKNOWN
 from lispac.messages import Level, Message, error, note
 from lispac.survey.known_time_base import base_message
@@ -111,8 +118,8 @@ class Column:
 
 
 @dataclass(frozen=True)
-class Conventions:
-    """Conventions that rows of numbers do not state, by the words of the options."""
+class TrajectoryConventions:
+    """Conventions that a text trajectory does not contain: values of the options of its reader."""
 
     pitch: str = "bow-up"
     roll: str = "starboard-down"
@@ -157,7 +164,7 @@ def trajectory_of(
     path: Path,
     rows: Rows,
     columns: Sequence[Column],
-    conventions: Conventions,
+    conventions: TrajectoryConventions,
     assumptions: tuple[Message, ...],
 ) -> Trajectory:
     """Read a trajectory from rows of fields.
@@ -221,7 +228,7 @@ def trajectory_of(
 
 
 def accuracy_of(
-    path: Path, rows: Rows, columns: Sequence[Column], conventions: Conventions
+    path: Path, rows: Rows, columns: Sequence[Column], conventions: TrajectoryConventions
 ) -> TrajectoryAccuracy:
     """Read standard deviations from rows of fields.
 
@@ -266,7 +273,7 @@ def _find_column(path: Path, columns: Sequence[Column], role: str) -> Column:
 
 
 def _choose_columns(
-    path: Path, columns: Sequence[Column], conventions: Conventions
+    path: Path, columns: Sequence[Column], conventions: TrajectoryConventions
 ) -> list[Column]:
     if not is_complete(columns):
         raise InputError(missing_columns(path, columns))
@@ -303,7 +310,7 @@ def missing_columns(path: Path, columns: Sequence[Column]) -> Message:
 
 
 def map_warnings(
-    path: Path, columns: Sequence[Column], conventions: Conventions, read: Trajectory
+    path: Path, columns: Sequence[Column], conventions: TrajectoryConventions, read: Trajectory
 ) -> tuple[Message, ...]:
     """Warnings about positions on the map, as they were read, and about heights.
 
@@ -322,12 +329,16 @@ def map_warnings(
     return tuple(reported for reported in file_warnings if reported is not None)
 
 
-def _chosen_grid(path: Path, chosen: Sequence[Column], conventions: Conventions) -> Grid | None:
+def _chosen_grid(
+    path: Path, chosen: Sequence[Column], conventions: TrajectoryConventions
+) -> TrajectoryProjection | None:
     on_map = any(column.role in GRID for column in chosen)
-    return grid_of(path, conventions.crs) if on_map else None
+    return projection_of_text(path, conventions.crs) if on_map else None
 
 
-def _length_units(path: Path, chosen: Sequence[Column], grid: Grid | None) -> dict[str, LengthUnit]:
+def _length_units(
+    path: Path, chosen: Sequence[Column], grid: TrajectoryProjection | None
+) -> dict[str, LengthUnit]:
     """Units of eastings, northings and heights by role.
 
     Raises
@@ -347,19 +358,19 @@ def _length_units(path: Path, chosen: Sequence[Column], grid: Grid | None) -> di
     return lengths
 
 
-def _require_unit_kind(path: Path, column: Column, wanted: Literal["an angle", "a length"]) -> None:
+def _require_unit_kind(path: Path, column: Column, kind: Literal["an angle", "a length"]) -> None:
     """Refuse a unit that does not fit what the column is.
 
     Raises
     ------
     InputError
     """
-    if wanted == "an angle":
+    if kind == "an angle":
         fits = column.unit.removesuffix("-west").removesuffix("-south") in ANGLE_CODES
     else:
         fits = column.unit in (UNSTATED, *LENGTHS)
     if not fits:
-        code = "trajectory.not_an_angle" if wanted == "an angle" else "trajectory.not_a_length"
+        code = "trajectory.not_an_angle" if kind == "an angle" else "trajectory.not_a_length"
         raise InputError(error(code, file=str(path), column=column.name, unit=column.unit))
 
 
@@ -437,7 +448,7 @@ def _apply_hemispheres(path: Path, values: dict[str, Array], numbers: Numbers) -
 
 
 def _times_and_notes(
-    path: Path, values: Mapping[str, Array], conventions: Conventions
+    path: Path, values: Mapping[str, Array], conventions: TrajectoryConventions
 ) -> tuple[Array, tuple[Message, ...]]:
     base = base_of_key(conventions.time)
     time = values["time"]

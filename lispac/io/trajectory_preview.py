@@ -14,8 +14,8 @@ from lispac.io.text_table import encoding_of, is_data_row, last_lines, split_fie
 from lispac.io.trajectory_columns import (
     SIGMAS,
     Column,
-    Conventions,
     Rows,
+    TrajectoryConventions,
     accuracy_of,
     is_complete,
     map_warnings,
@@ -77,7 +77,7 @@ class TextLayout:
 
 
 def preview_text(
-    path: Path, layout: TextLayout, conventions: Conventions, choice: Choice
+    path: Path, layout: TextLayout, conventions: TrajectoryConventions, choice: Choice
 ) -> FilePreview:
     """Facts, first rows and warnings of a trajectory of text, from its first and last rows."""
     file = printable(path.name)
@@ -122,7 +122,9 @@ def _motion_variants(first: Trajectory) -> tuple[TrajectoryMotion, TrajectoryMot
     )
 
 
-def preview_accuracy(path: Path, layout: TextLayout, conventions: Conventions) -> FilePreview:
+def preview_accuracy(
+    path: Path, layout: TextLayout, conventions: TrajectoryConventions
+) -> FilePreview:
     """Facts and warnings of standard deviations in text, from the first rows."""
     head = list(islice(layout.rows(path), HEAD_ROWS))
     rows = (layout.names, *(tuple(fields) for _, fields in head[:5]))
@@ -192,7 +194,7 @@ def has_sigmas(columns: Sequence[Column]) -> bool:
 def _with_last_rows(
     path: Path,
     layout: TextLayout,
-    conventions: Conventions,
+    conventions: TrajectoryConventions,
     first: Trajectory,
     head: Sequence[tuple[int, list[str]]],
 ) -> tuple[Trajectory, list[Message]]:

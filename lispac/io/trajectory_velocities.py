@@ -12,7 +12,7 @@ from lispac.errors import InputError
 from lispac.io.text_table import parse_number, read_columns
 from lispac.io.trajectory_columns import Column
 from lispac.io.trajectory_facts import MOVING, TrajectoryMotion
-from lispac.io.trajectory_grid import LENGTHS
+from lispac.io.trajectory_projection import LENGTHS
 from lispac.messages import Level, Message, Value
 from lispac.survey.line_source import printable
 
@@ -54,8 +54,8 @@ def speed_warnings(
     if not velocities:
         return ()
     try:
-        wanted = [(column.index, parse_number, column.name) for column in velocities]
-        (east, north), _ = read_columns(path, iter(rows), wanted)
+        columns = [(column.index, parse_number, column.name) for column in velocities]
+        (east, north), _ = read_columns(path, iter(rows), columns)
     except InputError:
         return ()  # columns that nobody needs may hold what they like
     factor = LENGTHS.get(velocities[0].unit)

@@ -205,5 +205,7 @@ def _failure_message(failure: BaseException, part: str) -> Message:
 
 def failure_summary(failure: BaseException) -> str:
     """Name and first line of an error of the system or a library."""
-    said = str(failure).splitlines()
-    return f"{type(failure).__name__}: {said[0]}" if said else type(failure).__name__
+    message_lines = str(failure).splitlines()
+    return (
+        f"{type(failure).__name__}: {message_lines[0]}" if message_lines else type(failure).__name__
+    )

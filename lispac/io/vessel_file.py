@@ -11,8 +11,8 @@ from lispac.messages import error
 from lispac.project import Triple
 from lispac.simulation.pos_error_models import (
     GnssOutage,
-    Jumps,
     PosErrors,
+    StepErrors,
     WhiteNoise,
     combine_models,
 )
@@ -178,4 +178,4 @@ def _read_pos_errors(table: TomlTable) -> PosErrors:
             table.boolean("smoothed", True),
         )  # fmt: skip
     at = table.numbers("at_s", None, (), least=0)
-    return Jumps(position, attitude, at, table.number("per_hour", 0.0, least=0))
+    return StepErrors(position, attitude, at, table.number("per_hour", 0.0, least=0))

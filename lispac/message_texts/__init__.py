@@ -86,7 +86,7 @@ ACTIONS: Mapping[str, Template] = {
     "use_us_survey_feet": N_("Use US survey feet"),
     "swap_coordinates": N_("Swap latitude and longitude"),
     "clear_time_base": N_("Clear the time base"),
-    "ignore_rollover": N_("Ignore the time rollover"),
+    "ignore_rollover": N_("Ignore the time rollover (midnight or week)"),
     "choose_system": N_("Choose the coordinate system"),
     "check_system": N_("Check the coordinate system"),
     "choose_vertical_reference": N_("Choose the vertical reference"),

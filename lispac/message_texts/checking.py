@@ -274,7 +274,7 @@ TEXTS: Mapping[str, Template] = {
         "POS and boresight together."
     ),
     "absolute.other_surface": N_(
-        "A second surface lies within {distance:m} m of the reference: {lines:names}. The surface "
+        "Another surface lies within {distance:m} m of the reference: {lines:names}. The surface "
         "nearest to the reference is used. This is the wrong one for a line that is displaced by "
         "more than half the distance between the two surfaces."
     ),

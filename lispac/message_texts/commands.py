@@ -29,7 +29,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "cli.no_results": N_(
         "{project}: no method has estimated the boresight angles. Run lispac estimate, or use "
-        "--compute to run the alternative methods."
+        "--compute to run the natural-plane, targetless and patch-test methods."
     ),
     # -- former names, accepted for one version ---------------------------------------------------
     "former_name.option": N_(

@@ -187,7 +187,7 @@ TEXTS: Mapping[str, Template] = {
     "rollover.full_hour": N_("the full hour"),
     # -- files to be imported ----------------------------------------------------------------
     "import.stopped": N_(
-        '{file}: the file was not read, because reading was stopped. Press "Read again".'
+        '{file}: the file was not read, because reading was cancelled. Press "Read again".'
     ),
     "import.not_examined": N_(
         "{file}: the file cannot be examined ({kind}: {reason}). Copy or export it again."

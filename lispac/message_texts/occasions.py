@@ -84,7 +84,10 @@ OCCASIONS: Mapping[str, str] = {
     "repeat": N_("Repeated calibrations are compared"),
     "report": N_("A report is created"),
     "report_template": N_("A report template is read"),
-    "rollover": N_("Moment of a time rollover, in another message"),
+    "rollover": N_(
+        "Moment at which the times restart from zero (midnight or end of the week), in another "
+        "message"
+    ),
     "sbet": N_("An SBET or smrmsg file is read"),
     "scanner": N_("The file of a simulated scanner is read"),
     "scene": N_("The file of a simulated scene is read"),
@@ -116,7 +119,7 @@ OCCASIONS: Mapping[str, str] = {
     "validate": N_("Validate is run"),
     "validation": N_("Lines or clouds are compared"),
     "vessel": N_("The file of a simulated vessel is read"),
-    "visibility": N_("The results are compared with those of the thesis"),
+    "visibility": N_("The results are compared with those of Shahraji's thesis"),
     "window": N_("A value is entered in the window, or the window saves a file"),
 }
 """English phrase of each first word of a code."""

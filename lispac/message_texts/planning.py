@@ -17,26 +17,29 @@ TEXTS: Mapping[str, Template] = {
     ),
     # -- comparison with the thesis ----------------------------------------------------------------
     "visibility.differs": N_("{reason} The two lines differ by {differences:names}."),
-    "visibility.unknown_reason": N_("The reason for the difference from the thesis is not known."),
+    "visibility.unknown_reason": N_(
+        "The reason for the difference from Shahraji's thesis is not known."
+    ),
     "visibility.roll_facing": N_(
-        "Table 3.2 of the thesis chooses nearly the board that faces the beams (-20 deg here), "
-        "along which a roll error moves points. Appendix C.2.1 gives -40 and then 30 deg for the "
-        "same figure. It retains inclinations up to 30 deg, which is also the best value here."
+        "Table 3.2 of Shahraji's thesis chooses nearly the board that faces the beams (-20 deg "
+        "here), along which a roll error moves points. Appendix C.2.1 gives -40 and then 30 deg "
+        "for the same figure. It retains inclinations up to 30 deg, which is also the best value "
+        "here."
     ),
     "visibility.offset_as_roll": N_(
         "With the scanner along the body axes, this offset has exactly the effect of a roll angle. "
-        "The thesis gives -40 deg for one and -50 deg for the other, and 30 deg in appendix C.2.7, "
-        "where the error is 1 deg instead of 2 deg."
+        "Shahraji's thesis gives -40 deg for one and -50 deg for the other, and 30 deg in appendix "
+        "C.2.7, where the error is 1 deg instead of 2 deg."
     ),
     "visibility.offset_not_kept": N_(
-        "Table 3.2 of the thesis chooses an inclination that its appendix C.2.6 excludes (it "
-        "retains -40 to 10 deg). At -60 deg, parallel and diagonal lines meet the board at nearly "
-        "equal angles, so the offset shifts the points of both by nearly the same amount."
+        "Table 3.2 of Shahraji's thesis chooses an inclination that its appendix C.2.6 excludes "
+        "(it retains -40 to 10 deg). At -60 deg, parallel and diagonal lines meet the board at "
+        "nearly equal angles, so the offset shifts the points of both by nearly the same amount."
     ),
     "visibility.leaning_back": N_(
         "A board that leans back is more sensitive to roll than a vertical one, because the beams "
-        "rise to it at 18 deg. The thesis considers only inclinations from 0 to 90 deg; within "
-        "this range the vertical board is the best here too."
+        "rise to it at 18 deg. Shahraji's thesis considers only inclinations from 0 to 90 deg; "
+        "within this range the vertical board is the best here too."
     ),
     # -- further line ------------------------------------------------------------------------------
     "further_line.port": N_(

@@ -64,12 +64,12 @@ def linearise_blocks(
             normal[k] += (move * weight[:, None]).T @ move
             gradient[k] += (weight * found.off) @ move
             if sways is not None:
-                for moved, sign, rows in ((side, 1.0, point), (1 - side, -1.0, met)):
+                for moved_side, sign, rows in ((side, 1.0, point), (1 - side, -1.0, met)):
                     tilt = np.einsum("nj,njk->nk", found.normal, sways[rows])
                     by = sign * np.hstack([found.normal, tilt])
-                    swayed[k, moved] += (move * weight[:, None]).T @ by
+                    swayed[k, moved_side] += (move * weight[:, None]).T @ by
     return BlockEquations(normal, gradient, swayed, meets)
 
 
-def _robust_weights(found: SurfaceDistances, scale: float) -> Array:
-    return np.asarray(found.weight / (1.0 + (found.off / scale) ** 2) ** 2)
+def _robust_weights(distances: SurfaceDistances, scale: float) -> Array:
+    return np.asarray(distances.weight / (1.0 + (distances.off / scale) ** 2) ** 2)

@@ -48,7 +48,7 @@ an angle counts as open, as `lispac.targets.rough_alignment` has it."""
 
 @dataclass(frozen=True, eq=False)
 class MismatchMinimum:
-    """Minimum of the mismatch.
+    """Boresight at which the mismatch of the lines is smallest.
 
     Attributes
     ----------
@@ -126,8 +126,8 @@ def minimise_angle_by_angle(
         for angle in range(3):
             progress((rounds - 1 + angle / 3) / ROUNDS, gettext_lazy(OPTIMISING[angle]))
             boresight[angle] += _angle_step(mismatch, boresight, [angle])[0]
-        moved = float(np.abs(boresight - before).max())
-        if rounds >= len(SCALES) and moved <= SETTLED:
+        change = float(np.abs(boresight - before).max())
+        if rounds >= len(SCALES) and change <= SETTLED:
             return MismatchMinimum(boresight, rounds, True)
     return MismatchMinimum(boresight, ROUNDS, False)
 

@@ -221,25 +221,25 @@ class ObjectSample:
     def joined_with(self, other: "ObjectSample") -> "ObjectSample":
         """Join with the points of other objects."""
         begin = len(self.points_lidar)
-        moved = [replace(e, begin=e.begin + begin, end=e.end + begin) for e in other.seen]
+        shifted = [replace(e, begin=e.begin + begin, end=e.end + begin) for e in other.seen]
         poses = Poses(
             np.concatenate([self.poses.position, other.poses.position]),
             np.concatenate([self.poses.attitude, other.poses.attitude]),
         )
         points = np.concatenate([self.points_lidar, other.points_lidar])
-        return ObjectSample((*self.seen, *moved), points, poses, self.mounting)
+        return ObjectSample((*self.seen, *shifted), points, poses, self.mounting)
 
     def of_objects(self, names: Collection[str]) -> "ObjectSample":
         """The part of some objects alone."""
         kept = [each for each in self.seen if each.object.name in names]
         rows = np.concatenate([np.arange(e.begin, e.end) for e in kept] or [np.empty(0, int)])
-        moved, begin = [], 0
+        shifted, begin = [], 0
         for each in kept:
             end = begin + each.end - each.begin
-            moved.append(replace(each, begin=begin, end=end))
+            shifted.append(replace(each, begin=begin, end=end))
             begin = end
         poses = Poses(self.poses.position[rows], self.poses.attitude[rows])
-        return ObjectSample(tuple(moved), self.points_lidar[rows], poses, self.mounting)
+        return ObjectSample(tuple(shifted), self.points_lidar[rows], poses, self.mounting)
 
 
 def _pole_axis(groups: Sequence[Array]) -> Array | None:

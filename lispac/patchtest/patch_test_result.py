@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.message_parts import mounting_value_name
 from lispac.messages import Message, note
+from lispac.patchtest.bootstrap_precision import FEWEST, ObjectAgreement
 from lispac.patchtest.line_mismatch import SCALE
-from lispac.patchtest.minimum_precision import FEWEST, ObjectAgreement
 from lispac.patchtest.mismatch_minimisation import ANGLES
 
 Array = NDArray[np.float64]

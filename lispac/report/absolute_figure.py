@@ -14,15 +14,15 @@ _BEFORE = N_("before: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {
 _AFTER = N_("after: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")
 
 
-def reference_distance_figure(found: AbsoluteCheckValues, figure: Figure | None = None) -> Figure:
+def reference_distance_figure(check: AbsoluteCheckValues, figure: Figure | None = None) -> Figure:
     """All lines together; the bins at both ends hold all beyond."""
     figure = blank_figure(figure, (6.3, 2.5))
     axes = figure.subplots(gridspec_kw=USUAL)
-    edges = 1000 * np.asarray(found.bin_edges_m)
+    edges = 1000 * np.asarray(check.bin_edges_m)
     legend: list[str] = []
     for template, colour, counts, each in (
-        (_BEFORE, BEFORE, found.counts_before, found.all_lines.before),
-        (_AFTER, AFTER, found.counts_after, found.all_lines.after),
+        (_BEFORE, BEFORE, check.counts_before, check.all_lines.before),
+        (_AFTER, AFTER, check.counts_after, check.all_lines.after),
     ):
         values = np.asarray(counts)
         legend.append(
@@ -39,15 +39,15 @@ def reference_distance_figure(found: AbsoluteCheckValues, figure: Figure | None 
         "Distance from the reference (mm), positive towards the vessel; end bins include larger "
         "values"
     )
-    style_axes(axes, across, gettext("Places"))
+    style_axes(axes, across, gettext("Compared places"))
     axes.yaxis.set_major_locator(MaxNLocator(nbins="auto", steps=[1, 2, 5, 10], integer=True))
     axes.yaxis.set_major_formatter(lambda value, _: grouped_number(value))
     title = gettext(
         "{reference}: distances of all lines along the normal",
-        reference=short_name(found.reference),
+        reference=short_name(check.reference),
     )
     axes.set_title(title, fontsize=TEXT + 1, color=INK, loc="left")
-    highest = np.maximum(found.counts_before, found.counts_after).astype(np.float64)
+    highest = np.maximum(check.counts_before, check.counts_after).astype(np.float64)
     axes.set_ylim(0.0, top_below_legend(axes, edges, highest, legend, TEXT))
     axes.legend(loc="upper right", fontsize=TEXT, frameon=False, labelcolor=INK)
     return figure

@@ -71,31 +71,31 @@ def absolute_check_blocks(content: ReportContent) -> list[Block]:
     return blocks
 
 
-def _reference_text(found: AbsoluteCheckValues) -> str:
-    system = gettext("local frame") if found.system == LOCAL else found.system
-    if found.kind == "scan":
+def _reference_text(values: AbsoluteCheckValues) -> str:
+    system = gettext("local frame") if values.system == LOCAL else values.system
+    if values.kind == "scan":
         return gettext(
             "Reference: {file} (static scan). Coordinate system: {system}.",
-            file=found.reference, system=system,
+            file=values.reference, system=system,
         )  # fmt: skip
     return gettext(
         "Reference: {file} (surveyed points). Coordinate system: {system}.",
-        file=found.reference, system=system,
+        file=values.reference, system=system,
     )  # fmt: skip
 
 
-def _distance_table(found: AbsoluteCheckValues) -> Table:
+def _distance_table(values: AbsoluteCheckValues) -> Table:
     """Statistics of the distances, one row for each line and state."""
     columns = (
         Column(gettext("Line"), "left"), Column(gettext("State"), "left"),
-        Column(gettext("Places")), Column(gettext("Mean")),
+        Column(gettext("Compared\nplaces")), Column(gettext("Mean")),
         Column(gettext("95 %\ninterval\nof mean")),
         Column(gettext("Median")), Column(gettext("RMS")), Column(gettext("68 %")),
         Column(gettext("95 %")), Column(gettext("99 %")), Column(gettext("Robust\nsigma")),
         Column(gettext("Mean\nsignificant")),
     )  # fmt: skip
     cells = []
-    for line in (*found.lines, found.all_lines):
+    for line in (*values.lines, values.all_lines):
         for state, against in ((gettext("before"), line.before), (gettext("after"), line.after)):
             cells.append([_line_label(line.line), state, *_statistics_cells(against)])
     title = gettext("Distances of the lines from the reference (mm)")
@@ -106,22 +106,22 @@ def _line_label(name: str) -> str:
     return gettext("all lines") if name == ALL_LINES else name
 
 
-def _statistics_cells(found: ReferenceDistances) -> list[str]:
+def _statistics_cells(distances: ReferenceDistances) -> list[str]:
     return [
-        grouped_number(found.distances.n),
-        signed_number(1000 * found.signed.mean_m, 1),
-        interval_text(millimetres(found.mean_interval95_m)),
-        signed_number(1000 * found.signed.median_m, 1),
-        millimetres(found.distances.rms_m),
-        millimetres(found.distances.p68_m),
-        millimetres(found.distances.p95_m),
-        millimetres(found.distances.p99_m),
-        millimetres(found.signed.robust_sigma_m),
-        gettext("yes") if found.mean_significant else gettext("no"),
+        grouped_number(distances.distances.n),
+        signed_number(1000 * distances.signed.mean_m, 1),
+        interval_text(millimetres(distances.mean_interval95_m)),
+        signed_number(1000 * distances.signed.median_m, 1),
+        millimetres(distances.distances.rms_m),
+        millimetres(distances.distances.p68_m),
+        millimetres(distances.distances.p95_m),
+        millimetres(distances.distances.p99_m),
+        millimetres(distances.signed.robust_sigma_m),
+        gettext("yes") if distances.mean_significant else gettext("no"),
     ]
 
 
-def _uncertainty_table(found: AbsoluteCheckValues) -> Table:
+def _uncertainty_table(values: AbsoluteCheckValues) -> Table:
     columns = (
         Column(gettext("Line"), "left"), Column(gettext("Reference")),
         Column(gettext("POS\nposition")), Column(gettext("POS\nattitude")),
@@ -129,7 +129,7 @@ def _uncertainty_table(found: AbsoluteCheckValues) -> Table:
         Column(gettext("Expected\nRMS")), Column(gettext("RMS share due\nto the reference")),
     )  # fmt: skip
     cells = []
-    for line in (*found.lines, found.all_lines):
+    for line in (*values.lines, values.all_lines):
         sigma = line.after.mean_sigma
         cells.append(
             [

@@ -9,7 +9,7 @@ from lispac.validation.absolute_remarks import absolute_check_remarks
 
 
 @dataclass(frozen=True)
-class Uncertainty:
+class UncertaintyBySource:
     """Standard deviations by source; that of the prior boresight is unknown."""
 
     reference_m: float
@@ -20,7 +20,7 @@ class Uncertainty:
     total_m: float
 
     @classmethod
-    def of(cls, values: SigmaSources) -> "Uncertainty":
+    def of(cls, values: SigmaSources) -> "UncertaintyBySource":
         """Copy the standard deviations of a `SigmaSources`."""
         return cls(
             values.reference, values.position, values.attitude, values.boresight, values.scatter,
@@ -36,8 +36,8 @@ class ReferenceDistances:
     signed: SignedDistances
     mean_interval95_m: float
     mean_significant: bool
-    mean_sigma: Uncertainty
-    rms_expected: Uncertainty
+    mean_sigma: UncertaintyBySource
+    rms_expected: UncertaintyBySource
     reference_share: float
 
     @classmethod
@@ -48,8 +48,8 @@ class ReferenceDistances:
             SignedDistances.of(state.signed),
             state.interval_95,
             state.significant,
-            Uncertainty.of(state.mean_sigma),
-            Uncertainty.of(state.rms_expected),
+            UncertaintyBySource.of(state.mean_sigma),
+            UncertaintyBySource.of(state.rms_expected),
             state.reference_share,
         )
 

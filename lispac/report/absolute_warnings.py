@@ -15,15 +15,15 @@ make an RMS vary about as much as a single error."""
 VALIDATE = Cause.of_step("Validate")
 
 
-def absolute_check_warnings(found: AbsoluteCheckValues | None) -> Iterator[Message]:
+def absolute_check_warnings(values: AbsoluteCheckValues | None) -> Iterator[Message]:
     """Significant means of all lines, single lines, surveyed points and planes, and the RMS.
 
     Of many good lines some are off at 95 %. It is a warning where one is off by more than the
     largest of as many is in 95 of 100 checks.
     """
-    if found is None:
+    if values is None:
         return
-    after = found.all_lines.after
+    after = values.all_lines.after
     if after.mean_significant:
         mean = after.signed.mean_m
         yield warning(
@@ -33,12 +33,12 @@ def absolute_check_warnings(found: AbsoluteCheckValues | None) -> Iterator[Messa
     elif after.distances.rms_m > LARGE * after.rms_expected.total_m:
         yield _rms_message(after.distances.rms_m, after.rms_expected.total_m)
     yield from _line_warnings(
-        [(x.line, x.after.signed.mean_m, x.after.mean_interval95_m) for x in found.lines]
+        [(x.line, x.after.signed.mean_m, x.after.mean_interval95_m) for x in values.lines]
     )
     yield from _point_warnings(
         [
             (x.name, x.after_m, x.after_interval95_m)
-            for x in found.points
+            for x in values.points
             if x.after_interval95_m is not None
         ]
     )
@@ -79,8 +79,8 @@ def _is_beyond_chance(each: Sequence[Off]) -> bool:
     return any(abs(mean) > largest * half for _, mean, half in each)
 
 
-def _rms_message(found: float, expected: float) -> Message:
-    return (warning if found > TOO_LARGE * expected else note)(
+def _rms_message(rms: float, expected: float) -> Message:
+    return (warning if rms > TOO_LARGE * expected else note)(
         "report.absolute_rms",
-        rms=found, factor=found / expected, expected=expected, subject=VALIDATE,
+        rms=rms, factor=rms / expected, expected=expected, subject=VALIDATE,
     )  # fmt: skip

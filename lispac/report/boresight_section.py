@@ -14,8 +14,8 @@ from lispac.report.document_blocks import (
     facts_table,
 )
 from lispac.report.report_values import (
+    AdditionalParameterValues,
     AdjustmentValues,
-    ExtraParameter,
     ObservabilityValues,
     ReportContent,
 )
@@ -147,28 +147,28 @@ def _parameter_blocks(adjustment: AdjustmentValues) -> list[Block]:
     return blocks
 
 
-def _parameter_row(found: ExtraParameter) -> list[str]:
+def _parameter_row(parameter: AdditionalParameterValues) -> list[str]:
     def shown(value: float | None, *, sign: bool) -> str:
-        return format_known(value, lambda v: quantity_text(found.name, v, sign=sign))
+        return format_known(value, lambda v: quantity_text(parameter.name, v, sign=sign))
 
-    no_prior = found.prior_sigma is None
+    no_prior = parameter.prior_sigma is None
     return [
-        title(found.name),
-        shown(found.prior, sign=True),
-        gettext("not given") if no_prior else shown(found.prior_sigma, sign=False),
-        shown(found.value, sign=True),
-        shown(found.sigma, sign=False),
-        format_known(found.significance, lambda v: signed_number(v, 1)),
-        _significance_text(found),
+        title(parameter.name),
+        shown(parameter.prior, sign=True),
+        gettext("not given") if no_prior else shown(parameter.prior_sigma, sign=False),
+        shown(parameter.value, sign=True),
+        shown(parameter.sigma, sign=False),
+        format_known(parameter.significance, lambda v: signed_number(v, 1)),
+        _significance_text(parameter),
     ]
 
 
-def _significance_text(found: ExtraParameter) -> str:
-    if found.significant is not None:
-        return gettext("significant") if found.significant else gettext("not significant")
-    if found.value is not None:
+def _significance_text(parameter: AdditionalParameterValues) -> str:
+    if parameter.significant is not None:
+        return gettext("significant") if parameter.significant else gettext("not significant")
+    if parameter.value is not None:
         return gettext("not tested (uncorrelated POS errors)")
-    if found.prior_sigma is None:
+    if parameter.prior_sigma is None:
         return gettext("not estimated, given value used")
     return gettext("not determined")
 
@@ -194,17 +194,19 @@ def _correlation_blocks(content: ReportContent, adjustment: AdjustmentValues) ->
     return blocks
 
 
-def _observability_blocks(content: ReportContent, found: ObservabilityValues) -> list[Block]:
+def _observability_blocks(
+    content: ReportContent, observability: ObservabilityValues
+) -> list[Block]:
     condition = gettext(
         "Condition number of the normal matrix of the angles: {number} (1 means that all "
         "combinations of the angles have the same sigma).",
-        number=format_known(found.condition, lambda v: grouped_number(v, 1)),
+        number=format_known(observability.condition, lambda v: grouped_number(v, 1)),
     )
     blocks: list[Block] = [
         Paragraph(gettext("Observability of the angles on these lines:")),
-        Bullets((*map(sentence_text, found.messages), condition)),
+        Bullets((*map(sentence_text, observability.messages), condition)),
     ]
-    if found.sigma_without_line_deg:
+    if observability.sigma_without_line_deg:
         deg = degrees_unit()
         columns = (
             Column("", "left"),
@@ -218,7 +220,7 @@ def _observability_blocks(content: ReportContent, found: ObservabilityValues) ->
                 gettext("Without line {name}", name=line),
                 *([UNKNOWN] * 3 if sigma is None else [fixed_number(v, 4) for v in sigma]),
             ]
-            for line, sigma in found.sigma_without_line_deg.items()
+            for line, sigma in observability.sigma_without_line_deg.items()
         ]
         cells = as_rows([[gettext("All lines"), *all_lines], *without])
         blocks.append(Table(gettext("1 sigma of the angles with one line omitted"), columns, cells))

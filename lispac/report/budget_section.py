@@ -7,19 +7,21 @@ from lispac.report.document_blocks import Block, Bullets, Column, Paragraph, Tab
 from lispac.report.text_format import UNKNOWN, centimetres, shortest_number
 
 
-def budget_blocks(found: ErrorBudgetValues) -> list[Block]:
+def budget_blocks(budget: ErrorBudgetValues) -> list[Block]:
     """A table for each direction of the beam, and the assumptions."""
-    blocks: list[Block] = [_beam_table(found, beam) for beam in found.beams]
+    blocks: list[Block] = [_beam_table(budget, beam) for beam in budget.beams]
     return [
         *blocks,
         Paragraph(gettext("Assumptions of the error budget:")),
-        Bullets(tuple(map(message_text, found.messages))),
+        Bullets(tuple(map(message_text, budget.messages))),
     ]
 
 
-def _beam_table(found: ErrorBudgetValues, beam: BeamErrors) -> Table:
+def _beam_table(budget: ErrorBudgetValues, beam: BeamErrors) -> Table:
     components = (gettext("Horizontal"), gettext("Vertical"), gettext("Across\nbeam"))
-    distances = [gettext("at {distance} m", distance=shortest_number(d)) for d in found.distances_m]
+    distances = [
+        gettext("at {distance} m", distance=shortest_number(d)) for d in budget.distances_m
+    ]
     columns = (
         Column(gettext("Source"), "left"),
         *(Column(f"{name}\n{distance}") for distance in distances for name in components),
@@ -28,7 +30,7 @@ def _beam_table(found: ErrorBudgetValues, beam: BeamErrors) -> Table:
         gettext("Error of a point, 1 sigma (cm); beam {beam}", beam=beam.beam),
         columns,
         as_rows(
-            [str(each.source), *_source_cells(each, len(found.distances_m))]
+            [str(each.source), *_source_cells(each, len(budget.distances_m))]
             for each in (*beam.sources, beam.before, beam.after)
         ),
     )

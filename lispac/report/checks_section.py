@@ -53,9 +53,9 @@ SIGHTING_TEST = N_(
 POINT_TEST = N_(
     "Single points are tested in the same way. Redundancy: control of each point by the other "
     "data, from 0 (none) to 1. Outliers: points farther from the surface than {limit} sigma; by "
-    "chance, one point in a thousand exceeds this limit. Largest w: distance of the farthest "
-    "point divided by its sigma, with its time on the line; averaged points have the mean of "
-    "their times."
+    "chance, one point in a thousand exceeds this limit. Largest w of a point: distance of "
+    "the farthest point divided by its sigma, with its time on the line; averaged points have the "
+    "mean of their times."
 )
 POS_ERRORS = N_(
     "Estimated POS error of each sighting with its 2 sigma interval (bar); grey: the prior 2 "
@@ -102,7 +102,7 @@ def reliability_blocks(content: ReportContent) -> list[Block]:
     ]
 
 
-def _test_table(found: Sequence[SightingCheck]) -> Table:
+def _test_table(sightings: Sequence[SightingCheck]) -> Table:
     deg = degrees_unit()
     return Table(
         gettext("Agreement of the sightings"),
@@ -127,12 +127,12 @@ def _test_table(found: Sequence[SightingCheck]) -> Table:
                 *([UNKNOWN] * 3 if s.effect_deg is None else [angle_text(v) for v in s.effect_deg]),
                 gettext(STANDINGS[s.status]),
             ]
-            for s in found
+            for s in sightings
         ),
     )
 
 
-def _point_table(found: Sequence[SightingCheck]) -> Table:
+def _point_table(sightings: Sequence[SightingCheck]) -> Table:
     return Table(
         gettext("Tests of single points"),
         (
@@ -141,7 +141,7 @@ def _point_table(found: Sequence[SightingCheck]) -> Table:
             Column(gettext("Points")),
             Column(gettext("Redundancy")),
             Column(gettext("Outliers")),
-            Column(gettext("Largest w")),
+            Column(gettext("Largest w\nof a point")),
             Column(gettext("Time of\nlargest w (s)")),
         ),
         as_rows(
@@ -154,14 +154,14 @@ def _point_table(found: Sequence[SightingCheck]) -> Table:
                 fixed_number(s.largest_w, 1),
                 format_known(s.largest_w_time_s, lambda v: fixed_number(v, 3)),
             ]
-            for s in found
+            for s in sightings
         ),
     )
 
 
-def _sighting_remarks(found: Sequence[SightingCheck]) -> list[Block]:
+def _sighting_remarks(sightings: Sequence[SightingCheck]) -> list[Block]:
     remarks = []
-    for sighting in found:
+    for sighting in sightings:
         if sighting.rejected:
             template = N_(
                 "{target} on line {line} disagrees with all other sightings. It was rejected and "
@@ -177,7 +177,7 @@ def _sighting_remarks(found: Sequence[SightingCheck]) -> list[Block]:
         remarks.append(gettext(template, target=sighting.target, line=sighting.line))
     unchecked = [
         gettext("{target} on line {line}", target=s.target, line=s.line)
-        for s in found
+        for s in sightings
         if s.status == "not checked"
     ]
     if unchecked:

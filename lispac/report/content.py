@@ -22,6 +22,7 @@ from lispac.method_comparison import comparison_remarks, method_results
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Target
 from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.report.alternative_method_values import MethodValues
 from lispac.report.budget_values import ErrorBudgetValues
 from lispac.report.convention_values import convention_values, scanner_to_body_matrix
 from lispac.report.diagnostics import (
@@ -33,11 +34,9 @@ from lispac.report.diagnostics import (
     reliability_values,
 )
 from lispac.report.displacement import EFFECT_DISTANCES_M, angle_displacements, s44_contributions
-from lispac.report.method_values import MethodValues
 from lispac.report.report_values import (
     AdjustmentValues,
     AngleValues,
-    Chi2,
     InputFile,
     LineValues,
     PickedPlane,
@@ -45,10 +44,11 @@ from lispac.report.report_values import (
     SightingFit,
     SightingQualityValues,
     TargetFit,
+    VarianceFactorTest,
 )
 from lispac.report.report_warnings import report_warnings
 from lispac.report.settings_used import CONVENTION, role_of_line, settings_used
-from lispac.report.trajectory_values import TrajectoryOnLine
+from lispac.report.trajectory_values import LineTrajectorySummary
 from lispac.report.validation_values import ValidationPlane, swath_overlap
 from lispac.survey.conventions.mounting_texts import orientation_text
 from lispac.survey.line_source import printable
@@ -73,7 +73,7 @@ def report_content(
     qualities: Mapping[tuple[str, str], SightingQuality] | None = None,
     convention: str = "",
     budget: ErrorBudget | None = None,
-    trajectory: Sequence[TrajectoryOnLine] = (),
+    trajectory: Sequence[LineTrajectorySummary] = (),
     refused: Message | str = "",
     digests: bool = True,
     progress: Progress = no_progress,
@@ -308,10 +308,10 @@ TOO_SMALL = N_(
 )
 
 
-def _chi_square_values(result: AdjustmentResult) -> Chi2:
+def _chi_square_values(result: AdjustmentResult) -> VarianceFactorTest:
     test = result.chi_square
     if result.degrees_of_freedom <= 0:
-        return Chi2(test.statistic, None, None, None, NOT_TESTED)
+        return VarianceFactorTest(test.statistic, None, None, None, NOT_TESTED)
     if test.passed:
         finding = PASSED
     elif test.statistic <= test.upper:
@@ -322,7 +322,7 @@ def _chi_square_values(result: AdjustmentResult) -> Chi2:
         finding = TOO_LARGE_NOISE
     else:
         finding = TOO_LARGE
-    return Chi2(test.statistic, test.lower, test.upper, test.passed, finding)
+    return VarianceFactorTest(test.statistic, test.lower, test.upper, test.passed, finding)
 
 
 def _picked_plane_values(target: Target) -> PickedPlane:

@@ -51,19 +51,19 @@ def control_chart_figure(
         at[k] = max(at[k], at[k - 1] + 0.03 * max(at[-1] - at[0], 1.0))
     # At the ends there is as much room as between two on the mean, and some days at least.
     between = max(3.0, (at[-1] - at[0]) / max(len(at) - 1, 1))
-    room = np.diff(at, prepend=at[0] - between, append=at[-1] + between)
-    moved = np.array([each.moved for each in charted])
+    spacing = np.diff(at, prepend=at[0] - between, append=at[-1] + between)
+    has_moved = np.array([each.has_moved for each in charted])
     for k, (axes, angle) in enumerate(zip(panels, ANGLES, strict=True)):
         for j, each in enumerate(charted):
             reach = control_limits(each)
             if reach is not None and each.before is not None:
                 low, high = np.degrees(reach[:, k])
-                sides = at[j] - HALF * room[j], at[j] + HALF * room[j + 1]
+                sides = at[j] - HALF * spacing[j], at[j] + HALF * spacing[j + 1]
                 axes.fill_between(sides, low, high, color=LIMITS, linewidth=0)
                 axes.hlines(np.degrees(each.before.boresight[k]), *sides, color=BEFORE, lw=1.0)
         values = np.degrees([each.calibration.boresight[k] for each in charted])
         reach = NORMAL_95 * np.degrees([each.calibration.sigma[k] for each in charted])
-        for own, colour in ((~moved, INK), (moved, AFTER)):
+        for own, colour in ((~has_moved, INK), (has_moved, AFTER)):
             axes.errorbar(
                 at[own], values[own], yerr=reach[own], fmt="o", markersize=4, color=colour,
                 elinewidth=1.0, capsize=2.5,

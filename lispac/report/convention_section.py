@@ -35,29 +35,42 @@ def convention_blocks(content: ReportContent) -> list[Block]:
     return blocks
 
 
-def _convention_tables(found: ConventionValues) -> list[Block]:
-    blocks: list[Block] = [_angle_table(found)] if found.angles else []
-    x, y, z = (signed_number(value, 4) for value in found.lever_arm_m)
-    axes = found.body_axes
-    source = gettext("{status}; source: {source}", status=found.status_text, source=found.source)
+def _convention_tables(convention: ConventionValues) -> list[Block]:
+    blocks: list[Block] = [_angle_table(convention)] if convention.angles else []
+    x, y, z = (signed_number(value, 4) for value in convention.lever_arm_m)
+    axes = convention.body_axes
+    source = gettext(
+        "{status}; source: {source}", status=convention.status_text, source=convention.source
+    )
     lever_arm = gettext(
         "X {x} m, Y {y} m, Z {z} m, from the POS centre to the LiDAR optical centre", x=x, y=y, z=z
     )
     values = [
-        (gettext("Verification"), source),
-        *([(gettext("Assumption"), str(found.assumption))] if found.assumption is not None else []),
-        (gettext("Rotation"), _rotation_text(found)),
+        (gettext("Verification of the convention"), source),
+        *(
+            [(gettext("Assumption"), str(convention.assumption))]
+            if convention.assumption is not None
+            else []
+        ),
+        (gettext("Rotation"), _rotation_text(convention)),
         (
             gettext("Body axes"),
             gettext("X {x}, Y {y}, Z {z}", x=axes[0], y=axes[1], z=axes[2]),
         ),
-        (gettext("Scanner axes"), str(found.scanner_text)),
+        (gettext("Scanner axes"), str(convention.scanner_text)),
         (gettext("Lever arm"), lever_arm),
     ]
     blocks.append(
-        facts_table(gettext("Convention of {program}", program=_program_name(found.name)), values)
+        facts_table(
+            gettext("Convention of {program}", program=_program_name(convention.name)), values
+        )
     )
-    notes = (found.check_first, found.note, found.offsets_text, found.warning)
+    notes = (
+        convention.check_first,
+        convention.note,
+        convention.offsets_text,
+        convention.warning,
+    )
     blocks += [
         Paragraph(message_text(each).replace(" -", f" {MINUS}"))
         for each in notes
@@ -66,13 +79,13 @@ def _convention_tables(found: ConventionValues) -> list[Block]:
     return blocks
 
 
-def _angle_table(found: ConventionValues) -> Table:
-    decimals = 4 if found.note is None else EXACT
+def _angle_table(convention: ConventionValues) -> Table:
+    decimals = 4 if convention.note is None else EXACT
     deg = degrees_unit()
     return Table(
         gettext(
             "Boresight for {program}: convention {status}",
-            program=_program_name(found.name), status=found.status_text,
+            program=_program_name(convention.name), status=convention.status_text,
         ),
         (
             Column(gettext("Angle"), "left"),
@@ -87,7 +100,7 @@ def _angle_table(found: ConventionValues) -> Table:
                 format_known(angle.sigma_deg, lambda v: fixed_number(v, 4)),
                 str(angle.meaning),
             ]
-            for angle in found.angles
+            for angle in convention.angles
         ),
     )  # fmt: skip
 
@@ -97,24 +110,28 @@ def _program_name(name: str) -> str:
     return gettext(name)
 
 
-def _rotation_text(found: ConventionValues) -> str:
-    if not found.angles:
+def _rotation_text(convention: ConventionValues) -> str:
+    if not convention.angles:
         return gettext("this program imports a matrix, not angles")
-    return gettext(DIRECTIONS[found.direction_text], formula=str(found.formula).replace("-", MINUS))
+    return gettext(
+        DIRECTIONS[convention.direction_text], formula=str(convention.formula).replace("-", MINUS)
+    )
 
 
-def _matrix_tables(found: ScannerToBodyMatrix) -> list[Block]:
-    axes = found.body_axes
+def _matrix_tables(matrix: ScannerToBodyMatrix) -> list[Block]:
+    axes = matrix.body_axes
     return [
         Table(
-            gettext("Matrix from scanner to body for {program}", program=_program_name(found.name)),
+            gettext(
+                "Matrix from scanner to body for {program}", program=_program_name(matrix.name)
+            ),
             (
                 Column(gettext("Scanner X")),
                 Column(gettext("Scanner Y")),
                 Column(gettext("Scanner Z")),
                 Column(gettext("Lever arm (m)")),
             ),
-            as_rows([fixed_number(value, 10) for value in row] for row in found.transform),
+            as_rows([fixed_number(value, 10) for value in row] for row in matrix.transform),
         ),
         Paragraph(
             gettext(

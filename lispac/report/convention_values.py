@@ -12,7 +12,7 @@ from lispac.survey.conventions.conversion import (
     MountingInSystem,
     convert_to_system,
 )
-from lispac.survey.conventions.mounting_texts import CHECK_FIRST, THESIS_MODE, offsets_note
+from lispac.survey.conventions.mounting_texts import CHECK_FIRST, UNCORRELATED_WARNING, offsets_note
 from lispac.survey.conventions.systems import (
     DIRECTION_WORDS,
     STATUS_WORDS,
@@ -96,7 +96,7 @@ def convention_values(project: Project, key: str) -> ConventionValues | None:
         check_first=None if setup.status == "verified" else CHECK_FIRST,
         angles=_angle_values(stated),
         note=stated.note,
-        warning=None if project.result.model.correlated else THESIS_MODE,
+        warning=None if project.result.model.correlated else UNCORRELATED_WARNING,
         formula=convention.formula,
         direction_text=DIRECTION_WORDS[convention.direction],
         body_axes=tuple(map(gettext_lazy, setup.axes)),

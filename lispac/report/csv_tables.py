@@ -56,7 +56,8 @@ def histogram_tables(content: ReportContent) -> list[Table]:
                 tuple(
                     Column(gettext(each))
                     for each in (
-                        N_("From (mm)"), N_("To (mm)"), N_("Points before"), N_("Points after"),
+                        N_("From (mm)"), N_("To (mm)"), N_("Points before calibration"),
+                        N_("Points after calibration"),
                     )
                 ),
                 as_rows([f"{low:.4f}", end, f"{b}", f"{a}"] for low, end, b, a in bins),
@@ -156,8 +157,8 @@ def _plain_cell(cell: str, numbers: re.Pattern[str]) -> str:
     return " \u00b1 ".join(plain)
 
 
-def _plain_number(found: re.Match[str]) -> str:
-    sign, whole, decimals = found.groups()
+def _plain_number(match: re.Match[str]) -> str:
+    sign, whole, decimals = match.groups()
     return f"{sign}{re.sub('[^0-9]', '', whole)}{f'.{decimals}' if decimals else ''}"
 
 

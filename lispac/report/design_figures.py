@@ -30,14 +30,14 @@ COLOURS = (BEFORE, AFTER, "#228833")
 """Of roll, pitch and yaw; distinguishable with any colour vision."""
 
 
-def scenario_figure(found: Sequence[ScenarioOutcome], figure: Figure | None = None) -> Figure:
+def scenario_figure(outcomes: Sequence[ScenarioOutcome], figure: Figure | None = None) -> Figure:
     """Sigmas of roll, pitch and yaw for each case of one scenario, in both stochastic models."""
-    models = [m for m in NAMES if any(each.pos_errors == m for each in found)]
-    labels = {each.case: str(each.label) for each in found}
+    models = [m for m in NAMES if any(each.pos_errors == m for each in outcomes)]
+    labels = {each.case: str(each.label) for each in outcomes}
     figure = blank_figure(figure, (6.3, 0.9 + 1.9 * len(models)))
     panels = figure.subplots(len(models), 1, sharex=True, squeeze=False)[:, 0]
     for axes, model in zip(panels, models, strict=True):
-        own = {each.case: np.degrees(each.sigma) for each in found if each.pos_errors == model}
+        own = {each.case: np.degrees(each.sigma) for each in outcomes if each.pos_errors == model}
         table = np.array([own[case] for case in labels])
         highest = table[np.isfinite(table)].max(initial=0.0)
         for k, (angle, colour) in enumerate(zip(ANGLES, COLOURS, strict=True)):
@@ -86,11 +86,11 @@ def pareto_front_figure(
     return figure
 
 
-def simulated_errors_figure(found: MonteCarloResult, figure: Figure | None = None) -> Figure:
+def simulated_errors_figure(result: MonteCarloResult, figure: Figure | None = None) -> Figure:
     """Errors of roll, pitch and yaw over their predicted sigmas, with the expected distribution."""
     figure = blank_figure(figure, (6.3, 2.6))
     panels = figure.subplots(1, len(ANGLES), sharex=True, sharey=True)
-    unit = np.clip(found.errors / found.predicted, -BEYOND, BEYOND)
+    unit = np.clip(result.errors / result.predicted, -BEYOND, BEYOND)
     count = len(unit)
     edges = np.linspace(-BEYOND, BEYOND, int(np.clip(2 * round(np.sqrt(count)), 8, 40)) + 1)
     at = np.linspace(-BEYOND, BEYOND, 161)
@@ -103,11 +103,11 @@ def simulated_errors_figure(found: MonteCarloResult, figure: Figure | None = Non
             gettext("error / predicted sigma") if k == 1 else "",
             gettext("number of surveys") if k == 0 else "",
         )
-        ratio = found.ratio[k]
+        ratio = result.ratio[k]
         head = gettext(
             RATIOS[angle],
             ratio=fixed_number(ratio, 2),
-            interval=fixed_number(ratio * found.ratio_sigma, 2),
+            interval=fixed_number(ratio * result.ratio_sigma, 2),
         )
         axes.set_title(head, fontsize=TEXT, color=INK, loc="left")
     panels[0].yaxis.set_major_locator(MaxNLocator(nbins=8, integer=True))

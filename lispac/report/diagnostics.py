@@ -21,9 +21,9 @@ from lispac.adjustment.result import (
     SightingReliability,
 )
 from lispac.report.report_values import (
+    AdditionalParameterValues,
     CrossCheckPart,
     CrossCheckValues,
-    ExtraParameter,
     ObservabilityValues,
     SightingCheck,
     VarianceComponent,
@@ -35,14 +35,14 @@ def finite_or_none(value: float) -> float | None:
     return float(value) if math.isfinite(value) else None
 
 
-def parameter_values(result: AdjustmentResult) -> tuple[ExtraParameter, ...]:
+def parameter_values(result: AdjustmentResult) -> tuple[AdditionalParameterValues, ...]:
     """Results of the values selected for estimation besides the boresight."""
     found = []
     for estimate in result.parameters:
         factor, unit = STATED[estimate.name]
         significance = estimate.significance
         found.append(
-            ExtraParameter(
+            AdditionalParameterValues(
                 name=estimate.name,
                 unit=unit,
                 prior=factor * estimate.prior,
@@ -88,7 +88,7 @@ def component_values(result: AdjustmentResult) -> tuple[VarianceComponent, ...]:
 
 
 def reliability_values(result: AdjustmentResult) -> tuple[SightingCheck, ...]:
-    """Tests of every sighting; none in thesis mode."""
+    """Tests of every sighting; none with independent POS errors."""
     critical = critical_test_value(result) or math.inf
     points = {(s.sighting.target, s.sighting.line): s.points for s in result.sightings}
     return tuple(
@@ -125,7 +125,7 @@ def _sighting_check(item: SightingReliability, points: int, critical: float) -> 
 
 
 def cross_check_values(checks: CrossChecks | None) -> CrossCheckValues | None:
-    """Results of parts of the data."""
+    """Results of the cross-checks with subsets of the data."""
     if checks is None:
         return None
     return CrossCheckValues(

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.report.report_values import AngleDisplacement, S44Contribution
+from lispac.report.report_values import DisplacementByAngle, S44Contribution
 
 EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
 
@@ -19,7 +19,7 @@ TWO_95 = 2.45
 """Standard deviations that make 95 % of a quantity in one and in two dimensions (IHO S-44)."""
 
 
-def angle_displacements(result: AdjustmentResult) -> tuple[AngleDisplacement, ...]:
+def angle_displacements(result: AdjustmentResult) -> tuple[DisplacementByAngle, ...]:
     """Displacements by the sigma of each angle, and by all together in the worst direction.
 
     The mean square length of the displacement is d^2 (trace W - u' W u): largest along the
@@ -28,7 +28,7 @@ def angle_displacements(result: AdjustmentResult) -> tuple[AngleDisplacement, ..
     eigenvalues = np.linalg.eigvalsh(_turn_covariance(result))
     rates = [*result.sigma, math.sqrt(eigenvalues[1] + eigenvalues[2])]
     return tuple(
-        AngleDisplacement(name, tuple(float(rate * distance) for distance in EFFECT_DISTANCES_M))
+        DisplacementByAngle(name, tuple(float(rate * distance) for distance in EFFECT_DISTANCES_M))
         for name, rate in zip((*ANGLES, "worst direction"), rates, strict=True)
     )
 

@@ -18,7 +18,7 @@ from lispac.report.figures import (
     short_name,
     style_axes,
 )
-from lispac.report.text_width import cut_to_width, fitted_font_size
+from lispac.report.text_width import cut_to_width, largest_fitting_font_size
 from lispac.report.validation_values import DistanceMapValues, ValidationPlane
 from lispac.validation.comparison_results import PlaneComparison
 
@@ -119,9 +119,9 @@ def _fitted_pair_names(
             )
             for each in maps
         ]
-        if (size := fitted_font_size(named, room, SMALL)) == SMALL:
+        if (size := largest_fitting_font_size(named, room, SMALL)) == SMALL:
             break
-    return named, min(size, fitted_font_size(others, room, SMALL))
+    return named, min(size, largest_fitting_font_size(others, room, SMALL))
 
 
 def _break_after_commas(text: str) -> str:

@@ -85,7 +85,7 @@ class Picture:
 
 
 @dataclass(frozen=True)
-class Signature:
+class SignatureLines:
     """Lines to be filled in by hand, except those whose ``values`` are known already."""
 
     fields: tuple[str, ...]
@@ -109,7 +109,7 @@ class UndrawnPictures:
     kind: str = "drawing"
 
 
-Block = Paragraph | Bullets | Table | Picture | UndrawnPictures | Signature
+Block = Paragraph | Bullets | Table | Picture | UndrawnPictures | SignatureLines
 
 
 @dataclass(frozen=True)

@@ -46,7 +46,7 @@ _POOLED: Mapping[str, str] = {
 
 @dataclass(frozen=True, eq=False)
 class _BinnedDistances:
-    """Fine bins of both states, and a text of the legend for each."""
+    """Distances before and after calibration in fine bins, each with its text for the legend."""
 
     edges: ArrayLike
     counts: Sequence[ArrayLike]

@@ -2,7 +2,7 @@
 
 from lispac.identity import LABELS, NAMES
 from lispac.language import gettext
-from lispac.report.document_blocks import Signature, Table, form_table
+from lispac.report.document_blocks import SignatureLines, Table, form_table
 from lispac.report.report_values import ReportContent
 
 
@@ -14,10 +14,10 @@ def identity_form(content: ReportContent) -> Table:
     )
 
 
-def signature_lines(content: ReportContent) -> Signature:
+def signature_lines(content: ReportContent) -> SignatureLines:
     """Lines for the signature of the surveyor."""
     known = content.identity
-    return Signature(
+    return SignatureLines(
         (
             gettext("Surveyor"), gettext("Company"), gettext("Place and date"),
             gettext("Signature"),

@@ -4,8 +4,8 @@ from collections.abc import Mapping
 
 from lispac.adjustment.result import ANGLES
 from lispac.language import N_, gettext
+from lispac.report.alternative_method_values import MethodValues
 from lispac.report.document_blocks import Block, Bullets, Column, Paragraph, Table, as_rows
-from lispac.report.method_values import MethodValues
 from lispac.report.report_values import ReportContent
 from lispac.report.text_format import angle_text, fixed_number, sentence_text, signed_number, title
 
@@ -47,14 +47,14 @@ def _method_name(each: MethodValues) -> str:
     return gettext(METHODS[each.method])
 
 
-def _results_table(found: tuple[MethodValues, ...]) -> Table:
+def _results_table(methods: tuple[MethodValues, ...]) -> Table:
     columns = [
         Column(gettext("Method"), "left"), Column(gettext("Lines")), Column(gettext("Surfaces"))
     ]  # fmt: skip
     for name in ANGLES:
         columns += [Column(title(name)), Column(gettext("1 sigma"))]
     cells = []
-    for each in found:
+    for each in methods:
         row = [_method_name(each), fixed_number(each.lines, 0), fixed_number(each.surfaces, 0)]
         for value, sigma in zip(each.boresight_deg, each.sigma_deg, strict=True):
             row += [angle_text(value), fixed_number(sigma, 4)]
@@ -62,12 +62,12 @@ def _results_table(found: tuple[MethodValues, ...]) -> Table:
     return Table(gettext("Boresight by each method (deg)"), tuple(columns), as_rows(cells))
 
 
-def _differences_table(found: tuple[MethodValues, ...]) -> Table:
+def _differences_table(methods: tuple[MethodValues, ...]) -> Table:
     columns = [Column(gettext("Method"), "left")]
     for name in ANGLES:
         columns += [Column(title(name)), Column(gettext("Difference\n/ sigma"))]
     cells = []
-    for each in found:
+    for each in methods:
         if each.difference_deg is None or each.significance is None:
             continue
         row = [_method_name(each)]
@@ -76,6 +76,6 @@ def _differences_table(found: tuple[MethodValues, ...]) -> Table:
         cells.append([*row, gettext("yes") if each.differ else gettext("no")])
     columns.append(Column(gettext("Significant\ndifference")))
     head = gettext(
-        "Differences from the first method, {method} (deg)", method=_method_name(found[0])
+        "Differences from the first method, {method} (deg)", method=_method_name(methods[0])
     )
     return Table(head, tuple(columns), as_rows(cells))

@@ -13,10 +13,10 @@ from lispac.identity import Identity
 from lispac.language import LazyText
 from lispac.messages import Message
 from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.report.alternative_method_values import MethodValues
 from lispac.report.budget_values import ErrorBudgetValues
 from lispac.report.convention_values import ConventionValues, ScannerToBodyMatrix
-from lispac.report.method_values import MethodValues
-from lispac.report.trajectory_values import TrajectoryOnLine
+from lispac.report.trajectory_values import LineTrajectorySummary
 from lispac.report.validation_values import SwathDifference, ValidationPlane
 
 
@@ -80,7 +80,7 @@ class AngleValues:
 
 
 @dataclass(frozen=True)
-class Chi2:
+class VarianceFactorTest:
     """Two-sided test of the variance factor at 95 %; bounds are None without redundancy."""
 
     statistic: float
@@ -91,7 +91,7 @@ class Chi2:
 
 
 @dataclass(frozen=True)
-class AngleDisplacement:
+class DisplacementByAngle:
     """Displacement of a point caused by one sigma of an angle, or of all in the worst direction."""
 
     angle: str
@@ -141,8 +141,8 @@ class SightingFit:
 
 
 @dataclass(frozen=True)
-class ExtraParameter:
-    """A value estimated with the boresight, or the reason why it was not.
+class AdditionalParameterValues:
+    """Additional parameter estimated with the boresight, or the reason why it was not.
 
     ``prior``, ``prior_sigma``, ``value`` and ``sigma`` are in its own unit. ``significance`` is
     the change from the prior over its standard deviation; ``significant`` at 95 %.
@@ -263,21 +263,21 @@ class AdjustmentValues:
     correlation: tuple[tuple[float, ...], ...]
     estimated: tuple[str, ...]
     correlation_all: tuple[tuple[float, ...], ...]
-    parameters: tuple[ExtraParameter, ...]
+    parameters: tuple[AdditionalParameterValues, ...]
     observability: ObservabilityValues | None
     components: tuple[VarianceComponent, ...]
     critical_w: float | None
     reliability: tuple[SightingCheck, ...]
     variance_factor: float | None
     degrees_of_freedom: int
-    chi_square: Chi2
+    chi_square: VarianceFactorTest
     iterations: int
     points: int
     excluded_outliers: int
     rms_before_m: float
     rms_after_m: float
     effect_distances_m: tuple[float, ...]
-    effects: tuple[AngleDisplacement, ...]
+    effects: tuple[DisplacementByAngle, ...]
     s44: tuple[S44Contribution, ...]
     targets: tuple[TargetFit, ...]
     single_orientation: bool
@@ -357,6 +357,6 @@ class ReportContent:
     matrix: ScannerToBodyMatrix | None = None
     absolute: AbsoluteCheckValues | None = None
     budget: ErrorBudgetValues | None = None
-    trajectory: tuple[TrajectoryOnLine, ...] = ()
+    trajectory: tuple[LineTrajectorySummary, ...] = ()
     methods: tuple[MethodValues, ...] = ()
     method_messages: tuple[Message, ...] = ()

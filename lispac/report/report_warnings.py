@@ -11,11 +11,11 @@ from lispac.adjustment.message_parts import mounting_value_name, mounting_value_
 from lispac.messages import Message, Value, note, sort_by_level, warning
 from lispac.report.absolute_warnings import absolute_check_warnings
 from lispac.report.report_values import (
-    Chi2,
-    ExtraParameter,
+    AdditionalParameterValues,
     PickedPlane,
     ReportContent,
     SightingQualityValues,
+    VarianceFactorTest,
 )
 from lispac.warning_causes import RESULT, Cause
 
@@ -87,21 +87,21 @@ def _parameter_warnings(content: ReportContent) -> Iterator[Message]:
         yield from _single_parameter_warnings(found)
 
 
-def _single_parameter_warnings(found: ExtraParameter) -> Iterator[Message]:
-    name, field = mounting_value_name(found.name), Cause.of_parameter(found.name)
-    if found.value is None:
+def _single_parameter_warnings(parameter: AdditionalParameterValues) -> Iterator[Message]:
+    name, field = mounting_value_name(parameter.name), Cause.of_parameter(parameter.name)
+    if parameter.value is None:
         yield note(
             "report.parameter_not_seen"
-            if found.prior_sigma is None
+            if parameter.prior_sigma is None
             else "report.parameter_not_seen_uncertain",
-            parameter=name, reason=found.reason, subject=field,
+            parameter=name, reason=parameter.reason, subject=field,
         )  # fmt: skip
-    elif found.significant is False:
-        factor, _ = STATED[found.name]
+    elif parameter.significant is False:
+        factor, _ = STATED[parameter.name]
         yield note(
             "report.parameter_not_significant",
             parameter=name,
-            change=signed_change(found.name, (found.value - found.prior) / factor),
+            change=signed_change(parameter.name, (parameter.value - parameter.prior) / factor),
             subject=field,
         )
 
@@ -109,7 +109,9 @@ def _single_parameter_warnings(found: ExtraParameter) -> Iterator[Message]:
 CHI_SQUARE_LOW = "report.chi_square_low"
 
 
-def _chi_square_warnings(test: Chi2, independent: bool, noisy: bool) -> Iterator[Message]:
+def _chi_square_warnings(
+    test: VarianceFactorTest, independent: bool, noisy: bool
+) -> Iterator[Message]:
     if test.passed is None:
         yield warning("report.no_redundancy", subject=RESULT)
     elif test.passed:

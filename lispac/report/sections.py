@@ -18,8 +18,8 @@ from lispac.report.document_blocks import (
     as_rows,
 )
 from lispac.report.report_values import (
+    AdditionalParameterValues,
     AdjustmentValues,
-    ExtraParameter,
     PickedPlane,
     ReportContent,
 )
@@ -39,7 +39,7 @@ from lispac.report.text_format import (
     title,
     title_with_unit,
 )
-from lispac.report.trajectory_values import TrajectoryOnLine
+from lispac.report.trajectory_values import LineTrajectorySummary
 from lispac.report.validation_section import distance_table
 
 COMMON_SURFACE = N_(
@@ -110,14 +110,14 @@ def _fit_text(adjustment: AdjustmentValues) -> str:
     )  # fmt: skip
 
 
-def _value_with_sigma(found: ExtraParameter) -> str:
-    assert found.value is not None
-    assert found.sigma is not None
+def _value_with_sigma(parameter: AdditionalParameterValues) -> str:
+    assert parameter.value is not None
+    assert parameter.sigma is not None
     return gettext(
         "{name} {value} (1\u00a0sigma {sigma})",
-        name=parameter_name(found.name),
-        value=quantity_text(found.name, found.value, sign=True),
-        sigma=quantity_text(found.name, found.sigma),
+        name=parameter_name(parameter.name),
+        value=quantity_text(parameter.name, parameter.value, sign=True),
+        sigma=quantity_text(parameter.name, parameter.sigma),
     )
 
 
@@ -301,7 +301,7 @@ def site_blocks(content: ReportContent) -> list[Block]:
     return blocks
 
 
-def _trajectory_tables(lines: Sequence[TrajectoryOnLine]) -> list[Block]:
+def _trajectory_tables(lines: Sequence[LineTrajectorySummary]) -> list[Block]:
     deg = degrees_unit()
     return [
         Table(

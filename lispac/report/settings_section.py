@@ -196,7 +196,7 @@ def _noise_factor_text(adjustment: AdjustmentValues) -> str:
         return gettext("not larger than the given noise on any target")
     found = [
         gettext(
-            "{factor}\u00a0times ({target})",
+            "{target}: {factor}\u00a0times",
             factor=fixed_number(t.noise_factor, 1),
             target=t.target,
         )
@@ -254,12 +254,14 @@ def _component_tables(adjustment: AdjustmentValues) -> list[Block]:
     ]
 
 
-def _component_row(found: VarianceComponent) -> tuple[str, str, str, str]:
+def _component_row(component: VarianceComponent) -> tuple[str, str, str, str]:
     interval = gettext(
-        "{lower} to {upper}", lower=fixed_number(found.lower, 2), upper=fixed_number(found.upper, 2)
+        "{lower} to {upper}",
+        lower=fixed_number(component.lower, 2),
+        upper=fixed_number(component.upper, 2),
     )
-    name, factor = gettext(COMPONENTS[found.name]), fixed_number(found.factor, 2)
-    return name, factor, interval, sentence_text(found.text)
+    name, factor = gettext(COMPONENTS[component.name]), fixed_number(component.factor, 2)
+    return name, factor, interval, sentence_text(component.text)
 
 
 def _files_table(content: ReportContent) -> Table:

@@ -43,7 +43,7 @@ def standards_blocks(content: ReportContent) -> list[Block]:
     return blocks
 
 
-def _s44_tables(found: tuple[S44Contribution, ...]) -> list[Block]:
+def _s44_tables(contributions: tuple[S44Contribution, ...]) -> list[Block]:
     return [
         Table(
             gettext("Uncertainty by IHO S-44: contribution of the boresight alone, 95 %"),
@@ -54,33 +54,33 @@ def _s44_tables(found: tuple[S44Contribution, ...]) -> list[Block]:
             ),
             as_rows(
                 [fixed_number(at.distance_m, 0), centimetres(at.thu95_m), centimetres(at.tvu95_m)]
-                for at in found
+                for at in contributions
             ),
         ),
         Paragraph(gettext(S44)),
     ]
 
 
-def _swath_overlap_tables(found: tuple[SwathDifference, ...]) -> list[Block]:
+def _swath_overlap_tables(differences: tuple[SwathDifference, ...]) -> list[Block]:
     return [
         Table(
             gettext("Swath overlap difference (RMSDn, along the normal of the surface)"),
             (
                 Column(gettext("Plane"), "left"),
                 Column(gettext("Pairs of\nlines")),
-                Column(gettext("Places")),
+                Column(gettext("Compared\nplaces")),
                 Column(gettext("RMSDn before\n(mm)")),
                 Column(gettext("RMSDn after\n(mm)")),
             ),
             as_rows(
                 [
-                    each.plane or gettext(ALL_PLANES, count=len(found) - 1),
+                    each.plane or gettext(ALL_PLANES, count=len(differences) - 1),
                     fixed_number(each.pairs, 0),
                     grouped_number(each.places),
                     millimetres(each.rmsd_before_m),
                     millimetres(each.rmsd_after_m),
                 ]
-                for each in found
+                for each in differences
             ),
         ),
         Paragraph(gettext(OVERLAP)),

@@ -21,23 +21,23 @@ def text_width(text: str, size: float) -> float:
     return size / POINTS_PER_INCH * longest
 
 
-def fitted_font_size(texts: Sequence[str], room: float, size: float) -> float:
-    """Font size, points, at which the widest of several texts fits: `LEAST` to ``size``.
+def largest_fitting_font_size(texts: Sequence[str], width: float, size: float) -> float:
+    """Largest font size, points, at which all texts fit in ``width``: `LEAST` to ``size``.
 
     Parameters
     ----------
     texts
-    room : float, inches
+    width : float, inches
     size : float, points
     """
     widest = max(text_width(text, size) for text in texts)
-    return max(LEAST, min(size, size * room / widest)) if widest else size
+    return max(LEAST, min(size, size * width / widest)) if widest else size
 
 
-def cut_to_width(text: str, room: float) -> str:
+def cut_to_width(text: str, width: float) -> str:
     """The text without line breaks, cut at the end to fit in inches at the smallest size."""
     kept = len(text)
-    while kept and text_width(shown := text[:kept] + "\u2026" * (kept < len(text)), LEAST) > room:
+    while kept and text_width(shown := text[:kept] + "\u2026" * (kept < len(text)), LEAST) > width:
         kept -= 1
     return shown if kept else text[:1]
 

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
-class TrajectoryOnLine:
-    """Trajectory on one line, and the largest of its given standard deviations.
+class LineTrajectorySummary:
+    """Summary of the trajectory during one line, with its largest given standard deviations.
 
     Attributes
     ----------

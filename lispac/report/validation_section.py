@@ -189,7 +189,7 @@ def _signed_tables(planes: Sequence[ValidationPlane]) -> list[Block]:
                 (
                     Column(gettext("Plane"), "left"),
                     Column(gettext("Lines"), "left"),
-                    Column(gettext("Places")),
+                    Column(gettext("Compared\nplaces")),
                     *_before_after_columns(
                         gettext("Median"),
                         gettext("95 % interval\nof a place"),

@@ -257,9 +257,9 @@ def _measured_pairs(plane: PlaneComparison) -> list[_Measured]:
 
 
 def _swath_difference(name: str, pairs: Sequence[_Measured]) -> SwathDifference:
-    def pooled(found: Sequence[SignedStatistics]) -> float:
-        squares = sum(each.n * (each.rms or 0.0) ** 2 for each in found)
-        return sqrt(squares / sum(each.n for each in found))
+    def pooled(statistics: Sequence[SignedStatistics]) -> float:
+        squares = sum(each.n * (each.rms or 0.0) ** 2 for each in statistics)
+        return sqrt(squares / sum(each.n for each in statistics))
 
     before, after = [b for b, _ in pairs], [a for _, a in pairs]
     places = sum(each.n for each in after)

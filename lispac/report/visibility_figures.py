@@ -44,15 +44,15 @@ class Criterion:
 
 CRITERIA: Mapping[str, Criterion] = {
     "type-one": Criterion(
-        N_("Type I: planarity and position of the board"), N_("Type I criterion"), 3, 1.0,
+        N_("Type I criterion: planarity and position of the board"), N_("Type I criterion"), 3, 1.0,
         lambda v: v.type_one,
     ),
     "orthogonal-distance": Criterion(
-        N_("Type II: shift of the board"),
+        N_("Type II criterion: shift of the board"),
         N_("Signed orthogonal distance (m)"), 4, 0.02, lambda v: v.orthogonal_distance,
     ),
     "angular-deviation": Criterion(
-        N_("Type II: rotation of the board"),
+        N_("Type II criterion: rotation of the board"),
         N_("Angular deviation (deg)"), 3, 0.2, lambda v: np.degrees(v.angular_deviation),
     ),
 }  # fmt: skip
@@ -62,7 +62,7 @@ SITE_NAMES: Mapping[str, str] = {"terrestrial": N_("terrestrial"), "marine": N_(
 """Names of the sites within a sentence."""
 
 
-def error_text(error: str) -> str:
+def systematic_error_label(error: str) -> str:
     """An error with its size, as ``Roll 2 deg`` or ``Lever arm X 10 cm``."""
     size = SIZES[error]
     if error.startswith(("lever", "range")):
@@ -79,7 +79,7 @@ def _set_y_limits(axes: Axes, values: Array, least: float) -> None:
 
 
 def visibility_figure(
-    found: VisibilityStudy,
+    study: VisibilityStudy,
     error: str,
     criterion: str,
     figure: Figure | None = None,
@@ -97,15 +97,15 @@ def visibility_figure(
     figure = blank_figure(figure, (6.3, 3.4))
     axes = figure.add_subplot()
     shown = CRITERIA[criterion]
-    best = found.best_configuration(error)
-    inclinations = np.degrees(found.site.inclinations)
+    best = study.best_configuration(error)
+    inclinations = np.degrees(study.site.inclinations)
     if best.kept:
         axes.axvspan(
             np.degrees(best.kept[0]) - 5, np.degrees(best.kept[-1]) + 5, color=KEPT, linewidth=0
         )
     if best.inclination is not None:
         axes.axvline(np.degrees(best.inclination), color=BEST, linewidth=0.9, linestyle="--")
-    values = shown.values(found)[found.site.errors.index(error)]
+    values = shown.values(study)[study.site.errors.index(error)]
     for k, heading in enumerate(HEADINGS_DEG):
         axes.plot(
             inclinations, values[k], color=LINE_COLOURS[k], linewidth=WIDTHS[k],
@@ -121,12 +121,12 @@ def visibility_figure(
         axes.axhline(THRESHOLD, color=BEST, linewidth=0.6, linestyle=":")
         axes.set_ylim(-0.05, 1.05)
     elif best.kept:
-        _set_y_limits(axes, values[:, np.isin(found.site.inclinations, best.kept)], shown.least)
+        _set_y_limits(axes, values[:, np.isin(study.site.inclinations, best.kept)], shown.least)
     axes.set_xticks(inclinations[:: 3 if len(inclinations) > 20 else 1])
     axes.set_xlim(inclinations[0] - 5, inclinations[-1] + 5)
     head = gettext(
         "{error}, {site} site. {criterion}",
-        error=error_text(error), site=gettext(SITE_NAMES[found.site.name]),
+        error=systematic_error_label(error), site=gettext(SITE_NAMES[study.site.name]),
         criterion=gettext(shown.title),
     )  # fmt: skip
     axes.set_title(head, fontsize=TEXT + 1, color=INK, loc="left")

@@ -8,7 +8,7 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.report.document_blocks import Column, Table, as_rows
 from lispac.report.text_format import fixed_number
-from lispac.report.visibility_figures import CRITERIA, error_text
+from lispac.report.visibility_figures import CRITERIA, systematic_error_label
 from lispac.simulation.thesis_comparison import (
     ALL_ERRORS,
     ThesisComparison,
@@ -33,42 +33,42 @@ VALUES = (
     N_("Signed orthogonal distance (m)"), N_("Angular deviation (deg)"),
 )  # fmt: skip
 COMPARISON = (
-    N_("Error"), N_("Accepted incl. (deg)"), N_("Accepted incl., thesis"), N_("Best incl. (deg)"),
-    N_("Best incl., thesis"), N_("Required lines"), N_("Required lines, thesis"),
-    N_("Incl. vs. thesis"), N_("Lines vs. thesis"), N_("Reason"),
+    N_("Error"), N_("Accepted incl. (deg)"), N_("Accepted incl., Shahraji"), N_("Best incl. (deg)"),
+    N_("Best incl., Shahraji"), N_("Required lines"), N_("Required lines, Shahraji"),
+    N_("Inclination (agreement)"), N_("Lines (agreement)"), N_("Reason"),
 )  # fmt: skip
-"""Titles of the columns; the thesis's inclinations are in degrees."""
+"""Titles of the columns; Shahraji's inclinations are in degrees."""
 
 
-def values_table(found: VisibilityStudy, errors: Sequence[str]) -> Table:
+def values_table(study: VisibilityStudy, errors: Sequence[str]) -> Table:
     """A row for each error, line and inclination; without points there are no values."""
     made = []
     for error in errors:
-        e, kept = found.site.errors.index(error), found.kept_inclinations(error)
+        e, kept = study.site.errors.index(error), study.kept_inclinations(error)
         for k, heading in enumerate(HEADINGS_DEG):
-            for j, inclination in enumerate(found.site.inclinations):
+            for j, inclination in enumerate(study.site.inclinations):
                 place = (e, k, j)
                 made.append(
                     (
                         error, f"{heading}", f"{np.degrees(inclination):.0f}",
-                        f"{found.points[place]}", _number_text(found.planarity[place], 4),
-                        _number_text(found.centroidal_distance[place], 5),
-                        _number_text(found.type_one[place], 4),
+                        f"{study.points[place]}", _number_text(study.planarity[place], 4),
+                        _number_text(study.centroidal_distance[place], 5),
+                        _number_text(study.type_one[place], 4),
                         gettext("yes") if inclination in kept else gettext("no"),
-                        _number_text(found.orthogonal_distance[place], 6),
-                        _number_text(np.degrees(found.angular_deviation[place]), 5),
+                        _number_text(study.orthogonal_distance[place], 6),
+                        _number_text(np.degrees(study.angular_deviation[place]), 5),
                     )
                 )  # fmt: skip
-    return Table(gettext(VALUES_TITLES[found.site.name]), _table_columns(VALUES), as_rows(made))
+    return Table(gettext(VALUES_TITLES[study.site.name]), _table_columns(VALUES), as_rows(made))
 
 
 def values_at_inclination(
-    found: VisibilityStudy, error: str, criterion: str, inclination_deg: float
+    study: VisibilityStudy, error: str, criterion: str, inclination_deg: float
 ) -> str:
     """Values of all lines at the studied inclination nearest to the given one."""
     shown = CRITERIA[criterion]
-    j = int(np.argmin(np.abs(np.degrees(found.site.inclinations) - inclination_deg)))
-    values = shown.values(found)[found.site.errors.index(error), :, j]
+    j = int(np.argmin(np.abs(np.degrees(study.site.inclinations) - inclination_deg)))
+    values = shown.values(study)[study.site.errors.index(error), :, j]
     lines = [
         gettext(
             "{heading:n} deg: {value}", heading=heading, value=_value_text(value, shown.decimals)
@@ -77,7 +77,7 @@ def values_at_inclination(
     ]
     return gettext(
         "{quantity} at an inclination of {inclination:deg.0} deg, by heading of the line: {values}",
-        quantity=gettext(shown.label), inclination=found.site.inclinations[j],
+        quantity=gettext(shown.label), inclination=study.site.inclinations[j],
         values="; ".join(lines),
     )  # fmt: skip
 
@@ -86,49 +86,53 @@ def _value_text(value: float, decimals: int) -> str:
     return fixed_number(value, decimals) if np.isfinite(value) else gettext("no points")
 
 
-def plot_table(found: VisibilityStudy, error: str, criterion: str) -> Table:
+def plot_table(study: VisibilityStudy, error: str, criterion: str) -> Table:
     """Values of one figure: a row for each inclination, a column for each line."""
     shown = CRITERIA[criterion]
-    values = shown.values(found)[found.site.errors.index(error)]
+    values = shown.values(study)[study.site.errors.index(error)]
     return Table(
-        gettext("{error}: {quantity}", error=error_text(error), quantity=gettext(shown.label)),
+        gettext(
+            "{error}: {quantity}",
+            error=systematic_error_label(error),
+            quantity=gettext(shown.label),
+        ),
         (
             Column(gettext("Inclination (deg)")),
             *(Column(gettext("{heading:n} deg", heading=each)) for each in HEADINGS_DEG),
         ),
         as_rows(
             (f"{np.degrees(each):.0f}", *(_number_text(value, 6) for value in values[:, j]))
-            for j, each in enumerate(found.site.inclinations)
+            for j, each in enumerate(study.site.inclinations)
         ),
     )
 
 
-def comparison_table(found: VisibilityStudy, errors: Sequence[str]) -> Table:
+def comparison_table(study: VisibilityStudy, errors: Sequence[str]) -> Table:
     """Best configuration for each error, here and in the thesis, and their agreement."""
     made = [
-        _comparison_row(each) for each in compare_with_thesis(found) if each.best.error in errors
+        _comparison_row(each) for each in compare_with_thesis(study) if each.best.error in errors
     ]
-    return Table(gettext(BEST_TITLES[found.site.name]), _table_columns(COMPARISON), as_rows(made))
+    return Table(gettext(BEST_TITLES[study.site.name]), _table_columns(COMPARISON), as_rows(made))
 
 
 def _table_columns(titles: Sequence[str]) -> tuple[Column, ...]:
     return tuple(Column(gettext(each)) for each in titles)
 
 
-def all_errors_text(found: VisibilityStudy) -> str:
+def all_errors_text(study: VisibilityStudy) -> str:
     """Text on the lines that show every error, beside table 3.3 of the thesis."""
-    sets = fewest_sufficient_lines([found.best_configuration(error) for error in found.site.errors])
-    if found.site.name != "terrestrial":
+    sets = fewest_sufficient_lines([study.best_configuration(error) for error in study.site.errors])
+    if study.site.name != "terrestrial":
         template = N_("Smallest sets of lines that reveal all errors: {lines}.")
-    elif do_fewest_lines_agree(found):
+    elif do_fewest_lines_agree(study):
         template = N_(
             "Smallest sets of lines that reveal all errors: {lines} (the same as the {count:n} "
-            "sets in table 3.3 of the thesis)."
+            "sets in table 3.3 of Shahraji's thesis)."
         )
     else:
         template = N_(
             "Smallest sets of lines that reveal all errors: {lines} (different from the {count:n} "
-            "sets in table 3.3 of the thesis)."
+            "sets in table 3.3 of Shahraji's thesis)."
         )
     return gettext(template, lines="; ".join(map(_headings_text, sets)), count=len(ALL_ERRORS))
 
@@ -142,7 +146,7 @@ def _comparison_row(each: ThesisComparison) -> tuple[str, ...]:
         )
     not_seen, thesis = gettext("not visible"), stated.inclination_deg
     return (
-        error_text(best.error),
+        systematic_error_label(best.error),
         accepted,
         _range_text(*stated.suitable_inclinations_deg),
         not_seen if best.inclination is None else f"{np.degrees(best.inclination):.0f}",

@@ -188,9 +188,9 @@ class OpenProject(LoadedProject):
 
     def accept(self, proposal: Proposal, names: Collection[str] | None = None) -> tuple[str, ...]:
         """Add proposed targets, all of them or those of these names; the names they get."""
-        wanted = [target.name for target in proposal.targets] if names is None else names
-        self.project, given = with_accepted(self.project, proposal, wanted)
-        return given
+        accepted_names = [target.name for target in proposal.targets] if names is None else names
+        self.project, new_names = with_accepted(self.project, proposal, accepted_names)
+        return new_names
 
     def put(self, target: Target) -> None:
         """Add a target with its points as they are given, or put it in the place of another."""

@@ -144,7 +144,7 @@ def _integrated_walk(steps: Array, generator: np.random.Generator) -> tuple[Arra
 
 
 @dataclass(frozen=True)
-class Jumps:
+class StepErrors:
     """Errors that change at once and then stay, as a wrong GNSS fix makes them.
 
     Each jump draws a new level; before the first there is none. The POS does not know of them.

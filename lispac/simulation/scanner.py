@@ -112,7 +112,7 @@ class Scanner:
         return angle, (angle - first) / speed, np.arange(len(angle)) % len(self.elevations)
 
     def turns(self, start: float, stop: float) -> int:
-        """How many whole turns a stretch of time holds; one at least."""
+        """Number of whole rotations of the scanner in a time span; at least one."""
         return max(int((stop - start) * self.turns_per_second), 1)
 
     def directions(self, angle: Array, elevation: Array | float) -> Array:

@@ -13,13 +13,13 @@ from lispac.geometry.rotations import rotation_angles, rotation_matrix
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
+from lispac.simulation.motion_source import MotionSource, RecordedTrajectory, SailedTrajectory
 from lispac.simulation.port_scene import ORIGIN, TARGETS, VALIDATION, port_scene, six_passes
 from lispac.simulation.pos_error_models import PosErrors
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes, Scanner, scan_scene
 from lispac.simulation.scene import Rectangle, Scene, Sphere
 from lispac.simulation.vessel_motion import VesselMotion
-from lispac.simulation.voyage import RecordedTrajectory, SailedTrajectory, Voyage
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
@@ -102,7 +102,7 @@ class SurveySetup:
     scene : Scene
     targets, validation : tuple of str
         Names of the rectangles and balls of the scene used as targets.
-    voyage : Voyage
+    voyage : MotionSource
     pos : PosErrors
     scanner : Scanner
     mounting : Mounting
@@ -113,7 +113,7 @@ class SurveySetup:
     scene: Scene
     targets: tuple[str, ...]
     validation: tuple[str, ...]
-    voyage: Voyage
+    voyage: MotionSource
     pos: PosErrors
     scanner: Scanner
     mounting: Mounting

@@ -86,45 +86,45 @@ class ThesisComparison:
     reason: Message | None
 
 
-def compare_with_thesis(found: VisibilityStudy) -> tuple[ThesisComparison, ...]:
+def compare_with_thesis(study: VisibilityStudy) -> tuple[ThesisComparison, ...]:
     """Every error of a site beside what the thesis chose for it."""
     rows = []
-    for error in found.site.errors:
-        best, stated = found.best_configuration(error), STATED[found.site.name][error]
+    for error in study.site.errors:
+        best, stated = study.best_configuration(error), STATED[study.site.name][error]
         if stated.inclination_deg is None or best.inclination is None:
             lines = inclination = stated.inclination_deg is None and best.inclination is None
         else:
             met = [sum(heading in group for heading in stated.lines) for group in best.groups]
-            pair = found.site.name == "marine"
+            pair = study.site.name == "marine"
             lines = max(met) == 1 and (pair or min(met) == 1)
             low, high = stated.inclination_deg
             inclination = low <= round(float(np.degrees(best.inclination))) <= high
-        reason = None if lines and inclination else _disagreement_reason(found, best, stated)
+        reason = None if lines and inclination else _disagreement_reason(study, best, stated)
         rows.append(ThesisComparison(best, stated, lines, inclination, reason))
     return tuple(rows)
 
 
-def do_fewest_lines_agree(found: VisibilityStudy) -> bool:
+def do_fewest_lines_agree(study: VisibilityStudy) -> bool:
     """Whether the fewest lines that show all errors are those of table 3.3."""
-    sets = fewest_sufficient_lines([found.best_configuration(error) for error in found.site.errors])
+    sets = fewest_sufficient_lines([study.best_configuration(error) for error in study.site.errors])
     return {frozenset(lines) for lines in sets} == ALL_ERRORS
 
 
 def _disagreement_reason(
-    found: VisibilityStudy, best: BestConfiguration, stated: ThesisValue
+    study: VisibilityStudy, best: BestConfiguration, stated: ThesisValue
 ) -> Message:
     """What there is to see at both inclinations, and why they differ where that is known."""
-    degrees = np.round(np.degrees(found.site.inclinations)).astype(int)
+    degrees = np.round(np.degrees(study.site.inclinations)).astype(int)
     places = []
     if best.inclination is not None:
         places.append(int(np.round(np.degrees(best.inclination))))
     if stated.inclination_deg is not None:
         places.append(int(np.mean(stated.inclination_deg)))
     rows = [int(np.argmax(degrees == place)) for place in places]
-    apart = [spread[rows] for spread in found.visibility_spread(best.error)]
+    apart = [spread[rows] for spread in study.visibility_spread(best.error)]
     differences = tuple(
         note("item.apart", distance=float(metres), angle=float(turn), inclination=np.radians(place))
         for place, metres, turn in zip(places, *apart, strict=True)
     )
-    code = REASONS.get((found.site.name, best.error), "visibility.unknown_reason")
+    code = REASONS.get((study.site.name, best.error), "visibility.unknown_reason")
     return note("visibility.differs", reason=note(code), differences=differences)

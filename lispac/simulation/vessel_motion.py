@@ -126,7 +126,7 @@ def _smooth_step(count: int) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class VesselMotion:
-    """The vessel's true states, sampled.
+    """True positions and attitudes of the simulated vessel at sampled times.
 
     Attributes
     ----------

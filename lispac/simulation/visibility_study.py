@@ -208,9 +208,11 @@ def study_visibility(
     return VisibilityStudy(site, beams, points, planarity, centroidal, good, orthogonal, angular)
 
 
-def fewest_sufficient_lines(found: Sequence[BestConfiguration]) -> tuple[tuple[int, ...], ...]:
+def fewest_sufficient_lines(
+    configurations: Sequence[BestConfiguration],
+) -> tuple[tuple[int, ...], ...]:
     """The smallest sets of lines, headings in degrees, that see every error any lines can see."""
-    visible = [best for best in found if best.inclination is not None]
+    visible = [best for best in configurations if best.inclination is not None]
     for count in range(1, len(HEADINGS_DEG) + 1):
         enough = tuple(
             lines

@@ -95,12 +95,12 @@ class CoordinateSystem:
     def pipeline(self) -> tuple[str, ...]:
         """PROJ pipeline; equal for two systems that give the same numbers."""
         steps = (self._to_geographic, self._to_ellipsoid)
-        said = tuple(str(step.definition) for step in steps if step is not None)
+        definitions = tuple(str(step.definition) for step in steps if step is not None)
         if self.frame is not None:
             return (repr(self.frame),)
-        dated = any(word in step for step in said for word in CHANGING)
+        dated = any(word in step for step in definitions for word in CHANGING)
         heights = f"{self._height_factor!r} {self._height_offset!r}"
-        return (*said, heights, repr(self._epoch) if dated else "")
+        return (*definitions, heights, repr(self._epoch) if dated else "")
 
     @property
     def is_geographic(self) -> bool:
@@ -191,11 +191,11 @@ class CoordinateSystem:
         moved = transformer.transform(*place, tt=epoch, direction=direction)
         return moved[0], moved[1], moved[2]
 
-    def _require_inside(self, moved: Geodetic, given: Geodetic) -> None:
-        outside = ~np.isfinite(np.stack(moved)).all(axis=0)
+    def _require_inside(self, converted: Geodetic, original: Geodetic) -> None:
+        outside = ~np.isfinite(np.stack(converted)).all(axis=0)
         if outside.any():
             first = int(np.argmax(outside))
-            x, y, z = (float(axis[first]) for axis in given)
+            x, y, z = (float(axis[first]) for axis in original)
             raise InputError(
                 error(
                     "crs.points_outside", count=int(outside.sum()), system=self.name, x=x, y=y, z=z

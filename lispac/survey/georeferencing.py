@@ -102,12 +102,12 @@ class Mounting:
             Roll, pitch, yaw of the LiDAR frame in the body frame, of any size.
         range_offset, scan_angle_offset, latency : metres, radians and seconds
         """
-        given = cls(lever_arm, boresight, range_offset, scan_angle_offset, latency)
-        rotation = given.rotation_body_lidar
-        if not is_steep(given.boresight):
-            return given
+        mounting = cls(lever_arm, boresight, range_offset, scan_angle_offset, latency)
+        rotation = mounting.rotation_body_lidar
+        if not is_steep(mounting.boresight):
+            return mounting
         axes = max(AXES, key=lambda each: float(np.trace(each.T @ rotation)))
-        return replace(given, boresight=rotation_angles(rotation @ axes.T), axes=axes)
+        return replace(mounting, boresight=rotation_angles(rotation @ axes.T), axes=axes)
 
     @property
     def rotation_body_lidar(self) -> Array:
@@ -150,14 +150,17 @@ class Mounting:
         return replace(self, boresight=np.asarray(boresight, dtype=float))
 
     def corrected(self, points_lidar: Array) -> Array:
-        """Points with range and scan-angle offset applied, shape (n, 3), metres, LiDAR frame."""
+        """Points corrected for range and scan-angle offset, shape (n, 3), metres, LiDAR frame."""
         if self.range_offset == 0 and self.scan_angle_offset == 0:
             return points_lidar
         ranges = np.linalg.norm(points_lidar, axis=1, keepdims=True)
         return (points_lidar * (1 + self.range_offset / ranges)) @ self._turn.T
 
-    def apply_offsets(self, points_lidar: Array) -> Array:
-        """Apply range and scan-angle offset; the inverse of `corrected`."""
+    def raw_points(self, points_lidar: Array) -> Array:
+        """Points without range and scan-angle offset, as the scanner measured them.
+
+        The inverse of `corrected`.
+        """
         if self.range_offset == 0 and self.scan_angle_offset == 0:
             return points_lidar
         ranges = np.linalg.norm(points_lidar, axis=1, keepdims=True)
@@ -191,7 +194,7 @@ def to_lidar(points_local: Array, poses: Poses, mounting: Mounting) -> Array:
     """Transform points from the local to the LiDAR frame, shape (n, 3), metres."""
     rotation_local_body = rotation_matrix(*poses.attitude.T)
     points_body = np.einsum("nji,nj->ni", rotation_local_body, points_local - poses.position)
-    return mounting.apply_offsets((points_body - mounting.lever_arm) @ mounting.rotation_body_lidar)
+    return mounting.raw_points((points_body - mounting.lever_arm) @ mounting.rotation_body_lidar)
 
 
 def georeference(
@@ -294,17 +297,17 @@ class Georeferencer:
         ranges = abs(mounting.range_offset - other.range_offset)
         reach += abs(mounting.range_offset) + abs(other.range_offset)
         turn = mounting.rotation_body_lidar - other.rotation_body_lidar
-        moved = float(np.linalg.norm(turn, 2)) * reach + ranges
-        moved += abs(mounting.scan_angle_offset - other.scan_angle_offset) * reach
-        moved += float(np.linalg.norm(mounting.lever_arm - other.lever_arm))
+        displacement = float(np.linalg.norm(turn, 2)) * reach + ranges
+        displacement += abs(mounting.scan_angle_offset - other.scan_angle_offset) * reach
+        displacement += float(np.linalg.norm(mounting.lever_arm - other.lever_arm))
         late = abs(mounting.latency - other.latency)
         if late:
             steps = np.diff(self.trajectory.time)[:, None]
             speed = np.linalg.norm(np.diff(self.trajectory.position, axis=0) / steps, axis=1).max()
             rate = np.abs(np.diff(self.trajectory.attitude, axis=0) / steps).sum(axis=1).max()
             arm = reach + float(np.linalg.norm(mounting.lever_arm))
-            moved += late * float(speed + rate * arm)
-        return moved
+            displacement += late * float(speed + rate * arm)
+        return displacement
 
 
 def kernel_arguments(

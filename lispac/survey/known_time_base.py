@@ -75,7 +75,7 @@ class KnownTimeBase:
         return note("time_base.of_file", base=name)
 
 
-def time_base_error(times: Array, own: KnownTimeBase, file: str) -> Message | None:
+def time_base_error(times: Array, line_base: KnownTimeBase, file: str) -> Message | None:
     """Error that ``times`` are impossible in the given base; None where possible.
 
     Parameters
@@ -85,9 +85,9 @@ def time_base_error(times: Array, own: KnownTimeBase, file: str) -> Message | No
     file : str
         Name or path of the file.
     """
-    if not own.stated or own.base is None or own.fits(times):
+    if not line_base.stated or line_base.base is None or line_base.fits(times):
         return None
-    first, last, base = float(times.min()), float(times.max()), base_message(own.base)
+    first, last, base = float(times.min()), float(times.max()), base_message(line_base.base)
     fitting = [each.key for each in plausible_bases(times)]
     if not fitting:
         return error("time_base.no_base_possible", file=file, first=first, last=last, base=base)
@@ -97,7 +97,7 @@ def time_base_error(times: Array, own: KnownTimeBase, file: str) -> Message | No
 
 
 def matches_of_known_bases(
-    times: Array, track: Array, own: KnownTimeBase, other: KnownTimeBase
+    times: Array, track: Array, line_base: KnownTimeBase, other: KnownTimeBase
 ) -> tuple[TimeMatch, ...] | None:
     """Conversions from the line's base to the trajectory's, best first, where given.
 
@@ -107,7 +107,7 @@ def matches_of_known_bases(
         Of a line, as its file has them.
     track : ndarray of shape (m,), seconds, increasing
         Of the trajectory.
-    own, other : KnownTimeBase
+    line_base, other : KnownTimeBase
         Of the line and of the trajectory.
 
     Returns
@@ -116,17 +116,19 @@ def matches_of_known_bases(
         None if nothing is given, or one of the two is unknown or contradicted by the times; empty
         if the given bases bring no point inside.
     """
-    if own.base is None or other.base is None or not (own.stated or other.stated):
+    if line_base.base is None or other.base is None or not (line_base.stated or other.stated):
         return None
-    if not own.fits(times) or not other.fits(track):
+    if not line_base.fits(times) or not other.fits(track):
         return None  # what the times deny is not known
-    found = find_time_matches(times, track, point_bases=(own.base,), trajectory_bases=(other.base,))
+    found = find_time_matches(
+        times, track, point_bases=(line_base.base,), trajectory_bases=(other.base,)
+    )
     # A header that brings nothing inside is no reason to refuse.
-    return found if found or own.stated else None
+    return found if found or line_base.stated else None
 
 
 def known_base_notes(
-    found: tuple[TimeMatch, ...], own: KnownTimeBase, other: KnownTimeBase, file: str
+    matches: tuple[TimeMatch, ...], line_base: KnownTimeBase, other: KnownTimeBase, file: str
 ) -> tuple[Message, ...]:
     """Notes on the time shift that follows from the time bases of line and trajectory.
 
@@ -135,23 +137,23 @@ def known_base_notes(
     file : str
         Name of the file of the line.
     """
-    best = found[0]
+    best = matches[0]
     messages = [
         note(
-            "import.shift_follows", file=file, shift=best.shift, base=own.message,
+            "import.shift_follows", file=file, shift=best.shift, base=line_base.message,
             trajectory_base=other.message,
         )
     ]  # fmt: skip
     if best.leap_assumed:
         messages.append(note("import.leap_seconds_assumed", file=file, leap=LEAP_SECONDS_NOW))
-    if rivals := equally_good_matches(found):
+    if rivals := equally_good_matches(matches):
         shifts = tuple(note("import.shift", shift=match.shift) for match in rivals)
         messages.append(note("import.other_shifts_fit", file=file, shifts=shifts))
     return tuple(messages)
 
 
 def no_overlap_error(
-    own: KnownTimeBase, other: KnownTimeBase, times: Array, track: Array, file: str
+    line_base: KnownTimeBase, other: KnownTimeBase, times: Array, track: Array, file: str
 ) -> Message:
     """Error that no point lies within the trajectory in the given time bases.
 
@@ -162,28 +164,30 @@ def no_overlap_error(
     file : str
         Path of the file of the line.
     """
-    others = [] if other.stated or own.base is None else [
+    others = [] if other.stated or line_base.base is None else [
         base for base in plausible_bases(track)
         if base is not other.base
-        and find_time_matches(times, track, point_bases=(own.base,), trajectory_bases=(base,))
+        and find_time_matches(times, track, point_bases=(line_base.base,), trajectory_bases=(base,))
     ]  # fmt: skip
     if others:
         options = [f"--trajectory-option time={base.key}" for base in others]
         return error(
-            "time_base.other_trajectory_base", file=file, base=own.message,
+            "time_base.other_trajectory_base", file=file, base=line_base.message,
             trajectory_base=other.message, options=options,
         )  # fmt: skip
-    return error("time_base.no_overlap", file=file, base=own.message, trajectory_base=other.message)
+    return error(
+        "time_base.no_overlap", file=file, base=line_base.message, trajectory_base=other.message
+    )
 
 
-def clearly_better_match(found: tuple[TimeMatch, ...], share: float) -> TimeMatch | None:
-    """Best of ``found`` if clearly more points lie inside than the part ``share``."""
-    return found[0] if found and found[0].share >= share + CLEARLY_MORE else None
+def clearly_better_match(matches: tuple[TimeMatch, ...], share: float) -> TimeMatch | None:
+    """Best of ``matches`` if clearly more points lie inside than the part ``share``."""
+    return matches[0] if matches and matches[0].share >= share + CLEARLY_MORE else None
 
 
-def shift_note(found: tuple[TimeMatch, ...], share: float, file: str) -> Message | None:
+def shift_note(matches: tuple[TimeMatch, ...], share: float, file: str) -> Message | None:
     """The note on the shift that brings in clearly more than ``share``; None without one."""
-    best = clearly_better_match(found, share)
+    best = clearly_better_match(matches, share)
     if best is None:
         return None
     return note(

@@ -45,13 +45,13 @@ class Reading:
         """Where a line's times start again; empty where they do not."""
         return dict(self.options).get(RESTART, "")
 
-    def moved(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
+    def to_trajectory_time(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
         """A line's times (n,), seconds as its file has them, in the trajectory's time base."""
         counted = resolve_rollover(times, self.restart)
         return counted + self.time_shift if self.time_shift else counted
 
     def to_file_time(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The inverse of `moved`, to the last digit of a double."""
+        """The inverse of `to_trajectory_time`, to the last digit of a double."""
         return restore_rollover(times - self.time_shift if self.time_shift else times, self.restart)
 
 

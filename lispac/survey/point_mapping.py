@@ -29,8 +29,8 @@ NEAREST_REACH, FARTHEST_REACH = 512.0, 8192.0
 """Metres about the trajectory that polynomials are fitted for: at first, and at most."""
 
 
-class PointMapper:
-    """Conversion between one scanner and one coordinate system.
+class ScannerPointConverter:
+    """Converts points between the frame of a scanner and a coordinate system.
 
     Threads may share it. With another mounting the same fits serve; see `with_mounting`.
 
@@ -51,9 +51,9 @@ class PointMapper:
         self._arguments = kernel_arguments(trajectory, mounting)
         self._fits = _FittedMaps(system, trajectory) if system is not None else None
 
-    def with_mounting(self, mounting: Mounting) -> "PointMapper":
+    def with_mounting(self, mounting: Mounting) -> "ScannerPointConverter":
         """Conversion with another mounting."""
-        other = PointMapper(None, self.trajectory, mounting)
+        other = ScannerPointConverter(None, self.trajectory, mounting)
         other.system, other._fits = self.system, self._fits
         return other
 
@@ -151,7 +151,7 @@ class PointMapper:
             self._require_inside_trajectory(bool(good), time[rows])
 
         _run_in_parallel(run, len(time), threads)
-        return np.asarray(self.mounting.apply_offsets(points))
+        return np.asarray(self.mounting.raw_points(points))
 
     def _require_inside_trajectory(self, inside: bool, time: Array) -> None:
         if not inside:
@@ -176,15 +176,15 @@ class _FittedMaps:
             known = [stated for stated in self._forward if stated >= min(reach, FARTHEST_REACH)]
             if known:
                 return self._forward[min(known)]
-            wanted = _next_standard_reach(reach)
-            self._forward[wanted] = fit_smooth_map(
+            needed_reach = _next_standard_reach(reach)
+            self._forward[needed_reach] = fit_smooth_map(
                 lambda local: self._system.from_local(local, self._frame, strict=False),
-                self._low - wanted,
-                self._high + wanted,
+                self._low - needed_reach,
+                self._high + needed_reach,
                 metres_in=np.ones(3),
                 metres_out=np.array(self._system.metres),
             )
-            return self._forward[wanted]
+            return self._forward[needed_reach]
 
     def to_local(self, points_map: Array) -> SmoothMap:
         """Map to local frame, about the trajectory and these points."""

@@ -396,13 +396,13 @@ def _attribute_values(name: str, time: Array, extra: Mapping[str, NDArray[Any]])
     return values
 
 
-def _add_value_counts(found: dict[int, int], values: NDArray[Any]) -> None:
+def _add_value_counts(value_counts: dict[int, int], values: NDArray[Any]) -> None:
     """Add the numbers of points by value; whole numbers only."""
     if values.ndim != 1 or not len(values):
         return
     low, high = values.min(), values.max()
     if low == high and low == int(low):  # most files have one value, and this is quick to see
-        found[int(low)] = found.get(int(low), 0) + len(values)
+        value_counts[int(low)] = value_counts.get(int(low), 0) + len(values)
         return
     if values.dtype.kind == "f":
         if not (values == np.floor(values)).all():
@@ -415,4 +415,4 @@ def _add_value_counts(found: dict[int, int], values: NDArray[Any]) -> None:
         different, counts = np.unique(values, return_counts=True)
         pairs = list(zip(different.tolist(), counts.tolist(), strict=True))
     for value, count in pairs[: MOST_VALUES + 1]:
-        found[value] = found.get(value, 0) + count
+        value_counts[value] = value_counts.get(value, 0) + count

@@ -20,7 +20,7 @@ from lispac.errors import InputError
 from lispac.messages import Message, error, note
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import Mounting
-from lispac.survey.point_mapping import PointMapper
+from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.trajectory import LocalTrajectory
 
 Array = NDArray[np.float64]
@@ -77,9 +77,9 @@ class RecoverySetup:
         return (*self.system.assumptions, note("assumed.cloud_made_with"))
 
     @cached_property
-    def mapping(self) -> PointMapper:
+    def mapping(self) -> ScannerPointConverter:
         """The way between scanner and map, there and back."""
-        return PointMapper(self.system, self.trajectory, self.mounting)
+        return ScannerPointConverter(self.system, self.trajectory, self.mounting)
 
     def usable(self, time: Array) -> NDArray[np.bool_]:
         """Which points have a pose, shape (n,): inside the trajectory and not in a gap of it.
@@ -113,8 +113,10 @@ class RecoverySetup:
         return points_lidar
 
 
-def recover_chunks(chunks: Iterable[C], recovery: RecoverySetup) -> Iterator[tuple[C, int]]:
-    """Recover points chunk by chunk; memory holds one chunk.
+def recover_scanner_points(chunks: Iterable[C], recovery: RecoverySetup) -> Iterator[tuple[C, int]]:
+    """Convert georeferenced points back to the scanner frame, chunk by chunk.
+
+    Memory holds one chunk.
 
     Yields
     ------

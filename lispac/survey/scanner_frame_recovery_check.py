@@ -221,26 +221,28 @@ class _RecoveredPoints:
 Shape = Callable[[_RecoveredPoints], BeamCone]
 
 
-def _fit_beam_plane(found: _RecoveredPoints) -> BeamCone:
-    return fit_plane(found.points)
+def _fit_beam_plane(points: _RecoveredPoints) -> BeamCone:
+    return fit_plane(points.points)
 
 
-def _fit_beam_cone(found: _RecoveredPoints) -> BeamCone:
+def _fit_beam_cone(points: _RecoveredPoints) -> BeamCone:
     """A cone, if the beams distinguish it from a plane or a point."""
-    cone = fit_cone(found.points)
+    cone = fit_cone(points.points)
     return (
-        cone if beam_direction_spread(found.points) > SMALLEST_ARC else replace(cone, misfit=np.inf)
+        cone
+        if beam_direction_spread(points.points) > SMALLEST_ARC
+        else replace(cone, misfit=np.inf)
     )
 
 
-def _fit_beam_cones(found: _RecoveredPoints) -> BeamCone:
-    assert found.ring is not None
-    return fit_cones(found.points, found.ring)
+def _fit_beam_cones(points: _RecoveredPoints) -> BeamCone:
+    assert points.ring is not None
+    return fit_cones(points.points, points.ring)
 
 
-def _possible_beam_shapes(found: _RecoveredPoints) -> Iterator[Shape]:
+def _possible_beam_shapes(points: _RecoveredPoints) -> Iterator[Shape]:
     """Shapes that the beams can have."""
-    if found.ring is not None:
+    if points.ring is not None:
         yield _fit_beam_cones
         return
     yield _fit_beam_plane
@@ -276,10 +278,10 @@ def _misfit_warning(
 
 
 def _evaluate_causes(
-    sample: LineSample, recovery: RecoverySetup, found: _RecoveredPoints, shape: Shape
+    sample: LineSample, recovery: RecoverySetup, recovered: _RecoveredPoints, shape: Shape
 ) -> Iterator[MisfitExplanation]:
     """Each cause with its best value."""
-    points = found.points
+    points = recovered.points
     metre = recovery.system.metres[2]
     raised = replace(sample, points_map=sample.points_map + np.array([0.0, 0.0, 1.0 / metre]))
     up = _recover_sample(raised, recovery)
@@ -288,13 +290,13 @@ def _evaluate_causes(
         per_metre = up.points - points
         yield _best_explanation(
             "height_offset", HEIGHTS,
-            lambda value: replace(found, points=points + value * per_metre), shape,
+            lambda value: replace(recovered, points=points + value * per_metre), shape,
         )  # fmt: skip
     # An error of the lever arm moves all points of the LiDAR frame alike.
     for axis, title in enumerate("xyz"):
         along = recovery.mounting.rotation_body_lidar[axis]  # in the LiDAR frame
         yield _best_explanation(
-            f"lever_arm_{title}", LEVERS, partial(_shift_points, found, along), shape
+            f"lever_arm_{title}", LEVERS, partial(_shift_points, recovered, along), shape
         )
     yield _best_explanation(
         "time_offset", np.array(TIMES),
@@ -311,17 +313,20 @@ def _evaluate_causes(
             yield MisfitExplanation(cause, 0.0, shape(moved).misfit)
 
 
-def _shift_points(found: _RecoveredPoints, along: Array, value: float) -> _RecoveredPoints:
-    return replace(found, points=found.points - value * along)
+def _shift_points(points: _RecoveredPoints, along: Array, value: float) -> _RecoveredPoints:
+    return replace(points, points=points.points - value * along)
 
 
 def _best_explanation(
-    cause: str, values: Array, moved: Callable[[float], _RecoveredPoints | None], shape: Shape
+    cause: str,
+    values: Array,
+    points_with_value: Callable[[float], _RecoveredPoints | None],
+    shape: Shape,
 ) -> MisfitExplanation:
     """The value with the smallest misfit, refined about the best of some."""
 
     def misfit(value: float) -> float:
-        found = moved(value)
+        found = points_with_value(value)
         return np.inf if found is None else shape(found).misfit
 
     found = np.array([misfit(float(value)) for value in values])

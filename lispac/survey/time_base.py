@@ -298,19 +298,19 @@ def find_time_matches(
 
 
 def _possible_shifts(
-    own: TimeBase, other: TimeBase, centre: float, goal: float
+    line_base: TimeBase, other: TimeBase, centre: float, goal: float
 ) -> list[tuple[float, bool]]:
     """Shifts from one base to another that bring ``centre`` next to ``goal``."""
     leap, assumed = 0.0, False
-    if own.utc != other.utc:
-        if own.period is None:
-            leap = float(leap_seconds(centre + own.offset))
+    if line_base.utc != other.utc:
+        if line_base.period is None:
+            leap = float(leap_seconds(centre + line_base.offset))
         elif other.period is None:
             leap = float(leap_seconds(goal + other.offset))
         else:
             leap, assumed = float(LEAP_SECONDS_NOW), True
-    shift = own.offset - other.offset + leap * (float(own.utc) - float(other.utc))
-    periods = [base.period for base in (own, other) if base.period is not None]
+    shift = line_base.offset - other.offset + leap * (float(line_base.utc) - float(other.utc))
+    periods = [base.period for base in (line_base, other) if base.period is not None]
     if not periods:
         return [(shift, assumed)]
     # A trajectory may be longer than a day: the neighbouring days are tried too.
@@ -323,6 +323,6 @@ def _match_rank(match: TimeMatch) -> tuple[float, bool, int]:
     return -round(match.share, 3), abs(match.shift) > 1e-9, usual
 
 
-def equally_good_matches(found: tuple[TimeMatch, ...]) -> tuple[TimeMatch, ...]:
+def equally_good_matches(matches: tuple[TimeMatch, ...]) -> tuple[TimeMatch, ...]:
     """Matches as good as the first, to half a per cent of the points."""
-    return tuple(match for match in found[1:] if match.share >= found[0].share - 0.005)
+    return tuple(match for match in matches[1:] if match.share >= matches[0].share - 0.005)

@@ -89,7 +89,7 @@ def _float32_step(times: Array) -> float | None:
 
 
 @dataclass(frozen=True)
-class Coverage:
+class TrajectoryCoverage:
     """How a trajectory covers a line.
 
     Attributes
@@ -131,7 +131,9 @@ class Coverage:
         return self.count - self.outside - self.in_gaps
 
 
-def assess_coverage(line_times: Array, trajectory_times: Array, longest_gap: float) -> Coverage:
+def assess_coverage(
+    line_times: Array, trajectory_times: Array, longest_gap: float
+) -> TrajectoryCoverage:
     """How a trajectory covers one line, or a part of it (join parts with `join_coverages`).
 
     Parameters
@@ -144,10 +146,10 @@ def assess_coverage(line_times: Array, trajectory_times: Array, longest_gap: flo
     times = np.asarray(line_times, dtype=np.float64)
     track = np.asarray(trajectory_times, dtype=np.float64)
     if not times.size:
-        return Coverage(np.nan, np.nan, 0, 0, 0, (), longest_gap)
+        return TrajectoryCoverage(np.nan, np.nan, 0, 0, 0, (), longest_gap)
     start, end = float(times.min()), float(times.max())
     if not track.size:
-        return Coverage(start, end, len(times), len(times), 0, (), longest_gap)
+        return TrajectoryCoverage(start, end, len(times), len(times), 0, (), longest_gap)
     wide = np.flatnonzero(np.diff(track) > longest_gap)
     inside = (times >= track[0]) & (times <= track[-1])
     in_gaps = 0
@@ -160,37 +162,40 @@ def assess_coverage(line_times: Array, trajectory_times: Array, longest_gap: flo
         for k in wide
         if track[k] < end and track[k + 1] > start
     )
-    return Coverage(start, end, len(times), int((~inside).sum()), in_gaps, gaps, longest_gap)
+    return TrajectoryCoverage(
+        start, end, len(times), int((~inside).sum()), in_gaps, gaps, longest_gap
+    )
 
 
 SHORT = 2.0
 """Seconds that accuracies may miss at the ends of the trajectory without a word."""
 
 
-def accuracy_coverage_warning(own: Array, track: Array, file: str) -> Message | None:
+def accuracy_coverage_warning(accuracy_times: Array, track: Array, file: str) -> Message | None:
     """The warning that accuracies do not cover the whole trajectory; None where they do.
 
     Parameters
     ----------
-    own, track : ndarray of shape (n,), seconds, increasing
+    accuracy_times, track : ndarray of shape (n,), seconds, increasing
         Times of the accuracies and of the trajectory.
     file : str
         Name of the file of accuracies.
     """
-    if max(own[0] - track[0], track[-1] - own[-1]) <= SHORT:
+    if max(accuracy_times[0] - track[0], track[-1] - accuracy_times[-1]) <= SHORT:
         return None
     return warning(
-        "import.accuracy_too_short", file=file, first=float(own[0]), last=float(own[-1]),
+        "import.accuracy_too_short", file=file,
+        first=float(accuracy_times[0]), last=float(accuracy_times[-1]),
         start=float(track[0]), end=float(track[-1]),
     )  # fmt: skip
 
 
-def exclusion_notes(covered: Coverage, lost: int, file: str) -> tuple[Message, ...]:
+def exclusion_notes(covered: TrajectoryCoverage, lost: int, file: str) -> tuple[Message, ...]:
     """Notes on the points of a line that have no pose, and why.
 
     Parameters
     ----------
-    covered : Coverage
+    covered : TrajectoryCoverage
         Of all points of the line.
     lost : int
         Points without a pose.
@@ -212,12 +217,12 @@ def exclusion_notes(covered: Coverage, lost: int, file: str) -> tuple[Message, .
     return tuple(found)
 
 
-def join_coverages(parts: list[Coverage]) -> Coverage:
+def join_coverages(parts: list[TrajectoryCoverage]) -> TrajectoryCoverage:
     """Coverage of a line read in parts."""
     parts = [part for part in parts if part.count] or parts[:1]
     if not parts:
-        return Coverage(np.nan, np.nan, 0, 0, 0, (), np.nan)
-    return Coverage(
+        return TrajectoryCoverage(np.nan, np.nan, 0, 0, 0, (), np.nan)
+    return TrajectoryCoverage(
         min(part.start for part in parts),
         max(part.end for part in parts),
         sum(part.count for part in parts),

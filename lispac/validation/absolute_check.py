@@ -373,12 +373,12 @@ def _equal_weights(line: LinePlaces) -> Array:
     return np.full(len(line.group), 1.0 / len(line.group))
 
 
-def _scatter_sigma(found: NormalDistances) -> float:
+def _scatter_sigma(distances: NormalDistances) -> float:
     """Sigma of a line's mean from the scatter of its places, metres."""
-    within = float(np.sum((found.distance - found.distance.mean()) ** 2))
+    within = float(np.sum((distances.distance - distances.distance.mean()) ** 2))
     # A single place has no scatter; its own interval gives its uncertainty.
-    own = float(np.sum((found.half_width / NORMAL_95) ** 2))
-    return float(np.sqrt(max(within, own))) / len(found.distance)
+    own = float(np.sum((distances.half_width / NORMAL_95) ** 2))
+    return float(np.sqrt(max(within, own))) / len(distances.distance)
 
 
 def _derivatives_by_source(lines: Sequence[LinePlaces]) -> tuple[list[Array], ...]:

@@ -46,12 +46,12 @@ FINDINGS = {
 """Code by state, and whether the mean is larger than its errors explain."""
 
 
-def _mean_remark(found: AbsoluteState, state: str) -> Message:
-    mean = found.signed.mean
+def _mean_remark(absolute_state: AbsoluteState, state: str) -> Message:
+    mean = absolute_state.signed.mean
     return note(
         MEANS[state, mean > 0],
-        mean=abs(mean), interval=found.interval_95,
-        finding=note(FINDINGS[state, found.significant]),
+        mean=abs(mean), interval=absolute_state.interval_95,
+        finding=note(FINDINGS[state, absolute_state.significant]),
     )  # fmt: skip
 
 

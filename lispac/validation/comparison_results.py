@@ -102,10 +102,10 @@ class SignedStatistics:
     rms: float | None = None
 
     @classmethod
-    def of(cls, found: Sequence[NormalDistances]) -> "SignedStatistics":
+    def of(cls, distances: Sequence[NormalDistances]) -> "SignedStatistics":
         """Summarise them, all together."""
-        distance = np.concatenate([each.distance for each in found])
-        half_width = np.concatenate([each.half_width for each in found])
+        distance = np.concatenate([each.distance for each in distances])
+        half_width = np.concatenate([each.half_width for each in distances])
         median = float(np.median(distance))
         return cls(
             n=len(distance),

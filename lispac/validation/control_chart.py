@@ -49,7 +49,7 @@ class ChartedCalibration:
     change: CalibrationDifference | None = None
 
     @property
-    def moved(self) -> bool:
+    def has_moved(self) -> bool:
         """Whether the mounting has moved since the calibrations before.
 
         An angle lies beyond its limits, or all three together differ as rarely.
@@ -78,7 +78,7 @@ def control_chart(calibrations: Sequence[Calibration]) -> tuple[ChartedCalibrati
             each = ChartedCalibration(
                 calibration, number, mean, compare_calibrations(mean, calibration)
             )
-        if each.moved:
+        if each.has_moved:
             each = ChartedCalibration(calibration, number + 1, each.before, each.change)
             running = []
         running.append(calibration)

@@ -21,7 +21,7 @@ FEWEST = 30
 
 @dataclass(frozen=True, eq=False)
 class DistanceProfile:
-    """Distances in equal steps of a quantity.
+    """Statistics of the distances in bins of equal width of a quantity, such as height or range.
 
     Attributes
     ----------

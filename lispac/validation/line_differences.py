@@ -102,14 +102,14 @@ def compare_lines(
     (one, surface), (other, points) = first, second
     surface, points = (each[:: -(-len(each) // MOST_READ) or 1] for each in (surface, points))
     places = candidate_places(surface)
-    wanted = cylinder_diameters(build_tree(points), places, reach)
-    near = np.flatnonzero(np.isfinite(wanted))
+    diameters = cylinder_diameters(build_tree(points), places, reach)
+    near = np.flatnonzero(np.isfinite(diameters))
     if not len(near):
         raise NotComparable(
             error("validation.no_place_in_common", line=one, other=other, reach=reach)
         )
     own = np.minimum(WIDE * twelfth_neighbour_distance(build_tree(surface), places[near]), WIDEST)
-    chosen, wide = select_separate_places(places[near], np.maximum(wanted[near], own))
+    chosen, wide = select_separate_places(places[near], np.maximum(diameters[near], own))
     cores = places[near][chosen]
     roughest = 3 * noise
     flat = is_reference_flat(surface, cores, SMOOTH * wide, roughest)

@@ -130,7 +130,7 @@ def measure_to_surface(
     reach: float,
     roughest: float,
 ) -> MeasuredPlaces:
-    """Distances of a line from a surface, in both states at the places that have one in both.
+    """Distances of a line from a surface at places measured before and after the calibration.
 
     Parameters
     ----------
@@ -305,12 +305,12 @@ def _fit_plane_near(
 
 
 def _plane_distances(
-    places: Array, found: list[tuple[float, float, Array] | None]
+    places: Array, distances: list[tuple[float, float, Array] | None]
 ) -> NormalDistances:
-    at = np.array([k for k, each in enumerate(found) if each is not None], dtype=np.intp)
+    at = np.array([k for k, each in enumerate(distances) if each is not None], dtype=np.intp)
     if not len(at):
         raise NotComparable(error("validation.no_flat_point"))
-    values = [each for each in found if each is not None]
+    values = [each for each in distances if each is not None]
     return NormalDistances(
         places[at],
         np.array([distance for distance, _, _ in values]),

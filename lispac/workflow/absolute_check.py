@@ -226,10 +226,10 @@ class _MeasuredReference:
 
         Their points, their places, and the diameters there by how dense both are.
         """
-        wanted = cylinder_diameters(tree, self.candidates, self.reach)
-        near = np.flatnonzero(np.isfinite(wanted))
+        diameters = cylinder_diameters(tree, self.candidates, self.reach)
+        near = np.flatnonzero(np.isfinite(diameters))
         if len(near):
-            both = np.maximum(wanted, self.diameters)[near]
+            both = np.maximum(diameters, self.diameters)[near]
             chosen, wide = select_separate_places(self.candidates[near], both)
             surface, cores = self.reference.surface, self.candidates[near][chosen]
             flat = is_reference_flat(surface, cores, SMOOTH * wide, self.roughest)
@@ -237,9 +237,9 @@ class _MeasuredReference:
         for k, plane in enumerate(self.reference.planes):
             # It is flat however wide one looks, and a line may be sparse there.
             side = float(np.clip(plane.width / PER_WIDTH, NARROWEST, WIDEST))
-            wanted = cylinder_diameters(tree, plane.grid(side), self.reach)
-            if np.isfinite(wanted).any():
-                side = max(side, float(np.nanmedian(wanted)))
+            diameters = cylinder_diameters(tree, plane.grid(side), self.reach)
+            if np.isfinite(diameters).any():
+                side = max(side, float(np.nanmedian(diameters)))
                 grid = plane.grid(side / PER_DIAMETER)
                 cores = grid[thin_points(grid, side)]
                 yield grid, cores, np.full(len(cores), side), len(self.reference.names) + k

@@ -24,8 +24,8 @@ from lispac.project import Project, Triple
 from lispac.report.options import USUAL, ReportOptions
 from lispac.untrusted_values import as_csv_cell
 from lispac.workflow.calibration import estimate
+from lispac.workflow.calibration_history import find_projects
 from lispac.workflow.export import report_content_of, write_report
-from lispac.workflow.history import find_projects
 from lispac.workflow.projects import locked_project, open_project, save_project
 from lispac.workflow.survey import load_survey
 from lispac.workflow.survey_dates import survey_dates

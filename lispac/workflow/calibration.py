@@ -52,7 +52,7 @@ def observations_of(
 ) -> Observations:
     """Bring the points of every used sighting into the adjustment's form, fewer of them.
 
-    Neighbours are averaged; in thesis mode one of them is kept, as the thesis does.
+    Neighbours are averaged; with independent POS errors one of them is kept, as in the thesis.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ def observations_of(
 def thin_observations(
     observations: Observations, mounting: Mounting, settings: Settings
 ) -> Observations:
-    """Fewer observations: neighbours are averaged; in thesis mode one of them is kept.
+    """Fewer observations: neighbours are averaged; with independent POS errors one of them is kept.
 
     Parameters
     ----------
@@ -291,8 +291,8 @@ def reselect_points(
                 thinned, prior, judged,
                 accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
             )  # fmt: skip
-        moved = np.abs(result.boresight - angles)
-        if k > 0 and (moved < SETTLED * result.sigma).all():
+        changes = np.abs(result.boresight - angles)
+        if k > 0 and (changes < SETTLED * result.sigma).all():
             break
         angles = result.boresight
         selected = reselect_targets(selected.with_result(result), survey, progress=step)

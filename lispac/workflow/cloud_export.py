@@ -22,7 +22,7 @@ from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import PointRate, Progress, no_progress
 from lispac.survey.line_source import USUAL, Reading, printable
-from lispac.survey.point_mapping import PointMapper
+from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.point_screening import MOST_RANGE, is_within_range
 from lispac.survey.scanner_frame_recovery import RecoverySetup
 
@@ -85,7 +85,7 @@ def write_cloud(
     chunks: Iterable[PointChunk],
     temporary: Path,
     path: Path,
-    mapping: PointMapper,
+    mapping: ScannerPointConverter,
     pattern: Callable[[PointChunk], RecordLayout],
     *,
     reading: Reading = USUAL,
@@ -102,7 +102,7 @@ def write_cloud(
         In the LiDAR frame, from a file or a store; times as the source has them.
     temporary, path : Path
         Where it is written now, and the name it will have.
-    mapping : PointMapper
+    mapping : ScannerPointConverter
         To the coordinate system wanted, with the mounting wanted.
     pattern : callable
         The first chunk to what the records look like.
@@ -197,13 +197,13 @@ def _write_records(
 class _ChunkGeoreferencer:
     """Georeferencing of a chunk by a worker."""
 
-    mapping: PointMapper
+    mapping: ScannerPointConverter
     reading: Reading
     recovery: RecoverySetup | None
     most_range: float
 
     def __call__(self, cloud: CloudWriter, chunk: PointChunk) -> _GeoreferencedChunk:
-        moved = self.reading.moved(chunk.time)
+        moved = self.reading.to_trajectory_time(chunk.time)
         trajectory, latency = self.mapping.trajectory, self.mapping.mounting.latency
         usable = trajectory.covers(moved + latency)
         if self.recovery is not None:

@@ -313,16 +313,16 @@ def _program_version() -> str:
     return __version__
 
 
-def _require_version(code: str, found: str, wanted: str = "", *, address: str = "") -> None:
-    """Refuse another version than ``wanted``, by default this one, by the message ``code``.
+def _require_version(code: str, version: str, required: str = "", *, address: str = "") -> None:
+    """Refuse another version than ``required``, by default this one, by the message ``code``.
 
     Raises
     ------
     LispacError
     """
-    wanted = wanted or __version__
-    if found != wanted:
-        raise LispacError(error(code, version=found, expected=wanted, address=address))
+    required = required or __version__
+    if version != required:
+        raise LispacError(error(code, version=version, expected=required, address=address))
 
 
 def _map_on_worker(

@@ -31,7 +31,7 @@ from lispac.progress import Progress, no_progress
 from lispac.project import Project, Target
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import georeference
-from lispac.survey.point_mapping import PointMapper
+from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.workflow.file_reading import USUAL, read_trajectory
 from lispac.workflow.georeferencing import Which, require_no_overwrite
 from lispac.workflow.given_time_bases import known_time_base
@@ -84,7 +84,7 @@ def export_targets(
     InputError
         Where the folder cannot be written.
     """
-    mapper = PointMapper(system, survey.trajectory, project.mounting(which))
+    mapper = ScannerPointConverter(system, survey.trajectory, project.mounting(which))
     targets = _chosen_targets(project, names)
     paths = [output / f"{target.name}_{which}.{ending}" for target in targets]
     require_no_overwrite(project, paths)
@@ -227,33 +227,33 @@ def _target_points(target: Target, survey: Survey) -> _TargetPoints:
 
 def _write_csv(
     path: Path,
-    own: _TargetPoints,
+    points: _TargetPoints,
     placed: Array,
     lines: Sequence[str],
     system: CoordinateSystem | None,
 ) -> None:
     names, formats = coordinate_names(system)
-    columns = [np.array(lines)[own.line], own.time, *placed.T, *own.points_lidar.T]
+    columns = [np.array(lines)[points.line], points.time, *placed.T, *points.points_lidar.T]
     titles = [*LINE_AND_TIME, *names, *SCANNER_NAMES]
     forms = ["s", ".9f", *formats, ".5f", ".5f", ".5f"]
-    if own.intensity is not None:
-        columns.append(own.intensity)
+    if points.intensity is not None:
+        columns.append(points.intensity)
         titles.append("intensity")
         forms.append("g")
     write_table(path, titles, columns, forms)
 
 
 def _write_las(
-    path: Path, shown: Path, own: _TargetPoints, placed: Array, mapper: PointMapper
+    path: Path, shown: Path, points: _TargetPoints, placed: Array, mapper: ScannerPointConverter
 ) -> None:
-    scanner = {f"{axis}_lidar": own.points_lidar[:, k] for k, axis in enumerate("xyz")}
+    scanner = {f"{axis}_lidar": points.points_lidar[:, k] for k, axis in enumerate("xyz")}
     extra: dict[str, NDArray[Any]] = {
-        "point_source_id": (own.line + 1).astype(np.uint16),
+        "point_source_id": (points.line + 1).astype(np.uint16),
         **scanner,
     }
-    if own.intensity is not None:
-        extra["intensity"] = own.intensity
-    pattern = layout_of_columns(PointChunk(placed, own.time, extra, len(placed)))
+    if points.intensity is not None:
+        extra["intensity"] = points.intensity
+    pattern = layout_of_columns(PointChunk(placed, points.time, extra, len(placed)))
     with open_cloud_writer(
         path,
         pattern,
@@ -264,4 +264,4 @@ def _write_las(
         compressed=shown.suffix == ".laz",
         shown=shown,
     ) as cloud:
-        cloud.write(cloud.records(placed, own.time, extra))
+        cloud.write(cloud.records(placed, points.time, extra))

@@ -12,7 +12,7 @@ from lispac.io.files import message_with_file_name, require_file
 from lispac.io.format_types import LIKELY, Choice, FileFormat, FilePreview, Kind
 from lispac.io.formats import format_of, is_las, recognise_formats
 from lispac.io.las import ASSUMPTIONS as LAS_ASSUMPTIONS
-from lispac.io.point_reading import (
+from lispac.io.point_reader_common import (
     CHOOSE_FRAME,
     NO_SYSTEM,
     SCANNER,
@@ -116,7 +116,7 @@ def preview_with_options(path: Path, format: FileFormat, stated: Choice) -> File
     return replace(finding, file_warnings=(*finding.file_warnings, unused))
 
 
-def detect_reading(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tuple[Message, ...]]:
+def detect_reading(path: Path, kind: Kind, reading: Reading) -> tuple[Reading, tuple[Message, ...]]:
     """Complete how a file is read: the given options, and the detected ones for the rest.
 
     Returns
@@ -131,8 +131,8 @@ def detect_reading(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tup
         Where the file is missing, its format not known, or an option is none of it.
     """
     path = require_file(Path(path), WORDS[kind])
-    if given.format:
-        format = format_of(given.format)
+    if reading.format:
+        format = format_of(reading.format)
         if format.kind != kind:
             raise InputError(error(_NOT_OF_KIND[kind], file=str(path), format=format.name))
     else:
@@ -140,7 +140,7 @@ def detect_reading(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tup
         if not found:
             raise InputError(error(_UNKNOWN_OF_KIND[kind], file=str(path)))
         format = found[0][0]
-    stated = dict(given.options)
+    stated = dict(reading.options)
     finding = preview_with_options(path, format, stated)
     choice = format.resolved({**finding.choice, **stated})
     messages = list(finding.file_warnings)
@@ -149,7 +149,7 @@ def detect_reading(path: Path, kind: Kind, given: Reading) -> tuple[Reading, tup
         file = printable(path.name)
         messages.append(note(READ_AS, file=file, format=format.name, options=detected))
     options = tuple((name, str(value)) for name, value in choice.items() if value != "")
-    return replace(given, format=format.key, options=options), tuple(messages)
+    return replace(reading, format=format.key, options=options), tuple(messages)
 
 
 READ_AS = "import.read_as"
@@ -157,7 +157,7 @@ READ_AS = "import.read_as"
 
 
 def usual_or_detected_reading(
-    path: Path, kind: Kind, given: Reading, *, columns: bool = False
+    path: Path, kind: Kind, given_reading: Reading, *, columns: bool = False
 ) -> tuple[Reading, tuple[Message, ...]]:
     """Complete how a file is read, or keep the defaults if the file agrees with them.
 
@@ -170,15 +170,15 @@ def usual_or_detected_reading(
     ------
     InputError
     """
-    if columns and not given.format and not given.options:
+    if columns and not given_reading.format and not given_reading.options:
         found = recognise_formats(path, kind)
         if not found or found[0][0].key == "text":
-            return given, ()
-    if not given.format and not given.options and not recognise_formats(path, kind):
-        return given, ()  # the usual reader gives the best message for a damaged file
-    reading, messages = detect_reading(path, kind, given)
+            return given_reading, ()
+    if not given_reading.format and not given_reading.options and not recognise_formats(path, kind):
+        return given_reading, ()  # the usual reader gives the best message for a damaged file
+    reading, messages = detect_reading(path, kind, given_reading)
     usual = USUAL[kind]
-    own = reading.format == usual and not given.format and not given.options
+    own = reading.format == usual and not given_reading.format and not given_reading.options
     if own and _agrees_with_usual(reading, usual):
         kept = tuple(each for each in messages if each.code != READ_AS)
         return replace(reading, format="", options=()), kept

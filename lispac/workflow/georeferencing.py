@@ -12,14 +12,14 @@ from lispac.errors import InputError, ProjectError
 from lispac.io.files import atomic_write, require_file
 from lispac.io.format_types import PointChunk
 from lispac.io.las_export import RecordLayout, layout_of_las
-from lispac.io.point_reading import CHUNK
+from lispac.io.point_reader_common import CHUNK
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import LineSource, Project, Reading
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.line_source import USUAL
-from lispac.survey.point_mapping import PointMapper
+from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup
 from lispac.survey.store.stored_line import StoredLine
 from lispac.workflow.cloud_export import WrittenLine, write_cloud
@@ -81,7 +81,7 @@ def georeference_project(
     target = output_system(chosen, trajectory, system, height, trajectory_datum, epoch)
     paths = [output / f"{chunks.line.name}_{which}.{ending}" for chunks in chosen]
     require_no_overwrite(project, paths)
-    way = PointMapper(target, trajectory, mounting)
+    way = ScannerPointConverter(target, trajectory, mounting)
     stores = {} if sources is None else dict(sources)
     gone: dict[str, RecordLayout | None] = {}
     for chunks in chosen:

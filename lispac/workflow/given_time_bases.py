@@ -43,12 +43,12 @@ def known_time_base(
     InputError
         Where the file cannot be examined.
     """
-    given = str(choice.get(option, ""))
-    if not given:
+    base_key = str(choice.get(option, ""))
+    if not base_key:
         found = format.resolved({**format.look(path, choice).choice, **choice})
-        given, stated = str(found.get(option, "")), False
+        base_key, stated = str(found.get(option, "")), False
     suggested = not stated and has_suggested_time_base(format)
-    return KnownTimeBase(base_of_key(given) if given else None, stated, suggested)
+    return KnownTimeBase(base_of_key(base_key) if base_key else None, stated, suggested)
 
 
 def has_given_time_base(trajectory: Path, reading: Reading) -> bool:
@@ -109,10 +109,10 @@ def shift_lines_to_trajectory(
         format_of(trajectory_reading.format or USUAL["trajectory"]), trajectory,
         dict(trajectory_reading.options), "time", stated=trajectory_stated,
     )  # fmt: skip
-    moved: list[LineSource] = []
+    shifted_lines: list[LineSource] = []
     notes: list[Message] = []
     for line, base in zip(lines, bases, strict=True):
-        moved.append(line)
+        shifted_lines.append(line)
         if not base and not trajectory_stated:
             continue
         format, choice, _ = format_of_line(line)
@@ -146,6 +146,6 @@ def shift_lines_to_trajectory(
                     )
                 )
         elif shift:
-            moved[-1] = replace(line, reading=replace(line.reading, time_shift=shift))
+            shifted_lines[-1] = replace(line, reading=replace(line.reading, time_shift=shift))
             notes += known_base_notes(found, own, other, printable(line.path.name))
-    return tuple(moved), tuple(notes)
+    return tuple(shifted_lines), tuple(notes)

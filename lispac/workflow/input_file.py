@@ -84,7 +84,7 @@ class InputFile:
         Of a georeferenced line.
     remembered : bool
         Whether the columns are those chosen for an earlier file laid out alike.
-    given : Reading or None
+    project_reading : Reading or None
         How an open project reads it: role, format and options are not to be changed then.
     audit : LineAudit or None
         Of the points of a line.
@@ -105,7 +105,7 @@ class InputFile:
     place: LineLocation | None = None
     pending: bool = True
     remembered: bool = False
-    given: Reading | None = None
+    project_reading: Reading | None = None
     audit: LineAudit | None = None
     split_by: str = ""
 
@@ -205,13 +205,13 @@ def examine_project_file(entry: InputFile, *, progress: Progress = no_progress) 
     """Examine a file of an open project for the first time, with the project's options."""
     progress(0.0, gettext_lazy("Examining {file}", file=entry.path.name))
     assert entry.role is not None
-    assert entry.given is not None
+    assert entry.project_reading is not None
     try:
         found = check_file(entry.path, (entry.role,))
     except LispacError as refused:
         return replace(entry, error=message_with_file_name(refused, entry.path), pending=False)
-    format = format_of(entry.given.format or USUAL[entry.role])
-    stated = dict(entry.given.options)
+    format = format_of(entry.project_reading.format or USUAL[entry.role])
+    stated = dict(entry.project_reading.options)
     return reexamine_file(
         replace(entry, looks=tuple(found), format=format, stated=stated or None), progress=progress
     )

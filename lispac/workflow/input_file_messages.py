@@ -9,7 +9,7 @@ import numpy as np
 from lispac.geometry.frames import geodetic_to_ecef
 from lispac.io.ascii_trajectory import COLUMNS_ASSUMED
 from lispac.io.line_times import LineTimes
-from lispac.io.point_reading import CHOOSE_SYSTEM
+from lispac.io.point_reader_common import CHOOSE_SYSTEM
 from lispac.io.trajectory_facts import GAPS, gap_warnings
 from lispac.messages import Action, Level, Message, Value, error, note, sort_by_level, warning
 from lispac.project import LineSource
@@ -22,7 +22,7 @@ from lispac.survey.known_time_base import (
 )
 from lispac.survey.line_source import RESTART, printable
 from lispac.survey.time_base import TimeBase, TimeMatch, equally_good_matches
-from lispac.survey.time_quality import Coverage, accuracy_coverage_warning
+from lispac.survey.time_quality import TrajectoryCoverage, accuracy_coverage_warning
 from lispac.survey.time_rollover import NONE, rollover_note
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.input_file import COLUMNS_NOT_CHOSEN, InputFile
@@ -95,7 +95,7 @@ def without_changes(entry: InputFile, messages: tuple[Message, ...]) -> tuple[Me
             actions=tuple(
                 action
                 for action in message.actions
-                if entry.given is None and action.code != BRIDGE_GAPS
+                if entry.project_reading is None and action.code != BRIDGE_GAPS
             ),
         )
         for message in messages
@@ -264,14 +264,18 @@ def time_messages(
 
 
 def _given_base_notes(
-    entry: InputFile, times: LineTimes, track: Trajectory, own: KnownTimeBase, other: KnownTimeBase
+    entry: InputFile,
+    times: LineTimes,
+    track: Trajectory,
+    line_base: KnownTimeBase,
+    other: KnownTimeBase,
 ) -> list[Message]:
     """Notes on the shift that follows from the time bases given."""
-    found = matches_of_known_bases(times.sample, track.time, own, other)
+    found = matches_of_known_bases(times.sample, track.time, line_base, other)
     if not found or not entry.shift:
         return []
-    first, *others = known_base_notes(found, own, other, printable(entry.path.name))
-    actions = (CLEAR_TIME_BASE,) if own.stated else ()
+    first, *others = known_base_notes(found, line_base, other, printable(entry.path.name))
+    actions = (CLEAR_TIME_BASE,) if line_base.stated else ()
     return [replace(first, actions=actions), *others]
 
 
@@ -317,7 +321,7 @@ def _shift_action(match: TimeMatch) -> Action:
 
 
 def _coverage_warnings(
-    covered: Coverage, file: str, longest_gap: float, *, whole: bool
+    covered: TrajectoryCoverage, file: str, longest_gap: float, *, whole: bool
 ) -> list[Message]:
     """Warnings that some points have no place on the trajectory."""
     found = []

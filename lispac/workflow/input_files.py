@@ -22,7 +22,7 @@ from lispac.project import LineSource, Project, Settings
 from lispac.survey.known_time_base import KnownTimeBase
 from lispac.survey.line_source import USUAL, Reading, printable
 from lispac.survey.time_base import TimeBase, plausible_bases
-from lispac.survey.time_quality import Coverage
+from lispac.survey.time_quality import TrajectoryCoverage
 from lispac.survey.trajectory import LONGEST_GAP, Trajectory, TrajectoryAccuracy
 from lispac.workflow.input_columns import with_meaning
 from lispac.workflow.input_file import InputFile
@@ -103,12 +103,18 @@ class InputFiles:
     @classmethod
     def of_project(cls, project: Project) -> "InputFiles":
         """For lines to be added: the project's trajectory and accuracies are there already."""
-        given = [InputFile(project.trajectory, role="trajectory", given=project.trajectory_reading)]
-        if project.accuracy is not None:
-            given.append(
-                InputFile(project.accuracy, role="accuracy", given=project.accuracy_reading)
+        entries = [
+            InputFile(
+                project.trajectory, role="trajectory", project_reading=project.trajectory_reading
             )
-        return cls(tuple(given), project.settings.longest_gap, project)
+        ]
+        if project.accuracy is not None:
+            entries.append(
+                InputFile(
+                    project.accuracy, role="accuracy", project_reading=project.accuracy_reading
+                )
+            )
+        return cls(tuple(entries), project.settings.longest_gap, project)
 
     # -- edits -------------------------------------------------------------------------------
 
@@ -120,7 +126,7 @@ class InputFiles:
 
     def without_file(self, path: Path) -> "InputFiles":
         """Remove a file from the list, unless an open project has it."""
-        kept = tuple(e for e in self.entries if e.path != path or e.given is not None)
+        kept = tuple(e for e in self.entries if e.path != path or e.project_reading is not None)
         return replace(self, entries=kept)
 
     def with_entry(self, entry: InputFile) -> "InputFiles":
@@ -131,7 +137,7 @@ class InputFiles:
     def with_role(self, path: Path, role: Kind | None) -> "InputFiles":
         """Give a file another role, in the most likely format of it; requires a new examination."""
         entry = self.entry(path)
-        if role == entry.role or entry.given is not None:
+        if role == entry.role or entry.project_reading is not None:
             return self
         changed = replace(entry, role=role, stated=None, finding=None, remembered=False, shift=0.0)
         changed = replace(changed, format=next(iter(changed.formats), None))
@@ -279,7 +285,7 @@ class InputFiles:
     def _project_lines(self) -> tuple[LineSource, ...]:
         return () if self.into is None else self.into.lines
 
-    def coverage(self, entry: InputFile) -> Coverage | None:
+    def coverage(self, entry: InputFile) -> TrajectoryCoverage | None:
         """Coverage of a line by the trajectory; None before both are read."""
         return (
             None
@@ -415,9 +421,9 @@ def folder_problem(folder: str) -> str:
         return gettext("This folder already contains a project. Choose another folder.")
     if place.is_file():
         return gettext("This is a file. Choose a folder for the project.")
-    there = next((p for p in (place, *place.parents) if p.exists()), None)
-    if there is None or not os.access(there, os.W_OK):
-        name = str(there or place)
+    existing = next((p for p in (place, *place.parents) if p.exists()), None)
+    if existing is None or not os.access(existing, os.W_OK):
+        name = str(existing or place)
         return gettext("{folder}: cannot be written. Choose another folder.", folder=name)
     return ""
 

@@ -10,7 +10,7 @@ from lispac.survey.known_time_base import (
     matches_of_known_bases,
 )
 from lispac.survey.time_base import TimeBase, TimeMatch, base_of_key, find_time_matches
-from lispac.survey.time_quality import Coverage, assess_coverage
+from lispac.survey.time_quality import TrajectoryCoverage, assess_coverage
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.input_file import InputFile
 
@@ -32,7 +32,7 @@ def trajectory_time_base(entry: InputFile | None) -> KnownTimeBase:
     if entry is None or not key:
         return KnownTimeBase()
     stated = bool((entry.stated or {}).get("time", ""))
-    if entry.given is not None:
+    if entry.project_reading is not None:
         # A project keeps what was found beside what was given.
         look = next((look for look in entry.looks if look.format is entry.format), None)
         found = look.finding.choice if look is not None and look.finding is not None else {}
@@ -64,7 +64,9 @@ def with_time_base_shifts(entries: tuple[InputFile, ...]) -> tuple[InputFile, ..
     return tuple(resolved)
 
 
-def line_coverage(entry: InputFile, trajectory: Trajectory, longest_gap: float) -> Coverage | None:
+def line_coverage(
+    entry: InputFile, trajectory: Trajectory, longest_gap: float
+) -> TrajectoryCoverage | None:
     """Coverage by the trajectory of the examined points of a line, with its shift applied."""
     if not isinstance(entry.content, LineTimes):
         return None

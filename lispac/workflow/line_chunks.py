@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from lispac.io.format_types import Choice, FileFormat, PointChunk
 from lispac.io.formats import format_of, is_las
 from lispac.io.las_export import RecordLayout, layout_of_columns, layout_of_las
-from lispac.io.point_reading import crs_of_options
+from lispac.io.point_reader_common import crs_of_options
 from lispac.project import LineSource
 from lispac.survey.crs import CoordinateSystem
 from lispac.workflow.line_points import read_chunks, screen_chunks
@@ -34,15 +34,15 @@ class LineChunks:
     @classmethod
     def of(cls, line: LineSource) -> "LineChunks":
         """Chunks of a line of a project, with the options that it is read with."""
-        given = dict(line.reading.options)
+        options = dict(line.reading.options)
         if line.reading.format:
             format = format_of(line.reading.format)
         elif is_las(line.path):
             format = format_of("las")
         else:
             format = format_of("text")
-            given = {"columns": " ".join(name.strip().lower() for name in line.columns)}
-        choice = format.resolved(given)
+            options = {"columns": " ".join(name.strip().lower() for name in line.columns)}
+        choice = format.resolved(options)
         return cls(line, format, choice, crs_of_options(choice, line.path))
 
     def __iter__(self) -> Iterator[PointChunk]:

@@ -42,7 +42,7 @@ LINES = "lines"
 
 @dataclass(frozen=True, eq=False)
 class ImportedLine:
-    """One imported line.
+    """Result of the import of one line.
 
     Attributes
     ----------
@@ -310,7 +310,9 @@ class _LineFileReader:
 
     def stored_findings(self) -> tuple[tuple[dict[str, Any], ...], dict[str, Any]]:
         """The assumptions and the audit, as plain values."""
-        return tuple(map(encode_value, self._points.assumptions)), encode_value(self._points.found)
+        return tuple(map(encode_value, self._points.assumptions)), encode_value(
+            self._points.findings
+        )
 
     def pieces(self, first: int) -> Iterator[PointPiece]:
         """Give the usable points from index ``first`` of the file on.

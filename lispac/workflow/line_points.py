@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from lispac.errors import InputError
 from lispac.io.format_types import Choice, PointChunk
 from lispac.io.mounting_record import MountingRecord
-from lispac.io.point_reading import crs_of_options, require_distinct_times
+from lispac.io.point_reader_common import crs_of_options, require_distinct_times
 from lispac.messages import Level, Message, error
 from lispac.project import LineSource
 from lispac.survey.audit_messages import has_several_scanners
@@ -27,7 +27,12 @@ from lispac.survey.scan import Scan
 from lispac.survey.scanner_frame_recovery import RecoverySetup, require_scanner_frame
 from lispac.survey.scanner_frame_recovery_check import LineSample, recovery_messages, ring_numbers
 from lispac.survey.store.point_blocks import PointPiece
-from lispac.survey.time_quality import Coverage, assess_coverage, exclusion_notes, join_coverages
+from lispac.survey.time_quality import (
+    TrajectoryCoverage,
+    assess_coverage,
+    exclusion_notes,
+    join_coverages,
+)
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.warning_causes import Cause
 from lispac.workflow.file_reading import format_of_line
@@ -146,7 +151,7 @@ class LinePoints:
             assumptions += self.recovery.assumptions
         self._assumptions = assumptions
         self._screen = self._new_screen()
-        self._covered: list[Coverage] = []
+        self._covered: list[TrajectoryCoverage] = []
         self._times: list[Array] = []
         self._samples: list[LineSample] = []
         self._without_pose = 0
@@ -185,7 +190,7 @@ class LinePoints:
         return self._screen.result()
 
     @property
-    def found(self) -> "LineFindings":
+    def findings(self) -> "LineFindings":
         """Findings in the points, after they are read."""
         return LineFindings(self.audit, self.recovery_messages)
 
@@ -222,7 +227,7 @@ class LinePoints:
         """Usable points of a chunk, in the LiDAR frame and the trajectory's time base."""
         if self.recovery is None:
             require_scanner_frame(chunk.xyz, self.line.path)
-        time = self.line.reading.moved(chunk.time)
+        time = self.line.reading.to_trajectory_time(chunk.time)
         used = self._screen(chunk.time, chunk.xyz, chunk.extra) & self._pose_mask(time)
         points = chunk.xyz if used.all() else chunk.xyz[used]
         if self.recovery is not None:
@@ -323,7 +328,7 @@ def read_line(
         intensity,
         points.assumptions,
     )
-    return scan, points.found
+    return scan, points.findings
 
 
 def screen_chunks(chunks: Iterator[PointChunk], choice: Choice, path: Path) -> Iterator[PointChunk]:

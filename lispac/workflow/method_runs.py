@@ -41,9 +41,9 @@ def adjust_natural_planes(
     return _alternative_result("natural planes", solved)
 
 
-def targetless_result(found: TargetlessResult) -> AlternativeResult:
+def targetless_result(result: TargetlessResult) -> AlternativeResult:
     """Result of a targetless adjustment, without its surfaces."""
-    return _alternative_result("targetless", found.project, found.remarks)
+    return _alternative_result("targetless", result.project, result.remarks)
 
 
 def with_targetless_result(project: Project, found: TargetlessResult) -> Project:
@@ -71,7 +71,7 @@ def with_targetless_result(project: Project, found: TargetlessResult) -> Project
     return replace(kept.with_result(result), alternative_results=others)
 
 
-def patch_test_result(found: PatchTestResult) -> AlternativeResult:
+def patch_test_result(result: PatchTestResult) -> AlternativeResult:
     """Result of a patch test, without its objects.
 
     Raises
@@ -79,15 +79,15 @@ def patch_test_result(found: PatchTestResult) -> AlternativeResult:
     AdjustmentError
         If it has no sigma: it could not be compared with another result.
     """
-    if found.covariance is None:
+    if result.covariance is None:
         raise AdjustmentError(error("estimate.patch_test_without_sigma"))
     return AlternativeResult(
         "patch test",
-        found.boresight,
-        found.covariance,
-        found.lines,
-        len(found.objects),
-        found.remarks,
+        result.boresight,
+        result.covariance,
+        result.lines,
+        len(result.objects),
+        result.remarks,
     )
 
 
@@ -118,10 +118,10 @@ def run_missing_methods(
 
     Methods with a result are not run again.
     """
-    found, wanted = project, missing_methods(project)
+    found, missing = project, missing_methods(project)
     refused: dict[str, Message] = {}
-    for k, method in enumerate(wanted):
-        step = sub_progress(progress, k / len(wanted), (k + 1) / len(wanted))
+    for k, method in enumerate(missing):
+        step = sub_progress(progress, k / len(missing), (k + 1) / len(missing))
         try:
             found = found.with_alternative_result(
                 run_method(project, survey, method, progress=step)

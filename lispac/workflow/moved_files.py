@@ -138,13 +138,13 @@ def _find_by_name(paths: set[Path], folder: Path) -> dict[Path, Path]:
     return {path: places[path.name][0] for path in paths if len(places[path.name]) == 1}
 
 
-def _with_paths(project: Project, found: Mapping[Path, Path]) -> Project:
-    if not found:
+def _with_paths(project: Project, paths: Mapping[Path, Path]) -> Project:
+    if not paths:
         return project
     accuracy = project.accuracy
     return replace(
         project,
-        trajectory=found.get(project.trajectory, project.trajectory),
-        accuracy=None if accuracy is None else found.get(accuracy, accuracy),
-        lines=tuple(replace(line, path=found.get(line.path, line.path)) for line in project.lines),
+        trajectory=paths.get(project.trajectory, project.trajectory),
+        accuracy=None if accuracy is None else paths.get(accuracy, accuracy),
+        lines=tuple(replace(line, path=paths.get(line.path, line.path)) for line in project.lines),
     )

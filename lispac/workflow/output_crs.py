@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from lispac.errors import InputError
-from lispac.io.point_reading import DATUM, EPOCH, crs_of_options
+from lispac.io.point_reader_common import DATUM, EPOCH, crs_of_options
 from lispac.messages import Message, error, warning
 from lispac.project import LineSource, Project
 from lispac.survey.crs import CoordinateSystem, coordinate_system

@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from lispac.errors import AdjustmentError
 from lispac.language import gettext_lazy
 from lispac.messages import error
+from lispac.patchtest.bootstrap_precision import bootstrap_precision
 from lispac.patchtest.line_mismatch import Mismatch, PairBlock, pair_blocks
 from lispac.patchtest.line_pairs import Kind, LinePair, pairs_of_lines
-from lispac.patchtest.minimum_precision import minimum_precision
 from lispac.patchtest.mismatch_minimisation import (
     MismatchMinimum,
     minimise_angle_by_angle,
@@ -241,7 +241,7 @@ def _assess_patch_test(
     together: MismatchMinimum, turned: MismatchMinimum,
 ) -> PatchTestResult:  # fmt: skip
     model, mismatch = project.settings.stochastic_model, Mismatch(laid.sample, blocks)
-    judged = minimum_precision(
+    judged = bootstrap_precision(
         mismatch, together.boresight, survey.accuracy, model.position_time, model.attitude_time
     )
     met = {each.name for each in judged.objects}

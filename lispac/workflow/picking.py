@@ -147,7 +147,7 @@ def spheres_of(target: Target, survey: Survey) -> dict[str, SpherePatch]:
     SphereNotFound
         Where the points of a sighting do not determine one.
     """
-    search = TargetSearch.of(target)
+    search = TargetSearch.for_target(target)
     found = {
         sighting.line: search.patch_of_points(survey.clouds[sighting.line], sighting.indices)
         for sighting in target.sightings
@@ -286,7 +286,7 @@ def _require_same_kind(project: Project, known: Target, again: Target) -> None:
                 target=known.name,
             )
         )
-    TargetSearch.of(again).require_same(known)
+    TargetSearch.for_target(again).require_same(known)
 
 
 def _with_sighting(project: Project, target: Target, sighting: PickedSighting) -> Target:

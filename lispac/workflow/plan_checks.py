@@ -70,9 +70,9 @@ def simulate_surveys(
     )  # fmt: skip
 
 
-def result_heading(title: str, found: MonteCarloResult, count: int) -> LazyText:
+def result_heading(title: str, result: MonteCarloResult, count: int) -> LazyText:
     """Heading of the result of ``count`` simulated surveys."""
-    done = len(found.errors) + found.failed
+    done = len(result.errors) + result.failed
     if done < count:
         return gettext_lazy(
             "{title}: cancelled after {done:n} of {count:n} simulated surveys",
@@ -136,7 +136,7 @@ def write_design(
         csv.writer(file, lineterminator="\n").writerows(rows)
 
 
-def write_scenarios(folder: Path, found: Sequence[ScenarioOutcome]) -> None:
+def write_scenarios(folder: Path, outcomes: Sequence[ScenarioOutcome]) -> None:
     """Write the table of all outcomes and a plot of each scenario into a folder.
 
     Raises
@@ -148,14 +148,14 @@ def write_scenarios(folder: Path, found: Sequence[ScenarioOutcome]) -> None:
 
     folder = _create_folder(folder)
     rows = ["scenario,case,pos_errors,roll_deg,pitch_deg,yaw_deg,points"]
-    for each in found:
+    for each in outcomes:
         sigma = (f"{v:.6f}" if np.isfinite(v) else "" for v in np.degrees(each.sigma))
         case = f'"{each.case}"' if "," in each.case else each.case
         rows.append(f"{each.scenario},{case},{each.pos_errors},{','.join(sigma)},{each.points:.0f}")
     with atomic_write(folder / "scenarios.csv") as temporary:
         temporary.write_text("\n".join([*rows, ""]), encoding="utf-8")
-    for scenario in dict.fromkeys(each.scenario for each in found):
-        figure = scenario_figure([each for each in found if each.scenario == scenario])
+    for scenario in dict.fromkeys(each.scenario for each in outcomes):
+        figure = scenario_figure([each for each in outcomes if each.scenario == scenario])
         with atomic_write(folder / f"{scenario}.svg") as temporary:
             figure.savefig(temporary, format="svg", metadata={"Date": None})
 

@@ -12,12 +12,12 @@ from lispac.io.plan_file import read_plan
 from lispac.io.vessel_file import Vessel, read_vessel
 from lispac.project import Triple
 from lispac.simulation.closed_form_survey import Ball, Board
+from lispac.simulation.motion_source import SailedTrajectory
 from lispac.simulation.scene import Rectangle, Scene, Sphere
 from lispac.simulation.simulated_survey import SurveySetup
 from lispac.simulation.vessel_motion import StraightPass
-from lispac.simulation.voyage import SailedTrajectory
 from lispac.untrusted_values import InvalidContentError, toml_values
-from lispac.workflow.simulated_setup import Simulation, setup_file
+from lispac.workflow.simulated_setup import SimulatedSetup, setup_file
 
 ORIGIN = (float(np.radians(46.8)), float(np.radians(-71.2)), 0.0)
 """Latitude, longitude (radians) and height (metres) of the middle of the site: a plan has none."""
@@ -48,7 +48,7 @@ def simulation_of_plan(
     vessel: str | None = None,
     points_per_second: float | None = None,
     errors: Mapping[str, Any] | None = None,
-) -> Simulation:
+) -> SimulatedSetup:
     """Simulation setup of a plan, whose scene contains only its targets.
 
     Lever arm, POS and scanner are the plan's; how the vessel moves and by how much the mounting
@@ -85,7 +85,7 @@ def simulation_of_plan(
         replace(carried.errors, **(errors or {})).mounting(lever),
     )
     titles = {"scene": titled.title, "vessel": carried.title, "scanner": "as planned"}
-    return Simulation(setup, lever, titles, {"scene": path, "vessel": file, "scanner": path})
+    return SimulatedSetup(setup, lever, titles, {"scene": path, "vessel": file, "scanner": path})
 
 
 def _target_surface(target: Board | Ball) -> Rectangle | Sphere:

@@ -99,10 +99,10 @@ def _edit_sightings(
     return (replace(target, sightings=tuple(sightings)), changed) if changed else (target, 0)
 
 
-def _surface_distances(target: Target, own: Array, points: Array) -> Array:
+def _surface_distances(target: Target, sighting_points: Array, points: Array) -> Array:
     if target.shape == "sphere":
-        return fit_sphere(own, target.sphere_radius).distances(points)
-    return fit_plane(own).distances(points)
+        return fit_sphere(sighting_points, target.sphere_radius).distances(points)
+    return fit_plane(sighting_points).distances(points)
 
 
 def _surface_rms(target: Target, points: Array) -> float:

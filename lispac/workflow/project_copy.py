@@ -68,25 +68,25 @@ def save_project_as(
             raise ProjectError(error("project_folder.is_file", folder=str(folder)))
     except OSError as failure:  # no permission to look into it, or too long a name
         raise _not_writable_error(folder, failure) from failure
-    moved = replace(project, folder=folder)
+    copy = replace(project, folder=folder)
     scans, clouds = dict(survey.scans), dict(survey.clouds)
     on_disk = {name: scan for name, scan in scans.items() if isinstance(scan, StoredLine)}
-    places = {line.name: line_folder(moved, line) for line in moved.lines if line.name in on_disk}
+    places = {line.name: line_folder(copy, line) for line in copy.lines if line.name in on_disk}
     total, done = sum(scan.manifest.bytes for scan in on_disk.values()) or 1, 0
-    with removed_on_failure(moved), ExitStack() as stack:
+    with removed_on_failure(copy), ExitStack() as stack:
         try:
             if places or (folder / LINES).is_dir():
                 stack.enter_context(_marked_unfinished(folder))
-            for name, there in places.items():
+            for name, destination in places.items():
                 stored = on_disk[name]
-                _copy_line(stored, there, done, total, progress)
+                _copy_line(stored, destination, done, total, progress)
                 done += stored.manifest.bytes
-                _use_stored_line(scans, clouds, name, replace(stored, folder=there))
+                _use_stored_line(scans, clouds, name, replace(stored, folder=destination))
         except OSError as failure:
             raise _not_writable_error(folder, failure) from failure
         with _remove_points_on_failure(folder):
-            digest = write_project(moved, expected="")
-    return replace(moved, file_digest=digest), replace(survey, scans=scans, clouds=clouds)
+            digest = write_project(copy, expected="")
+    return replace(copy, file_digest=digest), replace(survey, scans=scans, clouds=clouds)
 
 
 def _not_writable_error(folder: Path, failure: OSError) -> InputError:
@@ -168,7 +168,9 @@ def _use_stored_line(
         clouds[name] = CloudOnDisk(stored, cloud.place)
 
 
-def _copy_line(stored: StoredLine, there: Path, done: int, total: int, progress: Progress) -> None:
+def _copy_line(
+    stored: StoredLine, destination: Path, done: int, total: int, progress: Progress
+) -> None:
     """Copy a stored line and verify it; the manifest is copied last.
 
     Raises
@@ -177,12 +179,12 @@ def _copy_line(stored: StoredLine, there: Path, done: int, total: int, progress:
         Where the line was imported again meanwhile, or is damaged.
     """
     manifest = stored.manifest
-    require_no_link(there.parent, there)
-    if there.is_dir() and any(there.iterdir()):
-        raise ProjectError(error("project_folder.has_files", folder=str(there)))
-    there.mkdir(exist_ok=True)
-    (there / MARK).touch()
-    (there / manifest.folder).mkdir()
+    require_no_link(destination.parent, destination)
+    if destination.is_dir() and any(destination.iterdir()):
+        raise ProjectError(error("project_folder.has_files", folder=str(destination)))
+    destination.mkdir(exist_ok=True)
+    (destination / MARK).touch()
+    (destination / manifest.folder).mkdir()
     checksums: dict[str, int | None] = {column.file: column.checksum for column in manifest.files}
     if stored_header(stored) is not None:
         checksums |= {HEADER: None, HEADER_SUM: None}
@@ -194,7 +196,7 @@ def _copy_line(stored: StoredLine, there: Path, done: int, total: int, progress:
             raise stored.imported_again_or(
                 ProjectError(error("import.part_missing", file=str(path), line=stored.name))
             ) from failure
-        place = there / manifest.folder / name
+        place = destination / manifest.folder / name
         with source, place.open("xb") as copy:
             then = os.fstat(source.fileno())  # its name may be gone at the end
             while piece := source.read(PIECE):
@@ -207,4 +209,4 @@ def _copy_line(stored: StoredLine, there: Path, done: int, total: int, progress:
                 ProjectError(error("import.part_changed", file=str(path), line=stored.name))
             )
         os.utime(place, ns=(then.st_atime_ns, then.st_mtime_ns))
-    write_manifest(there, manifest)
+    write_manifest(destination, manifest)

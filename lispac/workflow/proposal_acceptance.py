@@ -35,15 +35,15 @@ def with_accepted(
 
     A name that is taken gives way to the next free one.
     """
-    given = []
+    new_names = []
     for target in proposal.targets:
         if target.name not in names:
             continue
         taken = any(picked.name == target.name for picked in project.targets)
         name = next_name(project, target.role) if taken else target.name
         project = project.with_target(replace(target, name=name))
-        given.append(name)
-    return project, tuple(given)
+        new_names.append(name)
+    return project, tuple(new_names)
 
 
 def _same_picked_target(target: Target, project: Project) -> str | None:

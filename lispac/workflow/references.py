@@ -176,12 +176,12 @@ def read_reference(
     file_facts = (path, path.stat().st_size, digest)
     if listed:
         points, columns = _read_points(path, system, survey.trajectory)
-        names, places, sigmas, planes, said = _group_points(points, sigma, path)
-        said += _sigma_warnings([point for point, _ in points])
+        names, places, sigmas, planes, remarks = _group_points(points, sigma, path)
+        remarks += _sigma_warnings([point for point, _ in points])
         usual = float(np.median([*sigmas, *(p.sigma for p in planes)]))
         return Reference(
-            *file_facts, "points", words, usual, (*notes, columns, *said), np.zeros((0, 3)), names,
-            places, sigmas, planes,
+            *file_facts, "points", words, usual, (*notes, columns, *remarks), np.zeros((0, 3)),
+            names, places, sigmas, planes,
         )  # fmt: skip
     surface, used = _read_surface(found, system, survey, project, reach, progress)
     nothing = np.zeros((0, 3))
@@ -190,8 +190,8 @@ def read_reference(
     )
 
 
-def _is_list_of_points(path: Path, found: StaticScan) -> bool:
-    return not found.is_cloud and has_few_rows(path, MOST)
+def _is_list_of_points(path: Path, scan: StaticScan) -> bool:
+    return not scan.is_cloud and has_few_rows(path, MOST)
 
 
 def _read_points(
@@ -288,7 +288,7 @@ def _plane_reference(
 
 
 def _read_surface(
-    found: StaticScan, system: CoordinateSystem | None, survey: Survey, project: Project,
+    scan: StaticScan, system: CoordinateSystem | None, survey: Survey, project: Project,
     reach: float, progress: Progress,
 ) -> tuple[Array, Message]:  # fmt: skip
     """The part of a scan where the lines have been, and its number of points.
@@ -302,10 +302,10 @@ def _read_surface(
     parts: list[Array] = []
     numbers: list[NDArray[np.int64]] = []
     done = kept = halvings = 0
-    for chunk in found.coordinate_chunks(local=system is None):
+    for chunk in scan.coordinate_chunks(local=system is None):
         placed = to_local_frame(chunk, system, survey.trajectory)
         if not done:
-            _require_same_site(found.path, chunk, placed, system, survey.trajectory)
+            _require_same_site(scan.path, chunk, placed, system, survey.trajectory)
         own = np.arange(done, done + len(chunk))
         good = seen.contains(placed)
         if halvings:
@@ -320,13 +320,13 @@ def _read_surface(
             numbers = [some[which] for some, which in zip(numbers, chosen, strict=True)]
             kept = sum(map(len, parts))
         progress(
-            0.5, gettext_lazy("Reading {file}: {count:n} points", file=found.path.name, count=done)
+            0.5, gettext_lazy("Reading {file}: {count:n} points", file=scan.path.name, count=done)
         )
     if not kept:
-        raise InputError(error("check.reference_elsewhere", file=str(found.path), distance=reach))
+        raise InputError(error("check.reference_elsewhere", file=str(scan.path), distance=reach))
     used = note(
         "reference.points_used_sample" if halvings else "reference.points_used",
-        file=found.path.name, used=kept, total=done, one_in=2**halvings,
+        file=scan.path.name, used=kept, total=done, one_in=2**halvings,
     )  # fmt: skip
     return np.concatenate(parts), used
 

@@ -86,14 +86,16 @@ def distinct_names(projects: Sequence[Project]) -> list[str]:
 
 def comparability_remarks(names: Sequence[str], projects: Sequence[Project]) -> list[Message]:
     """Notes on differences that limit the comparison with the first project."""
-    said = []
+    remarks = []
     first = projects[0]
     for name, project in zip(names[1:], projects[1:], strict=True):
         shared = shared_lines(first, project)
         if shared and not has_same_lines(first, project):
-            said.append(note("repeat.shared_lines", name=name, other=names[0], count=len(shared)))
+            remarks.append(
+                note("repeat.shared_lines", name=name, other=names[0], count=len(shared))
+            )
         if project.settings.lever_arm != first.settings.lever_arm:
-            said.append(note("repeat.lever_arm", name=name, other=names[0]))
+            remarks.append(note("repeat.lever_arm", name=name, other=names[0]))
         if project.settings.pos_errors != first.settings.pos_errors:
-            said.append(note("repeat.pos_errors", name=name, other=names[0]))
-    return said
+            remarks.append(note("repeat.pos_errors", name=name, other=names[0]))
+    return remarks

@@ -73,7 +73,7 @@ def reselect_target(
     )
     lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}
     try:
-        found, _ = TargetSearch.of(target).find_in_lines(
+        found, _ = TargetSearch.for_target(target).find_in_lines(
             lines, seed, settings, first_line=line, accuracy=ESTIMATED
         )
     except TargetNotFound:

@@ -67,8 +67,8 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
     stored = [name for name, scan in survey.scans.items() if isinstance(scan, StoredLine)]
     if stored:
         blocks.append([call_text("project.import_lines", stored)])
-    if said := non_default_fields(project.identity):
-        blocks.append([call_text("project.identity", **said)])
+    if identity_fields := non_default_fields(project.identity):
+        blocks.append([call_text("project.identity", **identity_fields)])
     picked, count = [], len(project.targets)
     for k, target in enumerate(project.targets):
         step = sub_progress(progress, 0.6 * k / count, 0.6 * (k + 1) / count)

@@ -45,7 +45,7 @@ def _seed_arguments(
     project: Project, survey: Survey, target: Target, progress: Progress
 ) -> dict[str, Any] | None:
     """Arguments with which the seed leads to the target; None where there are none."""
-    search = TargetSearch.of(target)
+    search = TargetSearch.for_target(target)
     named: dict[str, Any] = {
         "role": (target.role, "target"),
         "shape": (target.shape, "plane"),
@@ -74,14 +74,14 @@ def _seed_arguments(
     return None
 
 
-def _is_same_target(found: Target, target: Target) -> bool:
+def _is_same_target(picked: Target, target: Target) -> bool:
     def stated(each: Target) -> tuple[object, ...]:
         return each.threshold, each.radius, dict(each.missing), len(each.sightings)
 
-    return stated(found) == stated(target) and all(
+    return stated(picked) == stated(target) and all(
         (one.line, one.rms, one.one_in) == (other.line, other.rms, other.one_in)
         and np.array_equal(one.indices, other.indices)
-        for one, other in zip(found.sightings, target.sightings, strict=True)
+        for one, other in zip(picked.sightings, target.sightings, strict=True)
     )
 
 

@@ -174,10 +174,16 @@ def pick_seeds(
                 count=len(seeds),
             ),
         )
-        asked = dict(how) if seed.role == "target" else {**how, **PLANE}
+        options = dict(how) if seed.role == "target" else {**how, **PLANE}
         try:
             target = find_target(
-                project, survey, seed.place, name=seed.name, role=seed.role, progress=step, **asked
+                project,
+                survey,
+                seed.place,
+                name=seed.name,
+                role=seed.role,
+                progress=step,
+                **options,
             )
         except TargetNotFound as failure:
             outcomes.append(SeedOutcome(seed, None, as_message(failure.reason)))

@@ -55,10 +55,10 @@ SOURCES = (
         "angle"
     ),
     N_(
-        "Thesis, section 1.2.1, table 1.1, after Zoller + Fröhlich (2022); the actual beam "
-        "divergence is smaller"
+        "Shahraji's thesis, section 1.2.1, table 1.1, after Zoller + Fröhlich (2022); the actual "
+        "beam divergence is smaller"
     ),
-    N_("Thesis, section 1.2.2, table 1.2, after iXblue (2019); base station at 10 km"),
+    N_("Shahraji's thesis, section 1.2.2, table 1.2, after iXblue (2019); base station at 10 km"),
 )
 """Sources of the sensors that come with the program, for their translation."""
 LONGEST = 200
@@ -78,12 +78,12 @@ class Sensor(Generic[F]):
     Attributes
     ----------
     name : what it is called on the command line: the name of its file
-    own : whether it is the user's
+    is_user_defined : whether the user added it
     """
 
     name: str
     figures: F
-    own: bool
+    is_user_defined: bool
 
 
 @dataclass(frozen=True)
@@ -149,17 +149,17 @@ def read_library(folder: Path) -> SensorLibrary:
 
 
 def _read_sensors(
-    kind: str, folder: Path, supplied: Callable[[Path], F], own: Callable[[Path], F],
+    kind: str, folder: Path, supplied: Callable[[Path], F], read: Callable[[Path], F],
     remarks: list[Message],
 ) -> tuple[Sensor[F], ...]:  # fmt: skip
     found = {
-        path.stem: Sensor(path.stem, supplied(path), own=False)
+        path.stem: Sensor(path.stem, supplied(path), is_user_defined=False)
         for path in resource_path(kind).glob("*.toml")
         if path.stem not in INVENTED
     }
     for path in sorted((folder / kind).glob("*.toml")):
         try:
-            found[path.stem] = Sensor(path.stem, own(path), own=True)
+            found[path.stem] = Sensor(path.stem, read(path), is_user_defined=True)
         except InputError as failure:
             remarks.append(as_message(failure.reason))
     return tuple(sorted(found.values(), key=lambda each: each.figures.title.casefold()))
@@ -227,7 +227,7 @@ def remove_sensor(
     InputError
         Where it comes with the program, or cannot be removed.
     """
-    if not sensor.own:
+    if not sensor.is_user_defined:
         raise InputError(error("sensor.supplied", title=sensor.figures.title))
     path = _sensor_path(folder, sensor.figures, sensor.name)
     try:

@@ -291,7 +291,7 @@ def _sighting_quality(
 
 def unexpected_deviations(target: Target, survey: Survey) -> dict[str, tuple[Message, ...]]:
     """Deviations of each sighting from the expected target, as messages, by line."""
-    said: dict[str, tuple[Message, ...]] = {}
+    messages: dict[str, tuple[Message, ...]] = {}
     for sighting in target.sightings if target.expected is not None else ():
         assert target.expected is not None
         points = survey.clouds[sighting.line][sighting.indices]
@@ -300,8 +300,8 @@ def unexpected_deviations(target: Target, survey: Survey) -> dict[str, tuple[Mes
             target.expected, extent_in_plane(plane, points), plane.normal
         )
         if found:
-            said[sighting.line] = found
-    return said
+            messages[sighting.line] = found
+    return messages
 
 
 def lidar_noise(settings: Settings) -> float:

@@ -30,7 +30,7 @@ from lispac.survey.store.layout import require_no_link
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.untrusted_values import json_values
 from lispac.workflow.projects import create_project
-from lispac.workflow.simulated_setup import Simulation
+from lispac.workflow.simulated_setup import SimulatedSetup
 
 RAW, TRUTH, MARKER = "raw", "truth", "simulated"
 TRUTHS = (f"{TRUTH}/truth.json", f"{TRUTH}/labels.npz")
@@ -44,7 +44,7 @@ _UNFINISHED = re.compile(r"\.survey-\w{8}\.part")
 
 def simulate(
     folder: Path,
-    simulation: Simulation,
+    simulation: SimulatedSetup,
     *,
     seed: int,
     noise: bool = True,
@@ -243,7 +243,7 @@ def as_triple(values: np.ndarray) -> Triple:
     return first, second, third
 
 
-def _surveyor_settings(simulation: Simulation) -> Settings:
+def _surveyor_settings(simulation: SimulatedSetup) -> Settings:
     """Settings of the surveyor: stated lever arm, no boresight, sigmas of the data sheets."""
     latitude, longitude, height = simulation.setup.origin
     scanner = simulation.setup.scanner
@@ -262,7 +262,9 @@ def _surveyor_settings(simulation: Simulation) -> Settings:
     return settings
 
 
-def _write_truth(survey: SimulatedSurvey, simulation: Simulation, folder: Path, seed: int) -> None:
+def _write_truth(
+    survey: SimulatedSurvey, simulation: SimulatedSetup, folder: Path, seed: int
+) -> None:
     """Write the true mounting, the label of every point, and the seeds."""
     latitude, longitude, height = survey.origin
     values = dict(zip(CALIBRATION, survey.mounting.values, strict=True))

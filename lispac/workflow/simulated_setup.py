@@ -16,8 +16,8 @@ from lispac.io.toml_table import TomlTable
 from lispac.io.vessel_file import Vessel, read_vessel
 from lispac.messages import error
 from lispac.project import Triple
+from lispac.simulation.motion_source import MotionSource, RecordedTrajectory, SailedTrajectory
 from lispac.simulation.simulated_survey import SurveySetup
-from lispac.simulation.voyage import RecordedTrajectory, SailedTrajectory, Voyage
 from lispac.survey.trajectory import LocalTrajectory
 
 KINDS = ("scene", "vessel", "scanner")
@@ -28,7 +28,7 @@ LONGEST = 12 * 3600.0
 
 
 @dataclass(frozen=True, eq=False)
-class Simulation:
+class SimulatedSetup:
     """Setup of a simulated survey, with the values that the surveyor would know.
 
     Attributes
@@ -66,7 +66,7 @@ def read_simulation(
     trajectory: Path | None = None,
     points_per_second: float | None = None,
     errors: Mapping[str, Any] | None = None,
-) -> Simulation:
+) -> SimulatedSetup:
     """Put scene, vessel and scanner together.
 
     Parameters
@@ -103,7 +103,7 @@ def read_simulation(
         instrument, replace(carried.errors, **(errors or {})).mounting(carried.lever_arm),
     )  # fmt: skip
     titles = {"scene": described.title, "vessel": carried.title, "scanner": scanner_title}
-    return Simulation(setup, carried.lever_arm, titles, files)
+    return SimulatedSetup(setup, carried.lever_arm, titles, files)
 
 
 _UNKNOWN = {
@@ -133,7 +133,7 @@ def setup_file(kind: str, word: str, beside: Path | None) -> Path:
 
 def _origin_and_voyage(
     described: SceneFile, carried: Vessel, trajectory: Path | None, file: Path
-) -> tuple[tuple[float, float, float], Voyage]:
+) -> tuple[tuple[float, float, float], MotionSource]:
     recorded = trajectory or described.trajectory
     if recorded is None:
         if not described.passes:

@@ -84,7 +84,7 @@ class Survey:
         return tuple(self.scans)
 
     def placed(self, project: Project, which: Literal["prior", "estimated"]) -> Mapping[str, Cloud]:
-        """The lines with the prior or the estimated mounting."""
+        """Point clouds of the lines, georeferenced with the prior or the estimated mounting."""
         if which == "prior":
             return self.clouds
         return place_clouds(self.clouds, project.mounting(which))

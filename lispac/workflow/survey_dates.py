@@ -44,7 +44,7 @@ def _line_days(project: Project, line: LineSource, survey: Survey | None) -> set
     if survey is None:
         restart = {RESTART: line.reading.restart or NONE}
         times = read_line_times(line.path, format, {**choice, **restart}).sample
-        moved = line.reading.moved(times)
+        moved = line.reading.to_trajectory_time(times)
     else:
         scan = survey.scans[line.name]
         moved = np.array([scan.first_time, scan.last_time])

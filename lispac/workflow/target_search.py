@@ -82,8 +82,8 @@ class TargetSearch:
     sphere_radius: float | None = None
 
     @classmethod
-    def of(cls, target: Target) -> "TargetSearch":
-        """A target already picked, again."""
+    def for_target(cls, target: Target) -> "TargetSearch":
+        """Search for a target that is already picked, with its shape and radius."""
         return cls(target.shape, target.sphere_radius)
 
     @property
@@ -244,12 +244,12 @@ def find_planes_in_lines(
 
 
 def _clicked_line(
-    first_line: str | None, found: Iterable[str], seed: Array, clouds: Mapping[str, Cloud]
+    first_line: str | None, lines: Iterable[str], seed: Array, clouds: Mapping[str, Cloud]
 ) -> str | None:
     """Name of the clicked line; None if it is not known."""
     if first_line is not None:
         return first_line
-    return next((name for name in found if len(clouds[name].within(seed, CLICK).numbers)), None)
+    return next((name for name in lines if len(clouds[name].within(seed, CLICK).numbers)), None)
 
 
 @dataclass(frozen=True, eq=False)

@@ -159,10 +159,10 @@ def targetless(
                 accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
                 progress=sub_progress(step, 0.7, 1.0),
             )  # fmt: skip
-        moved = np.abs(result.boresight - mounting.boresight)
+        changes = np.abs(result.boresight - mounting.boresight)
         mounting = mounting.with_boresight(result.boresight)
         # The quick model's own sigmas are far too small to be moved less than.
-        converged = rounds > 1 and bool((moved < SETTLED * choice.sigma).all())
+        converged = rounds > 1 and bool((changes < SETTLED * choice.sigma).all())
         if converged:
             break
     if own is not None:

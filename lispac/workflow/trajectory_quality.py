@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from lispac.report.trajectory_values import TrajectoryOnLine
+from lispac.report.trajectory_values import LineTrajectorySummary
 from lispac.workflow.survey import Survey
 
 
-def trajectory_on_lines(survey: Survey) -> tuple[TrajectoryOnLine, ...]:
+def trajectory_on_lines(survey: Survey) -> tuple[LineTrajectorySummary, ...]:
     """Motion and accuracy of the trajectory on each line that it covers for two states."""
     found = []
     for name, scan in survey.scans.items():
@@ -24,7 +24,7 @@ def trajectory_on_lines(survey: Survey) -> tuple[TrajectoryOnLine, ...]:
         position, attitude = survey.accuracy.at(times)
         angles = np.degrees(attitude)
         found.append(
-            TrajectoryOnLine(
+            LineTrajectorySummary(
                 line=name,
                 duration_s=scan.last_time - scan.first_time,
                 speed_m_s=float(way / (times[-1] - times[0])),

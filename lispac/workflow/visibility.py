@@ -16,7 +16,7 @@ RESOLUTION = 200
 
 
 def write_visibility(
-    found: VisibilityStudy,
+    study: VisibilityStudy,
     folder: Path,
     errors: Sequence[str],
     formats: Sequence[str],
@@ -40,12 +40,12 @@ def write_visibility(
     InputError
         Where a file cannot be written.
     """
-    tables = [("values", values_table(found, errors))]
-    if found.beams == "aimed":  # those of the thesis
-        tables.append(("best", comparison_table(found, errors)))
+    tables = [("values", values_table(study, errors))]
+    if study.beams == "aimed":  # those of the thesis
+        tables.append(("best", comparison_table(study, errors)))
     written = []
     for name, table in tables:
-        path = folder / f"{found.site.name}-{name}.csv"
+        path = folder / f"{study.site.name}-{name}.csv"
         with atomic_write(path) as part:
             # A spreadsheet's line ends are those the writer put there.
             part.write_text(csv_text(table), encoding="utf-8", newline="")
@@ -54,8 +54,8 @@ def write_visibility(
              for form in formats]  # fmt: skip
     for k, (error, criterion, form) in enumerate(drawn):
         progress(k / len(drawn), gettext_lazy("Drawing the figures"))
-        name = f"{found.site.name}-{error.replace('_', '-')}-{criterion}.{form}"
+        name = f"{study.site.name}-{error.replace('_', '-')}-{criterion}.{form}"
         with atomic_write(folder / name) as part:
-            visibility_figure(found, error, criterion).savefig(part, format=form, dpi=RESOLUTION)
+            visibility_figure(study, error, criterion).savefig(part, format=form, dpi=RESOLUTION)
         written.append(folder / name)
     return written

@@ -23,7 +23,7 @@ from lispac.io.sbet import write_sbet
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference, place_points, to_lidar
-from lispac.survey.point_mapping import PointMapper
+from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.cloud_export import write_cloud
 from lispac.workflow.file_reading import local_trajectory
@@ -78,7 +78,7 @@ def test_to_the_map_and_back_beside_proj(code):
     trajectory, system = track(), coordinate_system(code)
     points, time = sweep(trajectory, count)
     mounting = Mounting(np.array([-0.2, 0.04, 2.4]), np.radians([0.4, -1.9, 0.4]))
-    mapper = PointMapper(system, trajectory, mounting)
+    mapper = ScannerPointConverter(system, trajectory, mounting)
     fit, _ = timed(lambda: (mapper.fit_to(points), mapper.to_map(points[:9], time[:9])))
     found = {}
     fused, exact, back, exact_back = [], [], [], []
@@ -147,7 +147,7 @@ def write_las(path: Path, count: int) -> laspy.LasHeader:
 class Alone:
     """laspy writing points that are on the map already, and nothing else."""
 
-    def __init__(self, path: Path, mapper: PointMapper) -> None:
+    def __init__(self, path: Path, mapper: ScannerPointConverter) -> None:
         self.header = laspy.LasHeader(point_format=6, version="1.4")
         self.header.scales, self.header.offsets = (
             coordinate_resolution(UTM),
@@ -178,7 +178,9 @@ class Alone:
 @pytest.mark.parametrize("count", SIZES)
 def test_to_laz_beside_laspy_alone(tmp_path, count):
     trajectory = track()
-    mapper = PointMapper(UTM, trajectory, Mounting(np.zeros(3), np.radians([0.4, -1.9, 0.4])))
+    mapper = ScannerPointConverter(
+        UTM, trajectory, Mounting(np.zeros(3), np.radians([0.4, -1.9, 0.4]))
+    )
     rounds = 1 if count > 20_000_000 else 3
     ours, alone, making = tmp_path / "ours.laz", tmp_path / "alone.laz", []
     warm = list(profiler(1000))
@@ -206,7 +208,9 @@ def test_to_laz_beside_laspy_alone(tmp_path, count):
 @pytest.mark.parametrize("count", [n for n in SIZES if n <= 20_000_000])
 def test_file_to_laz_beside_laspy_reading_and_writing(tmp_path, count, ending):
     trajectory = track()
-    mapper = PointMapper(UTM, trajectory, Mounting(np.zeros(3), np.radians([0.4, -1.9, 0.4])))
+    mapper = ScannerPointConverter(
+        UTM, trajectory, Mounting(np.zeros(3), np.radians([0.4, -1.9, 0.4]))
+    )
     source, ours, copy = tmp_path / f"raw.{ending}", tmp_path / "ours.laz", tmp_path / "copy.laz"
     header = write_las(source, count)
 
@@ -246,7 +250,7 @@ def test_store_to_laz_beside_laspy_alone(tmp_path, count):
     project.folder.mkdir()
     import_lines(project)
     trajectory = local_trajectory(project)[0]
-    mapper = PointMapper(UTM, trajectory, project.mounting("prior"))
+    mapper = ScannerPointConverter(UTM, trajectory, project.mounting("prior"))
     stored = open_stored_line(project, project.lines[0], trajectory)
     ours, alone = tmp_path / "ours.laz", tmp_path / "alone.laz"
     made, laspys = [], []

@@ -147,14 +147,14 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
     application = QApplication(sys.argv[:1])
     application.setQuitOnLastWindowClosed(False)
     from lispac.gui.dialogs.import_files.dialog import ImportDialog
-    from lispac.gui.garbage_collection import GarbageCollection
+    from lispac.gui.garbage_collection import GuiThreadGarbageCollector
     from lispac.gui.session import Session
     from lispac.gui.viewport.base import PickedPoint
     from lispac.workflow.demo import demo_seeds
     from lispac.workflow.projects import open_project
 
     draws = Draws()
-    tidying = GarbageCollection(application)
+    tidying = GuiThreadGarbageCollector(application)
     session = Session(application, timed_viewport(draws))
     window = session.window
     heart = Heart(LONG_MS, draws)

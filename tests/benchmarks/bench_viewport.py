@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QGuiApplication
 
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.decimation import points_in_view
 from lispac.gui.viewport.point_picker import pick_point
 
@@ -45,7 +45,7 @@ def median_ms(function, rounds=5):
 
 def test_pick_among_six_million():
     clouds = harbour()
-    size = Size(1200, 800)
+    size = ViewportSize(1200, 800)
     camera = Camera(np.array([0.0, 25.0, 10.0]), -1.2, 0.4, 90.0)
     took = median_ms(lambda: pick_point(clouds, camera, 600.0, 420.0, size))
     seen = median_ms(lambda: [points_in_view(points, camera, size) for points in clouds.values()])

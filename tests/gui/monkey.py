@@ -316,7 +316,7 @@ def main() -> int:
     for scheme in ("file", "http", "https"):
         QDesktopServices.setUrlHandler(scheme, links, "follow")
     from lispac.gui import controller
-    from lispac.gui.garbage_collection import GarbageCollection
+    from lispac.gui.garbage_collection import GuiThreadGarbageCollector
     from lispac.gui.log_file import LOG, LogFile
     from lispac.gui.session import Session
     from lispac.gui.settings import AppSettings
@@ -325,7 +325,7 @@ def main() -> int:
     draws = Draws()
     viewport = timed_viewport(draws)
     settings = AppSettings(home / "window.ini")
-    tidying = GarbageCollection(application)
+    tidying = GuiThreadGarbageCollector(application)
     session = Session(application, viewport, settings)
     logbook = LogFile(session.log_folder, session.report_uncaught)
     logbook.begin()

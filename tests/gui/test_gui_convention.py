@@ -97,7 +97,7 @@ def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) ->
     assert heads(panel) == ["Roll", "Pitch", "Heading"]
     assert rows(panel) == {"New angles": [0.13, 0.12, 0.28]}
     assert "is pitched 0.120° bow up" in panel.words.text()
-    assert "is rolled 0.130° left side up" in panel.words.text()
+    assert "is rolled 0.130° port side up" in panel.words.text()
     assert "0.186\u00a0m aft of" in panel.words.text()
     assert "Convention verified" in panel.status.text()
     assert theme.DONE in panel.status.text()

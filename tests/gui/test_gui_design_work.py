@@ -88,7 +88,7 @@ def test_scenarios_in_figures(driver: Driver, design: DesignWindow, monkeypatch)
     pictures = design.pictures
     assert design.views.currentWidget() is pictures
     assert [pictures.which.itemText(k) for k in range(2)] == [
-        "size (for the wall and boards of the thesis)", "POS",
+        "size (for the wall and boards of Shahraji's thesis)", "POS",
     ]  # fmt: skip
     assert len(pictures.pages.currentWidget().figure.axes) == 2
     driver.bot.keyClick(design, Key.Key_F9)

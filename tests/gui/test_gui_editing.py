@@ -72,7 +72,7 @@ def test_the_lasso_spares_hidden_lines_and_what_the_box_hides(picked: Driver) ->
     window._select("T1", "")
     press(picked, Key.Key_X)
     clipping = window.tools.clipping
-    clipping._set_box(clipping.box.moved(5, -1.1))  # its upper side, down into the target
+    clipping._set_box(clipping.box.with_side_moved(5, -1.1))  # its upper side, down into the target
     press(picked, Key.Key_L, SHIFT)
     points = window.scene.clouds[second][picked.project.target("T1").sighting(second).indices]
     low = points[points[:, 2] < points[:, 2].min() + 0.3]

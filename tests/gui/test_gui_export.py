@@ -9,6 +9,7 @@ import pytest
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.export import CONTENTS, REST_MS, ExportDialog
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.export_request import ENDINGS, ExportRequest
@@ -37,6 +38,7 @@ def ok(dialog: ExportDialog):
 
 def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: Demo) -> None:
     asked = dialog.request()
+    assert dialog.windowTitle() == dialog_title("lines")
     assert asked.system == utm_zone(demo.survey.trajectory)
     assert (asked.what, asked.which, asked.form) == ("lines", "estimated", "laz")
     assert asked.output == dialog._project.folder / "export"

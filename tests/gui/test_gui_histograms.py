@@ -132,7 +132,12 @@ def test_numbers_and_picture_are_copied(
 ) -> None:
     driver.bot.mouseClick(panel.copy_numbers, Left)
     rows = list(csv.reader(StringIO(QGuiApplication.clipboard().text()), delimiter="\t"))
-    assert rows[0] == ["From (mm)", "To (mm)", "Points before", "Points after"]
+    assert rows[0] == [
+        "From (mm)",
+        "To (mm)",
+        "Points before calibration",
+        "Points after calibration",
+    ]
     assert [row[1] for row in rows[1:]] == [*(row[0] for row in rows[2:]), "and beyond"]
     points = validated.validation[0].before.n
     assert [sum(int(row[k]) for row in rows[1:]) for k in (2, 3)] == [points, points]

@@ -75,7 +75,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     answer = window.tools.patch_test_controller.answer
     assert answer is not None
     assert answer.sigma is not None
-    assert "result" in shown.angles.found[PITCH].text()
+    assert "result" in shown.angles.result_labels[PITCH].text()
     assert shown.message_label.text().startswith("The result is based on")
     truth = np.radians(opened.project.truth_deg)
     assert (np.abs(answer.boresight - truth) < 3 * answer.sigma).all()

@@ -14,7 +14,7 @@ from lispac.gui import units
 from lispac.gui.dialogs.about import shortcuts_box
 from lispac.gui.panels.sightings_table import EDITED
 from lispac.gui.picture_export import NO_SECTION
-from lispac.gui.viewport.base import Shading
+from lispac.gui.viewport.base import PointColouring
 from lispac.gui.viewport.overlay import OverlaidView, free_label_place
 from tests.gui.support import Control, Driver, Key, click, press, settle
 from tests.view_scenes import scene
@@ -183,7 +183,7 @@ def test_labels_of_targets_keep_clear_of_the_scale_of_colours(qapp) -> None:
     stage = OverlaidView()
     overlay = stage.overlay
     assert overlay.taken() == []
-    overlay.shading = Shading({}, "Distance (mm)", "-1", "+1", np.zeros((3, 3), np.uint8))
+    overlay.shading = PointColouring({}, "Distance (mm)", "-1", "+1", np.zeros((3, 3), np.uint8))
     (scale,) = overlay.taken()
     metrics = QFontMetricsF(qapp.font())
     spot = QPointF(scale.left() + 30.0, scale.bottom() + 10.0)

@@ -192,7 +192,7 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     assert read_library(folder).scanner("profiler-16").range_sigma == 0.006
     QTimer.singleShot(200, lambda: answer_box(qtbot, "Remove"))
     qtbot.mouseClick(sensors.remove, Left)
-    assert [s.name for s in read_library(folder).scanners if s.own] == []
+    assert [s.name for s in read_library(folder).scanners if s.is_user_defined] == []
     assert sensors.table.rowCount() == count + 1
     qtbot.waitUntil(lambda: in_front(page) and sensors.table.hasFocus())
     assert sensors.current is not None

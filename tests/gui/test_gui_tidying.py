@@ -22,7 +22,7 @@ from lispac.gui.garbage_collection import (
     NEW_MODULES,
     REST_S,
     YOUNG,
-    GarbageCollection,
+    GuiThreadGarbageCollector,
     MemoryTrimming,
     collect_all,
 )  # fmt: skip
@@ -47,7 +47,7 @@ def busy(stop: threading.Event) -> None:
 
 
 def test_what_a_window_leaves_goes_in_its_own_thread(qapp: QApplication, qtbot: QtBot) -> None:
-    tidying = GarbageCollection()
+    tidying = GuiThreadGarbageCollector()
     stop, threads = threading.Event(), []
     worker = threading.Thread(target=busy, args=(stop,))
     worker.start()
@@ -71,7 +71,7 @@ def test_what_a_window_leaves_goes_in_its_own_thread(qapp: QApplication, qtbot: 
 def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.MonkeyPatch) -> None:
     now, collected = [100.0], []
     monkeypatch.setattr(time, "monotonic", lambda: now[0])
-    tidying = GarbageCollection()
+    tidying = GuiThreadGarbageCollector()
     monkeypatch.setattr(gc, "collect", collected.append)
     try:
         for later, counts in (
@@ -90,13 +90,13 @@ def test_modules_that_came_are_not_looked_at_again(
     qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     now, done = [100.0], []
-    monkeypatch.setattr(GarbageCollection, "left_alone", 0)
-    monkeypatch.setattr(GarbageCollection, "with_windows", False)
+    monkeypatch.setattr(GuiThreadGarbageCollector, "left_alone", 0)
+    monkeypatch.setattr(GuiThreadGarbageCollector, "with_windows", False)
     monkeypatch.setattr(time, "monotonic", lambda: now[0])
     monkeypatch.setattr(gc, "collect", lambda generation: done.append(f"collect {generation}"))
     monkeypatch.setattr(gc, "freeze", lambda: done.append("leave alone"))
     monkeypatch.setattr(gc, "get_count", lambda: (YOUNG + 1, 0, 0))
-    tidying = GarbageCollection()
+    tidying = GuiThreadGarbageCollector()
 
     def later() -> list[str]:
         done.clear()
@@ -122,7 +122,7 @@ def test_what_a_window_leaves_goes_though_modules_came_while_it_was_there(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     for name, now in (("left_alone", len(sys.modules)), ("with_windows", True)):
-        monkeypatch.setattr(GarbageCollection, name, now)
+        monkeypatch.setattr(GuiThreadGarbageCollector, name, now)
     gone: list[str] = []
     window = Cycle()
     weakref.finalize(window, gone.append, "window")

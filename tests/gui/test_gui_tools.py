@@ -9,7 +9,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from lispac.gui.panels.section import EMPTY
-from lispac.gui.sections import section_frame
+from lispac.gui.sections import section_box_sketch
 from lispac.gui.viewport.base import PickedPoint
 from lispac.warning_causes import Cause
 from tests.gui.support import Driver, Key, click, press, seed, settle, type_into
@@ -98,7 +98,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     apart = [float(each.get_title(loc="left").split()[4]) for each in axes]
     assert apart[0] > 100 > 45 > apart[1]
     cuts = window.tools.sections._cuts
-    assert adjusted.viewport.sketches["section"] == section_frame(cuts[0].section)
+    assert adjusted.viewport.sketches["section"] == section_box_sketch(cuts[0].section)
     panel.laid.setCurrentIndex(1)
     adjusted.rest()
     assert panel.canvas.figure.axes[0].get_xlabel() == "Distance to the right (m)"
@@ -111,7 +111,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     window.computations.show("estimated")
     adjusted.rest()
     cuts = window.tools.sections._cuts
-    assert adjusted.viewport.sketches["section"] == section_frame(cuts[1].section)
+    assert adjusted.viewport.sketches["section"] == section_box_sketch(cuts[1].section)
     window.docks["Log"].raise_()
     QApplication.processEvents()
     assert "section" not in adjusted.viewport.sketches

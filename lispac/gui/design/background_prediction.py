@@ -110,11 +110,11 @@ class BackgroundPrediction(QObject):
             quiet=True,
         )
 
-    def _emit_prediction(self, found: PredictedPrecision) -> None:
+    def _emit_prediction(self, prediction: PredictedPrecision) -> None:
         self._foretelling = False
-        if found.plan is not self._titled.plan:
+        if prediction.plan is not self._titled.plan:
             self._predict_sigmas()
-        self.predicted.emit(found)
+        self.predicted.emit(prediction)
 
     def _check_plan(self) -> None:
         if self._foretelling:
@@ -126,9 +126,9 @@ class BackgroundPrediction(QObject):
             thesis = PredictedPrecision.of(edits.thesis_plan_at_wall(titled))
             return SlowResults(predicted_precision.plan_messages(titled.plan, progress), thesis)
 
-        def done(found: SlowResults) -> None:
+        def done(results: SlowResults) -> None:
             self.has_said = True
-            self.message_label.emit(found)
+            self.message_label.emit(results)
             self._compute_information_gain()
 
         self._slow = self._runner.run(gettext("Checking the survey plan"), work, done, quiet=True)
@@ -136,9 +136,9 @@ class BackgroundPrediction(QObject):
     def _compute_information_gain(self) -> None:
         plan = self._titled.plan
 
-        def done(found: object) -> None:
+        def done(results: object) -> None:
             self._late.stop()
-            self.weighed.emit(found)
+            self.weighed.emit(results)
 
         self._slow = self._runner.run(
             gettext("Computing the information gain"),

@@ -21,7 +21,7 @@ NOTHING = N_(
 )
 LESS_TIME = N_("precision and time on site")
 ERRORS = N_("errors of simulated surveys")
-OF_THESIS = N_("{scenario} (for the wall and boards of the thesis)")
+OF_THESIS = N_("{scenario} (for the wall and boards of Shahraji's thesis)")
 
 
 class FiguresPanel(QWidget):
@@ -50,13 +50,13 @@ class FiguresPanel(QWidget):
         self.which.currentIndexChanged.connect(self.pages.setCurrentIndex)
         self.pages.currentChanged.connect(lambda _index: self._due.start())
 
-    def show_outcomes(self, found: Sequence[ScenarioOutcome]) -> None:
+    def show_outcomes(self, outcomes: Sequence[ScenarioOutcome]) -> None:
         """Show one figure for each scenario."""
         from lispac.report.design_figures import scenario_figure
 
-        names = list(dict.fromkeys(each.scenario for each in found))
+        names = list(dict.fromkeys(each.scenario for each in outcomes))
         for name in names:
-            own = [each for each in found if each.scenario == name]
+            own = [each for each in outcomes if each.scenario == name]
             title = LazyText(OF_THESIS, {"scenario": LazyText(name, {})})
             title = title if name in OF_THE_THESIS else LazyText(name, {})
             self._add_figure(name, title, lambda figure, own=own: scenario_figure(own, figure))
@@ -73,12 +73,12 @@ class FiguresPanel(QWidget):
         )
         self.which.setCurrentIndex(self.which.findData(LESS_TIME))
 
-    def show_errors(self, found: MonteCarloResult) -> None:
+    def show_errors(self, result: MonteCarloResult) -> None:
         """Show the errors of simulated surveys."""
         from lispac.report.design_figures import simulated_errors_figure
 
         self._add_figure(
-            ERRORS, LazyText(ERRORS, {}), lambda figure: simulated_errors_figure(found, figure)
+            ERRORS, LazyText(ERRORS, {}), lambda figure: simulated_errors_figure(result, figure)
         )
         self.which.setCurrentIndex(self.which.findData(ERRORS))
 

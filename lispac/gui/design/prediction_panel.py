@@ -21,13 +21,13 @@ from lispac.message_texts import message_text
 from lispac.workflow.plan_checks import plan_warnings
 
 HEADS = ("plan", "thesis")
-TITLES = N_("this plan"), N_("thesis plan")
+TITLES = N_("this plan"), N_("Shahraji's plan")
 ANGLE_NAMES = dict(zip(ANGLES, (N_("roll"), N_("pitch"), N_("yaw")), strict=True))
 PAIRS = (N_("roll–pitch"), N_("roll–yaw"), N_("pitch–yaw"))
 
 
 class PredictionPanel(QScrollArea):
-    """Standard deviations beside those of the thesis, correlations and information gain."""
+    """Standard deviations beside those of Shahraji's plan, correlations and information gain."""
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
@@ -130,9 +130,9 @@ class PredictionPanel(QScrollArea):
             self.words.setText(gettext("Computing…"))
         self.worth.show_rows([])
 
-    def _show_sigmas(self, found: PredictedPrecision) -> None:
+    def _show_sigmas(self, prediction: PredictedPrecision) -> None:
         """Show standard deviations and correlations, also during a drag."""
-        self._told = found
+        self._told = prediction
         for angle, sigma in zip(ANGLES, self._told.sigmas, strict=True):
             self.sigma[angle].setText(sigma)
             self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._told.refused else "")

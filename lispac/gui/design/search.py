@@ -129,11 +129,11 @@ class SearchPanel(QScrollArea):
         factors = list(FACTORS.values())[self.factors.currentIndex()]
         return PlanObjective(list(CRITERIA)[self.criterion.currentIndex()], factors)
 
-    def show_found(self, found: LazyText | None) -> None:
+    def show_found(self, result_text: LazyText | None) -> None:
         """Show the result of a search; None where there is none."""
-        self._found = found
-        self.message_label.setText("" if found is None else str(found))
-        self.message_label.setVisible(found is not None)
+        self._found = result_text
+        self.message_label.setText("" if result_text is None else str(result_text))
+        self.message_label.setVisible(result_text is not None)
 
     def copy_state_from(self, former: "SearchPanel") -> None:
         """Copy the choices and the result of another panel."""

@@ -11,7 +11,7 @@ from lispac.gui.design.canvas import Array
 from lispac.gui.design.edits import PlacedTarget
 from lispac.gui.design.wall_view import FINE, STEP, moved_target
 from lispac.gui.design.workspace import Workspace
-from lispac.gui.viewport.base import Handle, PickedPoint, Sketch, Viewport
+from lispac.gui.viewport.base import DragHandle, PickedPoint, Sketch, Viewport
 from lispac.io.plan_file import TitledPlan
 from lispac.language import gettext_lazy
 from lispac.simulation.closed_form_survey import Ball, Board
@@ -138,12 +138,12 @@ def plan_sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketc
     right, out, up = np.array([*wall.rightward, 0.0]), np.array([*wall.outward, 0.0]), np.eye(3)[2]
     for k, each in enumerate(plan.targets):
         corners, edges = _target_outline(each)
-        handles: tuple[Handle, ...] = ()
+        handles: tuple[DragHandle, ...] = ()
         middle = np.array(each.centre)
         if k == target:
             half = each.radius if isinstance(each, Ball) else max(each.width, each.height) / 2
             handles = tuple(
-                Handle(_as_tuple(middle + (half + 0.4) * axis), _as_tuple(axis))
+                DragHandle(_as_tuple(middle + (half + 0.4) * axis), _as_tuple(axis))
                 for axis in (right, up, out)
             )
         drawn[f"target {k}"] = Sketch(

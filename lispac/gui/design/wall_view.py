@@ -100,8 +100,8 @@ class WallView(DesignCanvas):
 
     def cursor_shape_at(self, at: QPointF) -> Qt.CursorShape:
         """Hand cursor over a target."""
-        there = self._target_at(at) is not None
-        return Qt.CursorShape.OpenHandCursor if there else Qt.CursorShape.ArrowCursor
+        is_on_target = self._target_at(at) is not None
+        return Qt.CursorShape.OpenHandCursor if is_on_target else Qt.CursorShape.ArrowCursor
 
     def take(self, at: QPointF) -> bool:
         """Take the target at a pixel."""

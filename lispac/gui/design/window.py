@@ -42,7 +42,7 @@ Keys = QKeySequence.StandardKey
 # name: (text, short text, icon, keys, tip)
 ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
     "new": (N_("&New survey plan"), N_("New"), "file-outline", Keys.New,
-            N_("Create a survey plan with the targets and lines of the thesis")),
+            N_("Create a survey plan with the targets and lines of Shahraji's thesis")),
     "open": (N_("&Open survey plan…"), N_("Open"), "folder-open-outline", Keys.Open,
              N_("Open a survey plan")),
     "save": (N_("&Save survey plan"), N_("Save"), "content-save-outline", Keys.Save,
@@ -257,14 +257,14 @@ class DesignWindow(QMainWindow):
         self.surveys.surveys.setFocus()
         self.surveys.surveys.selectAll()
 
-    def show_comparison(self, found: PlanComparison, project: str, titled: TitledPlan) -> None:
+    def show_comparison(self, comparison: PlanComparison, project: str, titled: TitledPlan) -> None:
         """Show the comparison of a plan with the survey of a project."""
         head = gettext_lazy(
             "Standard deviations (deg) of the project {project} compared with the survey plan "
             "{plan}",
             project=project, plan=titled.title,
         )  # fmt: skip
-        self.compared.show_result(head, found, titled.plan)
+        self.compared.show_result(head, comparison, titled.plan)
         self.compared.follow(self.workspace.titled.plan)
         self.tabs.setCurrentIndex(self.tabs.count() - 1)
 

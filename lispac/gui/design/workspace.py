@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from lispac.design.plan import Line
 from lispac.gui.design import edits
 from lispac.gui.design.edits import PlacedTarget
-from lispac.gui.design.history import History
+from lispac.gui.design.undo_history import UndoHistory
 from lispac.io.plan_file import TitledPlan
 from lispac.language import LazyText, gettext, gettext_lazy
 
@@ -30,7 +30,7 @@ class Workspace(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.history: History[TitledPlan] = History(edits.default_plan())
+        self.history: UndoHistory[TitledPlan] = UndoHistory(edits.default_plan())
         self._dragged: TitledPlan | None = None
         self.line = self.target = 0
 
@@ -46,7 +46,7 @@ class Workspace(QObject):
 
     def start(self, titled: TitledPlan) -> None:
         """Replace the plan and clear the undo history."""
-        self.history, self._dragged = History(titled), None
+        self.history, self._dragged = UndoHistory(titled), None
         self._emit_changes()
 
     def copy_state_from(self, former: "Workspace") -> None:
@@ -165,8 +165,8 @@ class Workspace(QObject):
         place : tuple of float, metres
             Along the wall and up.
         """
-        there = edits.placed_targets(self.titled)
-        if len(there) >= edits.MOST_TARGETS:
+        present = edits.placed_targets(self.titled)
+        if len(present) >= edits.MOST_TARGETS:
             self.refused.emit(
                 gettext(
                     "A survey plan can have at most {most:n} targets. Remove a target first.",
@@ -174,7 +174,7 @@ class Workspace(QObject):
                 )
             )
             return
-        last = there[self.target] if there else PlacedTarget("", -2.0, 0.0, 5.0)
+        last = present[self.target] if present else PlacedTarget("", -2.0, 0.0, 5.0)
         along, up = place or (last.along + 2.0, last.up)
         new = PlacedTarget(
             edits.free_target_name(self.titled, "B" if ball else "T"), along, 0.0, up,
@@ -182,9 +182,9 @@ class Workspace(QObject):
         )  # fmt: skip
         if ball:
             new = replace(new, width=0.2, height=0.2)
-        self.target = len(there)
+        self.target = len(present)
         name = gettext_lazy("Add sphere") if ball else gettext_lazy("Add board")
-        self.edit(name, edits.with_target(self.titled, len(there), new))
+        self.edit(name, edits.with_target(self.titled, len(present), new))
 
     def remove_target(self) -> None:
         """Remove the selected target."""

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QHBoxLayout, QMessageBo
 
 import lispac
 from lispac.gui import theme
+from lispac.gui.actions import dialog_title
 from lispac.gui.panels import widgets
 from lispac.gui.panels.results import convention_html
 from lispac.gui.view_actions import KEYS
@@ -17,7 +18,7 @@ def about_box(parent: QWidget | None) -> QMessageBox:
     """Message box with version, conventions and licence, not yet shown."""
     box = QMessageBox(parent)
     box.setObjectName("about_dialog")
-    box.setWindowTitle(gettext("About LISPAC"))
+    box.setWindowTitle(dialog_title("about"))
     box.setTextFormat(Qt.TextFormat.RichText)
     box.setText(f"<h3>LISPAC {lispac.__version__}</h3>")
     purpose = gettext(
@@ -39,7 +40,7 @@ def shortcuts_box(parent: QWidget | None) -> QDialog:
     """Dialogue with the mouse and keyboard commands in two columns, not yet shown."""
     box = QDialog(parent)
     box.setObjectName("shortcuts_dialog")
-    box.setWindowTitle(gettext("Mouse and keys"))
+    box.setWindowTitle(dialog_title("keys"))
     layout = widgets.vertical_layout(box, 16)
     columns = QHBoxLayout()
     columns.setSpacing(32)

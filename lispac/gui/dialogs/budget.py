@@ -2,6 +2,7 @@
 
 from PySide6.QtWidgets import QWidget
 
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
@@ -43,7 +44,7 @@ class BudgetDialog(StudyDialog):
         )
         table = DiagnosticsTable("budget_table", gettext("Error budget"), columns)
         super().__init__(
-            "budget", gettext("Error budget"),
+            "budget", dialog_title("budget"),
             gettext(
                 "The table shows the standard deviation of a georeferenced point due to each "
                 "error source, in centimetres. It is propagated with the derivatives used in the "

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMessageBox, QVBoxLayout
 
 from lispac import caches
 from lispac.errors import InputError
-from lispac.gui.dialogs.error import error_text
+from lispac.gui.dialogs.error import exception_text
 from lispac.gui.panels import widgets
 from lispac.gui.recovery_copies import LOCK_NAME
 from lispac.language import N_, gettext
@@ -74,7 +74,7 @@ class CacheBox(QWidget):
         try:
             caches.require_writable(folder)
         except InputError as error:
-            self._show_problem(error_text(error))
+            self._show_problem(exception_text(error))
         else:
             self.show_folder(folder)
 
@@ -97,7 +97,7 @@ class CacheBox(QWidget):
         try:
             caches.empty_cache(place)
         except InputError as error:
-            self._show_problem(error_text(error))
+            self._show_problem(exception_text(error))
         else:
             self._show_problem("")
         self._show_size(place)

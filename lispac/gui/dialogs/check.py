@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog
 from lispac.gui.dialogs.system_choice import HEIGHTS, system_box, system_text
 from lispac.gui.panels import widgets
@@ -99,7 +100,7 @@ class CheckDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("check_dialog")
-        self.setWindowTitle(gettext("Check against a reference"))
+        self.setWindowTitle(dialog_title("check"))
         self.setMinimumWidth(620)
         self._start = project.folder.parent
         layout = widgets.vertical_layout(self, 16)
@@ -209,12 +210,12 @@ class CheckDialog(QDialog):
 class CheckResultDialog(StudyDialog):
     """Distances of each line from the reference, before and after calibration."""
 
-    def __init__(self, found: AbsoluteCheckValues, parent: QWidget | None = None) -> None:
+    def __init__(self, values: AbsoluteCheckValues, parent: QWidget | None = None) -> None:
         from lispac.report.absolute_figure import reference_distance_figure
 
         table = DiagnosticsTable("check_table", gettext("Lines and reference"), _columns())
         super().__init__(
-            "checked", gettext("Check against {reference}", reference=found.reference),
+            "checked", gettext("Check against {reference}", reference=values.reference),
             gettext(
                 "The table shows the distances of the lines from the reference along the normal "
                 "of the reference, positive towards the vessel. The report contains the same "
@@ -224,16 +225,16 @@ class CheckResultDialog(StudyDialog):
         )  # fmt: skip
         self.show_rows(
             [
-                *(_line_row(each, Cell(each.line)) for each in found.lines),
-                _line_row(found.all_lines, Cell(gettext("all lines"))),
+                *(_line_row(each, Cell(each.line)) for each in values.lines),
+                _line_row(values.all_lines, Cell(gettext("all lines"))),
             ]
         )
         not_compared = [
             gettext("Not compared: {reason}", reason=message_text(reason))
-            for reason in found.not_compared
+            for reason in values.not_compared
         ]
-        self.message_label.setText("\n".join([*map(message_text, found.messages), *not_compared]))
-        reference_distance_figure(found, self.figure())
+        self.message_label.setText("\n".join([*map(message_text, values.messages), *not_compared]))
+        reference_distance_figure(values, self.figure())
         self.resize(1000, 760)
 
 

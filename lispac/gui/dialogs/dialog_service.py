@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog
 
 from lispac.alternative_methods import Method
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.about import about_box, shortcuts_box
 from lispac.gui.dialogs.budget import BudgetDialog
 from lispac.gui.dialogs.check import CheckDialog, CheckRequest, CheckResultDialog
@@ -41,9 +42,9 @@ from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.visibility_study import VisibilityStudy
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.targets.finder_settings import FinderChoices
+from lispac.workflow.calibration_history import CalibrationHistory
 from lispac.workflow.export_request import ExportRequest, What
 from lispac.workflow.georeferencing import Which
-from lispac.workflow.history import History
 from lispac.workflow.input_files import ImportRequest
 from lispac.workflow.line_quality import LineQuality
 from lispac.workflow.proposals import Proposal
@@ -108,7 +109,7 @@ class Dialogs(Questions):
         """File of a project to open."""
         name, _ = QFileDialog.getOpenFileName(
             self.parent,
-            gettext("Open project"),
+            dialog_title("open"),
             str(start),
             gettext("LISPAC project (project.json *.lispac)"),
         )
@@ -118,7 +119,7 @@ class Dialogs(Questions):
         """Ask for a new folder for the project; ``start`` is proposed."""
         name, _ = QFileDialog.getSaveFileName(
             self.parent,
-            gettext("Save project as (name of the new folder)"),
+            gettext("{title} (name of the new folder)", title=dialog_title("save_as")),
             str(start),
             gettext("Folder (*)"),
             # Nothing is overwritten: existing projects and files are refused
@@ -140,9 +141,9 @@ class Dialogs(Questions):
         dialog.deleteLater()
         return answer
 
-    def checked(self, found: AbsoluteCheckValues) -> None:
+    def checked(self, values: AbsoluteCheckValues) -> None:
         """Show the result of a check: distances of the lines from the reference."""
-        dialog = CheckResultDialog(found, self.parent)
+        dialog = CheckResultDialog(values, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
@@ -152,39 +153,39 @@ class Dialogs(Questions):
         dialog.exec()
         dialog.deleteLater()
 
-    def history(self, histories: Sequence[History], remarks: Sequence[Message]) -> None:
+    def history(self, histories: Sequence[CalibrationHistory], remarks: Sequence[Message]) -> None:
         """Show the calibrations of each system."""
         dialog = HistoryDialog(histories, remarks, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
-    def subsampling(self, found: Sequence[SubsamplingResult], used: float) -> None:
+    def subsampling(self, results: Sequence[SubsamplingResult], used: float) -> None:
         """Show the results at several point spacings; ``used`` is that of the project."""
-        dialog = SubsamplingDialog(found, used, self.parent)
+        dialog = SubsamplingDialog(results, used, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
-    def line_quality(self, found: LineQuality) -> None:
+    def line_quality(self, quality: LineQuality) -> None:
         """Show the differences between the lines."""
-        dialog = LineQualityDialog(found, self.parent)
+        dialog = LineQualityDialog(quality, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
     def methods(
         self,
-        found: Sequence[MethodResult],
+        results: Sequence[MethodResult],
         absent: Sequence[Method],
         refused: Mapping[str, Message],
     ) -> bool:
         """Show the results of all methods; return whether to run the missing ones."""
-        dialog = MethodsDialog(found, absent, refused, self.parent)
+        dialog = MethodsDialog(results, absent, refused, self.parent)
         dialog.exec()
         dialog.deleteLater()
         return dialog.asks
 
-    def visibility(self, found: Sequence[VisibilityStudy]) -> None:
+    def visibility(self, studies: Sequence[VisibilityStudy]) -> None:
         """Show the visibility of errors on each site."""
-        dialog = VisibilityDialog(found, self.parent)
+        dialog = VisibilityDialog(studies, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
@@ -203,7 +204,7 @@ class Dialogs(Questions):
         """File for the report; its suffix, or the chosen filter, sets the format."""
         filters = ";;".join(map(gettext, REPORT_FILTERS))
         name, kind = QFileDialog.getSaveFileName(
-            self.parent, gettext("Export report"), str(start), filters
+            self.parent, dialog_title("report"), str(start), filters
         )
         if not name:
             return None
@@ -252,7 +253,7 @@ class Dialogs(Questions):
         """File for a picture; its suffix, or the chosen filter, sets the format."""
         filters = ";;".join(f"{kind} (*.{kind.lower()})" for kind in kinds)
         name, chosen = QFileDialog.getSaveFileName(
-            self.parent, gettext("Save the picture"), str(start), filters
+            self.parent, dialog_title("picture"), str(start), filters
         )
         if not name:
             return None
@@ -316,7 +317,7 @@ class Dialogs(Questions):
     def seed_list_file(self, start: Path) -> Path | None:
         """A list of target coordinates."""
         name, _ = QFileDialog.getOpenFileName(
-            self.parent, gettext("Open list of seeds"), str(start),
+            self.parent, dialog_title("seed_list"), str(start),
             ";;".join(
                 [
                     gettext(

@@ -12,7 +12,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Message
 
 
-def error_text(error: LispacError) -> str:
+def exception_text(error: LispacError) -> str:
     """Text of an error in the language of the user."""
     return str(error)
 
@@ -21,7 +21,7 @@ def error_text_and_details(error: BaseException) -> tuple[str, str]:
     """Text of an error in the language of the user, and the traceback where it is needed."""
     if isinstance(error, LispacError):
         foreign = error.__cause__ is not None and not isinstance(error.__cause__, LispacError)
-        return error_text(error), "".join(traceback.format_exception(error)) if foreign else ""
+        return exception_text(error), "".join(traceback.format_exception(error)) if foreign else ""
     if isinstance(error, MemoryError):
         return gettext("Not enough memory. Close other programs or use fewer lines."), ""
     if isinstance(error, OSError) and error.strerror:

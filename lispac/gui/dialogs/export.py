@@ -19,7 +19,8 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError, LispacError
 from lispac.gui import theme
-from lispac.gui.dialogs.error import error_text
+from lispac.gui.actions import dialog_title
+from lispac.gui.dialogs.error import exception_text
 from lispac.gui.dialogs.system_choice import HEIGHTS, HEIGHTS_TIP, REST_MS, system_box, system_text
 from lispac.gui.panels import widgets
 from lispac.installation_paths import expand_user
@@ -67,7 +68,7 @@ class ExportDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("export_dialog")
-        self.setWindowTitle(gettext("Export"))
+        self.setWindowTitle(dialog_title("targets" if what == "planes" else what))
         self._project, self._trajectory = project, trajectory
         self.what = widgets.ChoiceBox(
             "export_what", [gettext(each) for each in CONTENTS.values()], gettext("Data to export")
@@ -245,7 +246,7 @@ class ExportDialog(QDialog):
             serious = any(isinstance(each, Message) and each.is_serious for each in meaning)
             role = "error" if serious else "muted"
         except LispacError as error:
-            text, role, good = error_text(error), "error", False
+            text, role, good = exception_text(error), "error", False
         self.message_label.setText(text)
         self.message_label.setProperty("role", role)
         self.message_label.style().unpolish(self.message_label)

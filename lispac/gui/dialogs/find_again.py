@@ -2,6 +2,7 @@
 
 from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLayout, QWidget
 
+from lispac.gui.actions import dialog_title
 from lispac.gui.panels import widgets
 from lispac.gui.panels.search_option_fields import SearchOptionFields
 from lispac.language import gettext
@@ -15,7 +16,7 @@ class FindAgainDialog(QDialog):
     def __init__(self, target: Target, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("find_again_dialog")
-        self.setWindowTitle(gettext("Find {target} again", target=target.name))
+        self.setWindowTitle(dialog_title("find_again"))
         layout = widgets.vertical_layout(self, 16)
         layout.setSizeConstraint(QLayout.SizeConstraint.SetFixedSize)  # adapts to the folded part
         introduction = gettext(

@@ -5,13 +5,19 @@ from collections.abc import Sequence
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog, angle_columns
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext, short_date
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.workflow.history import CalibratedSystem, History, HistoryEntry, change_message
+from lispac.workflow.calibration_history import (
+    CalibratedSystem,
+    CalibrationHistory,
+    HistoryEntry,
+    change_message,
+)
 
 DISTANCE = 50.0
 """Metres from the scanner, for the displacement of a point in the table."""
@@ -47,11 +53,11 @@ class HistoryDialog(StudyDialog):
 
     def __init__(
         self,
-        histories: Sequence[History],
+        histories: Sequence[CalibrationHistory],
         remarks: Sequence[Message],
         parent: QWidget | None = None,
     ) -> None:
-        title = gettext("Calibrations over the years")
+        title = dialog_title("history")
         table = DiagnosticsTable("history_table", title, _columns())
         super().__init__(
             "history", title,
@@ -138,8 +144,8 @@ def _row(entry: HistoryEntry) -> Row:
         result = gettext("first calibration")
     else:
         result = (
-            gettext("mounting has moved") if charted.moved else gettext("no significant change")
+            gettext("mounting has moved") if charted.has_moved else gettext("no significant change")
         )
     return Row(
-        (*cells, Cell(result)), marked=charted.moved, tip=message_text(change_message(entry))
+        (*cells, Cell(result)), marked=charted.has_moved, tip=message_text(change_message(entry))
     )

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QPla
 
 from lispac.errors import InputError
 from lispac.gui import theme
-from lispac.gui.dialogs.error import error_text
+from lispac.gui.dialogs.error import exception_text
 from lispac.gui.panels import widgets
 from lispac.identity import BLANK, LABELS, NAMES, Identity
 from lispac.language import N_, gettext
@@ -110,7 +110,7 @@ class IdentityDialog(QDialog):
             self.identity = BLANK.changed(**texts)
             problem = ""
         except InputError as error:
-            problem = error_text(error)
+            problem = exception_text(error)
         self.message_label.setText(problem)
         self.keep.setEnabled(not problem)
 

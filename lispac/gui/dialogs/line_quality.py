@@ -2,6 +2,7 @@
 
 from PySide6.QtWidgets import QWidget
 
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext
@@ -48,21 +49,23 @@ INTRODUCTIONS: dict[Which, str] = {
 class LineQualityDialog(StudyDialog):
     """A row for each two lines and orientation of the surfaces, and a map of all places."""
 
-    def __init__(self, found: LineQuality, parent: QWidget | None = None) -> None:
-        title = gettext("Differences between lines")
+    def __init__(self, quality: LineQuality, parent: QWidget | None = None) -> None:
+        title = dialog_title("line_quality")
         table = DiagnosticsTable("line_quality_table", title, _columns())
-        super().__init__("line_quality", title, gettext(INTRODUCTIONS[found.which]), table, parent)
-        self.show_rows([_row(*row) for row in found.rows()])
-        self.message_label.setText("\n".join(map(message_text, found.not_compared)))
-        self.message_label.setVisible(bool(found.not_compared))
-        self._draw(found)
+        super().__init__(
+            "line_quality", title, gettext(INTRODUCTIONS[quality.which]), table, parent
+        )
+        self.show_rows([_row(*row) for row in quality.rows()])
+        self.message_label.setText("\n".join(map(message_text, quality.not_compared)))
+        self.message_label.setVisible(bool(quality.not_compared))
+        self._draw(quality)
         self.resize(900, 760)
 
-    def _draw(self, found: LineQuality) -> None:
+    def _draw(self, quality: LineQuality) -> None:
         # Matplotlib is imported late, so that the window starts without it.
         from lispac.report.line_map import line_difference_map
 
-        line_difference_map(found.pairs, self.figure())
+        line_difference_map(quality.pairs, self.figure())
         self.canvas.draw_idle()
         self.canvas.setAccessibleName(gettext("Map of the differences between lines"))
 

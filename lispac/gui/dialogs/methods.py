@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from lispac.alternative_methods import Method
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog, angle_columns
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
@@ -74,14 +75,14 @@ class MethodsDialog(StudyDialog):
 
     def __init__(
         self,
-        found: Sequence[MethodResult],
+        results: Sequence[MethodResult],
         absent: Sequence[Method],
         refused: Mapping[str, Message],
         parent: QWidget | None = None,
     ) -> None:
         table = DiagnosticsTable("methods_table", gettext("Results of all methods"), _columns())
         super().__init__(
-            "methods", gettext("Comparison with other methods"),
+            "methods", dialog_title("methods"),
             gettext(
                 "The alternative methods estimate the boresight from the same lines without the "
                 "targets. If the results agree, they are more reliable. They are saved in the "
@@ -91,20 +92,20 @@ class MethodsDialog(StudyDialog):
         )  # fmt: skip
         self.asks = False
         self.show_rows(
-            [*(_method_row(each) for each in found), *(_row_not_run(each) for each in absent)]
+            [*(_method_row(each) for each in results), *(_row_not_run(each) for each in absent)]
         )
         remarks = [
             *refused.items(),
-            *((each.method, remark) for each in found for remark in each.messages),
+            *((each.method, remark) for each in results for remark in each.messages),
         ]
         texts = [
-            *map(message_text, comparison_remarks(tuple(found))),
+            *map(message_text, comparison_remarks(tuple(results))),
             *(_with_method_name(*each) for each in remarks),
         ]
         self.message_label.setText("\n".join(texts))
         self.message_label.setVisible(bool(texts))
         self.ask = widgets.button(
-            gettext("Run other methods"), "methods_ask",
+            gettext("Run the methods without a result"), "methods_ask",
             tip=gettext(
                 "Run the adjustments on validation planes and on natural surfaces, and the patch "
                 "test on detected objects. One undo step removes all results."

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 
 from lispac.adjustment.result import ANGLES
 from lispac.gui import theme, units
+from lispac.gui.actions import dialog_title
 from lispac.gui.panels import widgets
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
@@ -30,7 +31,7 @@ class ProposalDialog(QDialog):
     def __init__(self, proposal: Proposal, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("proposal_dialog")
-        self.setWindowTitle(gettext("Proposed targets"))
+        self.setWindowTitle(dialog_title("propose"))
         self.resize(860, 420)
         self._proposal = proposal
         layout = widgets.vertical_layout(self, 16)

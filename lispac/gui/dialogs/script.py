@@ -7,6 +7,7 @@ from PySide6.QtGui import QFontDatabase, QGuiApplication
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QPlainTextEdit, QWidget
 
 from lispac.gui import theme
+from lispac.gui.actions import dialog_title
 from lispac.gui.panels import widgets
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
@@ -33,7 +34,7 @@ class ScriptDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("script_dialog")
-        self.setWindowTitle(gettext("Script of this project"))
+        self.setWindowTitle(dialog_title("script"))
         self._save = save
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(gettext(INTRODUCTION), wrap=True))

@@ -6,8 +6,9 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QWid
 
 from lispac.errors import InputError, ProjectError
 from lispac.gui import theme
-from lispac.gui.dialogs.error import error_text
-from lispac.gui.dialogs.system_choice import SystemChoice
+from lispac.gui.actions import dialog_title
+from lispac.gui.dialogs.error import exception_text
+from lispac.gui.dialogs.system_choice import CoordinateSystemFields
 from lispac.gui.panels import widgets
 from lispac.gui.seed_options import SeedOptions
 from lispac.io.text_table import find_coordinates, parse_coordinate
@@ -61,7 +62,7 @@ class SeedDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("seed_dialog")
-        self.setWindowTitle(gettext("Enter seed coordinates"))
+        self.setWindowTitle(dialog_title("seed_at"))
         self.setMinimumWidth(530)
         self._project, self._trajectory, self._seed_options = project, trajectory, seed_options
         self._place: Triple | None = None
@@ -73,7 +74,7 @@ class SeedDialog(QDialog):
         # A sighting added to the selected target, whose name stays.
         self._added = seed_options.line is not None and name == seed_options.selected
         self.name.setEnabled(not self._added)
-        self.choice = SystemChoice(project, trajectory, "seed", self)
+        self.choice = CoordinateSystemFields(project, trajectory, "seed", self)
         self.fields = tuple(_field(f"seed_coordinate_{k}") for k in range(3))
         self._form = QFormLayout()
         self._form.setVerticalSpacing(theme.SPACE)
@@ -134,7 +135,7 @@ class SeedDialog(QDialog):
             try:
                 text = self._describe_coordinates()
             except (InputError, ProjectError) as failure:
-                role, text = "error", error_text(failure)
+                role, text = "error", exception_text(failure)
         self.message_label.setText(text)
         self.message_label.setProperty("role", role)
         self.message_label.style().unpolish(self.message_label)

@@ -19,8 +19,9 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import LispacError
 from lispac.gui import theme
-from lispac.gui.dialogs.error import error_text
-from lispac.gui.dialogs.system_choice import SystemChoice
+from lispac.gui.actions import dialog_title
+from lispac.gui.dialogs.error import exception_text
+from lispac.gui.dialogs.system_choice import CoordinateSystemFields
 from lispac.gui.panels import widgets
 from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
@@ -51,7 +52,7 @@ class SeedListDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("seed_list_dialog")
-        self.setWindowTitle(gettext("Seeds from {file}", file=path.name))
+        self.setWindowTitle(f"{dialog_title('seed_list')} – {path.name}")
         self.resize(900, 560)
         self._path, self._project, self._trajectory = path, project, trajectory
         self._read: SeedList | None = None
@@ -75,7 +76,7 @@ class SeedListDialog(QDialog):
         self.columns.setPlaceholderText(
             gettext("Column names in the file, otherwise name, x, y, z, role")
         )
-        self.choice = SystemChoice(project, trajectory, "list", self)
+        self.choice = CoordinateSystemFields(project, trajectory, "list", self)
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
         form.addRow(gettext("Columns"), self.columns)
@@ -121,7 +122,7 @@ class SeedListDialog(QDialog):
         if self.choice.waiting:
             role, text = "muted", ""
         elif self.choice.problem is not None:
-            text = error_text(self.choice.problem)
+            text = exception_text(self.choice.problem)
         else:
             try:
                 self._read = read_seeds(
@@ -129,7 +130,7 @@ class SeedListDialog(QDialog):
                 )
                 role, text = "muted", " ".join(map(message_text, self._read.notes))
             except LispacError as error:
-                text = error_text(error)
+                text = exception_text(error)
         self.message_label.setText(text)
         self.message_label.setProperty("role", role)
         self.message_label.style().unpolish(self.message_label)

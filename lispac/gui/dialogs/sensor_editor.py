@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QFormLayout, QHBoxLayout, QLin
 
 from lispac.errors import InputError
 from lispac.gui import theme
-from lispac.gui.dialogs.error import error_text
+from lispac.gui.dialogs.error import exception_text
 from lispac.gui.panels import widgets
 from lispac.io.sensor_file import (
     STATES,
@@ -101,7 +101,7 @@ class SensorEditor(QDialog):
             line.textChanged.connect(self._check_input)
             line.left.connect(lambda line=line: self._on_field_left(line))
         for part in self.parts:
-            part.moved.connect(self._check_input)
+            part.value_changed.connect(self._check_input)
         self._check_input()
 
     @property
@@ -132,7 +132,7 @@ class SensorEditor(QDialog):
             require_storable(self._folder, self.figures, self.name)
             problem = ""
         except InputError as error:
-            problem = error_text(error)
+            problem = exception_text(error)
         if self._first_empty_field is not None and self._first_empty_field not in self._left:
             problem = ""  # the user has not reached this field yet
         self.message_label.setText(problem)
@@ -147,7 +147,7 @@ class SensorEditor(QDialog):
         try:
             self.name = store_sensor(self._folder, self.figures, self.name)
         except InputError as error:
-            self.message_label.setText(error_text(error))
+            self.message_label.setText(exception_text(error))
         else:
             self.accept()
 
@@ -172,7 +172,7 @@ class _SourceFields(QWidget):
 
 
 class _ScannerFields:
-    def __init__(self, given: ScannerSpecification, form: QFormLayout) -> None:
+    def __init__(self, specification: ScannerSpecification, form: QFormLayout) -> None:
         self.range = widgets.number(
             "sensor_range", suffix=" mm", decimals=2, low=0.01, high=10_000, step=0.5,
             tip=gettext("Standard deviation of a range measurement, in millimetres"),
@@ -186,11 +186,11 @@ class _ScannerFields:
             "sensor_beam", suffix=" mrad", decimals=2, low=0, high=100, step=0.1,
             tip=gettext("Beam divergence as full angle, in milliradians"),
         )  # fmt: skip
-        self.range.setValue(1000 * given.range_sigma)
-        self.angle.setValue(given.angle_sigma_deg)
-        self.beam.setValue(given.divergence_mrad)
-        self.origin = _SourceFields("sensor", given.source, given.unverified)
-        self.moved = self.range.valueChanged
+        self.range.setValue(1000 * specification.range_sigma)
+        self.angle.setValue(specification.angle_sigma_deg)
+        self.beam.setValue(specification.divergence_mrad)
+        self.origin = _SourceFields("sensor", specification.source, specification.unverified)
+        self.value_changed = self.range.valueChanged
         form.addRow(gettext("Range noise (1 σ)"), self.range)
         form.addRow(gettext("Beam angular noise (1 σ)"), self.angle)
         form.addRow(gettext("Beam divergence"), self.beam)
@@ -204,9 +204,9 @@ class _ScannerFields:
 
 
 class _PosStateFields:
-    def __init__(self, name: str, given: PosAccuracy | None, form: QFormLayout) -> None:
+    def __init__(self, name: str, specification: PosAccuracy | None, form: QFormLayout) -> None:
         self._name = name
-        usual = given or NEW_POS.states[0]
+        usual = specification or NEW_POS.states[0]
         self.stated = QCheckBox(gettext(WITH_SOLUTION[name]))
         self.stated.setObjectName(f"sensor_{name}")
         self.position = widgets.TripleField(
@@ -223,9 +223,11 @@ class _PosStateFields:
         self.position.set_value(usual.position_sigma)
         self.attitude.set_value(usual.attitude_sigma_deg)
         self.origin = _SourceFields(
-            f"sensor_{name}", usual.source if given else "", given is not None and given.unverified
+            f"sensor_{name}",
+            usual.source if specification else "",
+            specification is not None and specification.unverified,
         )
-        self.moved = self.stated.toggled
+        self.value_changed = self.stated.toggled
         form.addRow(self.stated)
         form.addRow(gettext("Position (1 σ)"), self.position)
         form.addRow(gettext("Attitude (1 σ)"), self.attitude)
@@ -233,7 +235,7 @@ class _PosStateFields:
         for each in (self.position, self.attitude, self.origin):
             self.stated.toggled.connect(each.setEnabled)
             each.setEnabled(False)
-        self.stated.setChecked(given is not None)
+        self.stated.setChecked(specification is not None)
 
     def state(self) -> PosAccuracy | None:
         if not self.stated.isChecked():

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from lispac.errors import InputError
 from lispac.gui import units
-from lispac.gui.dialogs.error import error_text
+from lispac.gui.dialogs.error import exception_text
 from lispac.gui.dialogs.import_files.sensor_choice import SOLUTIONS
 from lispac.gui.dialogs.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
 from lispac.gui.panels import widgets
@@ -98,7 +98,7 @@ class SensorLibraryPage(QWidget):
 
     @property
     def _is_own(self) -> bool:
-        return self.current is not None and self.current.own
+        return self.current is not None and self.current.is_user_defined
 
     def _buttons(self) -> QHBoxLayout:
         self.add_scanner = widgets.button(gettext("Add scanner…"), "sensor_add_scanner")
@@ -137,7 +137,7 @@ class SensorLibraryPage(QWidget):
         for row, sensor in enumerate(self._sensors):
             sigmas, source = sensor_texts(sensor.figures)
             title = sensor.figures.title
-            if sensor.own:
+            if sensor.is_user_defined:
                 title = gettext("{sensor} (user-defined)", sensor=title)
             for column, text in enumerate((title, sigmas, source)):
                 item = QTableWidgetItem(text)
@@ -171,7 +171,7 @@ class SensorLibraryPage(QWidget):
         try:
             remove_sensor(self._folder, self.current)
         except InputError as error:
-            self.message_label.setText(error_text(error))
+            self.message_label.setText(exception_text(error))
             self.message_label.show()
             return
         row = self.table.currentRow()

@@ -5,6 +5,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
 
 from lispac.gui import theme
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.cache_box import CacheBox
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.dialogs.sensor_library import SensorLibraryPage
@@ -50,7 +51,7 @@ class SettingsDialog(QDialog):
     def __init__(self, present: Preferences, sensors: Path, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("settings_dialog")
-        self.setWindowTitle(gettext("Settings"))
+        self.setWindowTitle(dialog_title("settings"))
         self.resize(1180, 640)
         self._folder = sensors
         layout = widgets.vertical_layout(self, 16)
@@ -90,21 +91,21 @@ class SettingsDialog(QDialog):
             list(SCALES)[self.scale.currentIndex()],
         )
 
-    def show_preferences(self, given: Preferences) -> None:
+    def show_preferences(self, preferences: Preferences) -> None:
         """Fill in the fields."""
-        self.language.setCurrentIndex(["", *LANGUAGES].index(given.language))
-        self.point_size.setValue(given.point_size)
-        self.point_budget.setValue(given.point_budget / MILLION)
+        self.language.setCurrentIndex(["", *LANGUAGES].index(preferences.language))
+        self.point_size.setValue(preferences.point_size)
+        self.point_budget.setValue(preferences.point_budget / MILLION)
         keys = ["", *(each.key for each in OTHERS)]
         self.convention.setCurrentIndex(
-            keys.index(given.convention) if given.convention in keys else 0
+            keys.index(preferences.convention) if preferences.convention in keys else 0
         )
-        self.choice.choose(given.scanner, given.pos)
-        self.angles.setCurrentIndex(list(ANGLES).index(given.angles))
-        self.lengths.setCurrentIndex(list(LENGTHS).index(given.lengths))
-        self.cache.show_folder(given.cache)
-        self.looks.setCurrentIndex(list(THEMES).index(given.theme))
-        self.scale.setCurrentIndex(list(SCALES).index(given.scale))
+        self.choice.choose(preferences.scanner, preferences.pos)
+        self.angles.setCurrentIndex(list(ANGLES).index(preferences.angles))
+        self.lengths.setCurrentIndex(list(LENGTHS).index(preferences.lengths))
+        self.cache.show_folder(preferences.cache)
+        self.looks.setCurrentIndex(list(THEMES).index(preferences.theme))
+        self.scale.setCurrentIndex(list(SCALES).index(preferences.scale))
 
     def _build(self) -> None:
         self.language = widgets.ChoiceBox(

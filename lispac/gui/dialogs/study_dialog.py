@@ -86,7 +86,7 @@ class StudyDialog(QDialog):
         self.body.addLayout(row)
 
     @property
-    def room(self) -> QSize:
+    def available_size(self) -> QSize:
         """Size of the screen without its margin, pixels."""
         return self.screen().availableGeometry().size() - QSize(OFF_THE_EDGE, OFF_THE_EDGE)
 
@@ -113,13 +113,13 @@ class StudyDialog(QDialog):
             for column in range(header.count())
         )
         width += frame + around.left() + around.right()
-        width = min(width, self.room.width())
+        width = min(width, self.available_size.width())
         if width > self.width():
             self.resize(width, self.height())
 
     def _fit_height(self) -> None:
         """Lower the dialogue to the height of the screen, so that its buttons are visible."""
-        room = self.room.height()
+        room = self.available_size.height()
         parts = [(self.table, TABLE_AT_LEAST)]
         if self.canvas is not None:
             parts.insert(0, (self.canvas, PLOT_AT_LEAST))

@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui import units
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog, angle_columns
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import gettext
@@ -16,9 +17,9 @@ class SubsamplingDialog(StudyDialog):
     """A row for each point spacing."""
 
     def __init__(
-        self, found: Sequence[SubsamplingResult], used: float, parent: QWidget | None = None
+        self, results: Sequence[SubsamplingResult], used: float, parent: QWidget | None = None
     ) -> None:
-        title = gettext("Subsampling study")
+        title = dialog_title("subsampling")
         table = DiagnosticsTable("subsampling_table", title, _columns())
         super().__init__(
             "subsampling", title,
@@ -29,7 +30,7 @@ class SubsamplingDialog(StudyDialog):
             ),
             table, parent,
         )  # fmt: skip
-        self.show_rows([_spacing_row(each, each.distance == used) for each in found])
+        self.show_rows([_spacing_row(each, each.distance == used) for each in results])
         self.message_label.setText(
             gettext(
                 "The highlighted row has the point spacing of the project settings, {spacing} "
@@ -38,7 +39,7 @@ class SubsamplingDialog(StudyDialog):
                 unit=units.shown_unit("m").sign,
             )
         )
-        self.message_label.setVisible(any(each.distance == used for each in found))
+        self.message_label.setVisible(any(each.distance == used for each in results))
         self.resize(860, 330)
 
 

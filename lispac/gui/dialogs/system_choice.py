@@ -50,8 +50,8 @@ def system_text(box: QComboBox) -> str:
     return cast(str, box.itemData(index)) if index >= 0 else text
 
 
-class SystemChoice(QObject):
-    """Two fields of a form: coordinate system and vertical system.
+class CoordinateSystemFields(QObject):
+    """Two fields of a form, coordinate system and vertical system, with a check of the input.
 
     Attributes
     ----------

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog
 from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
@@ -18,15 +19,19 @@ COLUMNS = (
     (
         N_("Accepted inclinations (deg)"),
         N_(
-            "Inclinations at which the points still form the board (criterion Type I of the thesis)"
+            "Inclinations at which the points still form the board (type I criterion of "
+            "Shahraji's thesis)"
         ),
     ),
     (
-        N_("Accepted in thesis (deg)"),
-        N_("Accepted inclinations in appendix C and section 3.9 of the thesis"),
+        N_("Accepted, Shahraji (deg)"),
+        N_("Accepted inclinations in appendix C and section 3.9 of Shahraji's thesis"),
     ),
     (N_("Best inclination (deg)"), N_("Inclination at which the lines differ most")),
-    (N_("Best in thesis (deg)"), N_("Best inclination in table 3.2 and section 3.9 of the thesis")),
+    (
+        N_("Best, Shahraji (deg)"),
+        N_("Best inclination in table 3.2 and section 3.9 of Shahraji's thesis"),
+    ),
     (
         N_("Lines showing error (deg)"),
         N_(
@@ -35,17 +40,17 @@ COLUMNS = (
         ),
     ),
     (
-        N_("Lines in thesis (deg)"),
-        N_("Headings of the lines in table 3.2 and section 4.4.1.1 of the thesis"),
+        N_("Lines, Shahraji (deg)"),
+        N_("Headings of the lines in table 3.2 and section 4.4.1.1 of Shahraji's thesis"),
     ),
     (
         N_("Inclination (agreement)"),
         N_(
-            "Agreement of the inclination with the thesis; the tooltip of the row "
-            "gives the reason for a difference"
+            "Agreement of the inclination with Shahraji's thesis; the tooltip of the row gives the "
+            "reason for a difference"
         ),
     ),
-    (N_("Lines (agreement)"), N_("Agreement of the lines with the thesis")),
+    (N_("Lines (agreement)"), N_("Agreement of the lines with Shahraji's thesis")),
 )
 """Titles and tips of the columns."""
 READ = N_("Move the mouse over the chart to read values")
@@ -57,39 +62,40 @@ class VisibilityDialog(StudyDialog):
 
     Parameters
     ----------
-    found : results of each site
+    studies : results of each site
     """
 
-    def __init__(self, found: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
-        from lispac.report.visibility_figures import CRITERIA, error_text
+    def __init__(self, studies: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
+        from lispac.report.visibility_figures import CRITERIA, systematic_error_label
 
         columns = [Column(gettext(title), gettext(tip), words=True) for title, tip in COLUMNS]
         table = DiagnosticsTable(
             "visibility_table", gettext("Best inclination and lines for each error"), columns
         )
         super().__init__(
-            "visibility", gettext("Visibility of errors"),
+            "visibility", dialog_title("visibility"),
             gettext(
                 "One board is scanned on six lines with one systematic error at a time and no "
                 "noise. The chart shows at which inclinations and on which lines the error is "
-                "visible. Shaded: inclinations accepted by criterion Type I; dashed: best "
-                "inclination."
+                "visible. Shaded: inclinations accepted by the type I criterion; dashed: "
+                "best inclination. Results are compared with M. Hassanzadeh Shahraji's doctoral "
+                "thesis (Université Laval)."
             ),
             table, parent,
         )  # fmt: skip
-        self._found = tuple(found)
+        self._found = tuple(studies)
         self._criteria = tuple(CRITERIA)
         self._reasons: list[str] = []
         self._summary = ""
         self.site = widgets.ChoiceBox(
-            "visibility_site", [gettext(SITES[each.site.name]) for each in found],
+            "visibility_site", [gettext(SITES[each.site.name]) for each in studies],
             gettext(
                 "Terrestrial site: scanner 2.5 m above a board on the ground. Marine site: vessel "
                 "15 m from a quay 5 m high."
             ),
         )  # fmt: skip
         self.error = widgets.ChoiceBox(
-            "visibility_error", [error_text(each) for each in found[0].site.errors],
+            "visibility_error", [systematic_error_label(each) for each in studies[0].site.errors],
             gettext("Systematic error to show"),
         )  # fmt: skip
         self.criterion = widgets.ChoiceBox(
@@ -138,14 +144,14 @@ class VisibilityDialog(StudyDialog):
         )
 
     def _on_site_changed(self) -> None:
-        from lispac.report.visibility_figures import error_text
+        from lispac.report.visibility_figures import systematic_error_label
         from lispac.report.visibility_tables import all_errors_text, comparison_table
 
         found = self._shown
         self.error.blockSignals(True)
         chosen = self.error.currentIndex()
         self.error.clear()
-        self.error.addItems([error_text(each) for each in found.site.errors])
+        self.error.addItems([systematic_error_label(each) for each in found.site.errors])
         self.error.setCurrentIndex(min(chosen, self.error.count() - 1))
         self.error.blockSignals(False)
         rows = comparison_table(found, found.site.errors).rows
@@ -167,7 +173,7 @@ class VisibilityDialog(StudyDialog):
             self.error.setCurrentIndex(self._shown.site.errors.index(key[0]))
 
     def _draw(self) -> None:
-        from lispac.report.visibility_figures import error_text, visibility_figure
+        from lispac.report.visibility_figures import systematic_error_label, visibility_figure
 
         found, error, criterion = self._drawn
         visibility_figure(found, error, criterion, self.figure())
@@ -176,10 +182,14 @@ class VisibilityDialog(StudyDialog):
         self._clear_reading()
         texts = [self._summary]
         if reason := self._reasons[self.error.currentIndex()]:
-            name = error_text(error)
+            name = systematic_error_label(error)
             texts.insert(
                 0,
-                gettext("{error}, difference from the thesis: {reason}", error=name, reason=reason),
+                gettext(
+                    "{error}, difference from Shahraji's thesis: {reason}",
+                    error=name,
+                    reason=reason,
+                ),
             )
         self.message_label.setText("\n".join(texts))
 

@@ -131,10 +131,10 @@ class CurrentSettingsInputs(QWidget):
         super().__init__()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        self.known = QCheckBox(gettext("Correct the present settings"))
+        self.known = QCheckBox(gettext("Correct the settings of the other program"))
         self.known.setObjectName("convention_has_current")
         self.known.setToolTip(
-            gettext("Enter the present settings of that program to compute their correction")
+            gettext("Enter the boresight now set in the other program to compute its correction")
         )
         layout.addWidget(self.known)
         self._box = QWidget()
@@ -151,19 +151,21 @@ class CurrentSettingsInputs(QWidget):
             self.fields.layout().itemAtPosition(0, column).widget() for column in range(3)
         ]
         inner.addWidget(self.fields)
-        self.as_matrix = QCheckBox(gettext("Enter settings as a matrix"))
+        self.as_matrix = QCheckBox(gettext("Enter the boresight as a matrix"))
         self.as_matrix.setObjectName("convention_as_matrix")
         self.as_matrix.setToolTip(
-            gettext("Paste the present matrix of that program instead of its angles")
+            gettext(
+                "Enter the boresight of the other program as a rotation matrix instead of angles"
+            )
         )
         inner.addWidget(self.as_matrix)
         self.matrix = MatrixField(
-            "convention_current_matrix", gettext("Present matrix from scanner to body")
+            "convention_current_matrix", gettext("Rotation matrix from scanner to body")
         )
         self.matrix.setToolTip(
             gettext(
-                "Present matrix from scanner to body in that program, row by row: 3x3 numbers, or "
-                "4x4 with the lever arm in metres"
+                "Rotation matrix from scanner to body in the other program, row by row: 3x3 "
+                "numbers, or 4x4 with the lever arm in metres"
             )
         )
         self.matrix.setPlaceholderText("1 0 0\n0 1 0\n0 0 1")

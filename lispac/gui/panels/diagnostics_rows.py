@@ -115,7 +115,8 @@ def target_columns() -> tuple[Column, ...]:
             gettext("Noise of the residuals divided by the given noise, at least 1"),
         ),
         Column(
-            gettext("Largest w"), gettext("Largest test value w of the sightings of the target")
+            gettext("Largest w of a sighting"),
+            gettext("Largest test value w of the sightings of the target"),
         ),
         Column(
             gettext("Outliers"),
@@ -309,7 +310,7 @@ def check_rows(checks: CrossChecks) -> list[Row]:
 
 
 def spread_text(checks: CrossChecks) -> str:
-    """Spread of the jackknife beside the formal standard deviations, as rich text."""
+    """Spread of the jackknife beside the standard deviations from the adjustment, as rich text."""
 
     def row(title: str, values: Sequence[float] | None) -> str:
         numbers = (
@@ -328,7 +329,7 @@ def spread_text(checks: CrossChecks) -> str:
             for angle in ANGLE_TITLES
         )
         + "</tr>"
-        + row(gettext("Formal σ"), checks.sigma)
+        + row(gettext("From the adjustment"), checks.sigma)
         + row(_break_at_commas(gettext("Spread, one line omitted")), checks.spread_lines)
         + row(_break_at_commas(gettext("Spread, one target omitted")), checks.spread_targets)
         + "</table>"

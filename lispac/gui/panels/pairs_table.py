@@ -21,15 +21,15 @@ _COLUMNS: tuple[tuple[str, str, Base], ...] = (
     (N_("Offset after (mm)"),
      N_("Median distance of the first line from the second along the normal (M3C2) after the "
         "calibration, positive towards the vessel"), "mm"),
-    (N_("Plane offset before (mm)"),
+    (N_("Plane offset before calibration (mm)"),
      N_("Distance between the planes fitted to the first and the second line before the "
         "calibration; positive if the first is nearer to the vessel"), "mm"),
-    (N_("Plane offset after (mm)"),
+    (N_("Plane offset after calibration (mm)"),
      N_("Distance between the planes fitted to the first and the second line after the "
         "calibration; positive if the first is nearer to the vessel"), "mm"),
-    (N_("Tilt before (deg)"),
+    (N_("Tilt before calibration (deg)"),
      N_("Angle between the planes fitted to the two lines before the calibration"), "°"),
-    (N_("Tilt after (deg)"),
+    (N_("Tilt after calibration (deg)"),
      N_("Angle between the planes fitted to the two lines after the calibration"), "°"),
 )  # fmt: skip
 """Title, tip and unit of the columns of a pair's values."""
@@ -113,7 +113,8 @@ def _pair_tip(pair: PairComparison) -> str:
     if planes is not None:
         lines.append(
             gettext(
-                "Plane offset after: {offset} ± {half_width} (95 % confidence interval)",
+                "Plane offset after calibration: {offset} ± {half_width} (95 % confidence "
+                "interval)",
                 offset=_millimetres(planes.offset, sign=True),
                 half_width=_millimetres(planes.offset_95),
             )

@@ -46,7 +46,7 @@ class PatchAngles(QWidget):
         self.sliders: list[QSlider] = []
         self.fields: list[NumberField] = []
         self.finds: list[widgets.Button] = []
-        self.found = [
+        self.result_labels = [
             widgets.label("", "muted", wrap=True, name=f"patch_{angle}_found") for angle in ANGLES
         ]
         grid = QGridLayout(self)
@@ -76,7 +76,7 @@ class PatchAngles(QWidget):
             grid.addWidget(slider, 2 * k, 1)
             grid.addWidget(field, 2 * k, 2)
             grid.addWidget(find, 2 * k, 3)
-            grid.addWidget(self.found[k], 2 * k + 1, 1, 1, 3)
+            grid.addWidget(self.result_labels[k], 2 * k + 1, 1, 1, 3)
             slider.valueChanged.connect(lambda value, k=k: self._on_slider_moved(k, value))
             field.valueChanged.connect(lambda value, k=k: self._on_typed(k, value))
             find.clicked.connect(lambda _on, k=k: self.find_requested.emit(k))
@@ -123,7 +123,7 @@ class PatchAngles(QWidget):
         curvature : ndarray of shape (3,), metres per radian
             Misalignment of the lines per error of the angle.
         """
-        for k, label in enumerate(self.found):
+        for k, label in enumerate(self.result_labels):
             if boresight is None:
                 label.setText("")
                 continue

@@ -169,8 +169,8 @@ class CurvePicture(PaperPicture):
         painter = self.painter()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(theme.colour("text"))
-        room = self.width() - 2 * MARGIN
-        title = painter.fontMetrics().elidedText(self._title, Qt.TextElideMode.ElideRight, room)
+        width = self.width() - 2 * MARGIN
+        title = painter.fontMetrics().elidedText(self._title, Qt.TextElideMode.ElideRight, width)
         painter.drawText(QPointF(MARGIN, 17), title)
         if len(self._values) > 1:
             self._draw_axes(painter)

@@ -126,8 +126,8 @@ class PatchTestPanel(QWidget):
         super().resizeEvent(event)
         more = max(self.of.minimumSizeHint().width(), self.curve.minimumWidth()) + SPACE
         wide = self._inside.minimumSizeHint().width() + (0 if self._beside else more)
-        room = event.size().width() - self._area.verticalScrollBar().sizeHint().width()
-        self._place_curve(beside=wide <= room)
+        width = event.size().width() - self._area.verticalScrollBar().sizeHint().width()
+        self._place_curve(beside=wide <= width)
 
     def _buttons(self) -> None:
         make = widgets.button

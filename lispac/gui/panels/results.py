@@ -34,7 +34,7 @@ _FRAMES = N_("The boresight rotates LiDAR coordinates into the body frame (forwa
 _FORMULA = N_("R = {z}(−yaw) · {y}(pitch) · {x}(roll)")
 _ROTATIONS = {axis: f"R<sub>{axis}</sub>" for axis in "xyz"}
 _SIGNS = N_(
-    "Roll is positive left side up, pitch positive bow down, yaw positive clockwise seen from "
+    "Roll is positive port side up, pitch positive bow down, yaw positive clockwise seen from "
     "above."
 )
 ANGLE_NAMES = (N_("Roll"), N_("Pitch"), N_("Yaw"))

@@ -179,9 +179,9 @@ class ScannerAxesView(QWidget):
         """Turn the view with the mouse."""
         if self._last is None:
             return
-        moved = event.position() - self._last
+        drag = event.position() - self._last
         self._last = event.position()
-        self.turn_view(-_DEGREES_PER_PIXEL * moved.x(), _DEGREES_PER_PIXEL * moved.y())
+        self.turn_view(-_DEGREES_PER_PIXEL * drag.x(), _DEGREES_PER_PIXEL * drag.y())
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Stop turning the view."""

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme, units
 from lispac.gui.panels import quantities, widgets
-from lispac.gui.panels.candidate_box import CandidateBox
+from lispac.gui.panels.detected_target_panel import DetectedTargetPanel
 from lispac.gui.panels.expected_fields import ExpectedFields
 from lispac.gui.panels.search_option_fields import SearchOptionFields
 from lispac.gui.seed_options import SeedOptions
@@ -57,7 +57,7 @@ class TargetsPanel(QWidget):
         layout.addLayout(self._seed_form())
         self.more = SearchOptionFields("seed")
         layout.addWidget(self.more)
-        self.candidate = CandidateBox()
+        self.candidate = DetectedTargetPanel()
         self.candidate.accept.clicked.connect(self.accepted)
         self.candidate.reject.clicked.connect(self.rejected)
         self.candidate.hide()

@@ -271,7 +271,7 @@ _LEVER_ARM = (
      N_("Lever arm Z from the POS centre to the LiDAR optical centre, metres, positive up")),
 )  # fmt: skip
 _BORESIGHT = (
-    (N_("Roll"), N_("Prior roll of the LiDAR in the body frame, degrees, positive left side up")),
+    (N_("Roll"), N_("Prior roll of the LiDAR in the body frame, degrees, positive port side up")),
     (N_("Pitch"), N_("Prior pitch of the LiDAR in the body frame, degrees, positive bow down")),
     (N_("Yaw"),
      N_("Prior yaw of the LiDAR in the body frame, degrees, positive clockwise from above")),

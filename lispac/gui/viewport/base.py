@@ -43,7 +43,7 @@ class Highlight:
 
 
 @dataclass(frozen=True, eq=False)
-class Shading:
+class PointColouring:
     """Colours of the points that replace those of their lines, with a legend.
 
     Attributes
@@ -75,7 +75,7 @@ class Marker:
 
 
 @dataclass(frozen=True)
-class Handle:
+class DragHandle:
     """Dot that the mouse moves along an axis, shape (3,), a unit vector."""
 
     position: tuple[float, float, float]
@@ -101,7 +101,7 @@ class Sketch:
     dots: bool = False
     label: str = ""
     at: tuple[float, float, float] | None = None
-    handles: tuple[Handle, ...] = ()
+    handles: tuple[DragHandle, ...] = ()
     metric: str = ""
 
 
@@ -115,7 +115,7 @@ BESIDE_COLOUR: Colour = (165, 171, 178)
 
 
 @dataclass(frozen=True)
-class Emphasis:
+class SightingStyle:
     """Style in which a sighting is drawn.
 
     Attributes
@@ -131,15 +131,15 @@ class Emphasis:
     above: bool = False
 
 
-def highlight_emphasis(highlight: Highlight, selected: tuple[str, str] | None) -> Emphasis:
+def highlight_emphasis(highlight: Highlight, selected: tuple[str, str] | None) -> SightingStyle:
     """Style of a sighting while ``selected`` is selected."""
     if selected is None or highlight.key[0] != selected[0]:
-        return Emphasis(highlight.colour, 2)
+        return SightingStyle(highlight.colour, 2)
     if not selected[1]:
-        return Emphasis(highlight.colour, 4, outlined=True)
+        return SightingStyle(highlight.colour, 4, outlined=True)
     if highlight.key == selected:
-        return Emphasis(CHOSEN_COLOUR, 5, outlined=True, above=True)
-    return Emphasis(BESIDE_COLOUR, 1)
+        return SightingStyle(CHOSEN_COLOUR, 5, outlined=True, above=True)
+    return SightingStyle(BESIDE_COLOUR, 1)
 
 
 class ViewportSignals(QObject):
@@ -163,14 +163,14 @@ class Viewport(Protocol):
     def widget(self) -> QWidget:
         """The widget to put into the window."""
 
-    def new_viewport(self) -> "Viewport":
-        """New empty viewport of the same kind."""
+    def create_empty_viewport(self) -> "Viewport":
+        """Create an empty viewport of the same kind."""
 
     def show_clouds(
         self,
         clouds: Mapping[str, Array],
         colours: Mapping[str, Colour],
-        shading: Shading | None = None,
+        shading: PointColouring | None = None,
     ) -> None:
         """Draw the lines, each in its colour or shaded; replaces those shown, keeps the camera."""
 

@@ -25,8 +25,8 @@ BEHIND = 5000.0
 
 
 @dataclass(frozen=True)
-class Size:
-    """Width and height of the widget in pixels."""
+class ViewportSize:
+    """Width and height of a viewport in pixels."""
 
     width: float
     height: float
@@ -87,7 +87,7 @@ class Camera:
         """Depth that determines sizes; in a parallel projection the same everywhere."""
         return self.distance if self.parallel else depth
 
-    def project(self, points: Array, size: Size) -> Array:
+    def project(self, points: Array, size: ViewportSize) -> Array:
         """Project points to pixels and depths.
 
         Parameters
@@ -106,20 +106,20 @@ class Camera:
         y = 0.5 * size.height - seen[:, 1] * scale
         return np.column_stack([x, y, seen[:, 2]])
 
-    def ray_slopes(self, x: float, y: float, size: Size) -> tuple[float, float]:
+    def ray_slopes(self, x: float, y: float, size: ViewportSize) -> tuple[float, float]:
         """Metres to the right and up, per metre of `reach`, of the ray through a pixel."""
         return (
             (x - 0.5 * size.width) / size.pixels_per_tangent,
             (0.5 * size.height - y) / size.pixels_per_tangent,
         )
 
-    def point_at(self, x: float, y: float, depth: float, size: Size) -> Array:
+    def point_at(self, x: float, y: float, depth: float, size: ViewportSize) -> Array:
         """Point at a depth behind a pixel; shape (3,), metres, local frame."""
         right, up = self.ray_slopes(x, y, size)
         reach = self.reach(depth)
         return self.position + np.array([right * reach, up * reach, depth]) @ self.axes
 
-    def metres_per_pixel(self, size: Size) -> float:
+    def metres_per_pixel(self, size: ViewportSize) -> float:
         """Metres per pixel at the focal point."""
         return self.distance / size.pixels_per_tangent
 
@@ -155,7 +155,7 @@ class Camera:
         rotation = turned.axes.T @ self.axes
         return replace(turned, focal=pivot + rotation @ (self.focal - pivot))
 
-    def panned(self, dx: float, dy: float, depth: float, size: Size) -> "Camera":
+    def panned(self, dx: float, dy: float, depth: float, size: ViewportSize) -> "Camera":
         """Camera shifted so that a point at ``depth`` follows the mouse by (dx, dy) pixels."""
         step = self.reach(depth) / size.pixels_per_tangent
         return replace(self, focal=self.focal + step * (np.array([-dx, dy, 0.0]) @ self.axes))
@@ -169,7 +169,7 @@ class Camera:
             distance=factor * self.distance,
         )
 
-    def fitted(self, points: Array, size: Size, margin: float = 1.06) -> "Camera":
+    def fitted(self, points: Array, size: ViewportSize, margin: float = 1.06) -> "Camera":
         """Camera with the same direction that shows all of the points (n, 3)."""
         aspect = max(size.width, 1.0) / max(size.height, 1.0)
         tangent = np.tan(0.5 * VIEW_ANGLE) * np.array([aspect, 1.0])

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.camera import Camera, ViewportSize
 
 Array = NDArray[np.float64]
 
@@ -53,7 +53,7 @@ class Box:
             found.append(np.flatnonzero(near[:, 0] & near[:, 1] & near[:, 2]) + start)
         return np.concatenate(found) if found else np.empty(0, np.int64)
 
-    def moved(self, side: int, metres: float) -> "Box":
+    def with_side_moved(self, side: int, metres: float) -> "Box":
         """Box with one side moved outwards; 0 and 1 are the ends of the first axis, and so on."""
         axis, sign = side // 2, 1.0 if side % 2 else -1.0
         metres = max(metres, SMALLEST - 2.0 * self.half[axis])
@@ -92,7 +92,7 @@ EDGES = (
 """Pairs of corners of a box that an edge joins."""
 
 
-def dividing_plane(camera: Camera, x: float, size: Size) -> tuple[Array, Array]:
+def dividing_plane(camera: Camera, x: float, size: ViewportSize) -> tuple[Array, Array]:
     """Point and normal, shape (3,), of the plane that appears as the upright line at ``x``.
 
     The normal points to what is seen on the right of it.

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.camera import Camera, ViewportSize
 
 Array = NDArray[np.float64]
 
@@ -46,22 +46,22 @@ def random_ranks(count: int) -> NDArray[np.float32]:
     return np.random.default_rng(count).random(count, dtype=np.float32)
 
 
-def lowest_ranked(places: NDArray[np.float32], wanted: int) -> NDArray[np.int64]:
-    """Indices, ascending, of the ``wanted`` points of lowest rank; smaller sets are subsets."""
+def lowest_ranked(places: NDArray[np.float32], number: int) -> NDArray[np.int64]:
+    """Indices, ascending, of the ``number`` points of lowest rank; smaller sets are subsets."""
     count = len(places)
-    if wanted >= count:
+    if number >= count:
         return np.arange(count)
     # Ranks are even, so that nearly all points are excluded without being compared.
-    few = np.flatnonzero(places < (wanted + 6.0 * np.sqrt(wanted) + 6.0) / count)
-    if len(few) < wanted:
+    few = np.flatnonzero(places < (number + 6.0 * np.sqrt(number) + 6.0) / count)
+    if len(few) < number:
         few = np.arange(count)
-    if len(few) > wanted:
-        last = np.partition(places[few], wanted - 1)[wanted - 1]
-        few = few[places[few] <= last][:wanted]
+    if len(few) > number:
+        last = np.partition(places[few], number - 1)[number - 1]
+        few = few[places[few] <= last][:number]
     return few
 
 
-def points_in_view(points: Array, camera: Camera, size: Size) -> NDArray[np.int64]:
+def points_in_view(points: Array, camera: Camera, size: ViewportSize) -> NDArray[np.int64]:
     """Indices of the points (n, 3) in the picture, with a margin of a tenth."""
     half = 0.55 * np.array([size.width, size.height]) / size.pixels_per_tangent
     axes, shift = camera.axes.T, camera.axes @ camera.position

@@ -11,7 +11,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from lispac.gui.viewport.base import Array, Colour, Shading, Viewport, ViewportSignals
+from lispac.gui.viewport.base import Array, Colour, PointColouring, Viewport, ViewportSignals
 
 PER_WHAT = {"set_line_visible", "show_sketch"}
 """The first argument names the line or sketch; of the other calls, the last one applies."""
@@ -43,14 +43,14 @@ class LazyViewport:
         self,
         clouds: Mapping[str, Array],
         colours: Mapping[str, Colour],
-        shading: Shading | None = None,
+        shading: PointColouring | None = None,
     ) -> None:
         """Draw the lines; create the real viewport with the first of them."""
         if self._view is None and not clouds:
             return
         self._real_viewport().show_clouds(clouds, colours, shading)
 
-    def new_viewport(self) -> "LazyViewport":
+    def create_empty_viewport(self) -> "LazyViewport":
         """New empty viewport, which is also created when it is needed."""
         return LazyViewport(self._make)
 

@@ -18,8 +18,8 @@ from lispac.gui.viewport.actors import (
     set_point_pixels,
     shift_depth,
 )
-from lispac.gui.viewport.base import Array, Colour, Shading
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.base import Array, Colour, PointColouring
+from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.clipping import Box
 from lispac.gui.viewport.decimation import line_budgets, lowest_ranked, points_in_view, random_ranks
 from lispac.gui.viewport.frame_times import SLICES
@@ -48,7 +48,7 @@ class LineLayer:
     def __init__(self, renderer: Any) -> None:
         self._renderer = renderer
         self.colours: dict[str, Colour] = {}
-        self.shading: Shading | None = None
+        self.shading: PointColouring | None = None
         self._clouds: dict[str, Array] = {}
         self._kept: dict[str, NDArray[np.int64] | None] = {}
         self._kept_by: Box | None = None
@@ -73,7 +73,7 @@ class LineLayer:
         self,
         clouds: Mapping[str, Array],
         colours: Mapping[str, Colour],
-        shading: Shading | None = None,
+        shading: PointColouring | None = None,
     ) -> None:
         """Set the lines without drawing them."""
         former = self._ranks
@@ -125,7 +125,7 @@ class LineLayer:
         for actor in actors:
             self._renderer.AddActor(actor)
 
-    def refinement_steps(self, camera: Camera, size: Size, budget: int) -> Iterator[None]:
+    def refinement_steps(self, camera: Camera, size: ViewportSize, budget: int) -> Iterator[None]:
         """Draw the points in view with rims, at most ``budget`` in all, step by step.
 
         Works from step to step, a line in each, and changes what is drawn in the last.
@@ -203,13 +203,13 @@ class LineLayer:
         for actor in actors:
             self._renderer.RemoveActor(actor)
 
-    def _ordered_points(self, line: str, wanted: int) -> NDArray[np.int64]:
+    def _ordered_points(self, line: str, count: int) -> NDArray[np.int64]:
         """Indices of the points of a line to draw, ordered by rank."""
         order = self._orders.get(line)
-        if order is None or order[0] != wanted or order[1] is not self._kept[line]:
+        if order is None or order[0] != count or order[1] is not self._kept[line]:
             places = self._point_ranks(line)
-            chosen = lowest_ranked(places, wanted)
-            order = wanted, self._kept[line], chosen[np.argsort(places[chosen])]
+            chosen = lowest_ranked(places, count)
+            order = count, self._kept[line], chosen[np.argsort(places[chosen])]
             self._orders[line] = order
         return order[2]
 

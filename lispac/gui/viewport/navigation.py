@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.viewport.base import Array, PickedPoint
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.decimation import trimmed_points
 from lispac.gui.viewport.mouse import ViewportMouse
 from lispac.gui.viewport.point_picker import pick_point
@@ -73,9 +73,9 @@ class Navigator(QObject):
         self.mouse.pointed.connect(lambda x, y: self.pointed.emit(self._point_at(x, y)))
 
     @property
-    def size(self) -> Size:
+    def size(self) -> ViewportSize:
         """Size of the widget; at least one pixel."""
-        return Size(max(self._widget.width(), 1), max(self._widget.height(), 1))
+        return ViewportSize(max(self._widget.width(), 1), max(self._widget.height(), 1))
 
     def fit(self, points: Array | None = None) -> None:
         """Bring everything, or points of shape (n, 3), into view.

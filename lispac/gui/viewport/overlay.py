@@ -22,8 +22,8 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from lispac.gui import theme, units
 from lispac.gui.colour_schemes import LIGHT
-from lispac.gui.viewport.base import Array, Marker, Shading
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.base import Array, Marker, PointColouring
+from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.language import N_, gettext
 
 EMPTY_TITLE = N_("No project open")
@@ -50,7 +50,7 @@ def scale_bar_length(metres_per_pixel: float, longest: float = 150.0) -> float:
     return float(max(fitting)) / factor
 
 
-def legend_texts(shading: Shading) -> tuple[str, str, str]:
+def legend_texts(shading: PointColouring) -> tuple[str, str, str]:
     """Title and end values of the colour scale, in the unit shown."""
     ends = (shading.low, shading.high)
     if shading.metric is not None and not units.is_converted("m"):
@@ -82,10 +82,10 @@ class Overlay(QWidget):
         self.camera: Camera | None = None
         """None paints the hint of an empty view."""
         self.markers: Sequence[Marker] = ()
-        self.shading: Shading | None = None
+        self.shading: PointColouring | None = None
         self.hint = ""
         """What the mouse does now, where it is not the usual."""
-        self.sheets: list[Callable[[QPainter, Camera, Size], None]] = []
+        self.sheets: list[Callable[[QPainter, Camera, ViewportSize], None]] = []
         """Paint between the markers and the frame of axes, scale and help."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -106,7 +106,7 @@ class Overlay(QWidget):
         if self.camera is None:
             self._paint_hint(painter)
             return
-        size = Size(self.width(), self.height())
+        size = ViewportSize(self.width(), self.height())
         self._paint_markers(painter, self.camera, size)
         painter.setFont(self.font())
         for paint in self.sheets:
@@ -128,7 +128,7 @@ class Overlay(QWidget):
         flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
         painter.drawText(QRectF(0.0, middle.y() + 4.0, width, 56.0), flags, gettext(EMPTY_HINT))
 
-    def _paint_markers(self, painter: QPainter, camera: Camera, size: Size) -> None:
+    def _paint_markers(self, painter: QPainter, camera: Camera, size: ViewportSize) -> None:
         if not self.markers:
             return
         font = QFont(self.font())
@@ -200,7 +200,7 @@ class Overlay(QWidget):
         """Rectangles where no label of a target may be placed."""
         return [] if self.shading is None else [self.legend(self.shading)]
 
-    def legend(self, shading: Shading) -> QRectF:
+    def legend(self, shading: PointColouring) -> QRectF:
         """Rectangle of the colour scale."""
         metrics = QFontMetricsF(_scaled_font(self.font(), 0.95))
         title, low, high = legend_texts(shading)
@@ -208,7 +208,7 @@ class Overlay(QWidget):
         width = max(180.0, metrics.horizontalAdvance(title), ends + 24.0)
         return QRectF(MARGIN, MARGIN, width + 24.0, 66.0)
 
-    def _paint_legend(self, painter: QPainter, shading: Shading) -> None:
+    def _paint_legend(self, painter: QPainter, shading: PointColouring) -> None:
         painter.setFont(_scaled_font(self.font(), 0.95))
         box = self.legend(shading)
         title, low, high = legend_texts(shading)

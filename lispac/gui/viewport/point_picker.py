@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.camera import Camera, ViewportSize
 
 Array = NDArray[np.float64]
 
@@ -22,7 +22,7 @@ CHUNK = 1 << 14
 
 
 @dataclass(frozen=True)
-class Hit:
+class PointHit:
     """Picked point: its line, its index there and its depth in metres."""
 
     line: str
@@ -35,9 +35,9 @@ def pick_point(
     camera: Camera,
     x: float,
     y: float,
-    size: Size,
+    size: ViewportSize,
     radii: tuple[float, ...] = RADII,
-) -> Hit | None:
+) -> PointHit | None:
     """Find the point under a pixel.
 
     Parameters
@@ -61,12 +61,12 @@ def pick_point(
         slack = 4.0 * radius * camera.reach(front) / size.pixels_per_tangent
         candidates = np.flatnonzero(inside & (depth <= front + slack))
         best = candidates[np.argmin(distance[candidates])]
-        return Hit(names[line[best]], int(index[best]), float(depth[best]))
+        return PointHit(names[line[best]], int(index[best]), float(depth[best]))
     return None
 
 
 def _points_near_pixel(
-    points: Array, camera: Camera, x: float, y: float, size: Size, radius: float
+    points: Array, camera: Camera, x: float, y: float, size: ViewportSize, radius: float
 ) -> tuple[NDArray[np.int64], Array, Array]:
     """Index, distance in pixels and depth of the points within ``radius`` pixels."""
     position, axes, focal = camera.position, camera.axes, size.pixels_per_tangent

@@ -9,12 +9,12 @@ from PySide6.QtWidgets import QWidget
 from lispac.gui.viewport.base import (
     Array,
     Colour,
-    Emphasis,
     Highlight,
     Marker,
     MouseMode,
     PickedPoint,
-    Shading,
+    PointColouring,
+    SightingStyle,
     Sketch,
     ViewportSignals,
     highlight_emphasis,
@@ -40,7 +40,7 @@ class RecordingViewport:
         self.calls: list[tuple[str, tuple[object, ...]]] = []
         self.clouds: dict[str, Array] = {}
         self.colours: dict[str, Colour] = {}
-        self.shading: Shading | None = None
+        self.shading: PointColouring | None = None
         self.hidden: set[str] = set()
         self.highlights: list[Highlight] = []
         self.markers: list[Marker] = []
@@ -76,7 +76,7 @@ class RecordingViewport:
         self,
         clouds: Mapping[str, Array],
         colours: Mapping[str, Colour],
-        shading: Shading | None = None,
+        shading: PointColouring | None = None,
     ) -> None:
         """Remember the lines."""
         self._record("show_clouds", clouds, colours, shading)
@@ -199,7 +199,7 @@ class RecordingViewport:
         self.highlights, self.markers, self.selected = [], [], None
         self.sketches, self.box, self.beside = {}, None, None
 
-    def new_viewport(self) -> "RecordingViewport":
+    def create_empty_viewport(self) -> "RecordingViewport":
         """New empty viewport."""
         return RecordingViewport()
 
@@ -209,7 +209,7 @@ class RecordingViewport:
         self.closed = True
 
     @property
-    def highlight_styles(self) -> dict[tuple[str, str], Emphasis]:
+    def highlight_styles(self) -> dict[tuple[str, str], SightingStyle]:
         """How each sighting is drawn."""
         return {each.key: highlight_emphasis(each, self.selected) for each in self.highlights}
 

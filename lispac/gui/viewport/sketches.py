@@ -8,8 +8,8 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from lispac.gui import theme, units
-from lispac.gui.viewport.base import Array, Handle, PickedPoint, Sketch, ViewportSignals
-from lispac.gui.viewport.camera import Camera, Size
+from lispac.gui.viewport.base import Array, DragHandle, PickedPoint, Sketch, ViewportSignals
+from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.navigation import SNAP, Navigator
 from lispac.gui.viewport.overlay import Overlay, has_right_neighbour
 from lispac.gui.viewport.point_picker import pick_point
@@ -98,7 +98,7 @@ class SketchLayer(QObject):
 
     # The mouse
 
-    def _handles(self) -> list[tuple[str, int, Handle]]:
+    def _handles(self) -> list[tuple[str, int, DragHandle]]:
         return [
             (name, k, handle)
             for name, sketch in self._sketches.items()
@@ -195,7 +195,7 @@ class SketchLayer(QObject):
 
     # The picture
 
-    def _paint(self, painter: QPainter, camera: Camera, size: Size) -> None:
+    def _paint(self, painter: QPainter, camera: Camera, size: ViewportSize) -> None:
         for sketch in self._sketches.values():
             _paint_sketch(painter, sketch, camera, size)
         # Words last: no line goes through them, and none lie on others
@@ -208,7 +208,7 @@ class SketchLayer(QObject):
             painter.drawPolygon(QPolygonF(self._outline))
 
 
-def _paint_dividing_line(painter: QPainter, x: float, size: Size) -> None:
+def _paint_dividing_line(painter: QPainter, x: float, size: ViewportSize) -> None:
     painter.setPen(QPen(theme.colour("paper", 0.9), 5.0))
     painter.drawLine(QPointF(x, 0.0), QPointF(x, size.height))
     painter.setPen(QPen(QColor(theme.TEXT), 1.6))
@@ -231,7 +231,7 @@ def label_text(sketch: Sketch) -> str:
     return sketch.metric if sketch.metric and not units.is_converted("m") else sketch.label
 
 
-def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Size) -> None:
+def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: ViewportSize) -> None:
     colour = QColor(*sketch.colour)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     if sketch.points:
@@ -250,7 +250,7 @@ def _paint_sketch(painter: QPainter, sketch: Sketch, camera: Camera, size: Size)
 
 
 def _paint_labels(
-    painter: QPainter, sketches: Sequence[Sketch], camera: Camera, size: Size
+    painter: QPainter, sketches: Sequence[Sketch], camera: Camera, size: ViewportSize
 ) -> None:
     labelled = [each for each in sketches if each.label and each.at is not None]
     if not labelled:
@@ -279,7 +279,7 @@ def _label_box(
     painter: QPainter,
     words: str,
     spot: QPointF,
-    size: Size,
+    size: ViewportSize,
     taken: Sequence[QRectF],
     *,
     leftwards: bool,

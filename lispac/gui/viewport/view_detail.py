@@ -1,4 +1,4 @@
-"""Detail of a resting view, computed in several turns of the event loop or at once."""
+"""Selection of the points to draw when the view rests, in several turns of the event loop."""
 
 import time
 from collections.abc import Callable, Iterator
@@ -15,7 +15,7 @@ STEP_S = 0.04
 
 
 class ViewDetail:
-    """Computes the detail of a view in steps and then shows it.
+    """Selects the points to draw when the view rests, step by step, and then shows them.
 
     Parameters
     ----------

@@ -19,7 +19,7 @@ from lispac.gui.viewport.base import (
     Highlight,
     Marker,
     MouseMode,
-    Shading,
+    PointColouring,
     Sketch,
     ViewportSignals,
 )
@@ -116,7 +116,7 @@ class VtkViewport:
         self,
         clouds: Mapping[str, Array],
         colours: Mapping[str, Colour],
-        shading: Shading | None = None,
+        shading: PointColouring | None = None,
     ) -> None:
         """Draw the lines, each in its colour or shaded; replaces those shown, keeps the camera."""
         first = not self._layer.clouds
@@ -269,7 +269,7 @@ class VtkViewport:
         self.show_highlights([])
         self._draw_clouds()
 
-    def new_viewport(self) -> "VtkViewport":
+    def create_empty_viewport(self) -> "VtkViewport":
         """New empty viewport."""
         return VtkViewport()
 

@@ -49,14 +49,16 @@ class BoresightCorrection:
     sum_error: float = 0.0
 
 
-def correct_boresight(convention: Convention, current: Array, wanted: Array) -> BoresightCorrection:
+def correct_boresight(
+    convention: Convention, current: Array, target_boresight: Array
+) -> BoresightCorrection:
     """Compute the correction from the current settings to a wanted boresight.
 
     Parameters
     ----------
     current : ndarray of shape (3,), radians, in the order the system types them
         Or their product, of shape (3, 3).
-    wanted : ndarray of shape (3, 3)
+    target_boresight : ndarray of shape (3, 3)
         The product of the new angles, as `MountingInSystem.rotation` holds it.
 
     Raises
@@ -65,15 +67,15 @@ def correct_boresight(convention: Convention, current: Array, wanted: Array) -> 
         Where the system is not offered as angles and these are given.
     """
     present = _angle_product(convention, current)
-    rotation = wanted @ present.T
+    rotation = target_boresight @ present.T
     if not convention.has_angles:
         return BoresightCorrection(present, rotation)
     if current.ndim == 2:
         current, _ = angles_of_rotation(convention, present)
-    new, _ = angles_of_rotation(convention, wanted)
+    new, _ = angles_of_rotation(convention, target_boresight)
     correction, _ = angles_of_rotation(convention, rotation)
     summed = rotation_of_angles(convention, current + correction)
-    off = angle_between_rotations(summed, wanted)
+    off = angle_between_rotations(summed, target_boresight)
     return BoresightCorrection(present, rotation, current, new, correction, off)
 
 
@@ -85,7 +87,7 @@ def _angle_product(convention: Convention, current: Array) -> Array:
 
 
 def add_to_applied_boresight(
-    setup: ConventionSetup, current: Array, found: Mounting, covariance: Array | None = None
+    setup: ConventionSetup, current: Array, estimated: Mounting, covariance: Array | None = None
 ) -> tuple[Mounting, Array | None]:
     """Whole boresight of lines already turned by the current settings.
 
@@ -96,28 +98,28 @@ def add_to_applied_boresight(
     ----------
     current : ndarray of shape (3,), radians, in the order the system types them
         Or their product, of shape (3, 3).
-    found : Mounting
+    estimated : Mounting
         Of the lines as they were given to this program.
     covariance : ndarray of shape (3, 3), radians squared, of the boresight found
 
     Returns
     -------
     Mounting
-        Of the raw scanner, with the lever arm of ``found``.
+        Of the raw scanner, with the lever arm of ``estimated``.
     ndarray of shape (3, 3), or None
         Covariance of its boresight.
     """
     present = _angle_product(setup.convention, current)
     old = convert_from_system(setup, present, np.zeros(3)).rotation_body_lidar
-    remainder = found.rotation_body_lidar
+    remainder = estimated.rotation_body_lidar
     # The exported lines may use any axes along the body's, such as forward, starboard, down.
     rotation = remainder @ axes_matrix(nearest_axes(remainder)) @ old
-    whole = found.with_boresight(angles_of_rotation(LISPAC, rotation)[0])
+    whole = estimated.with_boresight(angles_of_rotation(LISPAC, rotation)[0])
     if covariance is None:
         return whole, None
     jacobian = np.linalg.solve(
         angle_to_turn_jacobian(LISPAC, whole.boresight),
-        angle_to_turn_jacobian(LISPAC, found.boresight),
+        angle_to_turn_jacobian(LISPAC, estimated.boresight),
     )
     return whole, jacobian @ covariance @ jacobian.T
 

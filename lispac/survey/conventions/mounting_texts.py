@@ -16,7 +16,7 @@ Amounts = Callable[[Sequence[float]], Sequence[LazyText | str]]
 """Sizes of three angles (radians) or lengths (metres) with their units; empty where one is zero."""
 
 CHECK_FIRST = note("convention.check_first")
-THESIS_MODE = warning("convention.uncorrelated")
+UNCORRELATED_WARNING = warning("convention.uncorrelated")
 _DEGREES = {3: N_("{value:deg.3} deg"), 4: N_("{value:deg.4} deg")}
 _METRES = {3: N_("{value:m.3} m"), 4: N_("{value:m.4} m")}
 """Texts of an amount by its decimals."""
@@ -58,9 +58,9 @@ def orientation_text(boresight: Array, amounts: Amounts = angle_amounts) -> Lazy
         parts.append(gettext_lazy(template, angle=turned))
     if leans:
         template = (
-            N_("is rolled {angle} left side up")
+            N_("is rolled {angle} port side up")
             if roll > 0
-            else N_("is rolled {angle} right side up")
+            else N_("is rolled {angle} starboard side up")
         )
         parts.append(gettext_lazy(template, angle=leans))
     if not parts:

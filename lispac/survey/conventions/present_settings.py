@@ -107,7 +107,7 @@ def present_settings_of_matrix(
 
 def replace_settings(
     setup: ConventionSetup,
-    found: Mounting,
+    estimated: Mounting,
     covariance: Array | None,
     present: PresentSettings | None,
     *,
@@ -118,24 +118,26 @@ def replace_settings(
 
     Parameters
     ----------
-    found : Mounting
+    estimated : Mounting
         Of the lines as they were given to this program.
     covariance : ndarray of shape (3, 3), radians squared, of its boresight
     applied : bool
         The lines were already turned by the present settings, and moved where these are a 4x4.
     has_lever_arm : bool
-        Whether the lever arm of ``found`` is known; its zeros mean nothing otherwise.
+        Whether the lever arm of ``estimated`` is known; its zeros mean nothing otherwise.
     """
-    mounting, source = found, _lever_arm_source(present, applied, has_lever_arm)
+    mounting, source = estimated, _lever_arm_source(present, applied, has_lever_arm)
     if present is not None and applied:
-        mounting, covariance = add_to_applied_boresight(setup, present.values, found, covariance)
+        mounting, covariance = add_to_applied_boresight(
+            setup, present.values, estimated, covariance
+        )
     if present is not None and present.transform is not None:
         old = setup.permutation.T @ present.transform[:3, 3]
         if applied:
             # Moved lines lie in the body's axes, or in others along them.
-            remainder = found.rotation_body_lidar
+            remainder = estimated.rotation_body_lidar
             old = remainder @ axes_matrix(nearest_axes(remainder)) @ old
-            mounting = replace(mounting, lever_arm=found.lever_arm + old)
+            mounting = replace(mounting, lever_arm=estimated.lever_arm + old)
         elif not has_lever_arm:
             mounting = replace(mounting, lever_arm=old)
     stated = convert_to_system(mounting, setup, covariance)

@@ -191,7 +191,7 @@ LISPAC = Convention(
     name=N_("This program (iXblue)"),
     axes=FORWARD_PORT_UP,
     turns=(
-        AxisRotation(N_("roll"), 0, 1, N_("positive left side up")),
+        AxisRotation(N_("roll"), 0, 1, N_("positive port side up")),
         AxisRotation(N_("pitch"), 1, 1, N_("positive bow down")),
         AxisRotation(N_("yaw"), 2, -1, _CLOCKWISE),
     ),

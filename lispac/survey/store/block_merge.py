@@ -28,7 +28,7 @@ def merge_blocks(spool: Spool) -> Iterator[tuple[Keys, Values]]:
         Without the columns that all points of the line share.
     """
     attributes = field_names(constant_attributes(spool))
-    wanted = {field: column for field, column in attributes.items() if column.value is None}
+    varying = {field: column for field, column in attributes.items() if column.value is None}
     edges = _bucket_edges(spool)
     bounds = np.stack(
         [
@@ -45,7 +45,7 @@ def merge_blocks(spool: Spool) -> Iterator[tuple[Keys, Values]]:
                 continue
             keys, values = spool.slice_of(number, start, stop)
             for field, column in field_names(spool.blocks[number].columns).items():
-                if field in wanted and column.value is not None:
+                if field in varying and column.value is not None:
                     values[field] = np.full(
                         (len(keys), *column.shape), column.value, dtype=column.dtype
                     )

@@ -148,9 +148,9 @@ def map_column(folder: Path, column: StoredColumn, count: int) -> NDArray[Any]:
     except (
         OSError, ValueError, EOFError, MemoryError, OverflowError, SyntaxError, tokenize.TokenError,
     ) as failure:  # fmt: skip
-        said = str(failure).split("\n")[0]
+        reason = str(failure).split("\n")[0]
         raise ProjectError(
-            import_again_message(error("store.part_damaged", file=str(path), reason=said))
+            import_again_message(error("store.part_damaged", file=str(path), reason=reason))
         ) from failure
     if not is_right:
         found = error(

@@ -1,4 +1,4 @@
-"""`Scan.fingerprint` of a line that never is in memory as a whole.
+"""`Scan.fingerprint` of a stored line, computed without reading it into memory as a whole.
 
 The fingerprint runs through all coordinates and then through all times. CRC-32 is linear, so both
 can be taken along with the points and put together at the end.

@@ -180,7 +180,7 @@ def _build_manifest(
     spool: Spool,
     recipe: ImportRecipe,
     folder: str,
-    own: tuple[StoredColumn, ...],
+    stored_columns: tuple[StoredColumn, ...],
     attributes: tuple[StoredColumn, ...],
     end: SpoolSummary,
 ) -> Manifest:
@@ -192,7 +192,7 @@ def _build_manifest(
         points=spool.points,
         excluded_points=end.read - spool.points,
         folder=folder,
-        columns=own,
+        columns=stored_columns,
         attributes=attributes,
         side=blocks[0].side,
         low=(low[0], low[1], low[2]),

@@ -117,8 +117,8 @@ class PointBlock:
         return {field: values[: self.count] for field, values in self._values.items()}
 
     @property
-    def room(self) -> int:
-        """Points that it can still take."""
+    def free_points(self) -> int:
+        """Number of points that the block can still take."""
         return BLOCK - self.count
 
 
@@ -198,10 +198,10 @@ def gather_blocks(
             assert columns is not None
             if block is None:
                 block = PointBlock(first, columns, running)
-            stop = min(len(piece), start + block.room)
+            stop = min(len(piece), start + block.free_points)
             block.add(piece.rows(start, stop))
             start = stop
-            if not block.room:
+            if not block.free_points:
                 yield block, piece
                 first, running, block, filled = first + block.count, block.running, None, True
         if not filled:

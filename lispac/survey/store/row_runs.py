@@ -12,21 +12,21 @@ Runs = NDArray[np.int64]
 """Shape (k, 2): first row and the one behind the last, increasing and apart."""
 
 
-def row_runs(starts: NDArray[np.uint64], found: Runs) -> Runs:
+def row_runs(starts: NDArray[np.uint64], octave_runs: Runs) -> Runs:
     """Rows of runs of octaves.
 
     Parameters
     ----------
     starts : ndarray of shape (n + 1,)
         First row of each octave, and the number of rows.
-    found : ndarray of shape (k, 2)
+    octave_runs : ndarray of shape (k, 2)
         First octave and the one behind the last.
 
     Returns
     -------
     ndarray of shape (m, 2)
     """
-    runs = starts[found].astype(np.int64)
+    runs = starts[octave_runs].astype(np.int64)
     if not len(runs):
         return np.zeros((0, 2), np.int64)
     apart = runs[1:, 0] > runs[:-1, 1]

@@ -96,11 +96,11 @@ def is_number_in_sample(numbers: NDArray[Any], halvings: int) -> NDArray[np.bool
     return is_octave_in_sample(octaves, halvings)
 
 
-def is_drawn(numbers: NDArray[Any], points: int, wanted: int) -> NDArray[np.bool_]:
-    """Whether each point belongs to a fair sample of at most ``wanted`` out of ``points``.
+def is_drawn(numbers: NDArray[Any], points: int, count: int) -> NDArray[np.bool_]:
+    """Whether each point belongs to a fair sample of at most ``count`` out of ``points``.
 
     The draw goes by the hash that also makes the octaves, so that the sample comes from the
-    beginnings of the cells. It aims five standard deviations below ``wanted``.
+    beginnings of the cells. It aims five standard deviations below ``count``.
 
     Parameters
     ----------
@@ -111,9 +111,9 @@ def is_drawn(numbers: NDArray[Any], points: int, wanted: int) -> NDArray[np.bool
     -------
     ndarray of shape (n,), bool
     """
-    if points <= wanted:
+    if points <= count:
         return np.ones(len(numbers), bool)
-    share = max(0.0, wanted - 5 * wanted**0.5) / points
+    share = max(0.0, count - 5 * count**0.5) / points
     return _splitmix_hashes(numbers.astype(np.uint64)) < np.uint64(share * 2.0**64)
 
 

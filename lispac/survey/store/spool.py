@@ -1,4 +1,4 @@
-"""Blocks of points on their way into a store, sorted each by itself.
+"""Temporary blocks of points during the import of a line, each of them sorted.
 
 A block is two files, the keys it is sorted by and the columns one after the other, without those
 that all its points share, and a third file with what it amounts to, which is written last: blocks
@@ -92,7 +92,7 @@ class SpooledBlock:
 
 @dataclass(frozen=True)
 class SpoolSummary:
-    """Summary of a file that is read to its end.
+    """Number of points, messages and audit of a file that was read completely.
 
     Attributes
     ----------

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.gui import theme
+from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.error import error_text_and_details
 from lispac.gui.dialogs.import_files.drop_area import DropArea
 from lispac.gui.dialogs.import_files.file_page import FilePage
@@ -74,7 +75,7 @@ class ImportDialog(QDialog):
         """A project that was dropped, to be opened instead."""
         self._own_folder = False
         self.setObjectName("import_dialog")
-        self.setWindowTitle(gettext("New project"))
+        self.setWindowTitle(dialog_title("new"))
         self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
         self.work = ImportWorker(settings.column_mappings(), self)
         self._build()
@@ -218,7 +219,7 @@ class ImportDialog(QDialog):
     def _connect_signals(self) -> None:
         work, edit = self.work, self.work.edit
         work.changed.connect(self._show)
-        work.moved.connect(self._show_progress)
+        work.progress_changed.connect(self._show_progress)
         work.runner.failed.connect(self._failed)
         work.project_found.connect(self._open_found_project)
         FileDrops(self).dropped.connect(self.add)
@@ -292,7 +293,7 @@ class ImportDialog(QDialog):
         entry = next((e for e in self.input_files.entries if e.path == current), None)
         self.file_page.show_entry(self.input_files, entry)
         self.timeline.show_files(self.input_files, current)
-        self.remove.setEnabled(entry is not None and entry.given is None)
+        self.remove.setEnabled(entry is not None and entry.project_reading is None)
 
     def _show_progress(self) -> None:
         busy = self.work.busy
@@ -392,9 +393,9 @@ class ImportDialog(QDialog):
 
     def reject(self) -> None:
         """Ask before files are discarded, on Escape or when the dialogue is closed."""
-        if all(entry.given is not None for entry in self.input_files.entries) or Questions.leave(
-            self
-        ):
+        if all(
+            entry.project_reading is not None for entry in self.input_files.entries
+        ) or Questions.leave(self):
             self._discard()
 
     def _discard(self) -> None:

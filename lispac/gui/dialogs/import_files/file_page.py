@@ -106,7 +106,7 @@ class FilePage(QWidget):
         self.remarks.show_remarks(input_files.remarks(entry), fine)
         self.options.show_entry(entry)
         for changing in (self.options, self.preview):
-            changing.setEnabled(entry.given is None)
+            changing.setEnabled(entry.project_reading is None)
         self._options_head.setVisible(bool(self.options.fields))
         self._show_facts(entry)
         self.preview.show_entry(entry)

@@ -147,13 +147,13 @@ class FileTable(QTableWidget):
 
     def _fill_role(self, row: int, entry: InputFile) -> None:
         roles: tuple[Kind | None, ...] = (*entry.roles, None)
-        if entry.given is not None:
+        if entry.project_reading is not None:
             roles = (entry.role,)
         items = [(gettext(file_texts.ROLES[role]), role) for role in roles]
         self._fill_choice(row, ROLE, entry, items, entry.role, self.role_chosen)
 
     def _fill_format(self, row: int, entry: InputFile) -> None:
-        formats = entry.formats if entry.given is None else (entry.format,)
+        formats = entry.formats if entry.project_reading is None else (entry.format,)
         items: list[tuple[str, object]] = [
             (message_text(each.name), each.key) for each in formats if each
         ]

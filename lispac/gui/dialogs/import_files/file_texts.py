@@ -42,7 +42,7 @@ _OPTIONS = {
     "origin": N_("Origin"),
     "pitch": N_("Pitch"),
     "position": N_("Unit of latitude and longitude"),
-    "restart": N_("Time rollover"),
+    "restart": N_("Time rollover (midnight or week)"),
     "roll": N_("Roll"),
     "separator": N_("Column separator"),
     "time": N_("Time"),

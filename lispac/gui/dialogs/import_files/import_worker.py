@@ -32,7 +32,7 @@ class ImportWorker(QObject):
 
     changed = Signal()
     """The files or their settings have changed."""
-    moved = Signal()
+    progress_changed = Signal()
     """The running work has progressed: see `words` and `fraction`."""
     project_found = Signal(object)
     """A project was dropped, to be opened."""
@@ -44,7 +44,7 @@ class ImportWorker(QObject):
         self._queued: dict[Path, InputFile] = {}
         self._done = 0
         self.runner = TaskRunner(self)
-        self.runner.moved.connect(self.moved)
+        self.runner.progress_changed.connect(self.progress_changed)
 
     def begin(self, input_files: InputFiles) -> None:
         """Set the files of an open project."""
@@ -57,11 +57,11 @@ class ImportWorker(QObject):
         def work(progress: Progress) -> tuple[Path | None, tuple[Path, ...]]:
             return find_project(paths), collect_files(paths)
 
-        def done(found: tuple[Path | None, tuple[Path, ...]]) -> None:
-            if found[0] is not None:
-                self.project_found.emit(found[0])
+        def done(result: tuple[Path | None, tuple[Path, ...]]) -> None:
+            if result[0] is not None:
+                self.project_found.emit(result[0])
             else:
-                self.edit(self.input_files.with_files(found[1]))
+                self.edit(self.input_files.with_files(result[1]))
 
         self.runner.run(gettext("Listing the files"), work, done)
 
@@ -135,7 +135,7 @@ class ImportWorker(QObject):
 
         def work(progress: Progress) -> InputFile:
             try:
-                if entry.given is not None:
+                if entry.project_reading is not None:
                     return examine_project_file(entry, progress=progress)
                 if not entry.looks:
                     return examine_file(entry.path, mappings, progress=progress)
@@ -145,12 +145,12 @@ class ImportWorker(QObject):
             except Exception as failure:  # whatever one file does, the others are examined
                 return replace(entry, pending=False, error=_examination_error(entry, failure))
 
-        def done(found: InputFile) -> None:
+        def done(result: InputFile) -> None:
             if self._queued.get(entry.path) is not entry:
                 return
             del self._queued[entry.path]
             self._done = self._done + 1 if self._queued else 0
-            self.edit(self.input_files.with_entry(found).with_resolved_role(found.path))
+            self.edit(self.input_files.with_entry(result).with_resolved_role(result.path))
 
         title = gettext("Reading {file}", file=entry.path.name)
         self.runner.run(title, work, done, key=str(entry.path))

@@ -144,8 +144,8 @@ def draw_motion(quality: TrajectoryQuality, figure: Figure) -> None:
     """Draw speed, roll and pitch, and heading over time."""
     path = quality.track
     top, middle, bottom = _time_axes(quality, figure, 3)
-    moved = motion_of(path.time, path.latitude, path.longitude, path.height)
-    _draw_series(top, quality, path.time[moved.index], moved.speed, 0, "")
+    motion = motion_of(path.time, path.latitude, path.longitude, path.height)
+    _draw_series(top, quality, path.time[motion.index], motion.speed, 0, "")
     for k, name in enumerate((gettext("Roll"), gettext("Pitch"))):
         _draw_series(middle, quality, path.time, np.degrees(path.attitude[:, k]), k, name)
     # Unwrapped, so that no line crosses the figure at north.

@@ -12,7 +12,7 @@ from lispac.gui import theme
 from lispac.gui.dialogs.import_files.file_texts import time_axis_title
 from lispac.io.line_times import LineTimes
 from lispac.language import Plural, gettext, number
-from lispac.survey.time_quality import Coverage
+from lispac.survey.time_quality import TrajectoryCoverage
 from lispac.workflow.input_files import InputFiles
 
 NAMES, WORDS, ROW, AXIS, TOP = 170, 190, 26, 44, 8
@@ -88,7 +88,7 @@ def timeline_bars(input_files: InputFiles) -> tuple[TimelineBar, ...]:
     return tuple(bars)
 
 
-def _coverage_text(covered: Coverage | None, shift: float) -> str:
+def _coverage_text(covered: TrajectoryCoverage | None, shift: float) -> str:
     """Text on the part of a line that the trajectory covers, and on the shift of its times."""
     if covered is None:
         return gettext("no trajectory")

@@ -52,8 +52,8 @@ class CalibratedSystem:
             f"{self.scanner} {self.scanner_serial}",
             f"{self.pos} {self.pos_serial}",
         ]
-        said = ", ".join(part.strip() for part in parts if part.strip())
-        return said or gettext("unnamed system")
+        names = ", ".join(part.strip() for part in parts if part.strip())
+        return names or gettext("unnamed system")
 
     def is_same_system(self, other: "CalibratedSystem") -> bool:
         """True if both systems have the same names, regardless of capitals and blanks."""
@@ -72,7 +72,7 @@ class HistoryEntry:
 
 
 @dataclass(frozen=True, eq=False)
-class History:
+class CalibrationHistory:
     """Calibrations of one system, the earliest first, with remarks."""
 
     system: CalibratedSystem
@@ -120,7 +120,7 @@ def read_histories(
     vessel: str | None = None,
     also: Iterable[Project] = (),
     progress: Progress = no_progress,
-) -> tuple[tuple[History, ...], tuple[Message, ...]]:
+) -> tuple[tuple[CalibrationHistory, ...], tuple[Message, ...]]:
     """The history of each system that has a calibration in these folders.
 
     Parameters
@@ -205,12 +205,12 @@ def change_message(entry: HistoryEntry) -> Message:
         angle=mounting_value_name(ANGLES[largest]), change=float(change.angles[largest]),
         ratio=float(abs(change.significance[largest])),
     )  # fmt: skip
-    if charted.moved:
+    if charted.has_moved:
         return warning("history.moved", name=name, difference=difference)
     return note("history.within_limits", name=name, difference=difference)
 
 
-def _system_history(group: Sequence[tuple[date, Project]]) -> History:
+def _system_history(group: Sequence[tuple[date, Project]]) -> CalibrationHistory:
     group, remarks = _without_repeated_surveys(group)
     projects = [project for _, project in group]
     names = distinct_names(projects)
@@ -228,7 +228,7 @@ def _system_history(group: Sequence[tuple[date, Project]]) -> History:
         HistoryEntry(project, day, charted)
         for (day, project), charted in zip(group, chart, strict=True)
     ]
-    return History(system, tuple(entries), tuple(remarks))
+    return CalibrationHistory(system, tuple(entries), tuple(remarks))
 
 
 def _without_repeated_surveys(

@@ -37,8 +37,8 @@ class RecordedLeg:
         return cls(f"L{number}_{round(heading_deg) % 360:03d}", heading_deg, starboard)
 
 
-class Voyage(Protocol):
-    """True motion and what is recorded of it."""
+class MotionSource(Protocol):
+    """Source of the true motion of the simulated vessel and of its recorded trajectory."""
 
     @property
     def start(self) -> float:
@@ -80,7 +80,7 @@ class SailedTrajectory:
         )
 
     def motion(self, generator: np.random.Generator) -> VesselMotion:
-        """Courses and the sea on top of them."""
+        """Motion of the vessel: its courses, with the motion due to the sea added."""
         return sail_passes(self.passes, self.height, generator)
 
 

@@ -1,4 +1,4 @@
-"""Values of a report from alternative methods."""
+"""Values in the report from the results of alternative methods."""
 
 from dataclasses import dataclass
 

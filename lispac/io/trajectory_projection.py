@@ -1,4 +1,4 @@
-"""Eastings, northings and heights of a trajectory: their unit, and their way to latitude."""
+"""Map projection and length units of a trajectory in eastings, northings and heights."""
 
 import math
 from dataclasses import dataclass
@@ -44,8 +44,8 @@ class LengthUnit:
 
 
 @dataclass(frozen=True, eq=False)
-class Grid:
-    """A projected coordinate system of eastings and northings; made by `grid_of`.
+class TrajectoryProjection:
+    """A projected coordinate system of eastings and northings; made by `projection_of_text`.
 
     Attributes
     ----------
@@ -140,7 +140,7 @@ class Grid:
         return np.radians(latitude), np.radians(longitude), convergence
 
 
-def grid_of(path: Path, text: str) -> Grid:
+def projection_of_text(path: Path, text: str) -> TrajectoryProjection:
     """The coordinate system of eastings and northings that the user states.
 
     Raises
@@ -162,7 +162,7 @@ def grid_of(path: Path, text: str) -> Grid:
     horizontal = system.sub_crs_list[0] if system.is_compound else system
     across = horizontal.axis_info[0]
     up = [axis for axis in system.axis_info if axis.direction in ("up", "down")]
-    return Grid(
+    return TrajectoryProjection(
         text,
         horizontal,
         across.unit_conversion_factor,
@@ -173,7 +173,9 @@ def grid_of(path: Path, text: str) -> Grid:
     )
 
 
-def unit_of_heights(name: str, stated: str, grid: Grid | None, path: Path) -> LengthUnit:
+def unit_of_heights(
+    name: str, stated: str, grid: TrajectoryProjection | None, path: Path
+) -> LengthUnit:
     """Unit of a column of heights called ``name``; metres by default."""
     own = None if grid is None else grid.height_metres
     if stated == UNSTATED:

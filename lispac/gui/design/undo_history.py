@@ -9,7 +9,7 @@ State = TypeVar("State")
 
 
 @dataclass(eq=False)
-class History(Generic[State]):
+class UndoHistory(Generic[State]):
     """Present state, the states before it and those that were undone.
 
     Attributes

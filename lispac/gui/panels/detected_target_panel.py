@@ -33,7 +33,7 @@ FOUND: dict[Shape, str] = {
 }
 
 
-class CandidateBox(QFrame):
+class DetectedTargetPanel(QFrame):
     """The detected target, to be accepted or rejected."""
 
     def __init__(self) -> None:

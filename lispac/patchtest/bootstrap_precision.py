@@ -1,4 +1,4 @@
-"""Precision of the angles, and objects that disagree with them.
+"""Bootstrap precision of the angles of a patch test, and objects that disagree with them.
 
 Points of one line at one object share one POS error, and objects that a line passes soon after each
 other share most of it, so neither points nor pairs may be drawn again as if they were independent:
@@ -82,7 +82,7 @@ class ObjectAgreement:
 
 
 @dataclass(frozen=True, eq=False)
-class MinimumPrecision:
+class BootstrapPrecision:
     """Precision of a minimum.
 
     Attributes
@@ -99,13 +99,13 @@ class MinimumPrecision:
     objects: tuple[ObjectAgreement, ...]
 
 
-def minimum_precision(
+def bootstrap_precision(
     mismatch: Mismatch,
     boresight: Array,
     accuracy: TrajectoryAccuracy,
     position_time: float,
     attitude_time: float,
-) -> MinimumPrecision:
+) -> BootstrapPrecision:
     """Estimate the precision of the minimum at ``boresight``, shape (3,), radians.
 
     Parameters
@@ -134,7 +134,7 @@ def minimum_precision(
     covariance = None
     if len(parts) >= FEWEST:
         covariance = _bootstrap_covariance(parts, seen, roots)
-    return MinimumPrecision(covariance, np.sqrt(np.diag(total) / weight.sum()), objects)
+    return BootstrapPrecision(covariance, np.sqrt(np.diag(total) / weight.sum()), objects)
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,7 +150,7 @@ class _ObjectEquations:
 
 
 def _equations_by_object(
-    mismatch: Mismatch, found: BlockEquations, weight: Array
+    mismatch: Mismatch, equations: BlockEquations, weight: Array
 ) -> list[_ObjectEquations]:
     parts: dict[str, _ObjectEquations] = {}
     for k, block in enumerate(mismatch.blocks):
@@ -161,12 +161,12 @@ def _equations_by_object(
             name, _ObjectEquations(name, [], np.zeros((3, 3)), np.zeros(3), {}, np.zeros(3))
         )
         part.blocks.append(k)
-        part.normal[:] += weight[k] * found.normal[k]
-        part.rough[:] += (weight[k] * ROUGH) ** 2 * np.diag(found.normal[k])
-        part.gradient[:] += weight[k] * found.gradient[k]
+        part.normal[:] += weight[k] * equations.normal[k]
+        part.rough[:] += (weight[k] * ROUGH) ** 2 * np.diag(equations.normal[k])
+        part.gradient[:] += weight[k] * equations.gradient[k]
         for side, seen in enumerate((block.first, block.second)):
             swayed = part.sways.setdefault(id(seen), np.zeros((3, 6)))
-            swayed += weight[k] * found.sways[k, side]
+            swayed += weight[k] * equations.sways[k, side]
     return list(parts.values())
 
 

@@ -236,7 +236,7 @@ def require_not_empty(path: Path, what: str) -> Path:
     return path
 
 
-def find_time_field(path: Path, names: Sequence[str], wanted: str) -> str:
+def find_time_field(path: Path, names: Sequence[str], requested: str) -> str:
     """Name of the field that holds the time.
 
     Raises
@@ -244,11 +244,11 @@ def find_time_field(path: Path, names: Sequence[str], wanted: str) -> str:
     InputError
         Where there is none.
     """
-    if wanted:
-        if wanted in names:
-            return wanted
+    if requested:
+        if requested in names:
+            return requested
         raise InputError(
-            error("file.no_such_field", file=str(path), field=wanted, fields=tuple(names))
+            error("file.no_such_field", file=str(path), field=requested, fields=tuple(names))
         )
     for usual in TIME_NAMES:
         for name in names:

@@ -1,0 +1,38 @@
+"""A dialogue has the words of the menu entry that opens it as its title."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import lispac.gui
+from lispac.gui.actions import _ACTIONS, action_texts, dialog_title
+from lispac.language import LANGUAGES, in_language
+
+OTHERWISE = {"lines", "targets", "trajectory", "add_lines", "section_picture", "design"}
+"""Actions whose dialogue takes its title from what is exported, from the project, from the view's
+picture or from the survey plan."""
+
+
+def titled() -> set[str]:
+    """Names of the actions that give a dialogue its title."""
+    names = set()
+    for path in Path(lispac.gui.__file__).parent.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "dialog_title":
+                names |= {a.value for a in node.args if isinstance(a, ast.Constant)}
+    return names
+
+
+def test_every_entry_with_an_ellipsis_gives_its_dialogue_the_title() -> None:
+    asking = {name for name in _ACTIONS if action_texts(name)[0].endswith("…")}
+    assert len(asking) > 15
+    assert asking - titled() == OTHERWISE
+    assert titled() <= set(_ACTIONS)
+
+
+@pytest.mark.parametrize("code", LANGUAGES)
+def test_a_title_has_neither_mnemonic_nor_ellipsis(code: str) -> None:
+    with in_language(code):
+        titles = [dialog_title(name) for name in _ACTIONS]
+    assert not [title for title in titles if "&" in title or "…" in title or title != title.strip()]
