@@ -169,7 +169,8 @@ def _best_pair(planes: CandidatePlanes, names: Sequence[str]) -> list[str]:
         preferred = {pair: sigma for pair, sigma in worst.items() if is_preferred(pair)}
         if preferred and min(preferred.values()) <= FAR_WORSE * least:
             worst = preferred
-    return list(min(worst, key=lambda pair: worst[pair]))
+    best = min(worst, key=worst.__getitem__)
+    return list(best)
 
 
 def _best_addition(
