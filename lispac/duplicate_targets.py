@@ -13,6 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.cause_warnings import SAME_ON_LINES, point_displacement
+from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.result import ANGLES
 from lispac.adjustment.warnings import result_warnings
 from lispac.messages import Level, Message, Value, note, shortened_list, warning
 from lispac.picked_targets import PickedSighting, Target
@@ -25,6 +27,8 @@ SAME = 0.3
 """Share from which both are the same surface."""
 PROBED = 1000
 """Points of a sighting that are checked for common points with another."""
+MISPREDICTED = 0.2
+"""Share of a predicted sigma by which the stated one may differ from it."""
 
 
 @dataclass(frozen=True)
@@ -144,12 +148,32 @@ def all_warnings(project: Project, also: Iterable[Message] = ()) -> tuple[Messag
 
 
 def project_warnings(project: Project) -> tuple[Message, ...]:
-    """Warnings that follow from picks and files, before any adjustment."""
+    """Warnings that follow from picks, files and predictions, beside those about a result."""
     return (
         *duplicate_warnings(project),
+        *prediction_warnings(project),
         *single_line_notes(project.targets),
         *data_warnings(project),
     )
+
+
+def prediction_warnings(project: Project) -> tuple[Message, ...]:
+    """Warning about sigmas that differ from those predicted when the targets were proposed."""
+    result, prediction = project.result, project.prediction
+    if result is None or prediction is None:
+        return ()
+    apart = [
+        note(
+            "item.angle_predicted",
+            angle=mounting_value_name(angle), predicted=float(predicted), sigma=float(sigma),
+        )
+        for angle, predicted, sigma in zip(ANGLES, prediction.sigma, result.sigma, strict=True)
+        if not 1 - MISPREDICTED <= sigma / predicted <= 1 + MISPREDICTED
+    ]  # fmt: skip
+    if not apart:
+        return ()
+    code = "targets.sigma_not_as_predicted"
+    return (warning(code, limit=MISPREDICTED, angles=apart, subject=RESULT),)
 
 
 def single_line_notes(targets: Iterable[Target]) -> tuple[Message, ...]:

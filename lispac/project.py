@@ -8,9 +8,10 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lispac.adjustment.parameters import PRIOR_SIGMAS, SWITCHED, Parameter
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
@@ -35,6 +36,7 @@ from lispac.survey.line_source import USUAL
 from lispac.survey.line_source import LineSource as LineSource
 from lispac.survey.line_source import Reading as Reading
 from lispac.survey.trajectory import LONGEST_GAP
+from lispac.untrusted_values import ArrayShape
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.validation.plane_comparison import PlaneComparison
 
@@ -227,6 +229,21 @@ def _out_of_range(name: str, value: float, least: float, most: float, unit: Unit
 
 
 @dataclass(frozen=True, eq=False)
+class ProposalPrediction:
+    """Standard deviations that were predicted when targets were proposed.
+
+    Attributes
+    ----------
+    targets : tuple of str
+        Names of the targets it holds for.
+    sigma : ndarray of shape (3,), radians; roll, pitch, yaw
+    """
+
+    targets: tuple[str, ...]
+    sigma: Annotated[NDArray[np.float64], ArrayShape(3)]
+
+
+@dataclass(frozen=True, eq=False)
 class Project:
     """Content of a project folder; paths are absolute here and relative on disk."""
 
@@ -252,6 +269,8 @@ class Project:
     """Results of alternative methods on the same lines, at most one of each method."""
     data_messages: tuple[Message, ...] = ()
     """Warnings and notes about the imported files, as of the last time they were read."""
+    prediction: ProposalPrediction | None = None
+    """What was predicted for the targets, where they are accepted proposals and not edited."""
     file_digest: str = field(default="", compare=False, repr=False)
     """Digest of the project file that it was read from; empty where it is new."""
 
@@ -346,7 +365,7 @@ class Project:
         """Change the settings; what follows from them has to be computed again."""
         return replace(
             self, settings=settings, result=None, cross_checks=None, validation=(),
-            not_compared={}, absolute=None, alternative_results=(),
+            not_compared={}, absolute=None, alternative_results=(), prediction=None,
         )  # fmt: skip
 
     def with_result(self, result: AdjustmentResult) -> "Project":
@@ -368,6 +387,10 @@ class Project:
     def with_data_messages(self, messages: tuple[Message, ...]) -> "Project":
         """Keep the warnings and notes about the imported files."""
         return replace(self, data_messages=messages)
+
+    def with_prediction(self, prediction: ProposalPrediction) -> "Project":
+        """Keep what was predicted for the targets."""
+        return replace(self, prediction=prediction)
 
     def with_absolute(self, absolute: AbsoluteCheck) -> "Project":
         """Keep the comparison with a reference."""
@@ -400,6 +423,7 @@ class Project:
             validation=(),
             not_compared={},
             absolute=self.absolute if kept else None,
+            prediction=self.prediction if kept else None,
             alternative_results=tuple(
                 each
                 for each in self.alternative_results

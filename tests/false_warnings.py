@@ -4,17 +4,20 @@
 
 A row a kind of survey: boards, boards on two lines only, natural planes proposed by the program,
 targetless, spinning scanner. Only warnings that name an error are counted: a right survey has none.
-Those about the geometry (no redundancy, large standard deviations) are true.
+Those about the geometry (no redundancy, large standard deviations) are true. Natural surfaces may
+really not be flat: the simulated surfaces decide, and warnings that are true are counted apart.
 """
 
 import sys
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from csv import DictReader
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import cast
 
 import numpy as np
 
@@ -25,6 +28,7 @@ from lispac.adjustment.solver import adjust
 from lispac.adjustment.warnings import result_warnings
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.message_texts import message_text
+from lispac.messages import Message
 from lispac.simulation.closed_form_survey import add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.workflow.calibration import estimate
@@ -37,7 +41,7 @@ from lispac.workflow.survey import load_survey
 from lispac.workflow.targetless import targetless
 from tests.coverage_of_errors import MODEL, PRIOR, TARGETS, TRUTH
 from tests.coverage_of_errors import RAW as SPACING
-from tests.natural_scenes import natural_site, opened
+from tests.natural_scenes import form_factors, natural_site, opened
 from tests.test_targetless_coverage import surveyed
 
 OF_GEOMETRY = {
@@ -51,6 +55,15 @@ PICKED = {"T1", "T2", "V1"}
 """Surfaces of the port that the spinning scanner is calibrated on."""
 
 Judged = tuple[AdjustmentResult, CrossChecks | None]
+NOT_FLAT = "adjustment.not_flat"
+
+
+@dataclass(frozen=True)
+class Counted:
+    """Codes of serious warnings about one survey that name an error, false ones and true ones."""
+
+    false: tuple[str, ...]
+    true: tuple[str, ...] = ()
 
 
 def boards(seed: int, courses: int = 6) -> Judged:
@@ -70,12 +83,26 @@ def two_lines(seed: int) -> Judged:
 
 
 def natural_planes(seed: int) -> Judged:
+    return natural_calibration(seed)[:2]
+
+
+@cache
+def natural_calibration(seed: int) -> tuple[AdjustmentResult, CrossChecks | None, set[str]]:
+    """Result and cross-checks of a natural scene, and the targets that are truly not flat."""
     seen = natural_site(seed)
     project, survey = opened(seen, np.random.default_rng([35, seed]).normal(0, 1.0, 3))
     proposal = propose_targets(project, survey)
     solved = estimate(replace(project, targets=proposal.targets), survey)
     assert solved.result is not None
-    return solved.result, solved.cross_checks
+    factors = form_factors(seen, solved)
+    return solved.result, solved.cross_checks, {name for name in factors if factors[name] >= 1}
+
+
+def is_true(kind: str, seed: int, message: Message) -> bool:
+    """True if the simulated survey has what a warning states."""
+    if kind != "natural planes" or message.code != NOT_FLAT:
+        return False
+    return set(cast(tuple[str, ...], message.params["targets"])) <= natural_calibration(seed)[2]
 
 
 def without_targets(seed: int) -> Judged:
@@ -108,27 +135,40 @@ KINDS: dict[str, Callable[[int], Judged]] = {
 }  # fmt: skip
 
 
-def false_warnings(kind: str, seed: int) -> tuple[str, ...] | None:
-    """Codes of serious warnings that name an error; None where there is no answer."""
+def count_warnings(kind: str, seed: int) -> Counted | None:
+    """Serious warnings that name an error; None where there is no answer."""
     try:
         result, checks = KINDS[kind](seed)
     except (AdjustmentError, TargetNotFound) as error:
         print(kind, seed, str(error)[:100])
         return None
-    found = [each for each in result_warnings(result, checks) if each.is_serious]
+    found = [
+        each for each in result_warnings(result, checks)
+        if each.is_serious and each.code not in OF_GEOMETRY
+    ]  # fmt: skip
+    true = [each for each in found if is_true(kind, seed, each)]
     for each in found:
-        if each.code not in OF_GEOMETRY:
-            print(kind, seed, each.code, message_text(each)[:260], flush=True)
-    return tuple({each.code for each in found if each.code not in OF_GEOMETRY})
+        is_so = "true" if each in true else "false"
+        print(kind, seed, is_so, each.code, message_text(each)[:260], flush=True)
+    return Counted(
+        tuple({each.code for each in found if each not in true}),
+        tuple({each.code for each in true}),
+    )
 
 
 def row(kind: str, surveys: int) -> str:
     with ProcessPoolExecutor(2) as pool:
-        answers = list(pool.map(false_warnings, [kind] * surveys, range(surveys), chunksize=2))
+        answers = list(pool.map(count_warnings, [kind] * surveys, range(surveys), chunksize=2))
     known = [each for each in answers if each is not None]
-    codes = Counter(code for each in known for code in each)
-    shares = ", ".join(f"{code} {100 * n / len(known):.1f} %" for code, n in codes.most_common())
-    return f"{kind:16s} {len(known):4d} answers   {shares or 'none'}"
+
+    def shares(codes: Iterator[str]) -> str:
+        return ", ".join(
+            f"{code} {100 * n / len(known):.1f} %" for code, n in Counter(codes).most_common()
+        ) or "none"  # fmt: skip
+
+    false = shares(code for each in known for code in each.false)
+    true = shares(code for each in known for code in each.true)
+    return f"{kind:16s} {len(known):4d} answers   false: {false}   true: {true}"
 
 
 def main() -> None:

@@ -16,6 +16,7 @@ import numpy as np
 
 from lispac.adjustment.warnings import result_warnings
 from lispac.errors import AdjustmentError, TargetNotFound
+from lispac.geometry.planes import fit_plane, plane_axes, rms_distance
 from lispac.project import Project
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes
@@ -25,12 +26,17 @@ from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import TrajectoryAccuracy
 from lispac.workflow.calibration import estimate
 from lispac.workflow.proposals import propose_targets
+from lispac.workflow.sighting_assessment import lidar_noise
 from lispac.workflow.survey import Survey
 from tests.finder_scenes import WALL, Site, site
 
 FORMS = {"flat": 0.4, "bent": 0.3, "rough": 0.3}
 """Kinds of surfaces and how often each occurs."""
 PULSES = 60_000.0
+WAVELENGTH = 0.8
+HALF_WAVE = WAVELENGTH / 2
+"""Metres: typical length of the waves of a rough surface. Points within half of it share a form
+error, those of a bent surface over longer distances."""
 
 
 def surfaces(chance: np.random.Generator) -> list[Rectangle]:
@@ -68,7 +74,7 @@ def formed(
         u, v = place @ surface.across, place @ up
         form = chance.choice(list(FORMS), p=list(FORMS.values()))
         bends, phases = chance.normal(0, 1, 3), chance.uniform(0, 2 * np.pi, (6, 2))
-        waves = 2 * np.pi * chance.normal(0, 1 / 0.8, (6, 2))
+        waves = 2 * np.pi * chance.normal(0, 1 / WAVELENGTH, (6, 2))
         size = np.exp(chance.uniform(np.log(0.005), np.log(0.06)))
         off = np.zeros(len(u))
         if form == "bent":
@@ -80,7 +86,11 @@ def formed(
         # Along the beam as far as the surface is displaced along its normal.
         along[own] = off / np.maximum(np.abs(beams_local[own] @ surface.normal), 0.1)
         along[own] *= -np.sign(beams_local[own] @ surface.normal)
-    return replace(echoes, points_lidar=echoes.points_lidar + along[:, None] * beams)
+    return replace(
+        echoes,
+        points_lidar=echoes.points_lidar + along[:, None] * beams,
+        true_points_local=echoes.true_points_local + along[:, None] * beams_local,
+    )
 
 
 def natural_site(seed: int) -> Site:
@@ -111,6 +121,32 @@ def opened(seen: Site, off_deg: np.ndarray) -> tuple[Project, Survey]:
     settings = replace(project.settings, position_sigma=position, attitude_sigma_deg=degrees)
     accuracy = TrajectoryAccuracy.constant(np.array(position), np.array(attitude))
     return project.with_settings(settings), replace(survey, accuracy=accuracy)
+
+
+def form_factors(seen: Site, project: Project) -> dict[str, float]:
+    """Form error of the true surface of each target, over the LiDAR noise that averaging leaves.
+
+    The error is the RMS distance of the true places of its points from their best plane. Points on
+    another surface do not count. Points that share a form error do not share their noise: it
+    averages out. A surface is not flat from 1 on.
+    """
+    noise, side = lidar_noise(project.settings), HALF_WAVE
+    found = {}
+    for target in project.targets_of_role("target"):
+        labels = {s.line: seen.echoes[s.line].label[s.indices] for s in target.sightings}
+        own = np.bincount(np.concatenate([each[each >= 0] for each in labels.values()])).argmax()
+        places = [
+            seen.echoes[s.line].true_points_local[s.indices[labels[s.line] == own]]
+            for s in target.sightings
+        ]
+        plane = fit_plane(np.concatenate(places))
+        cells = sum(
+            len(np.unique(np.floor(each @ plane_axes(plane.normal).T / side), axis=0))
+            for each in places
+        )
+        averaged = noise / np.sqrt(sum(map(len, places)) / cells)
+        found[target.name] = rms_distance(plane, np.concatenate(places)) / float(averaged)
+    return found
 
 
 @dataclass(frozen=True)

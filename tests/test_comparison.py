@@ -13,6 +13,7 @@ from lispac.validation.plane_comparison import (
     MAX_POINTS_PER_LINE,
     DistanceStatistics,
     PlaneComparison,
+    comparable_pairs,
     compare_plane,
     reciprocal,
 )
@@ -213,6 +214,24 @@ def test_lines_without_overlap_are_refused() -> None:
     clouds = {"L1": wall(1), "L2": wall(2, low=(5.0, 0.0), high=(7.0, 3.0))}
     with pytest.raises(NotComparable, check=has_code("validation.no_overlap", plane="V2")):
         compare_plane("V2", clouds, clouds, OPPOSITE)
+
+
+@pytest.mark.parametrize(("step", "count"), [(0.0, 3), (0.9, 3), (1.2, 2), (1.9, 2), (2.1, 0)])
+def test_comparable_pairs_are_those_that_are_compared(step: float, count: int) -> None:
+    """Lines that are moved along the wall by so much before, and not after."""
+    after = {line: wall(seed=k, noise=0.002) for k, line in enumerate("ABC")}
+    before = {
+        line: each + np.array([k * step, 0.0, 0.0]) for k, (line, each) in enumerate(after.items())
+    }
+    pairs = comparable_pairs(before, after)
+    headings = dict.fromkeys(after, 0.0)
+    if pairs:
+        found = compare_plane("V1", before, after, headings)
+        assert {(pair.line_a, pair.line_b) for pair in found.pairs} == set(pairs)
+    else:
+        with pytest.raises(NotComparable):
+            compare_plane("V1", before, after, headings)
+    assert len(pairs) == count
 
 
 def test_points_in_one_row_overlap_nothing() -> None:

@@ -7,20 +7,25 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.warnings import result_warnings
+from lispac.duplicate_targets import MISPREDICTED, prediction_warnings
 from lispac.errors import RankDeficient, TargetNotFound
 from lispac.messages import error, note
 from lispac.workflow.calibration import estimate
-from lispac.workflow.proposals import UNCHECKED, propose_targets
+from lispac.workflow.proposal_acceptance import with_accepted
+from lispac.workflow.proposals import MOSTLY, UNCHECKED, propose_targets
+from lispac.workflow.sighting_assessment import sighting_qualities
 from lispac.workflow.target_choice import LEAST_TARGETS
 from lispac.workflow.targetless import targetless
-from tests.natural_scenes import natural_site, opened, study
+from lispac.workflow.validation import validate
+from tests.natural_scenes import form_factors, natural_site, opened, study
 
-GOOD, TENT, TWO, OPPOSITE = 5, 7, 59, 11
-"""A scene on six lines, one on four whose surfaces are not flat but for one, one with two, and one
-on two opposite lines whose flat surfaces do not determine yaw."""
+GOOD, NO_MORE, TENT, TWO, OPPOSITE = 6, 5, 7, 10, 11
+"""Scenes on six lines with many flat surfaces, and with three; one on four lines whose surfaces are
+not flat but for one; one with two; and one on two opposite lines whose flat surfaces do not
+determine yaw."""
 
 
-def test_the_proposal_is_checked_and_says_its_sigmas() -> None:
+def test_the_proposal_is_checked_and_predicts_its_sigmas() -> None:
     seen = natural_site(GOOD)
     project, survey = opened(seen, np.array([1.0, -1.0, 1.0]))
     proposal = propose_targets(project, survey)
@@ -32,10 +37,17 @@ def test_the_proposal_is_checked_and_says_its_sigmas() -> None:
     for plane, target in product(planes, targets):
         for one, other in product(plane.sightings, target.sightings):
             assert one.line != other.line or not np.isin(one.indices, other.indices).any()
-    accepted = replace(project, targets=proposal.targets)
-    result = estimate(accepted, survey, cross_check=False).result
+    qualities = sighting_qualities(replace(project, targets=planes), survey)
+    for plane in planes:
+        uneven = [qualities[plane.name, s.line].flatness != "good" for s in plane.sightings]
+        assert np.mean(uneven) < MOSTLY
+    accepted, _ = with_accepted(project, proposal, [each.name for each in proposal.targets])
+    solved = estimate(accepted, survey, cross_check=False)
+    result = solved.result
     assert result is not None
-    assert result.sigma == pytest.approx(proposal.sigma, rel=1e-6)
+    assert result.sigma == pytest.approx(proposal.sigma, rel=MISPREDICTED)
+    assert prediction_warnings(solved) == ()
+    assert validate(solved, survey).not_compared == {}
     assert (np.abs(result.boresight - seen.boresight) < 3.3 * result.sigma).all()
     # Each angle is determined without any one of the targets.
     one_way = project.with_settings(replace(project.settings, accept_single_orientation=True))
@@ -43,6 +55,23 @@ def test_the_proposal_is_checked_and_says_its_sigmas() -> None:
         part = estimate(replace(one_way, targets=kept), survey, cross_check=False).result
         assert part is not None
         assert (part.sigma < 5 * result.sigma).all()
+
+
+def test_where_no_plane_is_left_for_validation_that_is_said() -> None:
+    project, survey = opened(natural_site(NO_MORE), np.array([1.0, -1.0, 1.0]))
+    proposal = propose_targets(project, survey)
+    assert [target.role for target in proposal.targets] == ["target"] * 3
+    assert [message.code for message in proposal.warnings] == ["targets.no_validation_plane"]
+
+
+def test_the_simulated_surface_decides_what_is_flat() -> None:
+    """In the first scene all surfaces that are chosen are flat, in the other one T3 is rough."""
+    for scene, rough in ((37, set()), (36, {"T3"})):
+        seen = natural_site(scene)
+        project, survey = opened(seen, np.random.default_rng([35, scene]).normal(0, 1.0, 3))
+        targets = propose_targets(project, survey).targets
+        factors = form_factors(seen, replace(project, targets=targets))
+        assert {name for name, factor in factors.items() if factor >= 1} == rough
 
 
 def test_a_scene_without_flat_surfaces_is_refused() -> None:
@@ -75,7 +104,7 @@ def test_targets_that_do_not_check_each_other_are_named() -> None:
     assert [target.role for target in proposal.targets].count("target") == 2
     codes = [warning.code for warning in proposal.warnings]
     assert UNCHECKED & set(codes)
-    assert codes[-1] == "targets.proposal_unchecked"
+    assert "targets.proposal_unchecked" in codes
 
 
 @pytest.mark.parametrize(("scene", "bent"), [(64, ()), (73, ("T1", "T3"))])
@@ -105,4 +134,5 @@ def test_intervals_hold_on_two_hundred_scenes() -> None:
     print(f"{len(calm)} of {len(answers)} scenes without a serious warning: {held}")
     assert ((held >= 0.90) & (held <= 0.98)).all(), held
     ratio = np.array([each.sigma / each.predicted for each in answers])
-    assert (np.abs(ratio - 1) < 0.2).all()
+    print(f"stated over predicted, median {np.median(ratio, axis=0)}")
+    assert (np.abs(np.median(ratio, axis=0) - 1) < MISPREDICTED).all()

@@ -4,7 +4,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
-from itertools import product
+from itertools import combinations, product
 from pathlib import Path
 from typing import cast
 
@@ -14,6 +14,7 @@ import pytest
 from lispac.adjustment.message_parts import mounting_value_name
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.cli.main import main
+from lispac.duplicate_targets import MISPREDICTED, prediction_warnings
 from lispac.errors import AdjustmentError, RankDeficient, TargetNotFound
 from lispac.project import Project, Target
 from lispac.simulation.scene import tilted_rectangle, upright_rectangle
@@ -28,6 +29,7 @@ from lispac.workflow.projects import open_project
 from lispac.workflow.proposals import propose_targets
 from lispac.workflow.sighting_assessment import lidar_noise, sighting_qualities
 from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.validation import validate
 from tests.few_passes import passes
 from tests.finder_scenes import WALL, Site, rippled, site
 from tests.test_finder_sites import board, wall
@@ -139,8 +141,8 @@ def test_what_is_seen_poorly_on_most_lines_is_not_proposed(
 
 @pytest.mark.parametrize(
     ("poor", "rough", "use"),
-    [(0, 0, "any"), (1, 1, "any"), (2, 0, "at need"), (2, 2, "not flat"), (3, 1, "poor"),
-     (4, 0, "poor")],
+    [(0, 0, "any"), (1, 1, "any"), (0, 2, "not flat"), (2, 0, "at need"), (2, 2, "not flat"),
+     (3, 1, "poor"), (4, 0, "poor")],
 )  # fmt: skip
 def test_what_a_plane_is_good_for(poor: int, rough: int, use: str) -> None:
     usual = replace(undetermined_quality(500, 0.002, "The beams meet it aslant."), flatness="good")
@@ -239,6 +241,22 @@ def test_in_thesis_mode_the_same_boards_are_proposed() -> None:
     assert proposal.sigma[0] < 0.7 * usual.sigma[0]
 
 
+def test_targets_that_act_as_one_are_not_proposed_together() -> None:
+    """Two of four boards are 0.65 m apart, less than a twentieth of their distance."""
+    boards = [
+        tilted_rectangle(f"T{k}", (north, WALL, 7.0), 0.6, 1.0, 270 + across, lean)
+        for k, (north, across, lean) in enumerate(
+            [(-2.6, 0, 5), (0.0, 20, 45), (0.65, -20, 40), (2.6, -30, 10)]
+        )
+    ]
+    project, survey = site(boards, lines=4, pulses_per_second=60_000.0).opened((1, -1, 1))
+    proposal = propose_targets(project, survey)
+    seeds = [np.array(each.seed) for each in proposal.targets if each.role == "target"]
+    assert len(seeds) == 3
+    assert min(np.linalg.norm(one - other) for one, other in combinations(seeds, 2)) > 1.5
+    assert "targets.proposal_unchecked" not in [each.code for each in proposal.warnings]
+
+
 def test_boards_are_added_as_long_as_each_tells_clearly_more() -> None:
     """Of eight that hardly differ, four are left for validation."""
     facing = [(0, 3), (0, 6), (3, 0), (-3, 0), (6, 3), (-6, 3), (3, 6), (35, 0)]
@@ -311,7 +329,9 @@ def drone_project(data: Path, folder: Path) -> Path:
     return folder
 
 
-def test_a_drones_planes_are_proposed_in_one_action(shared_data: Path, tmp_path: Path) -> None:
+def test_a_drones_planes_are_proposed_in_one_action(
+    shared_data: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """A truck before any calibration, the lines half a metre apart, against its reference."""
     folder = drone_project(shared_data / "lanl_truck", tmp_path / "truck")
     assert main(["propose", str(folder), "--accept"]) == 0
@@ -319,16 +339,26 @@ def test_a_drones_planes_are_proposed_in_one_action(shared_data: Path, tmp_path:
     survey = load_survey(project)
     targets, validation = project.targets_of_role("target"), project.targets_of_role("validation")
     assert len(targets) >= 3
-    assert len(validation) >= 1
     judged = sighting_qualities(project, survey)
-    assert all(judged[target.name, s.line].flatness != "poor" for target in targets
-               for s in target.sightings)  # fmt: skip
+    for target in project.targets:
+        uneven = [judged[target.name, s.line].flatness != "good" for s in target.sightings]
+        assert np.mean(uneven) < proposals.MOSTLY, target.name
+    for one, other in combinations(targets, 2):
+        assert np.linalg.norm(np.subtract(one.seed, other.seed)) > 1.5
     for plane, target in product(validation, targets):
         for one, other in product(plane.sightings, target.sightings):
             shared = np.isin(one.indices, other.indices).any()
             assert one.line != other.line or not shared, (plane.name, target.name)
-    result = estimate(project, survey).result
+    solved = estimate(project, survey)
+    result = solved.result
     assert result is not None
+    # The flat planes that the lines can be compared on are all needed as targets.
+    assert validation or "no validation plane" in capsys.readouterr().out
+    assert not validation or validate(solved, survey).not_compared == {}
+    assert project.prediction is not None
+    ratio = result.sigma / project.prediction.sigma
+    told = [message.code for message in prediction_warnings(solved)]
+    assert bool(told) == bool((np.abs(ratio - 1) > MISPREDICTED).any())
     reference = json.loads((shared_data / "lanl_truck" / "reference.json").read_text())
     off = np.degrees(result.boresight) - reference["boresight_deg"]
     sigma = np.hypot(np.degrees(result.sigma), reference["repeatability_deg"])

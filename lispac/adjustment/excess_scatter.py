@@ -47,6 +47,8 @@ small are worse than some that are too large, so that a preliminary test of this
 LEVERAGE = 3.0
 """Largest variance of the difference without a part, over that of the whole, at which the answer
 without it says something of the whole; a part with more carries the angle alone."""
+DRAWS = 500
+"""Simulated sets of differences for the expected excess; its standard error is a few percent."""
 LOOSE = 10.0
 """Metres and radians: sigma of a shape that no point may be left of."""
 
@@ -129,6 +131,41 @@ def leave_out_sigma_factors(here: LinearisedProblem) -> Array:
                 * _is_scatter_significant(differences, predicted)
                 * _variance_beyond_prediction(differences, predicted)
             )
+    return np.asarray(np.sqrt(1.0 + more / whole[1]))
+
+
+def expected_sigma_factors(here: LinearisedProblem, omitted: Flags) -> Array:
+    """Expected factors of `leave_out_sigma_factors` where the model holds, shape (3,), no unit.
+
+    Chance raises the sigmas of some surveys, and the more the fewer parts there are. The expected
+    excess variance is computed from normal deviates with the predicted variances.
+
+    Parameters
+    ----------
+    here : LinearisedProblem
+        As in `leave_out_sigma_factors`.
+    omitted : ndarray of shape (groups,), bool
+        Groups of points that do not take part.
+    """
+    chance = np.random.default_rng(0)
+    more = np.zeros(3)
+    with single_blas_thread():
+        try:
+            whole = _change_without_groups(here, omitted)
+        except (AdjustmentError, np.linalg.LinAlgError):
+            return np.ones(3)
+        for parts in _line_and_target_groups(here):
+            left = [part | omitted for part in parts if (part & ~omitted).any()]
+            _, predicted = _leave_out_differences(here, whole, left, no_progress)
+            checked = predicted <= LEVERAGE * whole[1]
+            predicted = predicted * checked
+            drawn = chance.normal(size=(DRAWS, *predicted.shape)) * np.sqrt(predicted)
+            excess = [
+                _is_scatter_significant(each, predicted)
+                * _variance_beyond_prediction(each, predicted)
+                for each in drawn
+            ]
+            more += (checked.sum(axis=0) >= FEWEST) * np.mean(excess, axis=0)
     return np.asarray(np.sqrt(1.0 + more / whole[1]))
 
 

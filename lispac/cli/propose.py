@@ -13,6 +13,7 @@ from lispac.errors import ProjectError
 from lispac.message_texts import english_text, message_text
 from lispac.messages import error
 from lispac.workflow import projects
+from lispac.workflow.proposal_acceptance import with_accepted
 from lispac.workflow.proposals import propose_targets as proposal_for
 from lispac.workflow.survey import load_survey
 from lispac.workflow.target_search import thinned_notes
@@ -38,9 +39,8 @@ def propose(arguments: Namespace) -> None:
         for each in (each for target in proposal.targets for each in thinned_notes(target)):
             print(f"note: {message_text(each)}", file=sys.stderr)
         if arguments.accept:
-            for target in proposal.targets:
-                project = project.with_target(target)
-            projects.save_project(project)
+            names = [target.name for target in proposal.targets]
+            projects.save_project(with_accepted(project, proposal, names)[0])
     sigma = dict(zip(ANGLES, (float(s) for s in np.degrees(proposal.sigma)), strict=True))
     if arguments.json:
         targets = [

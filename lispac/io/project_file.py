@@ -47,6 +47,7 @@ from lispac.project import (
     LineSource,
     PickedSighting,
     Project,
+    ProposalPrediction,
     Reading,
     Settings,
     Target,
@@ -367,6 +368,7 @@ def _encode_project(project: Project, index_files: dict[str, str]) -> dict[str, 
         "absolute": encode_value(project.absolute),
         "alternative_results": [encode_value(each) for each in project.alternative_results],
         "data_messages": [encode_value(each) for each in project.data_messages],
+        "prediction": encode_value(project.prediction),
         "truth_deg": project.truth_deg,
     }
 
@@ -408,6 +410,9 @@ def _decode_project(folder: Path, content: dict[str, Any], points: Points) -> Pr
             for each in decode_value(content.get("data_messages", []), list[dict[str, Any]])
             if has_text(message := decode_value(each, Message))  # of another version: found again
         ),
+        prediction=decode_value(prediction, ProposalPrediction)
+        if (prediction := content.get("prediction"))
+        else None,
     )
 
 

@@ -37,6 +37,16 @@ TEXTS: Mapping[str, Template] = {
         "The proposed targets are too few or too close together to detect errors in the data. Use "
         "the targetless method, which adjusts many small surfaces, or put up boards."
     ),
+    "targets.no_validation_plane": N_(
+        "No flat surface besides the targets can be compared between lines, so no validation "
+        "plane is proposed. Pick a flat surface that two lines cover, or put up boards."
+    ),
+    "targets.sigma_not_as_predicted": N_(
+        "Standard deviations differ by more than {limit:percent.0} % from those predicted when the "
+        "targets were proposed: {angles:names}. The targets agree between lines better or worse "
+        "than expected, so the uncertainty of the angles is not well known. Check the residuals of "
+        "the targets, or use more targets and lines."
+    ),
     "data.same_on_lines": N_("{reason} The same warning applies to {lines:names}."),
     # -- angles ------------------------------------------------------------------------------
     "adjustment.independent_pos_errors": N_(

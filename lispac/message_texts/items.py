@@ -46,6 +46,7 @@ TEXTS: Mapping[str, Template] = {
     # -- angles ------------------------------------------------------------------------------
     "item.angle_sigma": N_("{angle} {sigma:deg.2} deg"),
     "item.angle_raised": N_("{angle} from {before:deg.4} to {after:deg.4} deg"),
+    "item.angle_predicted": N_("{angle} {sigma:deg.4} instead of {predicted:deg.4} deg"),
     "item.angle_difference": N_("{angle} {difference:deg.2+} deg"),
     "item.angle_changed": N_(
         "{angle} by {change:deg.3+} deg ({ratio:x.1} times its standard deviation)"

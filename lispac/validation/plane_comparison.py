@@ -10,7 +10,7 @@ distance would measure the edge and make the calibration look better than it is.
 stand in both statistics, so n is the same and nothing but the boresight differs.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -31,7 +31,7 @@ from lispac.validation.comparison_results import (
 from lispac.validation.distance_bins import histogram_counts, shared_bin_edges
 from lispac.validation.distance_map import DistanceMap, distance_map
 from lispac.validation.distance_profile import DistanceProfile
-from lispac.validation.line_overlap import LineOverlap
+from lispac.validation.line_overlap import Bools, LineOverlap
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.validation.signed_comparison import (
     plane_offset_between_lines,
@@ -42,6 +42,7 @@ __all__ = [
     "DistanceStatistics",
     "PairComparison",
     "PlaneComparison",
+    "comparable_pairs",
     "compare_plane",
     "reciprocal",
 ]
@@ -52,8 +53,9 @@ RECIPROCAL_TOLERANCE = np.radians(20.0)
 MAX_POINTS_PER_LINE = 100_000
 MOST_MAPS = 4
 """Pairs of lines whose distances are mapped on a plane."""
-# Fewer points are no sample of a surface, and percentiles of fewer distances say nothing.
 FEWEST_POINTS = 30
+"""Points of a line in common with another one: fewer are no sample of a surface, and percentiles
+of fewer distances say nothing."""
 
 
 def reciprocal(heading_a: float, heading_b: float) -> bool:
@@ -65,6 +67,25 @@ def reciprocal(heading_a: float, heading_b: float) -> bool:
     """
     turn = np.remainder(heading_a - heading_b, 2.0 * np.pi)
     return bool(abs(turn - np.pi) <= RECIPROCAL_TOLERANCE)
+
+
+def comparable_pairs(
+    before: Mapping[str, Array], after: Mapping[str, Array]
+) -> tuple[tuple[str, str], ...]:
+    """Pairs of lines that `compare_plane` compares on a plane.
+
+    Parameters
+    ----------
+    before, after : mapping of line name to ndarray of shape (n, 3), metres, local frame
+        As in `compare_plane`.
+    """
+    seen = _lines_with_enough_points(before)
+    if len(seen) < 2:
+        return ()
+    overlap = LineOverlap(*_thinned_states(before, after, seen))
+    return tuple(
+        (a, b) for a, b in combinations(seen, 2) if _common_points(overlap, a, b) is not None
+    )
 
 
 def compare_plane(
@@ -114,14 +135,14 @@ def compare_plane(
         The two states do not hold the same points, a heading is missing, or points are not finite.
     """
     _require_same_points(name, before, after, headings)
-    seen = [line for line in before if len(before[line]) >= FEWEST_POINTS]
+    seen = _lines_with_enough_points(before)
     if len(seen) < 2:
         raise NotComparable(
             error("validation.plane_in_one_line", plane=name, line=seen[0], needed=FEWEST_POINTS)
             if seen
             else error("validation.plane_in_no_line", plane=name, needed=FEWEST_POINTS)
         )
-    clouds = tuple({line: _thin_evenly(state[line]) for line in seen} for state in (before, after))
+    clouds = _thinned_states(before, after, seen)
     overlap = LineOverlap(*clouds)
     if facing is None:
         facing = overlap.normal * np.sign(overlap.normal[np.argmax(np.abs(overlap.normal))])
@@ -135,10 +156,11 @@ def compare_plane(
     measured: list[_MeasuredDistances] = []
     maps: list[DistanceMap] = []
     for i, (a, b) in enumerate(couples):
-        a_in_b, b_in_a = overlap.of(a, b), overlap.of(b, a)
-        if np.count_nonzero(a_in_b) < FEWEST_POINTS or np.count_nonzero(b_in_a) < FEWEST_POINTS:
+        common = _common_points(overlap, a, b)
+        if common is None:
             not_compared.append((a, b))
             continue
+        a_in_b, b_in_a = common
         here = sub_progress(progress, i / len(couples), (i + 1) / len(couples))
         here(
             0.0,
@@ -243,6 +265,26 @@ def _thin_evenly(points: Array) -> Array:
     """Every n-th point, so that at most 100 000 are left."""
     step = -(-len(points) // MAX_POINTS_PER_LINE)
     return np.ascontiguousarray(points[::step], dtype=np.float64)
+
+
+def _lines_with_enough_points(points: Mapping[str, Array]) -> list[str]:
+    return [line for line in points if len(points[line]) >= FEWEST_POINTS]
+
+
+def _thinned_states(
+    before: Mapping[str, Array], after: Mapping[str, Array], lines: Sequence[str]
+) -> tuple[dict[str, Array], dict[str, Array]]:
+    """Points of some lines in both states, as many as are compared."""
+    return (
+        {line: _thin_evenly(before[line]) for line in lines},
+        {line: _thin_evenly(after[line]) for line in lines},
+    )
+
+
+def _common_points(overlap: LineOverlap, a: str, b: str) -> tuple[Bools, Bools] | None:
+    """Masks of the points of two lines in the area of the other; None where they are too few."""
+    masks = overlap.of(a, b), overlap.of(b, a)
+    return masks if min(map(np.count_nonzero, masks)) >= FEWEST_POINTS else None
 
 
 def _require_same_points(

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from lispac.duplicate_targets import find_overlap
 from lispac.messages import Message
-from lispac.project import Project, Target
+from lispac.project import Project, ProposalPrediction, Target
 from lispac.workflow.picking import next_name
 from lispac.workflow.proposals import Proposal
 
@@ -33,9 +33,11 @@ def with_accepted(
 ) -> tuple[Project, tuple[str, ...]]:
     """The project with the proposed targets of these names, and the names they have there.
 
-    A name that is taken gives way to the next free one.
+    A name that is taken gives way to the next free one. What was predicted is kept where it holds
+    for the targets that the project has then.
     """
-    new_names = []
+    new_names: list[str] = []
+    targets = set(proposal.picked)
     for target in proposal.targets:
         if target.name not in names:
             continue
@@ -43,6 +45,11 @@ def with_accepted(
         name = next_name(project, target.role) if taken else target.name
         project = project.with_target(replace(target, name=name))
         new_names.append(name)
+        targets |= {name} if target.role == "target" else set()
+    proposed = [target for target in proposal.targets if target.role == "target"]
+    used = {target.name for target in project.targets_of_role("target") if target.used}
+    if used == targets and all(target.name in names for target in proposed):
+        project = project.with_prediction(ProposalPrediction(tuple(sorted(used)), proposal.sigma))
     return project, tuple(new_names)
 
 

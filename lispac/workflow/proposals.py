@@ -1,6 +1,7 @@
 """Targets and validation planes proposed without a click: the user accepts, edits or rejects."""
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Literal
@@ -15,7 +16,7 @@ from lispac.adjustment.observability import have_one_orientation
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.warnings import result_warnings
-from lispac.errors import TargetNotFound
+from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.geometry.planes import fit_plane
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note, warning
@@ -27,7 +28,7 @@ from lispac.targets.occlusion import does_plane_end_within
 from lispac.targets.plane_detection import DetectedPlane, Found, detect_planes
 from lispac.targets.plane_finder import FinderSettings
 from lispac.targets.sighting_quality import SightingQuality
-from lispac.validation.plane_comparison import reciprocal
+from lispac.validation.plane_comparison import comparable_pairs, reciprocal
 from lispac.warning_causes import RESULT
 from lispac.workflow.calibration import estimate, observations_of
 from lispac.workflow.refusals import refused_by_method
@@ -46,10 +47,9 @@ Array = NDArray[np.float64]
 LARGE = 2.0
 """Square metres from which a plane is large enough for validation, where there are others."""
 MOSTLY = 0.5
-"""Share of its sightings: a plane whose flatness is poor on so many is proposed for nothing. An RMS
-of more than three times the LiDAR noise is poor, and so are ripples and bends. One that is poor or
-whose flatness is doubtful on so many is proposed for validation at most, where there are too few
-others."""
+"""Share of its sightings: a plane whose flatness is doubtful or poor on so many is proposed for
+nothing. One that is observed poorly on so many is proposed where there are too few others, and on
+more for nothing."""
 SHARED = 0.01
 """Share of the points of a plane from which it overlaps another one."""
 UNCHECKED = {
@@ -68,11 +68,12 @@ class Proposal:
         Named T1, T2 ... and V1, V2 ..., with their sightings in every line.
     reasons : dict of name to Message
     sigma : ndarray of shape (3,), radians
-        Of roll, pitch, yaw, from an adjustment of the proposed targets.
+        Of roll, pitch, yaw: predicted from the geometry of the proposed targets, with the given
+        standard deviations and the noise seen on all flat planes.
     picked : tuple of str
         Targets of the project that would have been proposed.
     warnings : tuple of Message
-        Those of that adjustment, without notes.
+        Those of an adjustment of the proposed targets, without notes.
     """
 
     targets: tuple[Target, ...]
@@ -89,8 +90,9 @@ def propose_targets(
 
     Of the flat planes those are targets that determine the angles best and check each other (see
     `lispac.workflow.target_choice`). They are adjusted; planes that are not flat with the estimated
-    boresight, or of which the adjustment rejects a sighting, are replaced. The others that two
-    opposite lines have seen are for validation, spread in height and range.
+    boresight, or of which the adjustment rejects a sighting, are replaced. Of the others those that
+    are flat as well, and that the lines can be compared on, are for validation, spread in height
+    and range.
 
     Raises
     ------
@@ -130,27 +132,75 @@ def propose_targets(
         raise TargetNotFound(_too_few_planes_message(project, len(flat), list(judged.values())))
     progress(0.9, gettext_lazy("Selecting the targets"))
     with refused_by_method(project.name, "propose"):
-        chosen, result, planes = _choose_targets(project, survey, flat, named, judged)
-    left = [name for name in named if judged[name].use == "any" and name not in chosen]
-    spare = [name for name in named if judged[name].use == "at need"]
-    apart = [
-        name
-        for name in [*left, *spare[: max(LEAST_VALIDATION - len(left), 0)]]
+        chosen, solved, planes = _choose_targets(project, survey, flat, named, judged)
+    if len(chosen) < LEAST_TARGETS:
+        spare = [target for target in targets if judged[target.name].use == "at need"]
+        flat = [target for target in targets if judged[target.name].use == "any"]
+        with suppress(AdjustmentError, TargetNotFound):
+            others = _choose_targets(project, survey, [*flat, *spare], named, judged)
+            if len(others[0]) > len(chosen):
+                chosen, solved, planes = others
+    assert solved.result is not None
+    left = [target for target in targets if target.name not in chosen]
+    compared = _comparable_planes(solved, survey, left, judged)
+    apart = {
+        name: pairs
+        for name, pairs in compared.items()
         if not any(_do_planes_overlap(named[name], named[other]) for other in chosen)
-    ]
+    }
     proposed: list[Target] = []
     reasons: dict[str, Message] = {}
     for number, name in enumerate(chosen, start=1):
         proposed.append(_proposed_target(survey, named[name], f"T{number}", "target", threshold))
-        reasons[f"T{number}"] = _target_reason(planes, chosen, name, len(named[name].found), result)
-    for number, plane in enumerate(
-        _order_validation_planes([named[name] for name in apart], survey), start=1
-    ):
-        name = next(name for name in apart if named[name] is plane)
+        reasons[f"T{number}"] = _target_reason(planes, chosen, name, len(named[name].found))
+    ordered = _order_validation_planes({name: named[name] for name in apart}, apart, survey)
+    for number, name in enumerate(ordered, start=1):
+        plane, is_reciprocal = named[name], _has_reciprocal_lines(apart[name], survey)
         proposed.append(_proposed_target(survey, plane, f"V{number}", "validation", threshold))
-        reasons[f"V{number}"] = _validation_plane_reason(plane, survey, judged[name])
+        reasons[f"V{number}"] = _validation_plane_reason(plane, is_reciprocal, judged[name])
+    warnings = _adjustment_warnings(solved.result)
+    if not ordered:
+        warnings += (warning("targets.no_validation_plane", subject=RESULT),)
     progress(1.0)
-    return Proposal(tuple(proposed), reasons, result.sigma, (), _adjustment_warnings(result))
+    return Proposal(tuple(proposed), reasons, planes.predicted_sigma(chosen), (), warnings)
+
+
+def _comparable_planes(
+    solved: Project,
+    survey: Survey,
+    left: Sequence[Target],
+    judged: Mapping[str, "_PlaneAssessment"],
+) -> dict[str, tuple[tuple[str, str], ...]]:
+    """Planes for validation, with the pairs of lines that can be compared on them.
+
+    They are flat by the test of the targets. Those that are observed poorly are last, and as many
+    as there are too few others.
+    """
+    assert solved.result is not None
+    usable = [target for target in left if judged[target.name].use in ("any", "at need")]
+    if _is_boresight_known(solved.result):
+        now = _assess_planes(replace(solved, targets=tuple(usable)), survey)
+        usable = [target for target in usable if now[target.name].flat]
+    placed = place_clouds(survey.clouds, solved.result.mounting)
+    found: dict[str, tuple[tuple[str, str], ...]] = {}
+    for target in sorted(usable, key=lambda target: judged[target.name].use == "at need"):
+        if judged[target.name].use == "at need" and len(found) >= LEAST_VALIDATION:
+            break
+        before, after = (
+            {
+                sighting.line: clouds[sighting.line][sighting.indices]
+                for sighting in target.sightings
+            }
+            for clouds in (survey.clouds, placed)
+        )
+        if pairs := comparable_pairs(before, after):
+            found[target.name] = pairs
+    return found
+
+
+def _is_boresight_known(result: AdjustmentResult) -> bool:
+    """True if the boresight is known so well that a bend of a plane is that of the surface."""
+    return float(result.sigma.max()) <= ROUGHLY_OFF
 
 
 def _choose_targets(
@@ -159,8 +209,8 @@ def _choose_targets(
     flat: Sequence[Target],
     named: Mapping[str, DetectedPlane],
     judged: dict[str, "_PlaneAssessment"],
-) -> tuple[list[str], AdjustmentResult, CandidatePlanes]:
-    """Names of the targets to propose, their adjustment, and the planes they were chosen from.
+) -> tuple[list[str], Project, CandidatePlanes]:
+    """Names of the targets to propose, a project with their adjustment, and all planes.
 
     Planes that turn out not to be flat are marked so in ``judged``.
 
@@ -188,8 +238,7 @@ def _choose_targets(
         suspects = {sighting.target for sighting in result.rejected_sightings} | set(
             result.excluded_targets
         )
-        # A wrong boresight bends planes; with one that is known well a bend is that of the surface.
-        known = float(result.sigma.max()) <= ROUGHLY_OFF
+        known = _is_boresight_known(result)
         now = _assess_planes(solved, survey) if known else {}
         rejected = {
             name
@@ -197,8 +246,8 @@ def _choose_targets(
             if target.name in suspects or (known and not now[target.name].flat)
         }
         if not rejected:
-            return chosen, result, planes
-        judged |= {name: replace(judged[name], use="not flat", flat=False) for name in rejected}
+            return chosen, solved, planes
+        judged |= {name: replace(judged[name], use="not flat") for name in rejected}
         candidates = [each for each in candidates if each.name not in rejected]
         if len(candidates) < 2:
             raise TargetNotFound(
@@ -215,6 +264,7 @@ def _candidate_planes(
     named = {name: named[name] for name in linearised.problem.observations.targets}
     return CandidatePlanes(
         _with_unevenness(linearised, uneven),
+        linearised,
         {name: plane.centre for name, plane in named.items()},
         _complete_planes(named),
         _parallel_pairs(project, named),
@@ -222,28 +272,28 @@ def _candidate_planes(
 
 
 def _target_reason(
-    planes: CandidatePlanes, chosen: Sequence[str], name: str, lines: int, result: AdjustmentResult
+    planes: CandidatePlanes, chosen: Sequence[str], name: str, lines: int
 ) -> Message:
     """Why a target is proposed: the angle whose sigma would grow most without it."""
-    without = planes.sigma(set(chosen) - {name})
-    grown = without / planes.sigma(chosen)
-    k = int(np.argmax(grown))
-    if len(chosen) < LEAST_TARGETS or not np.isfinite(grown[k]):
+    without = planes.predicted_sigma(set(chosen) - {name})
+    now = planes.predicted_sigma(chosen)
+    k = int(np.argmax(without / now))
+    if len(chosen) < LEAST_TARGETS or not np.isfinite(without[k]):
         return note("propose.target_needed", lines=lines)
-    now = float(result.sigma[k])
     return note(
         "propose.target",
-        lines=lines, angle=mounting_value_name(ANGLES[k]), without=float(grown[k]) * now, sigma=now,
+        lines=lines, angle=mounting_value_name(ANGLES[k]),
+        without=float(without[k]), sigma=float(now[k]),
     )  # fmt: skip
 
 
 def _validation_plane_reason(
-    plane: DetectedPlane, survey: Survey, judged: "_PlaneAssessment"
+    plane: DetectedPlane, is_reciprocal: bool, judged: "_PlaneAssessment"
 ) -> Message:
     """Reason for a validation plane, with the lines that observe it poorly."""
     found = note(
         "propose.validation_plane_reciprocal"
-        if _has_reciprocal_lines(plane, survey)
+        if is_reciprocal
         else "propose.validation_plane",
         area=plane.area, lines=len(plane.found), height=float(plane.centre[2]),
     )  # fmt: skip
@@ -295,7 +345,7 @@ def _proposed_target(
 
 @dataclass(frozen=True)
 class _PlaneAssessment:
-    """Use of a plane: any, validation at need, or none.
+    """Use of a plane: any, at need, or none.
 
     Attributes
     ----------
@@ -306,7 +356,10 @@ class _PlaneAssessment:
     use: Literal["any", "at need", "not flat", "poor"]
     poor: tuple[str, ...]
     reason: Message | str
-    flat: bool = True
+
+    @property
+    def flat(self) -> bool:
+        return self.use != "not flat"
 
 
 def _assess_planes(project: Project, survey: Survey) -> dict[str, _PlaneAssessment]:
@@ -319,14 +372,12 @@ def _assess_planes(project: Project, survey: Survey) -> dict[str, _PlaneAssessme
 
 def _assess_plane(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
     poor = tuple(line for line, quality in lines.items() if quality.rating == "poor")
-    rough = [line for line, quality in lines.items() if quality.flatness == "poor"]
-    doubtful = [line for line, quality in lines.items() if quality.flatness != "good"]
+    uneven = [line for line, quality in lines.items() if quality.flatness != "good"]
     reason = lines[poor[0]].reasons[0] if poor else ""
-    flat = len(doubtful) < MOSTLY * len(lines)
-    if len(rough) >= MOSTLY * len(lines):
-        return _PlaneAssessment("not flat", poor, reason, flat)
+    if len(uneven) >= MOSTLY * len(lines):
+        return _PlaneAssessment("not flat", poor, reason)
     if len(poor) < MOSTLY * len(lines):
-        return _PlaneAssessment("any" if flat else "at need", poor, reason, flat)
+        return _PlaneAssessment("any", poor, reason)
     return _PlaneAssessment("at need" if len(poor) == MOSTLY * len(lines) else "poor", poor, reason)
 
 
@@ -412,26 +463,30 @@ def _complete_planes(planes: Mapping[str, DetectedPlane]) -> set[str]:
     }
 
 
-def _has_reciprocal_lines(plane: DetectedPlane, survey: Survey) -> bool:
-    return any(
-        reciprocal(survey.heading[a], survey.heading[b]) for a, b in combinations(plane.found, 2)
-    )
+def _has_reciprocal_lines(pairs: Sequence[tuple[str, str]], survey: Survey) -> bool:
+    return any(reciprocal(survey.heading[a], survey.heading[b]) for a, b in pairs)
 
 
-def _order_validation_planes(planes: list[DetectedPlane], survey: Survey) -> list[DetectedPlane]:
+def _order_validation_planes(
+    planes: Mapping[str, DetectedPlane],
+    compared: Mapping[str, Sequence[tuple[str, str]]],
+    survey: Survey,
+) -> list[str]:
     """Validation planes in order: reciprocal lines first, then by distance from the others."""
-    large = [plane for plane in planes if plane.area >= LARGE]
-    planes = large if len(large) >= LEAST_VALIDATION else planes
-    left = sorted(planes, key=lambda plane: (not _has_reciprocal_lines(plane, survey), -plane.area))
+    large = [name for name, plane in planes.items() if plane.area >= LARGE]
+    names = large if len(large) >= LEAST_VALIDATION else list(planes)
+    is_reciprocal = {name: _has_reciprocal_lines(compared[name], survey) for name in names}
+    left = sorted(names, key=lambda name: (not is_reciprocal[name], -planes[name].area))
     kept = left[:1]
     while len(left) > len(kept) and len(kept) < LEAST_VALIDATION + 1:
-        rest = [plane for plane in left if plane not in kept]
-        opposite = [plane for plane in rest if _has_reciprocal_lines(plane, survey)] or rest
+        rest = [name for name in left if name not in kept]
+        opposite = [name for name in rest if is_reciprocal[name]] or rest
         kept.append(
             max(
                 opposite,
-                key=lambda plane: min(
-                    float(np.linalg.norm(plane.centre - other.centre)) for other in kept
+                key=lambda name: min(
+                    float(np.linalg.norm(planes[name].centre - planes[other].centre))
+                    for other in kept
                 ),
             )
         )

@@ -5,7 +5,7 @@ then shows in the others (reliability: Baarda 1968). The targets are chosen one 
 the covariance that the adjustment of all planes predicts for each set.
 """
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations
 
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.adjustment_problem import LinearisedProblem
 from lispac.adjustment.blas_threads import single_blas_thread
+from lispac.adjustment.excess_scatter import expected_sigma_factors
 from lispac.adjustment.observability import CARRIED, CLUSTERED
 from lispac.errors import AdjustmentError
 from lispac.messages import error
@@ -25,7 +26,8 @@ MOST_TARGETS, LEAST_TARGETS, LEAST_VALIDATION = 6, 3, 4
 WORTH_IT = 0.85
 """A target that leaves more than this share of every sigma is left for validation."""
 FAR_WORSE = 2.0
-"""Times the worst sigma that any two planes leave: beyond it two boards are not kept to."""
+"""Factor on the least worst sigma of any two planes up to which two others are preferred that are
+apart, or boards."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +37,10 @@ class CandidatePlanes:
     Attributes
     ----------
     linearised : LinearisedProblem
-        Equations of all planes together.
+        Equations of all planes together, with the unevenness of each one: for the choice.
+    predicted : LinearisedProblem
+        The same with the surface sigma that an adjustment of all planes finds: for the sigmas that
+        are stated. The choice is to be careful; a prediction is not.
     centres : mapping of name to ndarray of shape (3,), metres, local frame
     whole : collection of str
         Planes that end within the search radius: every line shows the same outline.
@@ -44,6 +49,7 @@ class CandidatePlanes:
     """
 
     linearised: LinearisedProblem
+    predicted: LinearisedProblem
     centres: dict[str, Array]
     whole: Collection[str]
     one_way: Collection[tuple[str, str]]
@@ -56,14 +62,21 @@ class CandidatePlanes:
         """
         key = frozenset(names)
         if key not in self._sigmas:
-            sightings = self.linearised.problem.observations.sightings
-            gone = np.array([sighting.target not in key for sighting in sightings])
-            information = self.linearised.normal_without_sightings(gone).information(3)
-            determined = np.linalg.eigvalsh(information)[0] > 0.0
-            self._sigmas[key] = (
-                np.sqrt(np.diag(np.linalg.inv(information))) if determined else np.full(3, np.inf)
-            )
+            self._sigmas[key] = _sigma_of_targets(self.linearised, key)
         return self._sigmas[key]
+
+    def predicted_sigma(self, names: Iterable[str]) -> Array:
+        """Predicted sigmas of an adjustment of some of the planes, as in `sigma`.
+
+        With the factor by which the scatter of its parts is expected to raise them.
+        """
+        kept, problem = set(names), self.predicted.problem
+        with single_blas_thread():
+            sigma = _sigma_of_targets(self.predicted, kept)
+        if not problem.model.correlated or not np.isfinite(sigma).all():
+            return sigma
+        gone = np.array([s.target not in kept for s in problem.observations.sightings])
+        return sigma * expected_sigma_factors(self.predicted, gone[problem.groups.sighting])
 
     def sigma_without_one(self, names: Sequence[str]) -> Array:
         """Largest sigmas of roll, pitch, yaw without one of the planes, shape (3,), radians."""
@@ -78,18 +91,31 @@ class CandidatePlanes:
         )
 
     def are_spread(self, names: Sequence[str]) -> bool:
-        """True if the planes are far enough apart not to act as one."""
-        centres = np.array([self.centres[name] for name in names])
-        apart = np.linalg.norm(centres[:, None] - centres[None], axis=-1).max()
+        """True if no two of the planes are so close together that they act as one."""
+        apart = [
+            float(np.linalg.norm(self.centres[a] - self.centres[b]))
+            for a, b in combinations(names, 2)
+        ]
         points = self.linearised.problem.observations.points_lidar
-        return bool(apart >= CLUSTERED * np.linalg.norm(points, axis=1).mean())
+        return min(apart) >= CLUSTERED * float(np.linalg.norm(points, axis=1).mean())
+
+
+def _sigma_of_targets(linearised: LinearisedProblem, names: Iterable[str]) -> Array:
+    kept = set(names)
+    sightings = linearised.problem.observations.sightings
+    gone = np.array([sighting.target not in kept for sighting in sightings])
+    information = linearised.normal_without_sightings(gone).information(3)
+    if np.linalg.eigvalsh(information)[0] <= 0.0:
+        return np.full(3, np.inf)
+    return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
 
 
 def choose_targets(planes: CandidatePlanes) -> list[str]:
     """Names of the planes to adjust with, the best first.
 
     The first two leave the least worst angle. Further ones are added until each angle is checked,
-    then as long as one improves an angle clearly and enough planes are left for validation.
+    then as long as one improves an angle clearly and enough planes are left for validation. None
+    is added that is so close to another one that both act as one.
 
     Raises
     ------
@@ -118,7 +144,9 @@ def choose_targets(planes: CandidatePlanes) -> list[str]:
 
 
 def _best_pair(planes: CandidatePlanes, names: Sequence[str]) -> list[str]:
-    """The two planes that leave the least worst angle, boards if these do nearly as well.
+    """The two planes that leave the least worst angle.
+
+    Two that are apart, and of these two boards, if they do nearly as well.
 
     Raises
     ------
@@ -131,12 +159,17 @@ def _best_pair(planes: CandidatePlanes, names: Sequence[str]) -> list[str]:
     }
     if not worst:
         raise AdjustmentError(error("propose.one_orientation"))
-    best = min(worst, key=worst.__getitem__)
-    boards = {pair: sigma for pair, sigma in worst.items() if set(pair) <= set(planes.whole)}
-    if boards and min(boards.values()) <= FAR_WORSE * worst[best]:
-        best = min(boards, key=boards.__getitem__)
-    if not np.isfinite(worst[best]):
+    least = min(worst.values())
+    if not np.isfinite(least):
         raise AdjustmentError(error("propose.not_determined"))
+    preferences: tuple[Callable[[Sequence[str]], bool], ...] = (
+        planes.are_spread, set(planes.whole).issuperset,
+    )  # fmt: skip
+    for is_preferred in preferences:
+        preferred = {pair: sigma for pair, sigma in worst.items() if is_preferred(pair)}
+        if preferred and min(preferred.values()) <= FAR_WORSE * least:
+            worst = preferred
+    best = min(worst, key=worst.__getitem__)
     return list(best)
 
 
@@ -144,14 +177,17 @@ def _best_addition(
     planes: CandidatePlanes, chosen: Sequence[str], pool: Sequence[str], checked: bool
 ) -> str | None:
     """The plane that serves most beside the chosen ones; None where none serves."""
-    others = [name for name in pool if name not in chosen]
+    others = [
+        name
+        for name in pool
+        if name not in chosen and all(planes.are_spread((name, each)) for each in chosen)
+    ]
     if not others:
         return None
     if not checked:
         return min(
             others,
             key=lambda name: (
-                not planes.are_spread([*chosen, name]),
                 float(planes.sigma_without_one([*chosen, name]).max()),
                 float(planes.sigma([*chosen, name]).max()),
             ),

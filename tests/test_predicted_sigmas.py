@@ -1,0 +1,106 @@
+"""The prediction of a proposal: kept with the project, and compared with the stated sigmas."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from lispac.duplicate_targets import all_warnings, prediction_warnings
+from lispac.io.project_file import read_project, write_project
+from lispac.message_texts import english_text
+from lispac.messages import Level, note
+from lispac.project import Project, ProposalPrediction
+from lispac.workflow.proposal_acceptance import with_accepted
+from lispac.workflow.proposals import Proposal
+from lispac.workflow.survey import Survey
+
+CODE = "targets.sigma_not_as_predicted"
+
+
+def predicted(project: Project, factors: tuple[float, float, float]) -> Project:
+    """The project with a prediction that the stated sigmas are so many times."""
+    assert project.result is not None
+    names = tuple(target.name for target in project.targets_of_role("target"))
+    return project.with_prediction(ProposalPrediction(names, project.result.sigma / factors))
+
+
+@pytest.mark.parametrize(
+    ("factors", "named"),
+    [((1.0, 1.0, 1.0), []), ((1.19, 0.81, 1.0), []), ((1.0, 1.21, 1.0), ["pitch"]),
+     ((0.79, 1.0, 3.0), ["roll", "yaw"])],
+)  # fmt: skip
+def test_sigmas_that_differ_by_a_fifth_are_a_warning(
+    calibrated: tuple[Project, Survey], factors: tuple[float, float, float], named: list[str]
+) -> None:
+    project = predicted(calibrated[0], factors)
+    found = [message for message in all_warnings(project) if message.code == CODE]
+    assert len(found) == bool(named)
+    if found:
+        assert found[0].level is Level.WARNING
+        text = english_text(found[0])
+        assert [angle for angle in ("roll", "pitch", "yaw") if f"{angle} 0." in text] == named
+        assert project.result is not None
+        for k in (k for k, angle in enumerate(("roll", "pitch", "yaw")) if angle in named):
+            stated = np.degrees(project.result.sigma[k])
+            assert f"{stated:.4f} instead of {stated / factors[k]:.4f} deg" in text
+
+
+def test_edits_of_the_targets_and_settings_end_the_prediction(
+    calibrated: tuple[Project, Survey],
+) -> None:
+    project = predicted(calibrated[0], (1, 1, 1))
+    target, plane = project.targets_of_role("target")[0], project.targets_of_role("validation")[0]
+    settings = replace(project.settings, lidar_sigma=0.1)
+    for edited in (
+        project.without_target(target.name),
+        project.with_target(replace(target, used=False)),
+        project.with_settings(settings),
+    ):
+        assert edited.prediction is None
+    assert project.without_target(plane.name).prediction is project.prediction
+
+
+def test_the_prediction_is_kept_where_it_holds(calibrated: tuple[Project, Survey]) -> None:
+    """With all proposed targets, and with those that were picked before; not with some of them."""
+    project, _ = calibrated
+    sigma = np.array([1e-4, 2e-4, 3e-4])
+    reasons = {target.name: note("propose.target_needed", lines=2) for target in project.targets}
+    proposal = Proposal(project.targets, reasons, sigma)
+    bare = replace(project, targets=(), result=None)
+    names = [target.name for target in project.targets]
+    targets = {target.name for target in project.targets_of_role("target")}
+    accepted, _ = with_accepted(bare, proposal, names)
+    assert accepted.prediction is not None
+    assert set(accepted.prediction.targets) == targets
+    assert (accepted.prediction.sigma == sigma).all()
+    assert prediction_warnings(accepted) == ()
+    without_planes, _ = with_accepted(bare, proposal, targets)
+    assert without_planes.prediction is not None
+    assert with_accepted(bare, proposal, names[1:])[0].prediction is None
+    own = bare.with_target(replace(project.targets_of_role("target")[0], name="own"))
+    assert with_accepted(own, proposal, names)[0].prediction is None
+    also, _ = with_accepted(own, replace(proposal, picked=("own",)), names)
+    assert also.prediction is not None
+    assert set(also.prediction.targets) == targets | {"own"}
+
+
+def test_a_project_file_keeps_it_and_older_ones_have_none(
+    calibrated: tuple[Project, Survey], tmp_path: Path
+) -> None:
+    project = replace(predicted(calibrated[0], (1.5, 1, 1)), folder=tmp_path / "kept")
+    write_project(project)
+    read = read_project(project.folder)
+    assert read.prediction is not None
+    assert project.prediction is not None
+    assert read.prediction.targets == project.prediction.targets
+    assert (read.prediction.sigma == project.prediction.sigma).all()
+    assert [message.code for message in prediction_warnings(read)] == [CODE]
+    (file,) = (
+        path for path in project.folder.iterdir() if path.suffix == ".json" and path.is_file()
+    )
+    content = json.loads(file.read_text(encoding="utf-8"))
+    del content["prediction"]
+    file.write_text(json.dumps(content), encoding="utf-8")
+    assert read_project(project.folder).prediction is None
