@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.cause_warnings import SAME_ON_LINES, point_displacement
 from lispac.adjustment.message_parts import mounting_value_name
-from lispac.adjustment.result import ANGLES
+from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.warnings import result_warnings
 from lispac.messages import Level, Message, Value, note, shortened_list, warning
 from lispac.picked_targets import PickedSighting, Target
-from lispac.project import Project
+from lispac.project import Project, ProposalPrediction
 from lispac.warning_causes import RESULT, Cause
 
 SHARED = 0.1
@@ -158,22 +158,44 @@ def project_warnings(project: Project) -> tuple[Message, ...]:
 
 
 def prediction_warnings(project: Project) -> tuple[Message, ...]:
-    """Warning about sigmas that differ from those predicted when the targets were proposed."""
+    """Messages on sigmas that differ from those predicted when the targets were proposed.
+
+    Sigmas larger than predicted contain what the cross-checks show, and are a note; smaller ones
+    may be too small.
+    """
     result, prediction = project.result, project.prediction
     if result is None or prediction is None:
         return ()
-    apart = [
-        note(
-            "item.angle_predicted",
-            angle=mounting_value_name(angle), predicted=float(predicted), sigma=float(sigma),
+    ratio = result.sigma / prediction.sigma
+    found = []
+    if (ratio < 1 - MISPREDICTED).any():
+        angles = _predicted_angles(result, prediction, ratio < 1 - MISPREDICTED)
+        found.append(
+            warning(
+                "targets.sigma_below_prediction", limit=MISPREDICTED, angles=angles, subject=RESULT
+            )
         )
-        for angle, predicted, sigma in zip(ANGLES, prediction.sigma, result.sigma, strict=True)
-        if not 1 - MISPREDICTED <= sigma / predicted <= 1 + MISPREDICTED
+    if (ratio > 1 + MISPREDICTED).any():
+        angles = _predicted_angles(result, prediction, ratio > 1 + MISPREDICTED)
+        found.append(
+            note(
+                "targets.sigma_above_prediction", limit=MISPREDICTED, angles=angles, subject=RESULT
+            )
+        )
+    return tuple(found)
+
+
+def _predicted_angles(
+    result: AdjustmentResult, prediction: ProposalPrediction, named: NDArray[np.bool_]
+) -> list[Message]:
+    """Predicted and stated sigma of the angles that are named."""
+    return [
+        note(
+            "item.angle_predicted", angle=mounting_value_name(angle),
+            predicted=float(prediction.sigma[k]), sigma=float(result.sigma[k]),
+        )
+        for k, angle in enumerate(ANGLES) if named[k]
     ]  # fmt: skip
-    if not apart:
-        return ()
-    code = "targets.sigma_not_as_predicted"
-    return (warning(code, limit=MISPREDICTED, angles=apart, subject=RESULT),)
 
 
 def single_line_notes(targets: Iterable[Target]) -> tuple[Message, ...]:

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from lispac.adjustment.result import ANGLES
 from lispac.duplicate_targets import all_warnings, prediction_warnings
 from lispac.io.project_file import read_project, write_project
 from lispac.message_texts import english_text
@@ -16,7 +17,7 @@ from lispac.workflow.proposal_acceptance import with_accepted
 from lispac.workflow.proposals import Proposal
 from lispac.workflow.survey import Survey
 
-CODE = "targets.sigma_not_as_predicted"
+ABOVE, BELOW = "targets.sigma_above_prediction", "targets.sigma_below_prediction"
 
 
 def predicted(project: Project, factors: tuple[float, float, float]) -> Project:
@@ -27,24 +28,32 @@ def predicted(project: Project, factors: tuple[float, float, float]) -> Project:
 
 
 @pytest.mark.parametrize(
-    ("factors", "named"),
-    [((1.0, 1.0, 1.0), []), ((1.19, 0.81, 1.0), []), ((1.0, 1.21, 1.0), ["pitch"]),
-     ((0.79, 1.0, 3.0), ["roll", "yaw"])],
-)  # fmt: skip
-def test_sigmas_that_differ_by_a_fifth_are_a_warning(
-    calibrated: tuple[Project, Survey], factors: tuple[float, float, float], named: list[str]
+    ("factors", "above", "below"),
+    [
+        ((1.0, 1.0, 1.0), (), ()),
+        ((1.19, 0.81, 1.0), (), ()),
+        ((1.0, 1.21, 1.0), ("pitch",), ()),
+        ((0.79, 1.0, 3.0), ("yaw",), ("roll",)),
+    ],
+)
+def test_sigmas_that_differ_by_a_fifth_are_named(
+    calibrated: tuple[Project, Survey],
+    factors: tuple[float, float, float],
+    above: tuple[str, ...],
+    below: tuple[str, ...],
 ) -> None:
     project = predicted(calibrated[0], factors)
-    found = [message for message in all_warnings(project) if message.code == CODE]
-    assert len(found) == bool(named)
-    if found:
-        assert found[0].level is Level.WARNING
-        text = english_text(found[0])
-        assert [angle for angle in ("roll", "pitch", "yaw") if f"{angle} 0." in text] == named
-        assert project.result is not None
-        for k in (k for k, angle in enumerate(("roll", "pitch", "yaw")) if angle in named):
-            stated = np.degrees(project.result.sigma[k])
-            assert f"{stated:.4f} instead of {stated / factors[k]:.4f} deg" in text
+    assert project.result is not None
+    messages = all_warnings(project)
+    for code, level, named in ((ABOVE, Level.NOTE, above), (BELOW, Level.WARNING, below)):
+        found = [message for message in messages if message.code == code]
+        assert [message.level for message in found] == [level] * bool(named)
+        for message in found:
+            text = english_text(message)
+            assert tuple(angle for angle in ANGLES if f"{angle} 0." in text) == named
+            for k in map(ANGLES.index, named):
+                stated = np.degrees(project.result.sigma[k])
+                assert f"{stated:.4f} instead of {stated / factors[k]:.4f} deg" in text
 
 
 def test_edits_of_the_targets_and_settings_end_the_prediction(
@@ -96,7 +105,7 @@ def test_a_project_file_keeps_it_and_older_ones_have_none(
     assert project.prediction is not None
     assert read.prediction.targets == project.prediction.targets
     assert (read.prediction.sigma == project.prediction.sigma).all()
-    assert [message.code for message in prediction_warnings(read)] == [CODE]
+    assert [message.code for message in prediction_warnings(read)] == [ABOVE]
     (file,) = (
         path for path in project.folder.iterdir() if path.suffix == ".json" and path.is_file()
     )

@@ -41,11 +41,15 @@ TEXTS: Mapping[str, Template] = {
         "No flat surface besides the targets can be compared between lines, so no validation "
         "plane is proposed. Pick a flat surface that two lines cover, or put up boards."
     ),
-    "targets.sigma_not_as_predicted": N_(
-        "Standard deviations differ by more than {limit:percent.0} % from those predicted when the "
-        "targets were proposed: {angles:names}. The targets agree between lines better or worse "
-        "than expected, so the uncertainty of the angles is not well known. Check the residuals of "
-        "the targets, or use more targets and lines."
+    "targets.sigma_below_prediction": N_(
+        "Standard deviations are more than {limit:percent.0} % smaller than predicted when the "
+        "targets were proposed, and may be too small: {angles:names}. Check the residuals of the "
+        "targets, or use more targets and lines."
+    ),
+    "targets.sigma_above_prediction": N_(
+        "Standard deviations are more than {limit:percent.0} % larger than predicted when the "
+        "targets were proposed: {angles:names}. The lines agree less on the targets than expected. "
+        "For a higher precision, use more targets or lines."
     ),
     "data.same_on_lines": N_("{reason} The same warning applies to {lines:names}."),
     # -- angles ------------------------------------------------------------------------------
