@@ -35,7 +35,13 @@ def largest_fitting_font_size(texts: Sequence[str], width: float, size: float) -
 
 
 def cut_to_width(text: str, width: float) -> str:
-    """The text without line breaks, cut at the end to fit in inches at the smallest size."""
+    """The text without line breaks, cut at the end to fit at the smallest font size.
+
+    Parameters
+    ----------
+    text
+    width : float, inches
+    """
     kept = len(text)
     while kept and text_width(shown := text[:kept] + "\u2026" * (kept < len(text)), LEAST) > width:
         kept -= 1
