@@ -121,20 +121,20 @@ def find_confirmed_blunders(
     ]
 
 
-def _p_value_if_restored(linearised: LinearisedProblem, found: Blunder) -> float:
+def _p_value_if_restored(linearised: LinearisedProblem, blunder: Blunder) -> float:
     # Points without any weight left agree with nothing.
-    if not _blunder_equations(linearised, found)[0].any():
+    if not _blunder_equations(linearised, blunder)[0].any():
         return 0.0
-    return _score_test_p_value(linearised.of(found.restore_in(linearised.problem)), found)
+    return _score_test_p_value(linearised.of(blunder.restore_in(linearised.problem)), blunder)
 
 
-def _reduce_to_shift(linearised: LinearisedProblem, found: Blunder) -> Blunder:
+def _reduce_to_shift(linearised: LinearisedProblem, blunder: Blunder) -> Blunder:
     """Reduce a blunder to a shift alone where the tilts of its sighting agree with the others."""
-    if found.kind != "surface":
-        return found
-    shift = Blunder("shift", found.sightings)
-    tilts_held = linearised.of(shift.reject_in(found.restore_in(linearised.problem)))
-    return shift if _score_test_p_value(tilts_held, found) > FAMILY else found
+    if blunder.kind != "surface":
+        return blunder
+    shift = Blunder("shift", blunder.sightings)
+    tilts_held = linearised.of(shift.reject_in(blunder.restore_in(linearised.problem)))
+    return shift if _score_test_p_value(tilts_held, blunder) > FAMILY else blunder
 
 
 def _candidate_blunders(problem: AdjustmentProblem) -> Iterator[Blunder]:
@@ -162,12 +162,12 @@ def _surfaces_from_other_sightings(
     return linearised.of(reestimate_surface_sigma(problem, linearised.of(found.reject_in(problem))))
 
 
-def _score_test_p_value(linearised: LinearisedProblem, found: Blunder) -> float:
+def _score_test_p_value(linearised: LinearisedProblem, blunder: Blunder) -> float:
     """P-value of a blunder by a score test of its unknowns (Rao 1948)."""
     from scipy.special import chdtrc
 
     normal = linearised.normal
-    own, by_unknowns, by_pos, right = _blunder_equations(linearised, found)
+    own, by_unknowns, by_pos, right = _blunder_equations(linearised, blunder)
     half = forward_substitution(normal.factor, by_pos.T)
     mixed = by_unknowns - half.T @ normal.whitened_mixed
     information = own - half.T @ half - mixed @ normal.covariance @ mixed.T

@@ -78,7 +78,7 @@ def find_candidate_causes(linearised: LinearisedProblem) -> tuple[tuple[Candidat
     equations = _CandidateEquations.of(linearised)
     solutions = [equations.solve_without_errors(sigma) for sigma in _trial_surface_sigmas(problem)]
     found: list[tuple[CandidateCause, ...]] = []
-    given: tuple[_CandidateError, ...] = ()
+    given: tuple[_ModelError, ...] = ()
     moved = np.zeros(AXES)
     while len(found) < MOST_CAUSES:
         without = max(each.likelihood(given) for each in solutions)
@@ -114,7 +114,7 @@ def _best_of_each_cause(judged: Iterable["_Judged"]) -> list["_Judged"]:
 
 
 def _maximise_likelihood(
-    solutions: Sequence["_ErrorFreeSolution"], errors: tuple["_CandidateError", ...]
+    solutions: Sequence["_ErrorFreeSolution"], errors: tuple["_ModelError", ...]
 ) -> tuple[float, "_ErrorFreeSolution"]:
     """Largest twofold log likelihood with some errors, and the surface sigma that gives it."""
     best = max(solutions, key=lambda each: each.likelihood(errors))
@@ -134,8 +134,8 @@ def _trial_surface_sigmas(problem: AdjustmentProblem) -> Iterator[Array]:
 
 
 @dataclass(frozen=True, eq=False)
-class _CandidateError:
-    """A candidate error and the columns of its unknowns among those of all candidates."""
+class _ModelError:
+    """A possible error of the data, with the columns of its unknowns in the joint equations."""
 
     kind: str
     target: str
@@ -151,7 +151,7 @@ class _CandidateError:
         """Prior standard deviations, shape (k,)."""
         return np.full(len(self.columns), self.sigma)
 
-    def has_own_unknowns(self, others: Sequence["_CandidateError"]) -> bool:
+    def has_own_unknowns(self, others: Sequence["_ModelError"]) -> bool:
         """Whether it shares no unknowns with the other candidates."""
         return not any(np.isin(self.columns, other.columns).any() for other in others)
 
@@ -182,7 +182,7 @@ class _CandidateEquations:
     departures: Array
     effect: Array
     weight: float
-    candidates: tuple[_CandidateError, ...]
+    candidates: tuple[_ModelError, ...]
 
     @classmethod
     def of(cls, linearised: LinearisedProblem) -> "_CandidateEquations":
@@ -276,14 +276,14 @@ class _ErrorFreeSolution:
     effect: Array
     weight: float
 
-    def visible(self, errors: tuple[_CandidateError, ...]) -> float:
+    def visible(self, errors: tuple[_ModelError, ...]) -> float:
         """RMS effect of the last error that the other errors do not explain, metres."""
         columns, size, _ = self._sizes(errors)
         last = errors[-1].columns
         own = size[len(columns) - len(last) :]
         return float(np.sqrt(own @ self.information[np.ix_(last, last)] @ own / self.weight))
 
-    def likelihood(self, errors: tuple[_CandidateError, ...]) -> float:
+    def likelihood(self, errors: tuple[_ModelError, ...]) -> float:
         """Twice the log of the marginal likelihood with some errors."""
         if not errors:
             return self.base
@@ -294,13 +294,13 @@ class _ErrorFreeSolution:
         shares = sum(2 * np.log(each.share) for each in errors)
         return float(self.base + half @ half - 2 * np.log(np.diag(factor)).sum() + shares)
 
-    def angles_with(self, errors: tuple[_CandidateError, ...]) -> Array:
+    def angles_with(self, errors: tuple[_ModelError, ...]) -> Array:
         """Correction of roll, pitch, yaw with some errors, shape (3,), radians."""
         columns, size, _ = self._sizes(errors)
         return self.angles - self.by_errors[:, columns] @ size
 
     def cause(
-        self, errors: tuple[_CandidateError, ...], evidence: float, before: Array
+        self, errors: tuple[_ModelError, ...], evidence: float, before: Array
     ) -> CandidateCause:
         """Describe the last of some errors with its size, estimated together with the others.
 
@@ -324,7 +324,7 @@ class _ErrorFreeSolution:
             evidence,
         )
 
-    def _sizes(self, errors: tuple[_CandidateError, ...]) -> tuple[Indices, Array, Array]:
+    def _sizes(self, errors: tuple[_ModelError, ...]) -> tuple[Indices, Array, Array]:
         """Columns of some errors, their most likely sizes (k,) and their covariance (k, k)."""
         columns, scale = _join_candidates(errors)
         precision, score = self._posterior(columns, scale)
@@ -337,7 +337,7 @@ class _ErrorFreeSolution:
         return information + np.eye(len(columns)), self.score[columns] * scale
 
 
-def _join_candidates(errors: tuple[_CandidateError, ...]) -> tuple[Indices, Array]:
+def _join_candidates(errors: tuple[_ModelError, ...]) -> tuple[Indices, Array]:
     columns = np.concatenate([each.columns for each in errors])
     return columns, np.concatenate([each.scale for each in errors])
 
@@ -353,16 +353,12 @@ def _omitted_parameters(problem: AdjustmentProblem) -> list[Parameter]:
     ]
 
 
-def _build_candidates(
-    problem: AdjustmentProblem, omitted: Sequence[str]
-) -> Iterator[_CandidateError]:
+def _build_candidates(problem: AdjustmentProblem, omitted: Sequence[str]) -> Iterator[_ModelError]:
     """Build all candidates; columns in the order of `_CandidateEquations.errors`."""
     observations = problem.observations
 
-    def candidate(
-        kind: str, target: str, line: str, columns: Indices, share: float
-    ) -> _CandidateError:
-        return _CandidateError(kind, target, line, columns, share, PRIOR_SIGMA[kind])
+    def candidate(kind: str, target: str, line: str, columns: Indices, share: float) -> _ModelError:
+        return _ModelError(kind, target, line, columns, share, PRIOR_SIGMA[kind])
 
     for k, name in enumerate(omitted):
         yield candidate(name, "", "", np.array([k]), 1.0)
@@ -379,7 +375,7 @@ def _build_candidates(
     for target, parts in of_target.items():
         share = 1 / (len(of_target) * len(FORM_SIGMA))
         for sigma in FORM_SIGMA:
-            yield _CandidateError("target_surface", target, "", np.concatenate(parts), share, sigma)
+            yield _ModelError("target_surface", target, "", np.concatenate(parts), share, sigma)
     first, count = first + AXES * count, len(observations.lines)
     has_times = observations.pose_rate is not None
     for k, line in enumerate(observations.lines):
@@ -431,5 +427,5 @@ def _add_line_errors(linearised: LinearisedProblem) -> tuple[Array, Array, Array
     return matrix[:-1, :-1], right, mixed
 
 
-_Judged = tuple[float, _ErrorFreeSolution, _CandidateError]
+_Judged = tuple[float, _ErrorFreeSolution, _ModelError]
 """Evidence for a candidate, and the solution and candidate."""

@@ -319,8 +319,10 @@ def _causes_of_earlier_version(
 ) -> tuple[tuple[CandidateCause, ...], ...]:
     """Causes from the contradictions stored in the result of an earlier version."""
 
-    def cause(found: ContradictedParameter) -> CandidateCause:
-        size, sigma = np.array([found.change]), np.array([found.sigma])
-        return CandidateCause(found.name, "", "", size, sigma, found.angle_change, 0.0, found.w**2)
+    def cause(parameter: ContradictedParameter) -> CandidateCause:
+        size, sigma = np.array([parameter.change]), np.array([parameter.sigma])
+        return CandidateCause(
+            parameter.name, "", "", size, sigma, parameter.angle_change, 0.0, parameter.w**2
+        )
 
     return tuple((cause(found),) for found in result.contradictions)

@@ -55,13 +55,13 @@ VAGUE = 10.0
 """Ratio of the ends of a variance component's interval beyond which it is not determined."""
 
 
-def variance_component_finding(found: VarianceComponent) -> Message:
+def variance_component_finding(component: VarianceComponent) -> Message:
     """Whether a variance component changed the standard deviations, and why."""
-    if found.applied:
-        return note("component.larger" if found.factor > 1 else "component.smaller")
-    if found.upper > VAGUE * found.lower:
+    if component.applied:
+        return note("component.larger" if component.factor > 1 else "component.smaller")
+    if component.upper > VAGUE * component.lower:
         return note("component.not_determined")
-    if found.lower <= 1 <= found.upper:
+    if component.lower <= 1 <= component.upper:
         return note("component.as_given")
     return note("component.too_small")
 

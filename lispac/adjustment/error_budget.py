@@ -230,10 +230,12 @@ def _propagate_sigmas(jacobian: Array, sigma: Array) -> Array:
     return moves @ moves.T
 
 
-def _estimated_covariance(moved: Sensitivity, system: SystemErrors, names: Sequence[str]) -> Array:
+def _estimated_covariance(
+    sensitivity: Sensitivity, system: SystemErrors, names: Sequence[str]
+) -> Array:
     """Covariance of the point by some of the estimated values alone."""
     chosen = [system.estimated.index(name) for name in names]
-    jacobian = moved.by_mounting[:, [CALIBRATION.index(name) for name in names]]
+    jacobian = sensitivity.by_mounting[:, [CALIBRATION.index(name) for name in names]]
     return jacobian @ system.covariance[np.ix_(chosen, chosen)] @ jacobian.T
 
 

@@ -308,19 +308,21 @@ def _sum_by_place(places: NDArray[np.int64], values: Array, size: int) -> Array:
     return np.bincount(places.reshape(-1), values.reshape(-1), size).astype(float, copy=False)
 
 
-def sum_by_sighting(sums: Array, groups: PointGroups, sightings: int, own: int) -> Array:
-    """Sums of the first ``own`` columns and the misclosure, shape (sightings, own + 1, own + 1).
+def sum_by_sighting(sums: Array, groups: PointGroups, sightings: int, unknowns: int) -> Array:
+    """Sums of the first ``unknowns`` columns and the misclosure, shape (sightings, n + 1, n + 1).
 
     Parameters
     ----------
     sums : ndarray of shape (groups, width, width)
         From `sum_by_group`.
     """
-    kept = np.r_[:own, sums.shape[1] - 1]
+    kept = np.r_[:unknowns, sums.shape[1] - 1]
     many = len(kept) ** 2
     places = groups.sighting[:, None] * many + np.arange(many)
     values = sums[:, kept[:, None], kept]
-    return _sum_by_place(places, values, sightings * many).reshape(sightings, own + 1, own + 1)
+    return _sum_by_place(places, values, sightings * many).reshape(
+        sightings, unknowns + 1, unknowns + 1
+    )
 
 
 def assemble_normal_equations(

@@ -286,7 +286,7 @@ class _SceneLines:
         return meet / max(seen, 1)
 
     def apart(self, boresight: Array) -> float:
-        """See `Alignment`; 0 where no two lines show anything alike."""
+        """Distance between the lines in metres, as in `Alignment`; 0 without common surfaces."""
         placed = self.placed(boresight)
         off = [_distances_to_plane(placed, pair) for pair in self._pairs(placed, FAR)]
         every = np.concatenate([np.empty(0), *off])

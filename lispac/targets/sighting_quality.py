@@ -235,10 +235,12 @@ def _grade_point_count(points: int) -> list[Graded]:
     )
 
 
-def _grade_roughness(rms: float, own: float, noise: float, threshold: float | None) -> list[Graded]:
+def _grade_roughness(
+    rms: float, own_noise: float, noise: float, threshold: float | None
+) -> list[Graded]:
     """By the RMS without what the boresight can explain; the RMS named is that of the points."""
-    ratio, without = rms / noise, own / noise
-    is_filled = threshold is not None and own > FILLED * threshold
+    ratio, without = rms / noise, own_noise / noise
+    is_filled = threshold is not None and own_noise > FILLED * threshold
     if round(ratio, 1) == round(without, 1):
         code = "quality.rough_beyond_threshold" if is_filled else "quality.rough"
     else:
@@ -266,9 +268,9 @@ def _grade_by_limits(value: float, limits: tuple[float, float], reason: Message)
     return [(grade, reason)] if grade else []
 
 
-def _rating_of(found: list[Graded]) -> tuple[Rating, tuple[Message, ...]]:
+def _rating_of(graded: list[Graded]) -> tuple[Rating, tuple[Message, ...]]:
     lights: tuple[Rating, ...] = ("good", "doubtful", "poor")
-    ranked = sorted(found, key=lambda each: -each[0])
+    ranked = sorted(graded, key=lambda each: -each[0])
     return lights[ranked[0][0] if ranked else 0], tuple(reason for _, reason in ranked)
 
 
