@@ -298,7 +298,7 @@ def test_a_design_is_told_beside_a_usual_plan_that_leaves_an_angle_open(
     out, _ = told(capsys, "design", site, "--workers", 1, "--output", folder)
     rows = out.splitlines()
     assert rows[1].startswith("best plan   roll ")
-    assert rows[2] == "thesis      not determined"
+    assert rows[2] == "Shahraji    not determined"
     assert rows[-1] == str(folder)
     assert written == [folder]
     numbers = answer(capsys, "design", site, "--workers", 1)
