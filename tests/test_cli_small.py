@@ -230,6 +230,12 @@ def test_the_answer_of_the_scene_is_printed_and_kept_where_wanted(
     capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
+    """The project has a target, so the result is saved beside that of the targets."""
+    sighting = PickedSighting("L1_000", np.arange(50), 0.003)
+    project = replace(
+        project, targets=(Target("A", "target", (1.25, -15.0, 5.0), 0.015, 1.0, (sighting,)),)
+    )
+    write_project(project)
     found = TargetlessResult(sample_project(tmp_path / "sample"), 3, False, 40, ("L6",))
     monkeypatch.setattr(targetless, "find", lambda *_, **__: found)
     out, _ = told(capsys, "targetless", project.folder)

@@ -278,7 +278,7 @@ def test_a_kept_result_is_the_boresight_of_a_project_without_targets(
     assert kept.result is not None
     np.testing.assert_array_equal(kept.mounting("estimated").boresight, clean.result.boresight)
     assert [each.name for each in kept.targets] == [each.name for each in clean.project.targets]
-    assert kept.opinions == ()
+    assert kept.alternative_results == ()
     assert [each.method for each in method_results(kept)] == ["targetless"]
     assert "targetless" not in missing_methods(kept)
     write_project(replace(kept, folder=tmp_path))
@@ -286,7 +286,7 @@ def test_a_kept_result_is_the_boresight_of_a_project_without_targets(
     write_report(kept, survey, tmp_path / "report.json")
     report = json.loads((tmp_path / "report.json").read_text())
     assert report["calibrated"]
-    codes = {each["code"] for each in report["cautions"]}
+    codes = {each["code"] for each in report["warnings"]}
     assert "report.not_calibrated" not in codes
     assert {each.code for each in clean.remarks} <= codes
     # Another run takes the place of the first.
@@ -302,7 +302,7 @@ def test_a_kept_result_stands_beside_the_targets_of_a_project(
     kept = with_targetless_result(picked, clean)
     assert kept.result is None
     assert kept.targets == picked.targets
-    assert [each.method for each in kept.opinions] == ["targetless"]
+    assert [each.method for each in kept.alternative_results] == ["targetless"]
     plane = replace(picked.target("T1"), role="validation")
     kept = with_targetless_result(replace(project, targets=(plane,)), clean)
     assert kept.is_targetless

@@ -272,7 +272,7 @@ def cross_check_blocks(content: ReportContent) -> list[Block]:
 
 def _spread_table(content: ReportContent, checks: CrossCheckValues) -> Table:
     spreads = (
-        (gettext("From the adjustment"), checks.sigma_deg),
+        (gettext("Adjustment"), checks.sigma_deg),
         (gettext("Spread, one line omitted"), checks.spread_lines_deg),
         (gettext("Spread, one target omitted"), checks.spread_targets_deg),
     )

@@ -109,7 +109,7 @@ class _Low(VisibilityDialog):
     """On a low screen."""
 
     @property
-    def room(self) -> QSize:
+    def available_size(self) -> QSize:
         return LOW
 
 

@@ -268,7 +268,7 @@ def test_chosen_sensors_fill_fields_that_can_be_changed(
     assert filled.request().settings.lidar_beam_sigma is None
     page.sensors.choose("riegl-vux-1", "hydrins:rtk")
     assert "not verified" in page.sensors.scanner_origin.text()
-    assert page.sensors.pos_origin.text().startswith("Thesis")
+    assert page.sensors.pos_origin.text().startswith("Shahraji")
     page.angle_sigma.setValue(0.004)
     filled.folder.setText(str(tmp_path / "made"))
     asked = filled.request()

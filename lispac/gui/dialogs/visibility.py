@@ -77,9 +77,8 @@ class VisibilityDialog(StudyDialog):
             gettext(
                 "One board is scanned on six lines with one systematic error at a time and no "
                 "noise. The chart shows at which inclinations and on which lines the error is "
-                "visible. Shaded: inclinations accepted by the type I criterion; dashed: "
-                "best inclination. Results are compared with M. Hassanzadeh Shahraji's doctoral "
-                "thesis (Université Laval)."
+                "visible. Shaded: inclinations accepted by the type I criterion; dashed: best "
+                "inclination."
             ),
             table, parent,
         )  # fmt: skip

@@ -329,7 +329,7 @@ def spread_text(checks: CrossChecks) -> str:
             for angle in ANGLE_TITLES
         )
         + "</tr>"
-        + row(gettext("From the adjustment"), checks.sigma)
+        + row(gettext("Adjustment"), checks.sigma)
         + row(_break_at_commas(gettext("Spread, one line omitted")), checks.spread_lines)
         + row(_break_at_commas(gettext("Spread, one target omitted")), checks.spread_targets)
         + "</table>"
