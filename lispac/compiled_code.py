@@ -76,10 +76,14 @@ def cache_folder(parent: Path, state: str) -> Path:
     return folder
 
 
-config.CACHE_DIR = str(
-    cache_folder(
-        # Set by the entry points; a module imported alone has its cache beside its byte code.
-        Path(config.CACHE_DIR or Path(__file__).with_name("__pycache__")),
-        source_state(Path(__file__).parent),
-    )
-)
+def _set_cache_folder() -> None:
+    """Set the folder in Numba, and in the environment, from which Numba may read it again."""
+    # Set by the entry points; a module imported alone has its cache beside its byte code.
+    parent = Path(config.CACHE_DIR or Path(__file__).with_name("__pycache__"))
+    if parent.name.startswith(PREFIX):  # set by the process that started this one
+        parent = parent.parent
+    folder = str(cache_folder(parent, source_state(Path(__file__).parent)))
+    os.environ["NUMBA_CACHE_DIR"] = config.CACHE_DIR = folder
+
+
+_set_cache_folder()

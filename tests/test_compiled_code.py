@@ -113,6 +113,15 @@ def test_the_state_is_that_of_the_contents_of_compiled_files(tmp_path: Path) -> 
     assert source_state(tmp_path) != first
 
 
-def test_numba_has_the_folder_of_this_state() -> None:
-    state = source_state(CHECKOUT / "lispac")
-    assert Path(compiled_code.config.CACHE_DIR).name == f"sources-{state}"
+def test_numba_keeps_the_folder_of_this_state() -> None:
+    """Numba reads its variables again when one has changed, and other processes inherit them."""
+    program = (
+        "import os; from lispac.compiled_code import config; "
+        "os.environ['NUMBA_NUM_THREADS'] = '1'; config.reload_config(); print(config.CACHE_DIR)"
+    )
+    expected = compiled_code.config.CACHE_DIR
+    assert Path(expected).name == f"sources-{source_state(CHECKOUT / 'lispac')}"
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=CHECKOUT, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.strip() == expected

@@ -94,8 +94,8 @@ PICTURES_PX = (16, 20, 24, 28, 32, 48, 64)
 
 def quality_icon(which: str) -> QIcon:
     """Traffic-light icon of a quality: good, doubtful or poor."""
-    name, message_label = LIGHTS[which]
-    return _pixmap_icon(name, getattr(_used, message_label))
+    name, colour = LIGHTS[which]
+    return _pixmap_icon(name, getattr(_used, colour))
 
 
 @cache

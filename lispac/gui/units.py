@@ -176,7 +176,7 @@ def is_converted(base: Base | None) -> bool:
     return base is not None and _used[base].factor != 1.0
 
 
-def convert_unit_signs(message_label: str, *bases: Base, figures: bool = True) -> str:
+def convert_unit_signs(text: str, *bases: Base, figures: bool = True) -> str:
     """Replace the signs of base units in a text by those of the units shown.
 
     Parameters
@@ -196,5 +196,5 @@ def convert_unit_signs(message_label: str, *bases: Base, figures: bool = True) -
     for base in bases:
         shown = _used[base]
         if shown.factor != 1.0:
-            message_label = re.sub(rf"(?P<before>\d\s?)?{_SIGNS[base]}", replaced, message_label)
-    return message_label
+            text = re.sub(rf"(?P<before>\d\s?)?{_SIGNS[base]}", replaced, text)
+    return text

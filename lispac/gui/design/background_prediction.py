@@ -46,7 +46,7 @@ class BackgroundPrediction(QObject):
 
     predicted = Signal(object)
     """The `PredictedPrecision` of a plan, which in a drag may be one of a moment ago."""
-    message_label = Signal(object)
+    slow_results_ready = Signal(object)
     weighed = Signal(object)
     """Information gain of each target and line; everything has been computed."""
     late = Signal()
@@ -128,7 +128,7 @@ class BackgroundPrediction(QObject):
 
         def done(results: SlowResults) -> None:
             self.has_said = True
-            self.message_label.emit(results)
+            self.slow_results_ready.emit(results)
             self._compute_information_gain()
 
         self._slow = self._runner.run(gettext("Checking the survey plan"), work, done, quiet=True)

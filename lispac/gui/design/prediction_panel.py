@@ -82,8 +82,8 @@ class PredictionPanel(QScrollArea):
         layout.addWidget(self.correlation)
         self.minutes = widgets.label("", "muted", wrap=True, name="design_minutes")
         layout.addWidget(self.minutes)
-        self.cautions = widgets.label("", "warning", wrap=True, name="design_cautions")
-        layout.addWidget(self.cautions)
+        self.warnings = widgets.label("", "warning", wrap=True, name="design_cautions")
+        layout.addWidget(self.warnings)
         self.words = widgets.label("", "hint", wrap=True, name="design_words")
         self.words.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
         layout.addWidget(self.words)
@@ -106,7 +106,7 @@ class PredictionPanel(QScrollArea):
         layout.addWidget(self.worth, 1)
         self.setWidget(body)
         self.following.predicted.connect(self._show_sigmas)
-        self.following.message_label.connect(self._show_remarks)
+        self.following.slow_results_ready.connect(self._show_remarks)
         self.following.weighed.connect(self._show_information_gains)
         self.following.late.connect(self._mark_out_of_date)
         workspace.changed.connect(self._show)
@@ -118,8 +118,8 @@ class PredictionPanel(QScrollArea):
         titled = self._work.titled
         self.minutes.setText(predicted_precision.time_on_site_text(titled))
         found = plan_warnings(titled)
-        self.cautions.setText("\n".join(map(message_text, found)))
-        self.cautions.setVisible(bool(found))
+        self.warnings.setText("\n".join(map(message_text, found)))
+        self.warnings.setVisible(bool(found))
 
     def _mark_out_of_date(self) -> None:
         """Mark the values of the former plan as out of date."""
@@ -164,13 +164,13 @@ class PredictionPanel(QScrollArea):
         bar = self._beside.horizontalScrollBar().sizeHint().height()
         self._beside.setFixedHeight(size.height() + bar)
 
-    def _show_remarks(self, message_label: SlowResults) -> None:
+    def _show_remarks(self, results: SlowResults) -> None:
         refused = self._told.refused
         self.words.setProperty("role", "warning" if refused else "hint")
         self.words.style().unpolish(self.words)
         self.words.style().polish(self.words)
-        self.words.setText("\n".join(map(message_text, message_label.remarks)))
-        for angle, sigma in zip(ANGLES, message_label.thesis.sigmas, strict=True):
+        self.words.setText("\n".join(map(message_text, results.remarks)))
+        for angle, sigma in zip(ANGLES, results.thesis.sigmas, strict=True):
             self.thesis[angle].setText(sigma)
 
     def _show_information_gains(self, worths: tuple[InformationGain, ...]) -> None:

@@ -107,11 +107,13 @@ class StudyDialog(QDialog):
         """Widen the dialogue to the table, but not beyond the screen."""
         around, header = self.body.contentsMargins(), self.table.horizontalHeader()
         frame = 2 * self.table.frameWidth() + self.table.verticalScrollBar().sizeHint().width()
-        # The sections do not have their final widths yet, and the last one is stretched
-        width = sum(
+        # The sections do not have their final widths yet; the last one is stretched, and is not
+        # made narrower than the default.
+        widths = [
             max(header.sectionSizeHint(column), self.table.sizeHintForColumn(column)) + 1
             for column in range(header.count())
-        )
+        ]
+        width = sum(widths[:-1]) + max(widths[-1], header.defaultSectionSize())
         width += frame + around.left() + around.right()
         width = min(width, self.available_size.width())
         if width > self.width():

@@ -87,7 +87,7 @@ def histogram_text(comparison: PlaneComparison, shown: float, bars: int) -> str:
     ends = [*(f"{1000 * edge:.6g}" for edge in edges[1:-1]), BEYOND]
     rows = zip(1000 * edges[:-1], ends, before, after, strict=True)
     return _tabbed_text(
-        ("From (mm)", "To (mm)", "Points before", "Points after"),
+        ("From (mm)", "To (mm)", "Points before calibration", "Points after calibration"),
         [(f"{low:.6g}", end, str(b), str(a)) for low, end, b, a in rows],
     )
 
