@@ -1,4 +1,4 @@
-"""Numba's `njit`, with a cache in which no machine code is older than the program.
+"""Numba's decorator ``njit``, with a cache in which no code is older than the program.
 
 Numba makes the machine code of a function again when the file of this function changes, not when a
 function or constant that was compiled into it does and lies in another file [1]_. After an update

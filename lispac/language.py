@@ -94,7 +94,7 @@ def in_language(code: str) -> Iterator[None]:
 
 
 def in_english(value: object) -> str:
-    """Text of a message or an error in English, as projects keep what has no code yet."""
+    """Text of a message or an error in English, whatever language is in use."""
     with in_language("en"):
         return str(value)
 

@@ -210,7 +210,7 @@ class Settings:
 
 
 def require_prior_sigma(parameter: Parameter) -> None:
-    """Refuse a standard deviation that no prior value has.
+    """Refuse a prior standard deviation outside `PRIOR_SIGMAS`.
 
     Raises
     ------

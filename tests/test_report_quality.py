@@ -84,7 +84,7 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
     assert said["Correlation times (position, attitude)"].startswith(
         "300 s and 600 s: time over which a POS error persists"
     )
-    assert said["Surface sigma"].startswith("0.4\u00a0mm, estimated from the data")
+    assert said["Surface roughness (1 sigma)"].startswith("0.4\u00a0mm, estimated from the data")
     assert said["LiDAR noise, 1 sigma"] == "5.0 mm on each axis"
     assert said["Estimated LiDAR noise"] == "not larger than the given noise on any target"
     first, second = _result(project).targets
@@ -97,7 +97,7 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
         "T2: 1.4\u00a0times the given noise; the sigmas"
     )
     assert "T1" not in said["Estimated LiDAR noise"]
-    assert said["Surface sigma"].startswith("0.4\u00a0mm, as given")
+    assert said["Surface roughness (1 sigma)"].startswith("0.4\u00a0mm, as given")
     assert "beyond 4.7 standard deviations" in said["Outliers"]
     assert "adjustment.noise" not in {caution.code for caution in noisy.warnings}
     assert "T2" in _caution(
@@ -292,7 +292,8 @@ def test_no_result_has_no_sections_on_checks(project: Project) -> None:
     content = sample_content(replace(project, result=None, cross_checks=None))
     titles = {section.title for section in report_document(content, {}).sections}
     assert titles.isdisjoint({"Reliability of the sightings", "Cross-checks"})
-    assert _settings(content)["Surface sigma"].startswith("to be estimated from the data")
+    roughness = _settings(content)["Surface roughness (1 sigma)"]
+    assert roughness.startswith("to be estimated from the data")
 
 
 def test_pos_error_figure_marks_what_lies_beyond_the_prior(

@@ -1,7 +1,8 @@
 """Error budget of a point by source and distance for one system (thesis table 1.3).
 
-The derivatives are those of the adjustment (`adjustment.sensitivity`). A geometry is given, since
-what an angle does depends on where the beam goes: an error about the beam itself moves nothing.
+The derivatives are those of the adjustment (`adjustment.point_sensitivity`). A geometry is given,
+since what an angle does depends on where the beam goes: an error about the beam itself moves
+nothing.
 """
 
 from collections.abc import Mapping, Sequence

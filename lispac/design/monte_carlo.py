@@ -105,10 +105,20 @@ class MonteCarloResult:
         return tuple(
             (title, *(number(float(value), decimals, sign=sign) for value in values))
             for title, values, decimals, sign in (
-                (gettext("scatter (deg)"), np.degrees(self.empirical_sigma), 4, False),
-                (gettext("stated σ (deg)"), np.degrees(self.mean_stated_sigma), 4, False),
+                (
+                    gettext("standard deviation of errors (deg)"),
+                    np.degrees(self.empirical_sigma),
+                    4,
+                    False,
+                ),
+                (
+                    gettext("σ from the adjustment (deg)"),
+                    np.degrees(self.mean_stated_sigma),
+                    4,
+                    False,
+                ),
                 (gettext("predicted σ (deg)"), np.degrees(self.predicted), 4, False),
-                (gettext("scatter / predicted σ"), self.ratio, 2, False),
+                (gettext("σ of errors / predicted σ"), self.ratio, 2, False),
                 (gettext("σ of this ratio"), self.ratio * self.ratio_sigma, 2, False),
                 (gettext("coverage (%)"), 100.0 * self.interval_coverage, 1, False),
                 (gettext("mean error (deg)"), np.degrees(self.bias), 4, True),
@@ -123,8 +133,8 @@ class MonteCarloResult:
         names = tuple(map(gettext, ANGLE_NAMES))
         found = [
             gettext(
-                "The stated standard deviation of {angle} is too small: its 95 % interval contains "
-                "the truth in {share:percent.0} % of the surveys.",
+                "The standard deviation of {angle} from the adjustment is too small: its 95 % "
+                "interval contains the truth in {share:percent.0} % of the surveys.",
                 angle=angle, share=share,
             )
             for angle, share in zip(names, self.interval_coverage, strict=True)
@@ -133,8 +143,8 @@ class MonteCarloResult:
         if not found:
             found = [
                 gettext(
-                    "The coverage of the stated 95 % intervals agrees with 95 % within what "
-                    "{count:n} surveys can show.",
+                    "The coverage of the 95 % intervals agrees with 95 %, within the accuracy "
+                    "that {count:n} surveys allow.",
                     count=len(self.errors),
                 )
             ]

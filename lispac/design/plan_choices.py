@@ -34,7 +34,7 @@ def have_targets_one_orientation(plan: Plan) -> bool:
 
 @dataclass(frozen=True)
 class PlanChoice:
-    """Indices of the boards and of the lines of a plan among those that are allowed."""
+    """A plan as indices into the allowed boards and the allowed lines of the site."""
 
     boards: tuple[int, ...]
     lines: tuple[int, ...]

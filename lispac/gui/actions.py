@@ -94,7 +94,7 @@ _ACTIONS: dict[str, Described] = {
                    "without targets, and compare the results")),
     "visibility": (N_("&Visibility of errors…"), "", "", "",
                    N_("Show for each systematic error the boards and lines that make it visible")),
-    "design": (N_("&Design a site…"), "", "", "Ctrl+Shift+D",
+    "design": (N_("&Design a survey…"), "", "", "Ctrl+Shift+D",
                N_("Plan boards and lines, and predict the precision before the survey")),
     "cancel": (N_("&Cancel the running task"), "", "close-circle-outline", "Ctrl+.",
                N_("Cancel the running task; the project stays unchanged")),

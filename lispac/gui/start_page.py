@@ -29,7 +29,7 @@ WAYS = (
     ("open", "folder-open-outline", N_("Open project…"), N_("Open a folder with a project.json "
                                                             "file")),
     ("demo", "ferry", N_("Demo survey"), N_("A quay with two boards, surveyed in six lines")),
-    ("design", "vector-square", N_("Design a site…"),
+    ("design", "vector-square", N_("Design a survey…"),
      N_("Plan boards and lines before the survey")),
 )  # fmt: skip
 """Name of the action, icon, title and description of each way to begin."""

@@ -167,7 +167,7 @@ KEYS = (
         ("W", N_("split view before and after; Ctrl + arrows move the divider")),
         (N_("P, Shift + P"), N_("save the picture of the view, copy it")),
     )),
-    (N_("Designing a site (Ctrl + Shift + D)"), (
+    (N_("Designing a survey (Ctrl + Shift + D)"), (
         (N_("Drag a line or its arrow"),
          N_("move or turn the line; with Shift continuously")),
         (N_("Drag a target"),

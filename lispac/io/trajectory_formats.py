@@ -198,7 +198,8 @@ def _make_format(
 ) -> FileFormat:
     """A format that refuses unknown options before it examines or reads."""
 
-    def look_checked(path: Path, choice: Choice) -> FilePreview:
+    def preview_checked(path: Path, choice: Choice) -> FilePreview:
+        """Preview of a file, after a check of its options."""
         made.resolved(choice)
         return look(Path(path), choice)
 
@@ -206,7 +207,7 @@ def _make_format(
         made.resolved(choice)
         return read(Path(path), choice)
 
-    made = FileFormat(name, key, kind, endings, options, sniff, look_checked, read_checked)
+    made = FileFormat(name, key, kind, endings, options, sniff, preview_checked, read_checked)
     return made
 
 

@@ -81,8 +81,8 @@ TEXTS: Mapping[str, Template] = {
         "scanner."
     ),
     "design.own_flatness": N_(
-        "The adjustment uses one flatness for all targets, but some targets of this survey plan "
-        "have a flatness of their own. Choose to estimate the flatness from the data."
+        "The adjustment uses one form error for all targets, but some targets of this survey plan "
+        "have their own. Choose to estimate the form error from the data."
     ),
     "design.none_adjusted": N_(
         "None of the simulated surveys could be adjusted. Add lines or targets."

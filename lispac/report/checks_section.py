@@ -87,7 +87,7 @@ def reliability_blocks(content: ReportContent) -> list[Block]:
                 "no common error."
             )
         else:
-            untested = gettext("Sightings are not tested: the surface sigma was set to zero.")
+            untested = gettext("Sightings are not tested: the surface roughness was set to zero.")
         return [Paragraph(untested)]
     found = adjustment.reliability
     return [

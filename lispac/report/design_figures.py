@@ -18,7 +18,10 @@ from lispac.report.text_format import fixed_number, parameter_name
 BEYOND = 4.0
 """Predicted sigmas to either side that errors are drawn to; larger ones count at the border."""
 
-EXPECTED = N_("Above each plot: scatter / predicted sigma. Curve: expected distribution")
+EXPECTED = N_(
+    "Above each plot: standard deviation of the errors / predicted sigma, ± 1 sigma. Curve: "
+    "expected distribution"
+)
 RATIOS: Mapping[str, str] = {
     "roll": N_("roll: {ratio} ± {interval}"),
     "pitch": N_("pitch: {ratio} ± {interval}"),

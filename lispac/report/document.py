@@ -108,8 +108,8 @@ def undrawn_document(
         furniture=PageTexts(
             made=gettext("Made {when} by {program}"),
             page=gettext("Page {page} of {pages}"),
-            warnings=gettext("Serious warnings"),
-            notes=gettext("Other warnings"),
+            warnings=gettext("Errors and warnings"),
+            notes=gettext("Notes"),
             contents=gettext("Contents"),
         ),
     )
@@ -168,9 +168,9 @@ def _status_text(content: ReportContent, serious: bool) -> tuple[Status, str]:
     if not content.calibrated:
         return "bad", gettext("NOT CALIBRATED")
     if serious:
-        return "bad", gettext("CALIBRATED WITH SERIOUS WARNINGS")
+        return "bad", gettext("CALIBRATED, WITH WARNINGS")
     if content.warnings:
-        return "fair", gettext("CALIBRATED, WITH WARNINGS")
+        return "fair", gettext("CALIBRATED, WITH NOTES")
     return "good", gettext("CALIBRATED")
 
 

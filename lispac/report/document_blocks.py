@@ -118,8 +118,8 @@ class PageTexts:
 
     made: str = "Made {when} by {program}"
     page: str = "Page {page} of {pages}"
-    warnings: str = "Serious warnings"
-    notes: str = "Other warnings"
+    warnings: str = "Errors and warnings"
+    notes: str = "Notes"
     contents: str = "Contents"
 
 

@@ -63,8 +63,8 @@ CORRELATION_TIMES = N_(
     "processing report if it gives them. Too short a time is safer than too long a time."
 )
 SURFACE_SIGMA = N_(
-    "Surface sigma: standard deviation of the offset of a whole sighting from the common surface "
-    "of all lines."
+    "Surface roughness: standard deviation of the offset of a whole sighting from the common "
+    "surface of all lines."
 )
 VARIANCE_COMPONENTS = N_(
     "Variance components are estimated from the residuals and the estimated POS errors by "
@@ -170,7 +170,7 @@ def _model_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> list
     if adjustment is not None and used.pos_errors == "correlated":
         values.append((gettext("Estimated LiDAR noise"), _noise_factor_text(adjustment)))
     if used.surface_from_data is not None:
-        values.append((gettext("Surface sigma"), _surface_sigma_text(used)))
+        values.append((gettext("Surface roughness (1 sigma)"), _surface_sigma_text(used)))
     loss = f"{gettext(LOSSES[used.loss])} {gettext(used.loss_text)}"
     return [*values, (gettext("Outliers"), loss)]
 

@@ -35,7 +35,7 @@ VALUES = (
 COMPARISON = (
     N_("Error"), N_("Accepted incl. (deg)"), N_("Accepted incl., Shahraji"), N_("Best incl. (deg)"),
     N_("Best incl., Shahraji"), N_("Required lines"), N_("Required lines, Shahraji"),
-    N_("Inclination (agreement)"), N_("Lines (agreement)"), N_("Reason"),
+    N_("Inclination (vs. thesis)"), N_("Lines (vs. thesis)"), N_("Reason"),
 )  # fmt: skip
 """Titles of the columns; Shahraji's inclinations are in degrees."""
 

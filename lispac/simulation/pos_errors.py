@@ -82,7 +82,7 @@ class PosErrorModel:
         return np.stack(position, axis=1) * (1.0, -1.0, 1.0), np.stack(attitude, axis=1)
 
     def variance(self, count: int, interval: float) -> Array:
-        """What the POS takes its errors for, shape (count, 6), metres and radians squared.
+        """Variances that the POS reports, shape (count, 6), metres and radians squared.
 
         North, east, up, roll, pitch, heading.
         """

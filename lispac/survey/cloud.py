@@ -51,7 +51,7 @@ class SphereRegion:
 
 
 class Line(Protocol):
-    """One line in the LiDAR frame, in memory (`Scan`) or on disk (`StoredLine`)."""
+    """One line in the LiDAR frame, in memory (`survey.scan.Scan`) or on disk (`StoredLine`)."""
 
     def __len__(self) -> int: ...
     @property

@@ -24,7 +24,7 @@ LEVEL = np.cos(np.radians(80.0))
 
 @dataclass(frozen=True, eq=False)
 class Section:
-    """A box of which a thin side is examined.
+    """Thin box of points, drawn as a cross-section.
 
     Attributes
     ----------

@@ -1,8 +1,8 @@
 """Automatic detection of planes, followed through every line.
 
 Flat patches are detected in every line, what several lines show at about the same place is one
-surface, and each surface goes the way of a clicked seed: `find_in_lines` from a point in its
-middle.
+surface, and each surface goes the way of a clicked seed: `planes_across_lines.find_in_lines` from a
+point in its middle.
 """
 
 import os
@@ -96,7 +96,7 @@ def detect_planes(
         What the indices of the planes mean; ``clouds`` where not given.
     find : callable, optional
         Searches for the plane at a seed, shape (3,), in all lines, in the named one first;
-        `find_in_lines` in ``clouds`` where not given.
+        `planes_across_lines.find_in_lines` in ``clouds`` where not given.
     most : int
         Surfaces to follow through the lines.
     """

@@ -109,7 +109,7 @@ class AbsoluteState:
 
 @dataclass(frozen=True)
 class LineCheck:
-    """A line, or all of them, against the reference; at the same places in both states."""
+    """Distances of one or all lines from the reference, before and after the calibration."""
 
     line: str
     before: AbsoluteState
@@ -142,7 +142,7 @@ class PointCheck:
 
 @dataclass(frozen=True)
 class OtherSurface:
-    """What a line has behind or before the surface that was measured, within reach.
+    """Second surface of a line near the reference: number of places and typical distance.
 
     Attributes
     ----------

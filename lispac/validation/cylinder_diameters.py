@@ -1,4 +1,4 @@
-"""Diameters of the cylinders at the places of a reference, from point density.
+"""Diameters of the M3C2 search cylinders at the core points of a reference, from point density.
 
 A beam that meets a wall at 60 m leaves points farther apart than one at 15 m, and one width for all
 of a site is that of where most points are: sparse places then hold too few points for a distance.

@@ -53,7 +53,7 @@ have a median each."""
 
 @dataclass(frozen=True, eq=False)
 class MeasuredPlaces:
-    """Distances of one line from the reference at the same places, both of the same order.
+    """Distances of one line from the reference at its core points, before and after calibration.
 
     They are positive where the line lies nearer to the vessel.
 

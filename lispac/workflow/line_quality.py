@@ -1,4 +1,4 @@
-"""Agreement of the lines of a survey with each other, as they are placed now."""
+"""Differences between the lines of a survey with the current georeferencing."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""The manual as pages for a browser: shipped with a bundle, built once from its sources elsewhere.
+"""HTML pages of the manual: shipped with a bundle, otherwise built from the sources and cached.
 
 Sphinx runs as a program of its own: nothing of it is loaded here, nor gets into a bundle.
 """

@@ -136,8 +136,8 @@ def test_correction_to_what_is_set_there(qtbot: QtBot, panel: ConventionPanel) -
     for field, text in zip(panel.current.fields.fields, ("0.1", "1.0", "-3"), strict=True):
         type_in(qtbot, field, text)
     shown = rows(panel)
-    assert list(shown) == ["Present angles", "Correction", "New angles"]
-    assert shown["Present angles"] == [0.1, 1.0, -3.0]
+    assert list(shown) == ["Current angles", "Correction", "New angles"]
+    assert shown["Current angles"] == [0.1, 1.0, -3.0]
     assert shown["New angles"] == [0.125, 1.192, 0.276]
     assert "Do not add the correction" in panel.remarks.text()
     assert "18 mm at 100 m" in panel.remarks.text().replace("\u00a0", " ")
@@ -147,7 +147,7 @@ def test_correction_to_what_is_set_there(qtbot: QtBot, panel: ConventionPanel) -
     assert rows(panel)["New angles"] != [0.125, 1.192, 0.276]
     # Angles typed for one program are not taken for another's.
     choose(qtbot, panel, "novatel")
-    assert rows(panel)["Present angles"] == [0.0, 0.0, 0.0]
+    assert rows(panel)["Current angles"] == [0.0, 0.0, 0.0]
 
 
 def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> None:
@@ -162,7 +162,7 @@ def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> N
     qtbot.mouseClick(current.matrix.viewport(), Left)
     qtbot.keyClicks(current.matrix, "; ".join(" ".join(f"{v:.10f}" for v in row) for row in turn))
     shown = rows(panel)
-    assert shown["Present angles"] == [0.1, 1.0, -3.0]
+    assert shown["Current angles"] == [0.1, 1.0, -3.0]
     assert shown["New angles"] == [0.125, 1.192, 0.276]
     # PDAL has no angles, so a matrix is all there is to give; what was given for another is gone.
     choose(qtbot, panel, "pdal")
@@ -170,7 +170,7 @@ def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> N
     assert not current.as_matrix.isVisible()
     assert current.matrix.toPlainText() == ""
     qtbot.keyClicks(current.matrix, "1 0 0 0 1 0 0 0 1")
-    assert "new = correction · present" in panel.remarks.text()
+    assert "new = correction · current" in panel.remarks.text()
     choose(qtbot, panel, "applanix")
     assert current.fields.isVisible()
 

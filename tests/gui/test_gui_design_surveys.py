@@ -105,7 +105,7 @@ def test_a_cancelled_campaign_shows_what_was_finished_if_it_is_enough(
     assert head.endswith(" of 5,000 simulated surveys")
     finished = int(head.split()[3].replace(",", ""))
     assert 40 <= finished < 5000
-    assert f"{finished} surveys can show" in surveys.answer.words.text()
+    assert f"{finished} surveys allow" in surveys.answer.words.text()
 
 
 def test_too_few_finished_surveys_show_nothing(driver: Driver, coarse: DesignWindow) -> None:
@@ -167,12 +167,12 @@ def test_an_answer_leaves_nothing_of_the_one_before(driver: Driver, coarse: Desi
     shown, plan_ = coarse.surveys.answer, plan(coarse)
     counts, head = [], gettext_lazy("Simulate surveys")
     for k in range(30):
-        rows = [("scatter (deg)", f"{k}", "0.2", "-0.3")] * 7
+        rows = [("standard deviation of errors (deg)", f"{k}", "0.2", "-0.3")] * 7
         shown.show_result(head, SimpleNamespace(rows=rows, summary_texts=("remark",)), plan_)
         coarse.pictures.show_errors(surveyed_once())
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         counts.append(len(coarse.findChildren(QObject)))
-    assert shown.cells[1] == ["scatter (deg)", "29", "0.2", "−0.3"]
+    assert shown.cells[1] == ["standard deviation of errors (deg)", "29", "0.2", "−0.3"]
     assert len(set(counts[1:])) == 1
 
 

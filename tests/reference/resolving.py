@@ -9,8 +9,8 @@ from tests.documented import trees
 
 FOREIGN = (
     "NDArray", "abc", "argparse", "collections", "concurrent", "contextlib", "datetime", "enum",
-    "distributed", "functools", "jinja2", "laspy", "matplotlib", "np", "numba", "numpy", "open3d",
-    "pathlib", "pye57", "pyproj", "scipy", "threading", "types", "typing", "typst",
+    "distributed", "functools", "jinja2", "laspy", "lazrs", "matplotlib", "np", "numba", "numpy",
+    "open3d", "pathlib", "pye57", "pyproj", "scipy", "threading", "types", "typing", "typst",
     "ArgumentTypeError", "CRS", "Commands", "LinAlgError", "cKDTree",
 )  # fmt: skip
 """Packages whose names the reference does not lead to."""

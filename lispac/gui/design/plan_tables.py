@@ -133,10 +133,10 @@ class LinesList(QWidget):
              lambda: workspace.add_line(again=True)),
             (gettext("Remove"), "remove_line", gettext("Remove the selected line (Delete)"),
              workspace.remove_line),
-            (gettext("Survey earlier"), "line_earlier",
+            (gettext("Move earlier"), "line_earlier",
              gettext("Move the selected line one position earlier in the survey order (Alt+Up)"),
              lambda: workspace.move_line_in_order(True)),
-            (gettext("Survey later"), "line_later",
+            (gettext("Move later"), "line_later",
              gettext("Move the selected line one position later in the survey order (Alt+Down)"),
              lambda: workspace.move_line_in_order(False)),
         )  # fmt: skip

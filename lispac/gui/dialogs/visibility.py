@@ -44,13 +44,16 @@ COLUMNS = (
         N_("Headings of the lines in table 3.2 and section 4.4.1.1 of Shahraji's thesis"),
     ),
     (
-        N_("Inclination (agreement)"),
+        N_("Inclination (vs. thesis)"),
         N_(
-            "Agreement of the inclination with Shahraji's thesis; the tooltip of the row gives the "
-            "reason for a difference"
+            "Whether the best inclination is the same as in Shahraji's thesis; the tooltip of the "
+            "row gives the reason for a difference"
         ),
     ),
-    (N_("Lines (agreement)"), N_("Agreement of the lines with Shahraji's thesis")),
+    (
+        N_("Lines (vs. thesis)"),
+        N_("Whether the headings of the required lines are the same as in Shahraji's thesis"),
+    ),
 )
 """Titles and tips of the columns."""
 READ = N_("Move the mouse over the chart to read values")

@@ -43,7 +43,7 @@ LOSS_SUMMARIES: dict[LossName, str] = {
     "tukey": N_("Tukey"),
 }
 NOISES = (N_("One value for all axes"), N_("One value per axis"), N_("Range and angle noise"))
-NOISE_SUMMARIES = ("", N_("LiDAR noise along X, Y, Z"), N_("LiDAR noise of range and angle"))
+NOISE_SUMMARIES = ("", N_("LiDAR noise along X, Y, Z"), N_("LiDAR range and angle noise"))
 _MM, _DEG = 1e3, float(np.degrees(1.0))
 
 

@@ -288,7 +288,7 @@ class ConventionPanel(QWidget):
                 assert correction.current is not None
                 assert correction.correction is not None
                 rows = [
-                    (gettext("Present angles"), correction.current, "+", False),
+                    (gettext("Current angles"), correction.current, "+", False),
                     (gettext("Correction"), correction.correction, "+", False),
                     last,
                 ]
@@ -303,7 +303,7 @@ class ConventionPanel(QWidget):
         ]
         if new.present is not None and new.present.lever_arm is not None:
             present = _lever_arm_text(setup.axes, new.present.lever_arm)
-            texts.append(gettext("Present lever arm: {lever_arm}", lever_arm=present))
+            texts.append(gettext("Current lever arm: {lever_arm}", lever_arm=present))
             texts += map(message_text, filter(None, [new.lever_arm_note]))
         self.lever.setText("<br>".join(texts))
 
@@ -314,8 +314,8 @@ class ConventionPanel(QWidget):
         if correction is not None:
             lines.append(
                 gettext(
-                    "Multiply the present matrix by the correction from the left: new = "
-                    "correction · present."
+                    "Multiply the current matrix by the correction from the left: new = "
+                    "correction · current."
                 )
             )
             error = correction.sum_error
@@ -351,7 +351,7 @@ class ConventionPanel(QWidget):
 
 def _correction_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:
     text = gettext(
-        "The matrix below replaces the present matrix: new = correction · present. Correction:"
+        "The matrix below replaces the current matrix: new = correction · current. Correction:"
     )
     return f"{text}<br>{_matrix_html(rotation if transform is None else transform)}"
 
@@ -359,7 +359,7 @@ def _correction_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:
 def _sum_error_text(error: float) -> str:
     """Warning that the sum of the angles is wrong by so many radians."""
     return gettext(
-        "<b>Do not add the correction to the present angles.</b> The sum would be wrong by "
+        "<b>Do not add the correction to the current angles.</b> The sum would be wrong by "
         "{angle}, which is {distance} at {range}.",
         angle=units.local_amount(float(np.degrees(error)), "°", ".4f"),
         distance=units.local_amount(error * 1e5, "mm", ".0f"),

@@ -204,7 +204,7 @@ class CurrentSettingsInputs(QWidget):
         if not self.as_matrix.isChecked():
             return PresentSettings(np.radians(self.fields.value()))
         return present_settings_of_matrix(
-            setup, *matrix_of_text(self.matrix.toPlainText(), gettext("Present matrix"))
+            setup, *matrix_of_text(self.matrix.toPlainText(), gettext("Current matrix"))
         )
 
     def _show_fields(self) -> None:
@@ -227,13 +227,13 @@ class CurrentSettingsInputs(QWidget):
             label.setText(capitalised(gettext(turn.name)))
             field.setToolTip(
                 gettext(
-                    "Present {angle} in {program}, {meaning}",
+                    "Current {angle} in {program}, {meaning}",
                     angle=gettext(turn.name),
                     program=program_name(convention),
                     meaning=gettext(turn.meaning),
                 )
             )  # fmt: skip
-            field.setAccessibleName(gettext("Present {angle}", angle=gettext(turn.name)))
+            field.setAccessibleName(gettext("Current {angle}", angle=gettext(turn.name)))
         # Settings of one program do not apply to another.
         self.fields.set_value((0.0, 0.0, 0.0))
 

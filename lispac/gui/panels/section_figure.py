@@ -20,8 +20,8 @@ MOST = 60_000
 TEXT, SMALL = 9, 8
 TITLES = {"prior": N_("Before"), "estimated": N_("After")}
 TITLES_WITH_DISTANCE = {
-    "prior": N_("Before: lines up to {distance} apart"),
-    "estimated": N_("After: lines up to {distance} apart"),
+    "prior": N_("Before: largest distance between lines {distance}"),
+    "estimated": N_("After: largest distance between lines {distance}"),
 }
 
 

@@ -61,7 +61,7 @@ _FACTS = {
     "Columns": N_("Columns"),
     "comments": N_("Comments"),
     "coordinate system": N_("Coordinate system"),
-    "Date of mission": N_("Date of the mission"),
+    "Date of mission": N_("Date of the survey"),
     "decimal": N_("Decimal separator"),
     "Duration": N_("Duration"),
     "End": N_("End"),
