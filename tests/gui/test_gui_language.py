@@ -281,9 +281,15 @@ def test_nothing_is_cut_off_in_a_small_french_window(
     qtbot.waitUntil(lambda: not window.runner.active, timeout=SOON_MS)
     for step in range(5):
         window.workflow.open(step)
-        qtbot.wait(50)
-        for panel in (window.results, window.workflow):
-            for area in panel.findChildren(VerticalScrollArea):
-                if area.isVisible():
-                    assert area.width() >= area.minimumSizeHint().width()
+        areas = [
+            area
+            for panel in (window.results, window.workflow)
+            for area in panel.findChildren(VerticalScrollArea)
+            if area.isVisible()
+        ]
+        # The docks get their width from an event after the step is opened
+        qtbot.waitUntil(
+            lambda areas=areas: all(a.width() >= a.minimumSizeHint().width() for a in areas),
+            timeout=SOON_MS,
+        )
     assert window.width() == 1366
