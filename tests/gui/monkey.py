@@ -301,7 +301,9 @@ def main() -> int:
         each.mkdir(parents=True)
     project = folder / DEMO
     shutil.copytree(wanted.project, project)
-    shutil.copytree(wanted.project, folder / "away")
+    # The monkey may open and save "away"; memory is compared with a project that it cannot reach
+    for each in (folder / "away", home / "compared"):
+        shutil.copytree(wanted.project, each)
     os.environ["HOME"] = str(home)
     for name in ("CACHE", "CONFIG", "DATA"):
         os.environ[f"XDG_{name}_HOME"] = str(home / name.lower())
@@ -338,7 +340,7 @@ def main() -> int:
     sys.unraisablehook = lambda known: monkey.caught(
         "".join(traceback.format_exception(known.exc_value)) if known.exc_value else str(known)
     )
-    monkey.stand(folder / "away")
+    monkey.stand(home / "compared")
     monkey.pulse.start()
     monkey.play(wanted.seconds)
     monkey.note_pauses()
@@ -346,7 +348,7 @@ def main() -> int:
     seen = monkey.seen
     seen.longest_ms = monkey.pulse.longest
     monkey.session.window.document.undo_stack.setClean()
-    monkey.stand(folder / "away")
+    monkey.stand(home / "compared")
     end(monkey)
     faulthandler.cancel_dump_traceback_later()
     logbook.end()
