@@ -92,14 +92,14 @@ def test_a_section_in_feet_is_saved_in_metres(picked: Driver, tmp_path: Path) ->
             "Distance from the vessel (ft)",
             "Height (ft)",
         )
-        assert first.get_title(loc="left").endswith("\N{NO-BREAK SPACE}ft apart")
+        assert first.get_title(loc="left").endswith("\N{NO-BREAK SPACE}ft")
         first.set_xlim(-0.25, 0.5)
         picked.dialogs.path = tmp_path / "section.svg"
         press(picked, Key.Key_P, Control)
         settle(picked)
         saved = picked.dialogs.path.read_text()  # words stand as comments beside their outlines
         assert "<!-- Height (m) -->" in saved
-        assert "mm apart -->" in saved
+        assert "mm -->" in saved
         assert "(ft)" not in saved
         assert first.get_xlim() == (-0.25, 0.5)
         assert first.get_ylabel() == "Height (ft)"
