@@ -22,6 +22,7 @@ from lispac.survey.store.line_import import write_store
 from lispac.survey.store.point_blocks import PointPiece
 from lispac.survey.store.stored_line import open_store
 from tests.store_lines import LINE, RECIPE, files_of, place, small, stored, why
+from tests.test_fuzz import reseal
 
 __all__ = ["small"]
 pytestmark = pytest.mark.usefixtures("small")
@@ -77,6 +78,24 @@ def test_where_points_lie_is_checked_though_the_file_seems_unchanged(
     with pytest.raises(ProjectError, match=rf"{name}\.npy") as refused:
         open_store(tmp_path, "L1")
     assert why(refused.value) == "store.part_changed"
+
+
+@pytest.mark.parametrize(("value", "count"), [(np.nan, None), (np.nan, 1), (3e38, 1)])
+def test_impossible_coordinates_with_right_checksums_are_refused(
+    tmp_path: Path, value: float, count: int | None
+) -> None:
+    """By the check of an import, wherever they are in the line."""
+    stored(tmp_path / "L1")
+    manifest = layout.read_manifest(tmp_path / "L1")
+    assert manifest is not None
+    (column,) = (each for each in manifest.files if each.name == "xyz")
+    path = tmp_path / "L1" / manifest.folder / column.file
+    xyz = np.load(path)
+    xyz[len(xyz) // 2 :][:count] = value
+    np.save(path, xyz)
+    reseal(tmp_path / "L1", manifest)
+    with pytest.raises(ProjectError):
+        open_store(tmp_path / "L1", "L1").require_sound()
 
 
 def test_a_copied_store_is_checked_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -77,6 +77,10 @@ class LineSample:
     intensity: NDArray[Any] | None
 
 
+CHECKED_AT_ONCE = 1_000_000
+"""Points whose values are checked at a time."""
+
+
 @dataclass(frozen=True, eq=False)
 class StoredLine:
     """One line on disk, with what `lispac.survey.scan.Scan` has.
@@ -328,7 +332,7 @@ class StoredLine:
         return rows, np.concatenate([points for _, points in found])
 
     def require_sound(self, progress: Callable[[float], None] = lambda done: None) -> None:
-        """Read all of it and compare the checksums.
+        """Read all of it, compare the checksums, and check the values of all points.
 
         Raises
         ------
@@ -343,6 +347,9 @@ class StoredLine:
                 raise self.imported_again_or(failure) from failure
             done += column.size
             progress(done / self.manifest.bytes)
+        for first in range(0, len(self), CHECKED_AT_ONCE):
+            rows = slice(first, first + CHECKED_AT_ONCE)
+            self._require_points(self.points_lidar[rows], self.time[rows])
 
     def is_of(self, path: Path) -> bool:
         """Whether the file at ``path`` is still the one that was imported (`OSError`)."""
