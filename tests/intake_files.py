@@ -42,6 +42,22 @@ def write_line(path: Path, times: np.ndarray, points: np.ndarray | None = None, 
     return path
 
 
+def write_long_line(path: Path, count: int) -> Path:
+    """Write 20 s of a profiler within the trajectory of `write_survey`, in parts."""
+    header = laspy.LasHeader(point_format=6, version="1.4")
+    header.scales = np.full(3, 1e-4)
+    header.global_encoding.gps_time_type = laspy.header.GpsTimeType.WEEK_TIME
+    with laspy.open(path, mode="w", header=header) as writer:
+        for first in range(0, count, 1_000_000):
+            k = np.arange(first, min(count, first + 1_000_000))
+            angle, ranges = 2 * np.pi * (k % 5000) / 5000, 10 + 5 * np.sin(k / 700)
+            points = laspy.ScaleAwarePointRecord.zeros(len(k), header=header)
+            points.x, points.y = 0 * ranges, ranges * np.cos(angle)
+            points.z, points.gps_time = ranges * np.sin(angle), START + 5 + 20 * k / count
+            writer.write_points(points)
+    return path
+
+
 def fan(count: int) -> np.ndarray:
     """Points 5 to 20 m to the side of the scanner."""
     k = np.arange(count)

@@ -19,6 +19,8 @@ from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.survey.store import point_blocks, spool
 from lispac.survey.store.line_import import write_store
 from lispac.survey.store.stored_line import open_store
+from lispac.workflow.projects import create_project
+from tests.intake_files import LEVER, write_long_line, write_survey
 from tests.store_lines import RECIPE, Line, place
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="no SIGKILL here")
@@ -127,6 +129,47 @@ def test_kill_during_import(tmp_path: Path, monkeypatch, times: int) -> None:
             path.unlink()
     print(f"\n{times} imports of {took:.2f} s killed: {said}")
     assert said["interrupted while reading"] + said["while ordering"] > 0
+
+
+@pytest.mark.parametrize(
+    ("points", "times"),
+    [
+        (50_000, 2),
+        pytest.param(10_000_000, 50, marks=[pytest.mark.long, pytest.mark.timeout(7200)]),
+    ],
+)
+def test_kill_during_the_import_command(tmp_path: Path, points: int, times: int) -> None:
+    """The project opens, and the next import completes and leaves nothing of the killed one."""
+    (tmp_path / "files").mkdir()
+    files = write_survey(tmp_path / "files")
+    project = create_project(
+        tmp_path / "p", trajectory=files / "pos.sbet", accuracy=files / "smrmsg.out",
+        lines=[LineSource("L1", write_long_line(files / "long.las", points))], settings=Settings(LEVER),
+    )  # fmt: skip
+    words = ["import", str(project.folder)]
+    took = command_killed(words, None)
+    whole = open_store(project.folder / "lines" / "L1", "L1").manifest
+    moments, found = random.Random(11), {"complete": 0, "incomplete": 0}
+    for k in range(times):
+        shutil.rmtree(project.folder / "lines")
+        command_killed(words, took * (k + moments.random()) / times)
+        assert [line.name for line in read_project(project.folder).lines] == ["L1"]
+        try:
+            open_store(project.folder / "lines" / "L1", "L1").require_sound()
+        except ProjectError as error:
+            assert error.code in ("store.not_imported", "store.interrupted")
+            found["incomplete"] += 1
+        else:
+            found["complete"] += 1
+        assert main(words) == 0
+        stored = open_store(project.folder / "lines" / "L1", "L1")
+        stored.require_sound()
+        assert [c.checksum for c in stored.manifest.files] == [c.checksum for c in whole.files]
+        left = {path.name for path in (project.folder / "lines" / "L1").iterdir()}
+        assert left == {"store.json", stored.manifest.folder}
+        assert not list(project.folder.rglob(".*"))
+    print(f"\n{times} imports of {points:,} points, {took:.1f} s each, killed: {found}")
+    assert found["incomplete"] > 0
 
 
 def test_kill_while_a_line_is_imported_anew(tmp_path: Path, monkeypatch) -> None:

@@ -9,7 +9,6 @@ import time
 from collections.abc import Mapping
 from pathlib import Path
 
-import laspy
 import numpy as np
 import pytest
 
@@ -17,35 +16,18 @@ from lispac.project import LineSource, Settings
 from lispac.survey.point_screening import PointScreen, PointSelection
 from lispac.workflow.line_import import import_lines
 from lispac.workflow.projects import create_project
-from tests.intake_files import LEVER, START, write_survey
+from tests.intake_files import LEVER, write_long_line, write_survey
 
 SIZES = [1_000_000, 10_000_000]
 if more := os.environ.get("LISPAC_AUDIT_POINTS"):
     SIZES.append(int(more))
 
 
-def written(path: Path, count: int) -> Path:
-    """A line of a profiler at a constant rate over 20 s, written a million points at a time."""
-    header = laspy.LasHeader(point_format=6, version="1.4")
-    header.scales = np.full(3, 1e-4)
-    header.global_encoding.gps_time_type = laspy.header.GpsTimeType.WEEK_TIME
-    with laspy.open(path, mode="w", header=header) as writer:
-        for first in range(0, count, 1_000_000):
-            k = np.arange(first, min(count, first + 1_000_000))
-            angle = 2 * np.pi * (k % 5000) / 5000
-            ranges = 10 + 5 * np.sin(k / 700)
-            points = laspy.ScaleAwarePointRecord.zeros(len(k), header=header)
-            points.x, points.y = 0 * ranges, ranges * np.cos(angle)
-            points.z, points.gps_time = ranges * np.sin(angle), START + 5 + 20 * k / count
-            writer.write_points(points)
-    return path
-
-
 @pytest.mark.parametrize("count", SIZES)
 def test_audit_beside_import(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, count: int) -> None:
     (tmp_path / "files").mkdir()
     folder = write_survey(tmp_path / "files")
-    path = written(folder / "long.las", count)
+    path = write_long_line(folder / "long.las", count)
     project = create_project(
         tmp_path / "p", trajectory=folder / "pos.sbet", accuracy=folder / "smrmsg.out",
         lines=[LineSource("long", path)], settings=Settings(LEVER),
