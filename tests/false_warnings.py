@@ -10,11 +10,10 @@ really not be flat: the simulated surfaces decide, and warnings that are true ar
 
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from csv import DictReader
-from dataclasses import dataclass, replace
-from functools import cache
+from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import cast
@@ -33,7 +32,6 @@ from lispac.simulation.closed_form_survey import add_errors, error_free_survey, 
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.workflow.calibration import estimate
 from lispac.workflow.picking import pick_target
-from lispac.workflow.proposals import propose_targets
 from lispac.workflow.simulate import TARGETS as TARGETS_LIST
 from lispac.workflow.simulate import simulate
 from lispac.workflow.simulated_setup import read_simulation
@@ -41,7 +39,7 @@ from lispac.workflow.survey import load_survey
 from lispac.workflow.targetless import targetless
 from tests.coverage_of_errors import MODEL, PRIOR, TARGETS, TRUTH
 from tests.coverage_of_errors import RAW as SPACING
-from tests.natural_scenes import form_factors, natural_site, opened
+from tests.natural_scenes import print_answers, study
 from tests.test_targetless_coverage import surveyed
 
 OF_GEOMETRY = {
@@ -82,29 +80,6 @@ def two_lines(seed: int) -> Judged:
     return boards(seed, 2)
 
 
-def natural_planes(seed: int) -> Judged:
-    return natural_calibration(seed)[:2]
-
-
-@cache
-def natural_calibration(seed: int) -> tuple[AdjustmentResult, CrossChecks | None, set[str]]:
-    """Result and cross-checks of a natural scene, and the targets that are truly not flat."""
-    seen = natural_site(seed)
-    project, survey = opened(seen, np.random.default_rng([35, seed]).normal(0, 1.0, 3))
-    proposal = propose_targets(project, survey)
-    solved = estimate(replace(project, targets=proposal.targets), survey)
-    assert solved.result is not None
-    factors = form_factors(seen, solved)
-    return solved.result, solved.cross_checks, {name for name in factors if factors[name] >= 1}
-
-
-def is_true(kind: str, seed: int, message: Message) -> bool:
-    """True if the simulated survey has what a warning states."""
-    if kind != "natural planes" or message.code != NOT_FLAT:
-        return False
-    return set(cast(tuple[str, ...], message.params["targets"])) <= natural_calibration(seed)[2]
-
-
 def without_targets(seed: int) -> Judged:
     with TemporaryDirectory() as folder:
         project, survey, _ = surveyed(Path(folder), seed)
@@ -130,9 +105,10 @@ def spinning(seed: int) -> Judged:
 
 
 KINDS: dict[str, Callable[[int], Judged]] = {
-    "boards": boards, "two lines": two_lines, "natural planes": natural_planes,
-    "targetless": without_targets, "spinning": spinning,
+    "boards": boards, "two lines": two_lines, "targetless": without_targets, "spinning": spinning,
 }  # fmt: skip
+NATURAL = "natural"
+"""Kind of the planes that the program proposes in scenes without boards."""
 
 
 def count_warnings(kind: str, seed: int) -> Counted | None:
@@ -142,24 +118,43 @@ def count_warnings(kind: str, seed: int) -> Counted | None:
     except (AdjustmentError, TargetNotFound) as error:
         print(kind, seed, str(error)[:100])
         return None
-    found = [
-        each for each in result_warnings(result, checks)
-        if each.is_serious and each.code not in OF_GEOMETRY
-    ]  # fmt: skip
-    true = [each for each in found if is_true(kind, seed, each)]
-    for each in found:
-        is_so = "true" if each in true else "false"
-        print(kind, seed, is_so, each.code, message_text(each)[:260], flush=True)
-    return Counted(
-        tuple({each.code for each in found if each not in true}),
-        tuple({each.code for each in true}),
-    )
+    found = [each for each in result_warnings(result, checks) if each.is_serious]
+    return judged(f"{kind} {seed}", found, frozenset())
+
+
+def judged(survey: str, warnings: Iterable[Message], bent: frozenset[str]) -> Counted:
+    """False and true ones among the serious warnings that name an error.
+
+    Parameters
+    ----------
+    bent : frozenset of str
+        Targets that are not flat by the simulated surface.
+    """
+    true, false = [], []
+    for each in warnings:
+        if each.code in OF_GEOMETRY:
+            continue
+        is_true = each.code == NOT_FLAT and bent.issuperset(
+            cast(tuple[str, ...], each.params["targets"])
+        )
+        (true if is_true else false).append(each.code)
+        word = "true" if is_true else "false"
+        print(survey, word, each.code, message_text(each)[:260], flush=True)
+    return Counted(tuple(set(false)), tuple(set(true)))
 
 
 def row(kind: str, surveys: int) -> str:
-    with ProcessPoolExecutor(2) as pool:
-        answers = list(pool.map(count_warnings, [kind] * surveys, range(surveys), chunksize=2))
-    known = [each for each in answers if each is not None]
+    if kind == NATURAL:
+        scenes = study(surveys)
+        print_answers(scenes)
+        known = [
+            judged(f"{kind} {seed}", each.warnings, each.bent)
+            for seed, each in enumerate(scenes) if each.error is not None
+        ]  # fmt: skip
+    else:
+        with ProcessPoolExecutor(2) as pool:
+            answers = pool.map(count_warnings, [kind] * surveys, range(surveys), chunksize=2)
+            known = [each for each in answers if each is not None]
 
     def shares(codes: Iterator[str]) -> str:
         return ", ".join(
@@ -174,7 +169,7 @@ def row(kind: str, surveys: int) -> str:
 def main() -> None:
     """Print the table."""
     surveys = int(sys.argv[1]) if len(sys.argv) > 1 else 200
-    for kind in sys.argv[2:] or KINDS:
+    for kind in sys.argv[2:] or [*KINDS, NATURAL]:
         print(row(kind, surveys), flush=True)
 
 

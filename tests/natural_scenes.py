@@ -5,6 +5,7 @@
 Roofs, walls, ground, vehicles and tarpaulins of random size, inclination and form error, seen from
 two to six lines. Prints how many scenes gave a proposal, the share of 95 % intervals that hold, for
 each angle, the ratio of stated and predicted sigmas, and the serious warnings.
+`tests.false_warnings` prints the same, and which of the warnings are false.
 """
 
 import sys
@@ -17,6 +18,7 @@ import numpy as np
 from lispac.adjustment.warnings import result_warnings
 from lispac.errors import AdjustmentError, TargetNotFound
 from lispac.geometry.planes import fit_plane, plane_axes, rms_distance
+from lispac.messages import Message
 from lispac.project import Project
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes
@@ -151,7 +153,15 @@ def form_factors(seen: Site, project: Project) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a scene gave: nothing but a reason, or error and sigmas in degrees, shape (3,)."""
+    """What a scene gave: nothing but a reason, or error and sigmas in degrees, shape (3,).
+
+    Attributes
+    ----------
+    warnings : tuple of Message
+        The serious ones.
+    bent : frozenset of str
+        Targets that are not flat by the simulated surface.
+    """
 
     reason: str = ""
     error: np.ndarray | None = None
@@ -159,7 +169,13 @@ class Answer:
     predicted: np.ndarray | None = None
     targets: int = 0
     lines: int = 0
-    serious: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
+    bent: frozenset[str] = frozenset()
+
+    @property
+    def serious(self) -> tuple[str, ...]:
+        """Codes of its serious warnings."""
+        return tuple(each.code for each in self.warnings)
 
 
 def answer(seed: int) -> Answer:
@@ -181,7 +197,8 @@ def answer(seed: int) -> Answer:
         np.degrees(proposal.sigma),
         sum(target.role == "target" for target in proposal.targets),
         len(seen.echoes),
-        tuple(d.code for d in result_warnings(result, solved.cross_checks) if d.is_serious),
+        tuple(each for each in result_warnings(result, solved.cross_checks) if each.is_serious),
+        frozenset(name for name, each in form_factors(seen, solved).items() if each >= 1),
     )
 
 
@@ -192,8 +209,11 @@ def study(scenes: int, workers: int = 2) -> list[Answer]:
 
 def main() -> None:
     """Print the study."""
-    scenes = int(sys.argv[1]) if len(sys.argv) > 1 else 200
-    answers = study(scenes)
+    print_answers(study(int(sys.argv[1]) if len(sys.argv) > 1 else 200))
+
+
+def print_answers(answers: list[Answer]) -> None:
+    """A row for each scene, and the shares."""
     for seed, each in enumerate(answers):
         if each.error is None or each.sigma is None:
             print(seed, each.lines, each.reason[:150])
@@ -205,7 +225,7 @@ def main() -> None:
         known = [a for a in wanted if a.error is not None]
         hits = np.mean([np.abs(a.error) < 1.96 * a.sigma for a in known], axis=0)
         ratio = np.median([a.sigma / a.predicted for a in known], axis=0)
-        print(f"{label}: {len(known)} of {scenes} scenes; intervals that hold {100 * hits}; "
+        print(f"{label}: {len(known)} of {len(answers)} scenes; intervals that hold {100 * hits}; "
               f"stated over predicted {ratio}")  # fmt: skip
     print(Counter(code for each in answers for code in each.serious))
 
