@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.mesh_file import read_mesh
+from lispac.io.mesh_file import MeshReader, read_mesh
 from lispac.messages import error
 from lispac.simulation.meshes import Mesh, MeshCaster
 from lispac.simulation.scene import Rectangle, Scene, Sphere, tilted_rectangle
@@ -161,6 +161,46 @@ def test_an_obj_that_is_cut_is_refused_with_its_line(wrong: str, tmp_path: Path)
         read_mesh(path, "m", 0.4)
     code = "mesh.vertex" if wrong.startswith("v") else "mesh.face"
     assert refused.value.message == error(code, file=str(path), row=4, text=wrong)
+
+
+def stl_text(mesh: Mesh) -> bytes:
+    """STL as text, which Open3D does not write."""
+    corners = mesh.vertices[mesh.triangles]
+    facets = "".join(
+        "facet normal 0 0 1\nouter loop\n"
+        + "".join(f"vertex {x:.6f} {y:.6f} {z:.6f}\n" for x, y, z in each)
+        + "endloop\nendfacet\n"
+        for each in corners
+    )
+    return f"solid board\n{facets}endsolid board\n".encode()
+
+
+@pytest.mark.parametrize("kind", ["text.ply", "binary.ply", "text.stl", "binary.stl"])
+def test_a_mesh_that_is_cut_short_is_refused(kind: str, tmp_path: Path) -> None:
+    """Wherever it is cut; Open3D gives the faces before the cut."""
+    mesh = as_mesh(tilted_rectangle("board", (3.0, 2.0, 1.0), 2.0, 1.0, 70, 30))
+    path, cut = tmp_path / f"whole.{kind[-3:]}", tmp_path / f"cut.{kind[-3:]}"
+    write_mesh(path, mesh)
+    if kind == "text.stl":
+        path.write_bytes(stl_text(mesh))
+    elif kind == "text.ply":
+        rows = [f"{x} {y} {z}" for x, y, z in mesh.vertices]
+        rows += [f"3 {a} {b} {c}" for a, b, c in mesh.triangles]
+        path.write_text(
+            f"ply\nformat ascii 1.0\nelement vertex {len(mesh.vertices)}\nproperty double x\n"
+            f"property double y\nproperty double z\nelement face {len(mesh.triangles)}\n"
+            "property list uchar int vertex_indices\nend_header\n" + "\n".join(rows) + "\n"
+        )
+    whole = path.read_bytes()
+    codes = {"mesh.faces_missing", "mesh.no_end", "mesh.damaged", "mesh.no_triangles"}
+    with MeshReader() as reader:  # one process for all
+        found = read_mesh(path, "m", 0.5, reader=reader)
+        assert len(found.triangles) == len(mesh.triangles)
+        for bytes_cut in (15, 40, 75, 300):
+            cut.write_bytes(whole[:-bytes_cut])
+            with pytest.raises(InputError) as refused:
+                read_mesh(cut, "m", 0.5, reader=reader)
+            assert refused.value.code in codes
 
 
 def test_what_is_no_mesh_is_refused(tmp_path: Path) -> None:

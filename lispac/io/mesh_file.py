@@ -78,7 +78,7 @@ def read_mesh(
     Raises
     ------
     InputError
-        Where the file is missing, of another kind, without triangles, or damaged.
+        Where the file is missing, of another kind, without triangles, cut short, or damaged.
     """
     path = require_file(Path(path), "mesh")
     ending = _mesh_ending(path)
@@ -87,6 +87,7 @@ def read_mesh(
     else:
         with nullcontext(reader) if reader is not None else MeshReader() as used:
             vertices, triangles = used.read(path, ending)
+        _require_complete(path, ending, len(triangles))
     if not len(triangles):
         raise InputError(error("mesh.no_triangles", file=str(path)))
     if triangles.min() < 0 or triangles.max() >= len(vertices):
@@ -122,6 +123,28 @@ def _mesh_ending(path: Path) -> str:
     if path.suffix.lower() not in ENDINGS:
         raise InputError(error("mesh.format", file=str(path)))
     return path.suffix.lower()
+
+
+def _require_complete(path: Path, ending: str, triangles: int) -> None:
+    """Refuse a file that is cut short: Open3D keeps the faces before the cut.
+
+    Raises
+    ------
+    InputError
+        Where PLY gives fewer triangles than faces, or STL as text does not reach its end.
+    """
+    content = path.read_bytes()
+    if ending == ".ply":
+        header = content[: content.find(b"end_header")]
+        found = re.search(rb"[\r\n]element face (\d{1,15})[\r\n ]", header)
+        if found and triangles < int(found[1]):
+            raise InputError(
+                error("mesh.faces_missing", file=str(path), expected=int(found[1]), count=triangles)
+            )
+    elif len(content) != 84 + 50 * int.from_bytes(content[80:84], "little"):
+        last = content.rstrip().rpartition(b"\n")[2].strip().lower()
+        if not last.startswith(b"endsolid"):
+            raise InputError(error("mesh.no_end", file=str(path)))
 
 
 def _read_in_process(name: str) -> tuple[Array, NDArray[np.int64]]:

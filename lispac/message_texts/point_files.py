@@ -323,6 +323,14 @@ TEXTS: Mapping[str, Template] = {
     "mesh.damaged": N_(
         "{file}: this mesh file is damaged and cannot be read. Export the mesh again."
     ),
+    "mesh.faces_missing": N_(
+        "{file}: the file header specifies {expected:n} faces, but only {count:n} can be read, so "
+        "part of the scene is missing. Export the mesh again."
+    ),
+    "mesh.no_end": N_(
+        "{file}: the file does not end with “endsolid”, so part of the scene is missing. Export "
+        "the mesh again."
+    ),
     "mesh.format": N_(
         "{file}: the format of this mesh file is not known. Export the mesh as PLY, OBJ or STL."
     ),
