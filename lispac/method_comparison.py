@@ -55,10 +55,10 @@ def method_results(project: Project) -> tuple[MethodResult, ...]:
     found: list[MethodResult] = []
 
     def add(
-        calibration: Calibration, lines: int, surfaces: int, remarks: tuple[Message, ...]
+        calibration: Calibration, lines: int, surfaces: int, messages: tuple[Message, ...]
     ) -> None:
         against = compare_calibrations(found[0].calibration, calibration) if found else None
-        found.append(MethodResult(calibration, lines, surfaces, against, remarks))
+        found.append(MethodResult(calibration, lines, surfaces, against, messages))
 
     result = project.result
     if result is not None:
@@ -86,8 +86,8 @@ def missing_methods(project: Project) -> tuple[Method, ...]:
     )
 
 
-def comparison_remarks(results: tuple[MethodResult, ...]) -> tuple[Message, ...]:
-    """Remarks on the agreement of each method with the first, and on its limits."""
+def comparison_messages(results: tuple[MethodResult, ...]) -> tuple[Message, ...]:
+    """Notes on the agreement of each method with the first, and on its limits."""
     if len(results) < 2:
         return ()
     compared = [_agreement_note(each.against) for each in results if each.against is not None]

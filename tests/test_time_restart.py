@@ -131,7 +131,7 @@ def test_the_dialogue_counts_on_and_says_so(tmp_path: Path) -> None:
     input_files = taken_in(InputFiles(), track, line)
     entry = named(input_files, "L.las")
     assert input_files.state_of_file(entry) == "fine"
-    (restart,) = (m for m in input_files.remarks(entry) if m.code == "import.times_restart")
+    (restart,) = (m for m in input_files.messages(entry) if m.code == "import.times_restart")
     assert restart.params["place"] == note("rollover.week_end")
     assert restart.params["last"] == pytest.approx(WEEK, abs=0.1)
     covered = input_files.coverage(entry)

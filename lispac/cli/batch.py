@@ -69,8 +69,8 @@ def _print_table(rows: Sequence[BatchRow]) -> None:
             f"{_number_cell(apart[0], 9, 1)}{_number_cell(apart[1], 8, 1)}     {row.verdict}"
         )
     for row in rows:
-        for remark in row.messages:
-            print(f"{row.name}: {remark}")
+        for message in row.messages:
+            print(f"{row.name}: {message}")
 
 
 def _number_cell(value: float | None, width: int, decimals: int) -> str:

@@ -14,7 +14,7 @@ from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, error
 from lispac.method_comparison import (
     MethodResult,
-    comparison_remarks,
+    comparison_messages,
     method_results,
     missing_methods,
 )
@@ -51,7 +51,7 @@ def compare_methods(arguments: Namespace) -> None:
         print_json(
             {
                 "methods": [_method_values(each) for each in found],
-                "messages": [english_text(each) for each in comparison_remarks(found)],
+                "messages": [english_text(each) for each in comparison_messages(found)],
                 "missing": list(missing_methods(project)),
                 "refused": {name: english_text(why) for name, why in refused.items()},
             }
@@ -97,11 +97,11 @@ def _print_methods(results: tuple[MethodResult, ...]) -> None:
                 for angle, over in zip(each.against.angles, each.against.significance, strict=True)
             )
             print(f"{each.method:{width + 16}s}{cells}")
-    for remark in comparison_remarks(results):
-        print(message_text(remark))
+    for message in comparison_messages(results):
+        print(message_text(message))
     for each in results:
-        for remark in each.messages:
-            print(f"{each.method}: {message_text(remark)}")
+        for message in each.messages:
+            print(f"{each.method}: {message_text(message)}")
 
 
 def _method_values(each: MethodResult) -> dict[str, Any]:
@@ -112,7 +112,7 @@ def _method_values(each: MethodResult) -> dict[str, Any]:
         "sigma_deg": np.degrees(said.sigma).tolist(),
         "lines": each.lines,
         "surfaces": each.surfaces,
-        "messages": [english_text(remark) for remark in each.messages],
+        "messages": [english_text(message) for message in each.messages],
         "difference_deg": None if against is None else np.degrees(against.angles).tolist(),
         "significance": None if against is None else against.significance.tolist(),
         "probability": None if against is None else against.probability,

@@ -26,10 +26,10 @@ def identity(arguments: Namespace) -> None:
         if texts:
             project = project.with_identity(project.identity.changed(**texts))
             save_project(project)
-    stated = project.identity.dates
-    if texts.get("dates") and first_date_in(stated) is None:
+    dates = project.identity.dates
+    if texts.get("dates") and first_date_in(dates) is None:
         print(
-            f"note: the survey dates ({stated}) contain no date of the form 2026-03-04; lispac "
+            f"note: the survey dates ({dates}) contain no date of the form 2026-03-04; lispac "
             "history omits this calibration.", file=sys.stderr,
         )  # fmt: skip
     if arguments.json:

@@ -121,7 +121,7 @@ class FileFormat:
     sniff : callable
         Path to how sure the format is that the file is one of its own; reads the beginning alone
         and never fails on whatever bytes it finds.
-    look : callable
+    preview : callable
         Path and options to a `FilePreview`; reads as little as that takes.
     read : callable
         Path and options to a `Trajectory` or `TrajectoryAccuracy`; for points, to an iterator of
@@ -137,7 +137,7 @@ class FileFormat:
     endings: tuple[str, ...]
     options: tuple[FormatOption, ...]
     sniff: Callable[[Path], float]
-    look: Callable[[Path, Choice], FilePreview]
+    preview: Callable[[Path, Choice], FilePreview]
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy | Iterator[PointChunk]]
     read_from: Callable[[Path, Choice, int], Iterator[PointChunk]] | None = None
 

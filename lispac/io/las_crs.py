@@ -216,8 +216,8 @@ def _crs_by_citation(numbers: Mapping[int, int], texts: Mapping[int, str]) -> CR
             continue
         if crs.is_projected and crs.utm_zone is not None:
             base = UTM[crs.utm_zone.endswith("S")]
-            stated = numbers.get(PROJECTION, 32767)
-            if stated not in (32767, base + int(crs.utm_zone[:-1])):
+            projection = numbers.get(PROJECTION, 32767)
+            if projection not in (32767, base + int(crs.utm_zone[:-1])):
                 continue
         return crs
     return None

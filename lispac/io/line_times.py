@@ -83,21 +83,21 @@ def read_line_times(
         Where the file cannot be read with these options, or holds no points in the scanner frame
         that it is read in.
     """
-    stated = str(choice.get(RESTART, ""))
+    given = str(choice.get(RESTART, ""))
     resolved = format.resolved(choice)
     scanner = resolved[FRAME.name] == SCANNER
     if format.key == "las" and (count := point_count(path)) > READ_WHOLE:
         found, places = _sample_times(path, count, progress)
         if scanner:
             require_scanner_frame(places * coordinate_scale(resolved), path)
-        return _resolve_rollover(found, stated)
+        return _resolve_rollover(found, given)
     chunks = format.read(path, choice)
     assert isinstance(chunks, Iterator)
-    return _resolve_rollover(_read_times(path, chunks, scanner, progress), stated)
+    return _resolve_rollover(_read_times(path, chunks, scanner, progress), given)
 
 
-def _resolve_rollover(line_times: LineTimes, stated: str) -> LineTimes:
-    restart = stated or find_rollover(
+def _resolve_rollover(line_times: LineTimes, given: str) -> LineTimes:
+    restart = given or find_rollover(
         np.append(line_times.sample, [line_times.start, line_times.end])
     )
     if restart not in PERIODS:
@@ -176,6 +176,6 @@ def _sample_times(path: Path, count: int, progress: Progress) -> tuple[LineTimes
     times = times[np.isfinite(times)]
     if not len(times):
         raise InputError(error("line.no_usable_time", file=str(path)))
-    looked = np.concatenate(places)
+    places_read = np.concatenate(places)
     start, end = float(times.min()), float(times.max())
-    return LineTimes(times, start, end, count, False, True, looked[0]), looked
+    return LineTimes(times, start, end, count, False, True, places_read[0]), places_read

@@ -352,23 +352,23 @@ def time_resolution(time: NDArray[Any], seconds: float = 1.0) -> float:
     return float(np.spacing(np.float32(np.max(np.abs(finite))))) * seconds
 
 
-def time_base_message(time: NDArray[np.float64], stated: str) -> Message:
-    """Message on the base of ``time`` (n,), seconds: as stated, or those that fit."""
-    if stated:
-        return note("fact.time_base_specified", base=base_message(base_of_key(stated)))
+def time_base_message(time: NDArray[np.float64], base_key: str) -> Message:
+    """Message on the base of ``time`` (n,), seconds: as given, or those that fit."""
+    if base_key:
+        return note("fact.time_base_specified", base=base_message(base_of_key(base_key)))
     fitting = tuple(map(base_message, plausible_bases(time)))
     return note("fact.time_bases_fitting", bases=fitting) if fitting else note("fact.not_specified")
 
 
-def time_base_warnings(time: NDArray[np.float64], stated: str, file: str) -> tuple[Message, ...]:
+def time_base_warnings(time: NDArray[np.float64], base_key: str, file: str) -> tuple[Message, ...]:
     """Warning that ``time`` (n,), seconds, contradicts the base stated in the file ``file``."""
-    if not stated or not len(time):
+    if not base_key or not len(time):
         return ()
     possible = plausible_bases(time)
-    if stated in {each.key for each in possible}:
+    if base_key in {each.key for each in possible}:
         return ()
     fitting = tuple(base_message(each) for each in possible)
-    base, first, actions = base_message(base_of_key(stated)), float(time[0]), (CHOOSE_TIME_BASE,)
+    base, first, actions = base_message(base_of_key(base_key)), float(time[0]), (CHOOSE_TIME_BASE,)
     if not fitting:
         return (
             warning("times.base_impossible", file=file, base=base, time=first, actions=actions),

@@ -17,7 +17,7 @@ from lispac.io import e57, las_chunks, pcd, ply, pts
 from lispac.io.format_types import NOT
 from lispac.io.point_reader_common import HEAD, report_damage, require_not_empty
 from lispac.io.seed_file import header_meanings, separator_of
-from lispac.io.text_layout import REMARKS, SEPARATORS
+from lispac.io.text_layout import COMMENT_MARKS, SEPARATORS
 from lispac.io.text_table import UTF16, is_number, numbered_lines, split_fields
 from lispac.messages import Message, error
 from lispac.survey.point_screening import LARGEST
@@ -101,10 +101,10 @@ def open_static_scan(path: Path) -> StaticScan:
     path = require_not_empty(Path(path), WHAT)
     kind = _scan_kind(path)
     if kind == "las":
-        stated = las_chunks.stated_crs(path)
-        return StaticScan(path, stated.text, stated.height_unit, stated.messages)
+        header_crs = las_chunks.read_file_crs(path)
+        return StaticScan(path, header_crs.text, header_crs.height_unit, header_crs.messages)
     if kind == "e57":
-        system, messages = e57.stated_crs(path)
+        system, messages = e57.read_file_crs(path)
         return StaticScan(path, system, messages=messages)
     return StaticScan(path)
 
@@ -141,7 +141,7 @@ def _read_text(path: Path, local: bool) -> Array:
     """
     rows = (
         (number, line) for number, line in numbered_lines(path, WHAT)
-        if line.strip() and not line.strip().startswith(REMARKS)
+        if line.strip() and not line.strip().startswith(COMMENT_MARKS)
     )  # fmt: skip
     first = next(rows, None)
     if first is None:
@@ -163,7 +163,7 @@ def _read_text(path: Path, local: bool) -> Array:
     with report_damage(path, f"text of a {WHAT}"), path.open(encoding="utf-8-sig") as file:
         return np.loadtxt(
             file, delimiter=SEPARATORS.get(separator), usecols=wanted, skiprows=above, ndmin=2,
-            comments=list(REMARKS),
+            comments=list(COMMENT_MARKS),
         )  # fmt: skip
 
 
@@ -173,7 +173,7 @@ def has_no_time(path: Path, *, or_text: bool) -> bool:
         return pts.has_point_count(path)
     try:
         texts = (line.strip() for _, line in islice(numbered_lines(path, WHAT), LOOKED_AT))
-        rows = [split_fields(text) for text in texts if text and not text.startswith(REMARKS)]
+        rows = [split_fields(text) for text in texts if text and not text.startswith(COMMENT_MARKS)]
     except InputError:
         return False
     body = rows[1:]  # below a row of names

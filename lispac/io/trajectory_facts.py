@@ -142,13 +142,13 @@ def span_facts(time: Array) -> dict[str, Fact]:
     }
 
 
-def time_warnings(time: Array, stated: str, file: str) -> tuple[Message, ...]:
+def time_warnings(time: Array, base_key: str, file: str) -> tuple[Message, ...]:
     """Warnings about the times of a sample in the order of the file.
 
     Parameters
     ----------
     time : ndarray of shape (n,), seconds
-    stated : str
+    base_key : str
         Key of the time base used.
     file : str
         Name of the file.
@@ -158,16 +158,16 @@ def time_warnings(time: Array, stated: str, file: str) -> tuple[Message, ...]:
     start, end = float(time.min()), float(time.max())
     if not bases:
         file_warnings.append(warning("trajectory.no_time_base", file=file, start=start, end=end))
-    elif stated not in {base.key for base in bases}:
+    elif base_key not in {base.key for base in bases}:
         file_warnings.append(
             warning(
-                "trajectory.other_time_base", file=file, start=start, end=end, base=stated,
+                "trajectory.other_time_base", file=file, start=start, end=end, base=base_key,
                 bases=tuple(base.key for base in bases), actions=(CHOOSE_TIME_BASE,),
             )
         )  # fmt: skip
     else:
         # That UTC could be meant goes for any time of day or week; the base taken is given.
-        known = base_of_key(stated)
+        known = base_of_key(base_key)
         others = [
             base_message(base)
             for base in bases

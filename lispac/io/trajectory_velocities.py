@@ -59,11 +59,11 @@ def speed_warnings(
     except InputError:
         return ()  # columns that nobody needs may hold what they like
     factor = LENGTHS.get(velocities[0].unit)
-    stated = np.hypot(east, north)[motion.index] * (factor or 1.0)
-    moving = stated > MOVING
+    recorded = np.hypot(east, north)[motion.index] * (factor or 1.0)
+    moving = recorded > MOVING
     if np.count_nonzero(moving) < 20:
         return ()
-    ratio = float(np.median(motion.speed[moving] / stated[moving]))
+    ratio = float(np.median(motion.speed[moving] / recorded[moving]))
     by_feet = min(abs(ratio / FOOT - 1), abs(ratio * FOOT - 1)) < OFF
     # Velocities in a unit that is not known may be knots; those of feet and metres show alone.
     if abs(ratio - 1) <= OFF or (factor is None and not by_feet):

@@ -346,7 +346,7 @@ def complete_result(
     """Complete a result with the parts omitted for speed: a further line, the cross-checks.
 
     For what was solved without advice: a click is followed at once, and this comes after it. The
-    result is the same but for the remark on a further line.
+    result is the same but for the note on a further line.
     """
     assert project.result is not None
     observations, _ = _selected_observations(project, selected, survey)
@@ -356,7 +356,7 @@ def complete_result(
 
 
 def _with_advice(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
-    """The result with a remark on the further line that would help most."""
+    """The result with a note on the further line that would help most."""
     # A further line is judged by the sigmas of the whole.
     judged = observations.with_sigmas(*result.sigma_factors)
     seen = result.observability

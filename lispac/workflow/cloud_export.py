@@ -46,7 +46,7 @@ class WrittenLine:
         it is too steep to be interpolated).
     excluded : int
         Excluded because they are beyond the range of the scanner, or in it.
-    remarks : tuple of Message
+    messages : tuple of Message
         What of the source is not kept, and assumptions.
     """
 
@@ -55,11 +55,11 @@ class WrittenLine:
     outside: int = 0
     in_gaps: int = 0
     excluded: int = 0
-    remarks: tuple[Message, ...] = ()
+    messages: tuple[Message, ...] = ()
 
     @property
     def notes(self) -> tuple[Message, ...]:
-        """Points that are excluded, and the remarks."""
+        """Points that are excluded, and the messages."""
         found, file = [], printable(self.path.name)
         total = self.points + self.outside + self.in_gaps
         if self.outside:
@@ -70,7 +70,7 @@ class WrittenLine:
             found.append(
                 note("export.excluded_in_gaps", file=file, count=self.in_gaps, total=total)
             )
-        return (*found, *self.remarks)
+        return (*found, *self.messages)
 
 
 @dataclass(frozen=True, eq=False)

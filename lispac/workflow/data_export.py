@@ -194,7 +194,7 @@ def _trajectory_time_base(project: Project) -> str:
     format = format_of(reading.format or USUAL["trajectory"])
     try:
         found = known_time_base(
-            format, project.trajectory, dict(reading.options), "time", stated=False
+            format, project.trajectory, dict(reading.options), "time", given=False
         )
     except InputError:  # its file is gone, which the loaded survey does not need
         return ""

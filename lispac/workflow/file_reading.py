@@ -87,12 +87,12 @@ def check_file(
 
 def _check_format(path: Path, format: FileFormat, sure: float) -> FileCheck:
     try:
-        return FileCheck(format, sure, format.look(path, {}))
+        return FileCheck(format, sure, format.preview(path, {}))
     except InputError as refused:
         return FileCheck(format, sure, None, message_with_file_name(refused, path))
 
 
-def preview_with_options(path: Path, format: FileFormat, stated: Choice) -> FilePreview:
+def preview_with_options(path: Path, format: FileFormat, given: Choice) -> FilePreview:
     """Preview of a file with the options that the user gives.
 
     There is no warning about a missing coordinate system where one is given, and a warning where
@@ -103,11 +103,11 @@ def preview_with_options(path: Path, format: FileFormat, stated: Choice) -> File
     InputError
         As the format's own examination.
     """
-    finding = format.look(path, stated)
-    crs = str(stated.get("crs", ""))
+    finding = format.preview(path, given)
+    crs = str(given.get("crs", ""))
     if format.kind != "points" or not crs:
         return finding
-    if {**finding.choice, **stated}.get("frame", SCANNER) != SCANNER:
+    if {**finding.choice, **given}.get("frame", SCANNER) != SCANNER:
         kept = tuple(each for each in finding.file_warnings if each.code != NO_SYSTEM)
         return replace(finding, file_warnings=kept)
     unused = warning(
@@ -140,11 +140,11 @@ def detect_reading(path: Path, kind: Kind, reading: Reading) -> tuple[Reading, t
         if not found:
             raise InputError(error(_UNKNOWN_OF_KIND[kind], file=str(path)))
         format = found[0][0]
-    stated = dict(reading.options)
-    finding = preview_with_options(path, format, stated)
-    choice = format.resolved({**finding.choice, **stated})
+    given = dict(reading.options)
+    finding = preview_with_options(path, format, given)
+    choice = format.resolved({**finding.choice, **given})
     messages = list(finding.file_warnings)
-    detected = [f"{name}={value}" for name, value in choice.items() if value and name not in stated]
+    detected = [f"{name}={value}" for name, value in choice.items() if value and name not in given]
     if detected:
         file = printable(path.name)
         messages.append(note(READ_AS, file=file, format=format.name, options=detected))

@@ -114,12 +114,12 @@ def georeference_project(
                     compressed=ending == "laz",
                     progress=step,
                 )
-                remarks = (*done.remarks, *_assumptions(target))
+                messages = (*done.messages, *_assumptions(target))
                 if chunks.line.name in gone:
                     is_kept = gone[chunks.line.name] is not None
                     code = "export.file_gone" if is_kept else "export.file_and_header_gone"
-                    remarks += (note(code, line=chunks.line.name),)
-                written.append(replace(done, remarks=remarks))
+                    messages += (note(code, line=chunks.line.name),)
+                written.append(replace(done, messages=messages))
             progress(1.0)
     except BaseException:
         for folder in made:

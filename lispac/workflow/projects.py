@@ -172,7 +172,7 @@ def complete_readings(
     InputError
         Where a file cannot be read, or is not what is given.
     """
-    track_stated = bool(dict(trajectory_reading.options).get("time"))
+    base_given = bool(dict(trajectory_reading.options).get("time"))
     trajectory_reading, notes = usual_or_detected_reading(
         trajectory, "trajectory", trajectory_reading
     )
@@ -183,7 +183,7 @@ def complete_readings(
     notes += more
     known, more = shift_lines_to_trajectory(
         known, [line.reading for line in lines], trajectory, trajectory_reading,
-        trajectory_stated=track_stated,
+        trajectory_given=base_given,
     )  # fmt: skip
     return known, trajectory_reading, accuracy_reading, notes + more
 
@@ -211,7 +211,7 @@ def with_lines_added(
     added, notes = _lines_with_readings(lines)
     added, more = shift_lines_to_trajectory(
         added, [line.reading for line in lines], project.trajectory, project.trajectory_reading,
-        trajectory_stated=has_given_time_base(project.trajectory, project.trajectory_reading),
+        trajectory_given=has_given_time_base(project.trajectory, project.trajectory_reading),
     )  # fmt: skip
     notes += more
     edited = replace(

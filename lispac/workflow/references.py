@@ -176,11 +176,11 @@ def read_reference(
     file_facts = (path, path.stat().st_size, digest)
     if listed:
         points, columns = _read_points(path, system, survey.trajectory)
-        names, places, sigmas, planes, remarks = _group_points(points, sigma, path)
-        remarks += _sigma_warnings([point for point, _ in points])
+        names, places, sigmas, planes, messages = _group_points(points, sigma, path)
+        messages += _sigma_warnings([point for point, _ in points])
         usual = float(np.median([*sigmas, *(p.sigma for p in planes)]))
         return Reference(
-            *file_facts, "points", words, usual, (*notes, columns, *remarks), np.zeros((0, 3)),
+            *file_facts, "points", words, usual, (*notes, columns, *messages), np.zeros((0, 3)),
             names, places, sigmas, planes,
         )  # fmt: skip
     surface, used = _read_surface(found, system, survey, project, reach, progress)

@@ -49,7 +49,7 @@ class SeedOutcome:
 
     seed: ListedSeed
     target: Target | None
-    remark: Message | None = None
+    message: Message | None = None
 
 
 @dataclass(frozen=True)
@@ -209,7 +209,7 @@ def require_any_found(seeds: SeedList, outcomes: Sequence[SeedOutcome]) -> None:
                 count=len(outcomes),
                 target=first.seed.name,
                 row=first.seed.row,
-                reason="" if first.remark is None else first.remark,
+                reason="" if first.message is None else first.message,
             )
         )
 
@@ -244,7 +244,7 @@ def columns_note(points: PointList, system: CoordinateSystem | None) -> Message:
     """Note on the order of the columns of a list of points."""
     axes = dict(zip("xyz", axis_names(system), strict=True))
     columns = tuple(note(_COLUMNS[axes.get(name, name)]) for name in points.columns)
-    code = "assumed.columns_as_named" if points.stated else "assumed.columns_by_order"
+    code = "assumed.columns_as_named" if points.are_columns_given else "assumed.columns_by_order"
     return note(code, columns=columns)
 
 

@@ -217,7 +217,7 @@ def _file_messages(project: Project) -> tuple[Message, ...]:
     for kind, path, reading, subject in files:
         format = format_of(reading.format or USUAL[kind])
         try:
-            messages = format.look(path, dict(reading.options)).messages
+            messages = format.preview(path, dict(reading.options)).messages
         except InputError:  # the reader itself refuses the file where that matters
             continue
         found += [replace(each, subject=each.subject or subject) for each in messages]

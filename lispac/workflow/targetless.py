@@ -82,8 +82,8 @@ class TargetlessResult:
         return self.project.result
 
     @property
-    def remarks(self) -> tuple[Message, ...]:
-        """Remarks on the basis and the limits of the result."""
+    def messages(self) -> tuple[Message, ...]:
+        """Messages on the basis and the limits of the result."""
         used = len(self.project.targets) - self.targets
         found = [note("targetless.basis", used=used, total=self.candidates, rounds=self.rounds)]
         if self.targets:

@@ -188,7 +188,7 @@ class SeedsFoundDialog(QDialog):
                 points = sum(len(sighting.indices) for sighting in target.sightings)
                 seen = gettext("{seen:n} of {total:n}", seen=len(target.sightings), total=lines)
                 numbers = [seen, number(points)]
-            remarks = [] if outcome.remark is None else [message_text(outcome.remark)]
+            remarks = [] if outcome.message is None else [message_text(outcome.message)]
             if target is not None:
                 remarks += _missing_lines_text(target)
             _set_row(
