@@ -95,7 +95,7 @@ def test_points_are_selected_again_with_them(
     assert used == [
         CHOSEN.settings(
             radius=target.radius, threshold=reselection.NARROWED * target.threshold,
-            max_shift=reselection.MET_SHIFT,
+            max_shift=reselection.ALIGNED_MAX_SHIFT,
         )
     ]  # fmt: skip
     assert again.choices == CHOSEN

@@ -14,7 +14,7 @@ from lispac.workflow.calibration import estimate
 from lispac.workflow.proposal_acceptance import with_accepted
 from lispac.workflow.proposals import MOSTLY, UNCHECKED, propose_targets
 from lispac.workflow.sighting_assessment import sighting_qualities
-from lispac.workflow.target_choice import LEAST_TARGETS
+from lispac.workflow.target_choice import MIN_TARGETS
 from lispac.workflow.targetless import targetless
 from lispac.workflow.validation import validate
 from tests.natural_scenes import form_factors, natural_site, opened, study
@@ -31,7 +31,7 @@ def test_the_proposal_is_checked_and_predicts_its_sigmas() -> None:
     proposal = propose_targets(project, survey)
     targets = [target for target in proposal.targets if target.role == "target"]
     planes = [target for target in proposal.targets if target.role == "validation"]
-    assert len(targets) >= LEAST_TARGETS
+    assert len(targets) >= MIN_TARGETS
     assert planes
     assert proposal.warnings == ()
     for plane, target in product(planes, targets):

@@ -91,8 +91,8 @@ def _print_comparison(
             f"point shift {effects}"
         )
     if counted > 2:
-        more = "MORE than" if together.differ else "as"
-        words = f"scatter {more} expected from their sigmas"
+        relation = "MORE than" if together.differ else "as"
+        words = f"scatter {relation} expected from their sigmas"
         print(f"\nall calibrations {words} ({_probability_text(together.probability)})")
 
 

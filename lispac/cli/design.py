@@ -48,8 +48,8 @@ def design(arguments: Namespace) -> None:
             sigma = np.degrees(prediction.sigma)
             text = ", ".join(f"{a} {v:.4f}" for a, v in zip(ANGLES, sigma, strict=True)) + " deg"
         print(f"{name:12s}{text}")
-    looked = f"{found.looked_at:,} survey plans evaluated"
-    print(f"{looked}, all that are possible" if found.exact else f"{looked}, out of many more")
+    plans = f"{found.looked_at:,} survey plans evaluated"
+    print(f"{plans}, all that are possible" if found.exact else f"{plans}, out of many more")
     for message in observability_messages(found.plan):
         print(message_text(message))
     print(f"{'target':12s}{'along m':>9s}{'off m':>9s}{'up m':>9s}{'inclination deg':>16s}")

@@ -37,9 +37,9 @@ def identity(arguments: Namespace) -> None:
         return
     width = max(map(len, LABELS.values())) + 2
     for name in NAMES:
-        first, *more = getattr(project.identity, name).splitlines() or ["-"]
+        first, *others = getattr(project.identity, name).splitlines() or ["-"]
         print(f"{LABELS[name]:{width}s}{first}")
-        for line in more:
+        for line in others:
             print(" " * width + line)
 
 

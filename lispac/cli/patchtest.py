@@ -148,6 +148,6 @@ def _selected_pairs(
             raise UsageError(
                 f"patchtest: there is no line {line}; the lines are {', '.join(survey.lines)}."
             )
-    wanted = {kind for kind in get_args(Kind) if kind.split()[0] in kinds}
-    found = workflow.line_pairs(survey, wanted)
+    selected = {kind for kind in get_args(Kind) if kind.split()[0] in kinds}
+    found = workflow.line_pairs(survey, selected)
     return tuple(pair for pair in found if lines is None or set(pair.lines) <= set(lines))

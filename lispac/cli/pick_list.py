@@ -62,12 +62,12 @@ def pick_list(
 
 def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> dict[str, Any]:
     seed, target = outcome.seed, outcome.target
-    said = {
+    content = {
         "row": seed.row, "name": seed.name, "role": seed.role, "seed_m": list(seed.place),
         "found": target is not None, "reason": _message_text(outcome),
     }  # fmt: skip
     if target is None:
-        return said | {"lines": {}, "missing": {}}
+        return content | {"lines": {}, "missing": {}}
     judged = assess_target(project, survey, target)
     lines = {
         s.line: {
@@ -78,7 +78,7 @@ def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> d
         for s in target.sightings
     }
     missing = {line: english_text(reason) for line, reason in target.missing.items()}
-    return said | {"lines": lines, "missing": missing}
+    return content | {"lines": lines, "missing": missing}
 
 
 def _message_text(outcome: SeedOutcome) -> str:

@@ -342,15 +342,15 @@ def _column_roles(names: list[str]) -> list[str]:
     """Role of each column; the exact name of a role takes precedence over its synonyms."""
     bares = [_name_without_unit(name) for name in names]
     exact = {bare.strip().lower() for bare in bares} & set(ROLES.values())
-    taken: set[str] = set()
+    used_roles: set[str] = set()
     tokens = []
     for name, bare in zip(names, bares, strict=True):
         role = role_of(bare)
         if role in HEIGHTS and title_unit(name) in ANGLE_CODES:
             role = ""  # an elevation that is an angle
         waits = role in exact and bare.strip().lower() != role
-        tokens.append(role if role and role not in taken and not waits else "-")
-        taken |= set() if waits else {role}
+        tokens.append(role if role and role not in used_roles and not waits else "-")
+        used_roles |= set() if waits else {role}
     return tokens
 
 
@@ -391,8 +391,8 @@ def _require_single_angle_columns(path: Path, titles: Sequence[str]) -> None:
     for role in POSITION:
         own = []
         for title in titles:
-            apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", title)
-            words = re.split(r"[\s_.\[\](){}-]+", apart.lower().strip(" ])}"))
+            spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", title)
+            words = re.split(r"[\s_.\[\](){}-]+", spaced.lower().strip(" ])}"))
             bare = [word for word in words if word not in parts]
             if len(bare) < len(words) and role_of("".join(bare)) == role:
                 own.append(title)

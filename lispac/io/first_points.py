@@ -117,7 +117,7 @@ def check_first_points(
         file_warnings.append(
             warning("points.away_from_origin", file=file, distance=away, actions=(CHOOSE_FRAME,))
         )
-    elif len(xyz) > 100 and _looks_geographic(low, high) and (high - low)[:2].max() < 0.02:
+    elif len(xyz) > 100 and _is_likely_geographic(low, high) and (high - low)[:2].max() < 0.02:
         file_warnings.append(warning("points.degrees", file=file, actions=(CHOOSE_FRAME,)))
     file_warnings += _time_warnings(time, len(xyz), file)
     return FirstPointsCheck(GEOREFERENCED if on_map else SCANNER, facts, tuple(file_warnings))
@@ -145,7 +145,7 @@ def _time_warnings(time: NDArray[Any], count: int, file: str) -> tuple[Message, 
     return tuple(file_warnings)
 
 
-def _looks_geographic(low: Array, high: Array) -> bool:
+def _is_likely_geographic(low: Array, high: Array) -> bool:
     return bool(abs(low[:2]).max() <= 360 and abs(high[:2]).max() <= 360)
 
 

@@ -279,7 +279,7 @@ def opened_las(path: Path, *, timed: bool = True) -> laspy.LasReader:
     counts = require_sound_header(path)
     reader = laspy.open(path)
     header = reader.header
-    header.point_count = counts.held
+    header.point_count = counts.stored
     if timed and "gps_time" not in set(header.point_format.dimension_names):
         reader.close()
         raise InputError(error("las.no_gps_time", file=str(path), format=header.point_format.id))

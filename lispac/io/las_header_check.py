@@ -96,9 +96,9 @@ def _count_points(path: Path, size: int, header: bytes) -> PointCounts | None:
     if counts is None:
         return None
     counts = replace(counts, header=count, legacy=legacy)
-    if counts.held < count and counts.held != legacy:
+    if counts.stored < count and counts.stored != legacy:
         raise InputError(
-            error("file.points_missing", file=str(path), header=count, held=counts.held)
+            error("file.points_missing", file=str(path), header=count, held=counts.stored)
         )
     return counts
 

@@ -138,15 +138,15 @@ def _read_in_process(name: str) -> tuple[Array, NDArray[np.int64]]:
     return np.asarray(found.vertices, dtype=float), np.asarray(found.triangles, dtype=np.int64)
 
 
-def _limit_memory(more: int) -> None:
-    """Let this process take so many bytes more; Windows has no such limit."""
+def _limit_memory(extra: int) -> None:
+    """Limit the memory of this process to so many further bytes; Windows has no such limit."""
     if sys.platform == "linux":
         import resource
 
         pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
-        most = pages * resource.getpagesize() + more
+        limit = pages * resource.getpagesize() + extra
         hard = resource.getrlimit(resource.RLIMIT_AS)[1]
-        resource.setrlimit(resource.RLIMIT_AS, (most, hard))
+        resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
 
 
 def _read_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:

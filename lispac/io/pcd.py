@@ -183,11 +183,11 @@ def _with_unpacked_count(records: PointRecords) -> PointRecords:
         data = file.read(4)
     if len(data) < 4:
         return records
-    held, rest = divmod(int.from_bytes(data, "little"), records.dtype.itemsize)
-    if rest or held <= records.count:
+    stored, rest = divmod(int.from_bytes(data, "little"), records.dtype.itemsize)
+    if rest or stored <= records.count:
         return records
-    counts = PointCounts(records.count, held)
-    return replace(records, count=held, messages=counts.messages(records.path))
+    counts = PointCounts(records.count, stored)
+    return replace(records, count=stored, messages=counts.messages(records.path))
 
 
 def _read_compressed(records: PointRecords, rows: int) -> Iterator[Columns]:

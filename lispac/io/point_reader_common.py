@@ -257,9 +257,9 @@ def find_time_field(path: Path, names: Sequence[str], requested: str) -> str:
     raise InputError(error("file.no_time", file=str(path), fields=tuple(names)))
 
 
-MOST_UNUSABLE = 0.25
+MAX_UNUSABLE_SHARE = 0.25
 """Share of values that are no usable numbers from which a file is refused."""
-FEW = 10
+MAX_UNDECIDED_POINTS = 10
 """Number of points too small to determine the byte order."""
 
 
@@ -283,9 +283,9 @@ def require_usable_points(xyz: Array, time: NDArray[Any], path: Path, first: int
     if not (_are_within_limit(xyz, LARGEST) and _are_within_limit(time, LARGEST_TIME)):
         good = usable_mask(xyz, time)
         bad = int((~good).sum())
-        if bad > MOST_UNUSABLE * len(good):
+        if bad > MAX_UNUSABLE_SHARE * len(good):
             point, file = first + int(np.argmin(good)) + 1, str(path)
-            if len(good) > FEW:
+            if len(good) > MAX_UNDECIDED_POINTS:
                 raise InputError(error("file.points_byte_order", file=file, point=point, count=bad))
             raise InputError(error("file.points_not_usable", file=file, point=point, count=bad))
         time = time[good]
@@ -309,11 +309,11 @@ def require_distinct_times(start: float, end: float, count: int, path: Path) -> 
     ------
     InputError
     """
-    if count >= FEW_TIMES and start == end:
+    if count >= MIN_EQUAL_TIMES and start == end:
         raise InputError(error("file.one_time", file=str(path), count=count, time=start))
 
 
-FEW_TIMES = 1000
+MIN_EQUAL_TIMES = 1000
 """Points that share one time only where a file has no times."""
 
 

@@ -189,11 +189,11 @@ def _with_velocity(
     def local(key: str) -> Array:
         return velocity_in_axes(key, velocity, wander) * [1.0, -1.0, 1.0]  # north, west, up
 
-    def misfit(key: str) -> float:
+    def residual(key: str) -> float:
         own = local(key)[some]
         return float(np.abs(0.5 * (own[1:] + own[:-1]) - truth).sum())
 
-    best = min(keys, key=misfit) if len(keys) > 1 else keys[0]
+    best = min(keys, key=residual) if len(keys) > 1 else keys[0]
     return replace(trajectory, velocity=local(best))
 
 

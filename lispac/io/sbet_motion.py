@@ -19,7 +19,7 @@ from lispac.messages import Action, Message, note, warning
 
 Array = NDArray[np.float64]
 
-FITTING, APART = 0.02, 3.0
+MAX_RESIDUAL, MIN_RATIO = 0.02, 3.0
 """Part of the speed by which velocities may miss, and by how many times the next must miss more."""
 
 SMALLEST_WANDER = 1e-4
@@ -52,29 +52,29 @@ def detect_velocity_frame(
     if len(velocity) < 20:
         slow = warning("sbet.too_slow", file=file)
         return options, note("fact.velocities_not_checked"), [slow, *unchecked]
-    misfits = {
+    residuals = {
         key: _velocity_residual(velocity_in_axes(key, velocity, wander), own) for key in AXES
     }
     swapped = min(
-        _velocity_residual(velocity_in_axes(key, velocity, wander), exchanged) for key in misfits
+        _velocity_residual(velocity_in_axes(key, velocity, wander), exchanged) for key in residuals
     )
-    best = min(misfits, key=lambda key: misfits[key])
-    if misfits[best] > FITTING:
-        if swapped <= FITTING and options.order == "latitude-longitude":
+    best = min(residuals, key=lambda key: residuals[key])
+    if residuals[best] > MAX_RESIDUAL:
+        if swapped <= MAX_RESIDUAL and options.order == "latitude-longitude":
             chosen = replace(options, order="longitude-latitude")
             again = [(other, first) for first, other in motions]
             chosen, fact, found = detect_velocity_frame(blocks, again, chosen, file)
             order = warning("sbet.longitude_first_by_velocity", file=file)
             return chosen, fact, [order, *found]
         disagree = warning(
-            "sbet.velocities_disagree", file=file, axes=AXES[best], share=misfits[best],
+            "sbet.velocities_disagree", file=file, axes=AXES[best], share=residuals[best],
         )  # fmt: skip
         return options, note("fact.velocities_in_no_frame"), [disagree, *unchecked]
-    share = misfits[best]
+    share = residuals[best]
     fact = note("fact.velocity_axes", axes=AXES[best], share=share)
     chosen = replace(options, axes=best)
-    limit = max(APART * misfits[best], misfits[best] + 0.003)
-    rivals = [key for key in misfits if key != best and misfits[key] < limit]
+    limit = max(MIN_RATIO * residuals[best], residuals[best] + 0.003)
+    rivals = [key for key in residuals if key != best and residuals[key] < limit]
     if not rivals and turns >= SMALLEST_WANDER:
         return _detect_heading(chosen, blocks, motions, turns, fact, file)
     if turns < SMALLEST_WANDER:

@@ -24,7 +24,7 @@ from lispac.messages import Message, error
 from lispac.picked_targets import Role, require_target_name
 
 WHAT = "coordinate list"
-MOST = 1_000
+MAX_ROWS = 1_000
 """Rows; a longer file is a cloud and not a list of targets."""
 NAME, ROLE, UNUSED = "name", "role", "-"
 COORDINATES = ("x", "y", "z")
@@ -197,8 +197,8 @@ def _data_rows(path: Path) -> Iterator[tuple[int, str]]:
                 continue
             text = bare
         count += 1
-        if count > MOST:
-            raise InputError(error("seeds.too_many_rows", file=str(path), most=MOST))
+        if count > MAX_ROWS:
+            raise InputError(error("seeds.too_many_rows", file=str(path), most=MAX_ROWS))
         yield number, text
 
 

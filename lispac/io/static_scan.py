@@ -25,7 +25,7 @@ from lispac.survey.point_screening import LARGEST
 Array = NDArray[np.float64]
 
 WHAT = "static scan"
-LOOKED_AT = 20
+ROWS_CHECKED = 20
 """Rows of a text that are checked for times."""
 
 
@@ -153,16 +153,16 @@ def _read_text(path: Path, local: bool) -> Array:
     separator = separator_of(sample[1])
     fields = split_fields(sample[1], separator)
     if names:
-        wanted = [names.index(axis) for axis in "xyz" if axis in names]
+        columns = [names.index(axis) for axis in "xyz" if axis in names]
     else:
-        wanted = [k for k, field in enumerate(fields) if is_number(field)][:3]
-    if len(wanted) < 3 or max(wanted) >= len(fields):
+        columns = [k for k, field in enumerate(fields) if is_number(field)][:3]
+    if len(columns) < 3 or max(columns) >= len(fields):
         raise InputError(error("static_scan.too_few_coordinates", file=str(path), row=sample[0]))
-    if any("," in fields[k] for k in wanted):
+    if any("," in fields[k] for k in columns):
         raise InputError(error("static_scan.decimal_commas", file=str(path), row=sample[0]))
     with report_damage(path, f"text of a {WHAT}"), path.open(encoding="utf-8-sig") as file:
         return np.loadtxt(
-            file, delimiter=SEPARATORS.get(separator), usecols=wanted, skiprows=above, ndmin=2,
+            file, delimiter=SEPARATORS.get(separator), usecols=columns, skiprows=above, ndmin=2,
             comments=list(COMMENT_MARKS),
         )  # fmt: skip
 
@@ -172,7 +172,7 @@ def has_no_time(path: Path, *, or_text: bool) -> bool:
     if pts.has_point_count(path) or not or_text:
         return pts.has_point_count(path)
     try:
-        texts = (line.strip() for _, line in islice(numbered_lines(path, WHAT), LOOKED_AT))
+        texts = (line.strip() for _, line in islice(numbered_lines(path, WHAT), ROWS_CHECKED))
         rows = [split_fields(text) for text in texts if text and not text.startswith(COMMENT_MARKS)]
     except InputError:
         return False
@@ -180,6 +180,6 @@ def has_no_time(path: Path, *, or_text: bool) -> bool:
     return bool(body) and all(len(row) == 3 and all(map(is_number, row)) for row in body)
 
 
-def has_few_rows(path: Path, most: int) -> bool:
+def has_at_most_rows(path: Path, limit: int) -> bool:
     """True if a text file has at most as many rows as a list of points."""
-    return len(list(islice(numbered_lines(path, WHAT), most + 1))) <= most
+    return len(list(islice(numbered_lines(path, WHAT), limit + 1))) <= limit

@@ -228,23 +228,23 @@ def _merge_options(detected: Choice, choice: Choice) -> dict[str, str]:
 def _read_chunks(path: Path, resolved: Choice, rows: int) -> Iterator[PointChunk]:
     names = _chosen_columns(path, resolved["columns"])
     layout = RowLayout(resolved["separator"], resolved["decimal"] == "comma")
-    wanted = [k for k, name in enumerate(names) if name != "-"]
+    columns = [k for k, name in enumerate(names) if name != "-"]
     factor = SECONDS[resolved["time_unit"]]
     parts: list[NDArray[np.float64]] = []
-    number = held = 0
+    number = pending = 0
     with report_damage(path, "text"), _opened_text(path) as file:
         for block in _line_blocks(file, path, min(BLOCK, 100 * rows)):
-            parts.append(_parse_block(path, block, number, names, wanted, layout))
+            parts.append(_parse_block(path, block, number, names, columns, layout))
             number += len(block)
-            held += len(parts[-1])
-            if held >= rows:
+            pending += len(parts[-1])
+            if pending >= rows:
                 whole = np.concatenate(parts)
-                full = held - held % rows
+                full = pending - pending % rows
                 for start in range(0, full, rows):
-                    yield _point_chunk(whole[start : start + rows], names, wanted, factor)
-                parts, held = [whole[full:]], held - full
-    if held:
-        yield _point_chunk(np.concatenate(parts), names, wanted, factor)
+                    yield _point_chunk(whole[start : start + rows], names, columns, factor)
+                parts, pending = [whole[full:]], pending - full
+    if pending:
+        yield _point_chunk(np.concatenate(parts), names, columns, factor)
 
 
 def _point_chunk(

@@ -401,8 +401,8 @@ def _read_values(
     InputError
         Where a row cannot be read, or signs contradict the direction in a title.
     """
-    wanted = [(column.index, _field_parser(column), column.name) for column in columns]
-    table, numbers = read_columns(path, rows, wanted)
+    parsers = [(column.index, _field_parser(column), column.name) for column in columns]
+    table, numbers = read_columns(path, rows, parsers)
     for column, own in zip(columns, table, strict=True):
         if column.unit.endswith(("-west", "-south")) and (own < 0).all():
             is_west = column.unit.endswith("-west")

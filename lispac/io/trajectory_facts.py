@@ -29,7 +29,7 @@ FASTEST = 350.0
 FASTEST_VESSEL = 60.0
 """Metres a second; beyond, a wrong unit is likelier than a vessel."""
 
-MOST_CENTRES = 10_000
+MAX_CENTRES = 10_000
 """States of a block at which the velocity is taken; of more, every n-th."""
 
 SWAP_COORDINATES = Action("swap_coordinates", {"name": "order", "value": "longitude-latitude"})
@@ -80,7 +80,7 @@ def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> 
         return TrajectoryMotion(np.zeros(0, dtype=np.int64), empty, empty, empty)
     with np.errstate(all="ignore"):
         reach = min(0.25, float(time[-1] - time[0]) / 8)
-        index = np.arange(1, count - 1, 1 + count // MOST_CENTRES)
+        index = np.arange(1, count - 1, 1 + count // MAX_CENTRES)
         before = np.minimum(np.searchsorted(time, time[index] - reach), index - 1)
         after = np.maximum(np.searchsorted(time, time[index] + reach, side="right") - 1, index + 1)
         after = np.minimum(after, count - 1)

@@ -96,11 +96,11 @@ def preview_text(
         file_warnings.append(refusal_warning(refused, path))
         return FilePreview(facts, rows, choice, tuple(file_warnings))
     file_warnings += map_warnings(path, layout.columns, conventions, first)
-    whole, tail_doubts = _with_last_rows(path, layout, conventions, first, head)
+    whole, tail_warnings = _with_last_rows(path, layout, conventions, first, head)
     motion, exchanged = _motion_variants(first)
     speed = motion.speed
     facts |= trajectory_facts(whole.time, whole.latitude, whole.longitude, whole.height, speed)
-    file_warnings += tail_doubts
+    file_warnings += tail_warnings
     file_warnings += time_warnings(first.time, conventions.time, file)
     file_warnings += course_warnings([(motion, exchanged)], [first.attitude[:, 2]], file)
     file_warnings += speed_warnings(path, head, layout.velocities, motion)

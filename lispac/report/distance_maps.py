@@ -107,21 +107,21 @@ def _fitted_pair_names(
 ) -> tuple[list[str], float]:
     """Name of each pair, and the size of the letters, so that none meets its neighbour."""
     box, inches = panel.get_position(original=True), figure.get_size_inches()
-    room = box.width * inches[0] + BETWEEN if tall else box.height * inches[1] + BELOW
-    room *= CLEAR
+    available = box.width * inches[0] + BETWEEN if tall else box.height * inches[1] + BELOW
+    available *= CLEAR
     others = [_break_after_commas(gettext(s)) for s in STATES] if tall else [gettext("Up (m)")]
     for template in (N_("{line}\n− {other}"), N_("{line}\n−\n{other}")):
         named = [
             gettext(
                 template,
-                line=cut_to_width(short_name(each.line_a), room),
-                other=cut_to_width(short_name(each.line_b), room),
+                line=cut_to_width(short_name(each.line_a), available),
+                other=cut_to_width(short_name(each.line_b), available),
             )
             for each in maps
         ]
-        if (size := largest_fitting_font_size(named, room, SMALL)) == SMALL:
+        if (size := largest_fitting_font_size(named, available, SMALL)) == SMALL:
             break
-    return named, min(size, largest_fitting_font_size(others, room, SMALL))
+    return named, min(size, largest_fitting_font_size(others, available, SMALL))
 
 
 def _break_after_commas(text: str) -> str:

@@ -16,7 +16,7 @@ USUAL = {"left": 0.09, "right": 0.99, "bottom": 0.17, "top": 0.9}
 """Expected position of the axes, which is needed before the figure is laid out."""
 SPARE = 1.08
 """Top of the axes over the highest bar."""
-MOST = 0.6
+MAX_HEIGHT_SHARE = 0.6
 """Largest share of the height of the axes that is kept free; a larger legend covers bars."""
 
 
@@ -44,7 +44,7 @@ def top_below_legend(
     across, up = figure.get_size_inches() * (box.width, box.height)
     wide = max(text_width(text, size) for text in words) + HANDLE * em
     lines = sum(text.count("\n") + 1 for text in words)
-    tall = min((ROW * lines + AROUND) * em / up, MOST)
+    tall = min((ROW * lines + AROUND) * em / up, MAX_HEIGHT_SHARE)
     left = high - min(wide / across, 1.0) * (high - low)
     beside = float(heights[seen & (edges[1:] > left)].max(initial=0.0))
     return max(SPARE * highest, beside / (1.0 - tall)) or 1.0

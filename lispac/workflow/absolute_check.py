@@ -58,7 +58,7 @@ REACH = 1.0
 PER_DIAMETER, PER_WIDTH = 4, 5
 """Points that stand for a surveyed plane along the diameter of a cylinder, and cylinders along the
 plane's shorter side."""
-FEWEST_PLACES = {"scan": 30, "points": 1}
+MIN_PLACES = {"scan": 30, "points": 1}
 """Smallest number of places of a line for a result."""
 
 
@@ -136,7 +136,7 @@ def check_absolute(
             error(
                 "check.no_flat_place",
                 file=str(path),
-                count=FEWEST_PLACES[reference.kind],
+                count=MIN_PLACES[reference.kind],
                 distance=reach,
             )
         )
@@ -280,7 +280,7 @@ def _compare_line(
         except NotComparable:
             pass
     count = sum(len(group) for _, group in found)
-    if count < FEWEST_PLACES[where.reference.kind]:
+    if count < MIN_PLACES[where.reference.kind]:
         raise NotComparable(_too_few_message(where, count, tried))
     measured = MeasuredPlaces(
         _concatenate_distances([each.before for each, _ in found]),
@@ -300,7 +300,7 @@ def _too_few_message(where: _MeasuredReference, count: int, tried: int) -> Messa
         return error("check.no_reference_near", distance=where.reach)
     return error(
         "check.few_places", places=count, tried=tried, distance=where.reach,
-        least=FEWEST_PLACES["scan"],
+        least=MIN_PLACES["scan"],
     )  # fmt: skip
 
 

@@ -32,14 +32,14 @@ Array = NDArray[np.float64]
 RESELECTIONS = 3
 """Each selection leaves about a third of the error that the smear of the one before it caused."""
 
-MOST_WARNINGS = 3
+MAX_WARNINGS = 3
 """Warnings about the data named where an adjustment has no answer."""
 
 SELECTION_SPACING = 0.1
 """Metres between the points that steer a selection: near a slow scanner a surface has hundreds of
 points where its far end has one, and these must not decide alone."""
 
-SETTLED = 0.1
+CONVERGENCE_LIMIT = 0.1
 """Change of an angle, as a share of its sigma, below which the selection is not repeated."""
 
 
@@ -95,9 +95,9 @@ def observations_of(
             if alone
             else error("estimate.no_target", project=project.name)
         )
-    taken = [survey.scans[s.line].take(i) for s, i in zip(sightings, indices, strict=True)]
-    points = np.concatenate([points for points, _ in taken])
-    time = np.concatenate([times for _, times in taken])
+    parts = [survey.scans[s.line].take(i) for s, i in zip(sightings, indices, strict=True)]
+    points = np.concatenate([points for points, _ in parts])
+    time = np.concatenate([times for _, times in parts])
     poses = survey.trajectory.at(time + settings.latency)
     sigma_position, sigma_attitude = survey.accuracy.at(time)
     observations = Observations(
@@ -242,7 +242,7 @@ def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
         warnings = [each for each in survey.messages if each.level is Level.WARNING]
         alone = single_line_notes(project.targets)
         reason = failure.reason
-        causes: list[Message | str] = [*alone, *warnings[:MOST_WARNINGS]]
+        causes: list[Message | str] = [*alone, *warnings[:MAX_WARNINGS]]
         for cause in causes:
             reason = error("estimate.possible_cause", reason=reason, cause=cause)
         if isinstance(failure, TargetDisagrees):
@@ -292,7 +292,7 @@ def reselect_points(
                 accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
             )  # fmt: skip
         changes = np.abs(result.boresight - angles)
-        if k > 0 and (changes < SETTLED * result.sigma).all():
+        if k > 0 and (changes < CONVERGENCE_LIMIT * result.sigma).all():
             break
         angles = result.boresight
         selected = reselect_targets(selected.with_result(result), survey, progress=step)

@@ -201,8 +201,8 @@ def _is_superseded(entry: InputFile, reported: Message) -> bool:
     if entry.error is None:
         return False
     is_same = (reported.code, reported.params) == (entry.error.code, entry.error.params)
-    asks_for_columns = entry.error.code in ABOUT_COLUMNS | {COLUMNS_NOT_CHOSEN}
-    return is_same or (asks_for_columns and reported.code in ABOUT_COLUMNS)
+    is_about_columns = entry.error.code in ABOUT_COLUMNS | {COLUMNS_NOT_CHOSEN}
+    return is_same or (is_about_columns and reported.code in ABOUT_COLUMNS)
 
 
 def _is_resolved_by_split(message: Message, by: str) -> bool:
@@ -253,11 +253,11 @@ def time_messages(
     messages += _coverage_warnings(
         covered, file, longest_gap, whole=len(times.sample) == times.count
     )
-    if more := proposed_shift(entry, track, longest_gap, base):
+    if better := proposed_shift(entry, track, longest_gap, base):
         messages.append(
             warning(
-                "import.shift_offered", file=file, shift=more.shift, share=more.share,
-                base=base_message(more.points), actions=(_shift_action(more),),
+                "import.shift_offered", file=file, shift=better.shift, share=better.share,
+                base=base_message(better.points), actions=(_shift_action(better),),
             )
         )  # fmt: skip
     return messages

@@ -43,7 +43,7 @@ from lispac.workflow.input_times import (
 
 State = Literal["pending", "fine", "warning", "error", "out"]
 
-MOST_FILES = 500
+MAX_FILES = 500
 """Files taken from one folder; more are hardly a survey's."""
 
 
@@ -77,7 +77,7 @@ def collect_files(paths: Iterable[Path]) -> tuple[Path, ...]:
     for path in paths:
         if path.is_dir():
             inside = sorted(p for p in path.iterdir() if p.is_file() and p.name[:1] != ".")
-            found += inside[:MOST_FILES]
+            found += inside[:MAX_FILES]
         else:
             found.append(path)
     return tuple(dict.fromkeys(path.absolute() for path in found))

@@ -28,7 +28,7 @@ Array = NDArray[np.float64]
 REACH = 1.0
 """Metres that lines may be apart: a prior boresight that is half a degree off moves a wall at 60 m
 by half a metre."""
-FEWEST = 10
+MIN_PLACES = 10
 """Smallest number of places for a figure."""
 
 
@@ -131,7 +131,7 @@ class LineQuality:
 
 def _difference_statistics(parts: list[LineDifference]) -> DifferenceStatistics | None:
     distance = np.concatenate([each.distance for each in parts])
-    if len(distance) < FEWEST:
+    if len(distance) < MIN_PLACES:
         return None
     return DifferenceStatistics.of(distance, np.concatenate([each.half_width for each in parts]))
 

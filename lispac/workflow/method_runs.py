@@ -62,9 +62,9 @@ def with_targetless_result(project: Project, found: TargetlessResult) -> Project
     if any(each.role == "target" and each.used for each in own):
         return project.with_alternative_result(targetless_result(found))
     names = {each.name for each in own}
-    taken = [each.name for each in found.project.targets if each.name in names]
-    if taken:
-        raise AdjustmentError(error("targetless.name_taken", count=len(taken), names=taken))
+    shared = [each.name for each in found.project.targets if each.name in names]
+    if shared:
+        raise AdjustmentError(error("targetless.name_taken", count=len(shared), names=shared))
     kept = replace(project, targets=(*found.project.targets, *own))
     others = tuple(each for each in kept.alternative_results if each.method != "targetless")
     result = replace(found.result, messages=found.messages)

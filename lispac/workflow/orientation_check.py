@@ -9,7 +9,7 @@ from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.workflow.survey import Survey
 
-LOOKED_AT = 500
+MAX_POINTS = 500
 """Points of a target used for its orientation."""
 
 
@@ -34,9 +34,9 @@ def do_targets_face_one_way(project: Project, survey: Survey) -> bool:
         cloud: Cloud | None = survey.clouds.get(sighting.line)
         if cloud is None:
             return False
-        few = sighting.indices[:: -(-len(sighting.indices) // LOOKED_AT)]
+        sample = sighting.indices[:: -(-len(sighting.indices) // MAX_POINTS)]
         try:
-            normals.append(fit_plane(cloud[few]).normal)
+            normals.append(fit_plane(cloud[sample]).normal)
         except PlaneNotFound:
             return False  # its quality shows this
     return have_one_orientation(np.array(normals), np.zeros(len(normals), dtype=bool))

@@ -244,8 +244,8 @@ def _assess_patch_test(
     judged = bootstrap_precision(
         mismatch, together.boresight, survey.accuracy, model.position_time, model.attitude_time
     )
-    met = {each.name for each in judged.objects}
-    used = [b for b in blocks if b.first.object.name in met]
+    used_names = {each.name for each in judged.objects}
+    used = [b for b in blocks if b.first.object.name in used_names]
     return PatchTestResult(
         boresight=together.boresight,
         one_by_one=turned.boresight,
@@ -259,5 +259,5 @@ def _assess_patch_test(
         objects=judged.objects,
         rounds=turned.rounds,
         converged=together.converged and turned.converged,
-        unmet=tuple(each.name for each in laid.objects if each.name not in met),
+        unmet=tuple(each.name for each in laid.objects if each.name not in used_names),
     )

@@ -228,9 +228,9 @@ def _require_point_numbers(
 
 def next_name(project: Project, role: Role) -> str:
     """First free name: T1, T2 ... for targets, V1, V2 ... for validation planes."""
-    taken = {target.name for target in project.targets}
+    used_names = {target.name for target in project.targets}
     letter = "T" if role == "target" else "V"
-    return next(f"{letter}{k}" for k in itertools.count(1) if f"{letter}{k}" not in taken)
+    return next(f"{letter}{k}" for k in itertools.count(1) if f"{letter}{k}" not in used_names)
 
 
 def _picked_sighting(survey: Survey, line: str, patch: Patch) -> PickedSighting:

@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 Chosen = Callable[[Array], NDArray[np.bool_]]
 """Which of the points (n, 3) are meant."""
 
-FEWEST = 10
+MIN_POINTS = 10
 """Points that a sighting keeps at least."""
 BESIDE = 2.0
 """Metres beyond a sighting within which points are added to it."""
@@ -39,12 +39,12 @@ def without_points(
     Raises
     ------
     ProjectError
-        Where a sighting would keep fewer than `FEWEST` points.
+        Where a sighting would keep fewer than `MIN_POINTS` points.
     """
 
     def edited(sighting: PickedSighting, cloud: Cloud) -> NDArray[np.int64]:
         kept = sighting.indices[~chosen(cloud[sighting.indices])]
-        if len(kept) < min(FEWEST, len(sighting.indices)):
+        if len(kept) < min(MIN_POINTS, len(sighting.indices)):
             raise ProjectError(
                 error(
                     "edit.few_points_left", target=target.name, line=sighting.line, count=len(kept)

@@ -127,9 +127,9 @@ def _marked_unfinished(folder: Path) -> Iterator[None]:
     lines = folder / LINES
     require_no_link(lines)
     lines.mkdir(parents=True, exist_ok=True)
-    with ExitStack() as held:
+    with ExitStack() as locks:
         try:
-            held.enter_context(lock_folder(lines))
+            locks.enter_context(lock_folder(lines))
         except ProjectError as failure:
             raise ProjectError(error("project_folder.being_saved", folder=str(folder))) from failure
         _remove_unfinished(lines)

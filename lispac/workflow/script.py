@@ -111,14 +111,14 @@ def save_script(script: Script, path: Path) -> None:
 
 def _script_head(project: Project, files: FilePaths, messages: list[Message]) -> str:
     name = "".join(letter if letter.isprintable() else "?" for letter in project.name)
-    said = [
+    statements = [
         f"Steps of the project {name}, as LISPAC {lispac.__version__} wrote them.",
         "Run it with the Python in which LISPAC is installed: python SCRIPT FOLDER creates "
         "the project in FOLDER, python SCRIPT in the folder named below.",
         *map(english_text, messages),
     ]
     comments = [
-        row for words in said
+        row for words in statements
         for row in textwrap.wrap(words, WIDTH, initial_indent="# ", subsequent_indent="# ")
     ]  # fmt: skip
     return "\n".join([
@@ -165,18 +165,18 @@ def _are_readings_detected(project: Project, survey: Survey) -> bool:
 def _missing_file_notes(project: Project) -> list[Message]:
     """Note on missing files that the script needs."""
     paths = [project.trajectory, project.accuracy, *(line.path for line in project.lines)]
-    gone = [str(path) for path in paths if path is not None and not path.exists()]
-    return [note("script.missing_files", files=gone)] if gone else []
+    missing = [str(path) for path in paths if path is not None and not path.exists()]
+    return [note("script.missing_files", files=missing)] if missing else []
 
 
 def _line_code(line: LineSource, files: FilePaths) -> PythonCode:
     path = files(line.path)
     if line.name == line.path.stem and not line.columns and line.reading == USUAL:
         return path
-    more = {"columns": line.columns} if line.columns else {}
+    options = {"columns": line.columns} if line.columns else {}
     if line.reading != USUAL:
-        more["reading"] = line.reading  # type: ignore[assignment]
-    return PythonCode(call_text("lispac.LineSource", line.name, path, **more))
+        options["reading"] = line.reading  # type: ignore[assignment]
+    return PythonCode(call_text("lispac.LineSource", line.name, path, **options))
 
 
 def _comparison_steps(project: Project) -> Iterator[str]:
@@ -231,8 +231,8 @@ def _reference_check_steps(
 
 
 def _check_step(path: str, sigma: float, reach: float) -> str:
-    said = {"sigma": (sigma, SIGMA), "search_distance": (reach, REACH)}
-    named = {name: value for name, (value, usual) in said.items() if value != usual}
+    values = {"sigma": (sigma, SIGMA), "search_distance": (reach, REACH)}
+    named = {name: value for name, (value, usual) in values.items() if value != usual}
     return call_text("project.check", path, **named)
 
 

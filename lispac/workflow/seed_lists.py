@@ -98,7 +98,7 @@ def read_seeds(
     points = read_point_list(
         path, columns=columns, local=system is None, degrees=geographic, metres=metres
     )
-    taken = {target.name for target in project.targets}
+    used_names = {target.name for target in project.targets}
     # Names that the list does not give are the next free ones.
     numbered = project
     seeds = []
@@ -115,7 +115,7 @@ def read_seeds(
             np.array(point.coordinates), system, trajectory, where
         )
         place = (float(north), float(west), float(up))
-        seeds.append(ListedSeed(point.row, name, own, place, name in taken))
+        seeds.append(ListedSeed(point.row, name, own, place, name in used_names))
     return SeedList(points, tuple(seeds), _list_notes(points, system))
 
 

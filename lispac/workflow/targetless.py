@@ -38,9 +38,9 @@ THRESHOLDS = (0.06, 0.03, 0.03, 0.03, 0.03)
 degree moves it some tens of metres away."""
 QUICK = 0.3
 """Metres over which points are averaged between the rounds."""
-SETTLED = 0.1
+CONVERGENCE_LIMIT = 0.1
 """Change of an angle, as a share of its sigma, below which no further round is run."""
-FEWEST = 4
+MIN_PATCHES = 4
 """Patches below which nothing of them can be checked."""
 DISAGREES = 0.3
 """Share of its sightings that do not agree by which a line is named."""
@@ -89,7 +89,7 @@ class TargetlessResult:
         if self.targets:
             found.append(note("targetless.with_targets", targets=self.targets))
         if not self.converged:
-            found.append(note("targetless.not_converged", share=SETTLED))
+            found.append(note("targetless.not_converged", share=CONVERGENCE_LIMIT))
         if self.disagreeing:
             found.append(note("targetless.lines_disagree", lines=self.disagreeing))
         return tuple(found)
@@ -140,13 +140,13 @@ def targetless(
         )  # fmt: skip
         choice = choose_patches(patches, clouds, survey.accuracy, count)
         found = len(patches)
-        if len(choice.rows) < FEWEST:
+        if len(choice.rows) < MIN_PATCHES:
             raise AdjustmentError(
                 error(
                     "targetless.few_surfaces",
                     project=project.name,
                     count=len(choice.rows),
-                    least=FEWEST,
+                    least=MIN_PATCHES,
                 )
             )
         picked = replace(
@@ -162,7 +162,7 @@ def targetless(
         changes = np.abs(result.boresight - mounting.boresight)
         mounting = mounting.with_boresight(result.boresight)
         # The quick model's own sigmas are far too small to be moved less than.
-        converged = rounds > 1 and bool((changes < SETTLED * choice.sigma).all())
+        converged = rounds > 1 and bool((changes < CONVERGENCE_LIMIT * choice.sigma).all())
         if converged:
             break
     if own is not None:
@@ -206,9 +206,9 @@ def targetless(
             raised_result = replace(raised_result, observability=seen)
         shifted = LineShiftScores.of(solved.here).shifted_lines()
     raised = float((raised_result.sigma / result.sigma).max())
-    answer = replace(picked, result=replace(raised_result, elapsed=perf_counter() - started))
+    final = replace(picked, result=replace(raised_result, elapsed=perf_counter() - started))
     named = disagreeing_lines(result, survey.clouds, shifted)
-    return TargetlessResult(answer, rounds, converged, found, named, mixed, raised)
+    return TargetlessResult(final, rounds, converged, found, named, mixed, raised)
 
 
 def _targets_only(project: Project) -> Project:
@@ -229,14 +229,14 @@ def _surfaces_off_targets(
     for target in targets:
         for sighting in target.sightings:
             on.setdefault(sighting.line, []).append(sighting.indices)
-    taken = {line: np.concatenate(parts) for line, parts in on.items()}
+    used_points = {line: np.concatenate(parts) for line, parts in on.items()}
     names = {target.name for target in targets}
 
     def is_free(surface: Target) -> bool:
         return not any(
-            np.isin(each.indices, taken[each.line]).any()
+            np.isin(each.indices, used_points[each.line]).any()
             for each in surface.sightings
-            if each.line in taken
+            if each.line in used_points
         )
 
     return tuple(
@@ -296,9 +296,9 @@ def disagreeing_lines(
         Those whose position is shifted as a whole.
     """
     count = Counter(residual.sighting.line for residual in result.sightings)
-    gone = Counter(sighting.line for sighting in result.rejected_sightings)
+    rejected = Counter(sighting.line for sighting in result.rejected_sightings)
     return tuple(
         line
         for line in lines
-        if not count[line] or line in shifted or gone[line] >= max(2.0, DISAGREES * count[line])
+        if not count[line] or line in shifted or rejected[line] >= max(2.0, DISAGREES * count[line])
     )
