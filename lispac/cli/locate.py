@@ -32,12 +32,8 @@ def locate(arguments: Namespace) -> None:
         print(message_text(file_moved_note(path)))
     missing = missing_files(after)
     if missing:
-        names = [path.name for path in missing]
-        raise InputError(
-            error(
-                "cli.files_not_found", folder=str(arguments.folder), count=len(names), names=names
-            )
-        )
+        folder, names = str(arguments.folder), [path.name for path in missing]
+        raise InputError(error("cli.files_not_found", folder=folder, count=len(names), names=names))
     if after is before and not notes:
         print("No file is missing.")
 

@@ -32,7 +32,7 @@ ASSUMED = N_(
     "boards flat and firmly: the predicted sigmas assume that they do not move."
 )
 PITCH, CLOSEST, SPACE, LIFT = 0.019, 0.0115, 0.24, 0.26
-"""Shares of the page: height of a row, its smallest value, space for the rows beside drawings of the
+"""Shares of the page: height of a row, its smallest value, height of the rows below drawings of
 usual height, and the most that drawings lose where there are many rows."""
 MAX_WARNINGS, WIDE = 3, 140
 """Warnings that are printed, and letters in a line."""

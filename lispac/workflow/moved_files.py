@@ -1,9 +1,9 @@
 """Files of a project that was moved: found beside it, or in a folder the user gives.
 
 A project points at its files from its own folder. Where only one of both is moved, to another disk
-or computer, the files are searched for by the ends of their paths: what lay in ``raw/line1.laz`` is the
-same in another place. That a line is the one that targets were picked on is told by its points
-when the survey is read.
+or computer, the files are found by the ends of their paths: what lay in ``raw/line1.laz`` is the
+same in another place. Whether a line is the one that targets were picked on is checked by its
+points when the survey is read.
 """
 
 import os

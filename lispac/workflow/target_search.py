@@ -54,7 +54,7 @@ SURROUNDED = 3.0
 may lie on the far side, and what is around the ball tells where it is in the other lines."""
 
 SEARCH_SAMPLE = 50_000
-"""Points about a seed among which a plane is searched for; where a line has more there, a fair sample
+"""Points about a seed that are searched for a plane; where a line has more there, a fair sample
 shows where the plane is, and then all points that lie on it are taken."""
 
 ABOUT = 0.1
