@@ -202,11 +202,11 @@ def test_what_is_done_to_times_that_restart_is_said(
 
 def test_a_restarting_sbet_is_taken_without_options_and_looked_at_rightly(tmp_path, capsys) -> None:
     track, line = survey_about(tmp_path, WEEK)
-    main(["look", str(track)])
+    main(["inspect", str(track)])
     told = capsys.readouterr().out
     assert "40.0 s" in told
     assert "-6047" not in told
-    main(["look", str(line)])
+    main(["inspect", str(line)])
     assert "earlier than the preceding" not in capsys.readouterr().out
     command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
     assert main([*command, "--lever-arm", "0", "0", "0"]) == 0

@@ -1,4 +1,4 @@
-"""``lispac look``: format, assumptions and warnings of a file."""
+"""``lispac inspect``: format, assumptions and warnings of a file."""
 
 from argparse import Namespace
 from collections.abc import Sequence
@@ -17,7 +17,7 @@ SWITCH = {"trajectory": "trajectory", "accuracy": "accuracy", "points": "line"}
 WIDEST = 14  # characters of a cell of the preview
 
 
-def look(arguments: Namespace) -> None:
+def inspect(arguments: Namespace) -> None:
     """Print the preview of a file in each possible format, the most likely first."""
     found = check_file(arguments.file)
     if not arguments.quick:
