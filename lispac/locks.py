@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-POLL = 0.05
+POLL_INTERVAL = 0.05
 """Seconds between two attempts to get a lock."""
 UNSUPPORTED = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP}
 
@@ -85,7 +85,7 @@ def _acquire_lock(path: Path, until: float, waiting: Callable[[], None]) -> int:
                 raise AlreadyLocked(str(path)) from failure
             waiting()
             waiting = _do_nothing
-            time.sleep(POLL)
+            time.sleep(POLL_INTERVAL)
             continue
         # The last holder may have removed the file between the two steps.
         try:

@@ -11,7 +11,7 @@ from lispac.project import Project
 from lispac.validation.repeatability import Calibration, CalibrationDifference, compare_calibrations
 
 TARGETS, TARGETLESS = "targets", "targetless"
-FAR = 50.0
+EFFECT_DISTANCE = 50.0
 """Distances, metres, at which the effect of a difference on a point is given."""
 
 NAMES: Mapping[str, str] = {
@@ -102,6 +102,6 @@ def _agreement_note(against: CalibrationDifference) -> Message:
         method=note(NAMES[against.second]),
         other=note(NAMES[against.first]),
         angles=mounting_value_names(angles),
-        distance=FAR,
-        displacement=against.largest_displacement(FAR),
+        distance=EFFECT_DISTANCE,
+        displacement=against.largest_displacement(EFFECT_DISTANCE),
     )

@@ -94,7 +94,7 @@ def test_points_are_selected_again_with_them(
     again = reselection.reselect_target(target, clouds, clouds)
     assert used == [
         CHOSEN.settings(
-            radius=target.radius, threshold=reselection.NARROWED * target.threshold,
+            radius=target.radius, threshold=reselection.THRESHOLD_FACTOR * target.threshold,
             max_shift=reselection.ALIGNED_MAX_SHIFT,
         )
     ]  # fmt: skip

@@ -9,7 +9,7 @@ from lispac.errors import ProjectError
 from lispac.io.project_file import read_project, write_project
 from lispac.project import PickedSighting, Project, Target
 from lispac.simulation.scene import Sphere
-from lispac.workflow.point_edits import BESIDE, MIN_POINTS, with_points, without_points
+from lispac.workflow.point_edits import EDIT_MARGIN, MIN_POINTS, with_points, without_points
 from lispac.workflow.reselection import reselect_targets
 from lispac.workflow.survey import Survey
 from tests.few_passes import picked
@@ -45,7 +45,7 @@ def test_points_are_taken_away_and_found_again(calibrated: tuple[Project, Survey
     points = clouds[line][sighting.indices]
     centre, _, axes = points.mean(axis=0), *np.linalg.svd(points - points.mean(axis=0))[1:]
     assert np.abs((points - centre) @ axes[2]).max() < 2 * whole.threshold
-    assert np.linalg.norm(points - centre, axis=1).max() < 1.2 + BESIDE
+    assert np.linalg.norm(points - centre, axis=1).max() < 1.2 + EDIT_MARGIN
 
 
 def test_all_lines_are_edited_together_and_nothing_chosen_changes_nothing(

@@ -203,7 +203,7 @@ def test_a_click_on_an_edge_holds_where_lines_are_sampled(monkeypatch: pytest.Mo
     edge = np.abs(points[on, 0]) > 0.57
     clicked = np.random.default_rng(2).choice(on[edge], 40, replace=False)
     sampled = target_search._search_regions(
-        {"L1": cloud}, points[clicked[0]], SETTINGS, most=6_000
+        {"L1": cloud}, points[clicked[0]], SETTINGS, limit=6_000
     )[0]["L1"]
     assert sampled.one_in > 1
     for number in clicked:

@@ -282,7 +282,7 @@ def test_a_long_line_is_looked_at_here_and_there(
 def test_a_line_that_takes_long_to_read_is_cut_and_said(
     files: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(times_module, "LONGEST", -1.0)
+    monkeypatch.setattr(times_module, "TIME_LIMIT", -1.0)
     entry = examine_file(files / "deeper" / "L9.txt")
     assert entry.content is None  # its columns are not named yet
     monkeypatch.setattr("lispac.io.las_chunks.CHUNK", 500)

@@ -86,7 +86,7 @@ _LENGTHS = {
 POSITION_CHOICES = (*_ANGLES, HEADER)
 ATTITUDE_CHOICES = ("degrees", "radians", HEADER)
 LENGTH_CHOICES = (*_LENGTHS, HEADER)
-MOST_HEADER_ROWS = 10**9
+MAX_HEADER_ROWS = 10**9
 _COMMENT = ("#", "%", "//", ";")
 
 
@@ -162,7 +162,7 @@ def ascii_rows(path: Path, separator: str = "auto", header: str = "auto") -> Row
     InputError
         Where ``header`` is neither ``auto`` nor a number.
     """
-    if header != "auto" and not is_whole_number(header, MOST_HEADER_ROWS):
+    if header != "auto" and not is_whole_number(header, MAX_HEADER_ROWS):
         raise InputError(error("trajectory.header_rows", file=str(path), value=header))
     skipped = int(header) if header != "auto" else 0
     started = header != "auto"
@@ -449,9 +449,9 @@ _LETTERS = (
     {"E", "W", "O", "EAST", "WEST", "EST", "OUEST", "OST"},
 )
 """What columns of hemispheres hold."""
-SEARCHED = 200_000
+ROWS_SEARCHED = 200_000
 """Rows that are searched for the first position."""
-SAMPLE = 60
+SAMPLE_ROWS = 60
 
 
 def _rows_with_position(
@@ -468,8 +468,8 @@ def _rows_with_position(
     if not data or is_placed(data[0]):
         return [fields for fields in data if is_placed(fields)]
     rows = ascii_rows(path, choice.get("separator", "auto"), choice.get("header", "auto"))
-    found = (fields for _, fields in islice(rows, SEARCHED) if is_placed(fields))
-    return list(islice(found, SAMPLE)) or data
+    found = (fields for _, fields in islice(rows, ROWS_SEARCHED) if is_placed(fields))
+    return list(islice(found, SAMPLE_ROWS)) or data
 
 
 def _is_zero(field: str) -> bool:

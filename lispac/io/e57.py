@@ -25,7 +25,7 @@ from lispac.io.point_reader_common import (
     CHUNK,
     GEOREFERENCED,
     PLACE,
-    PREVIEW,
+    PREVIEW_POINTS,
     coordinate_scale,
     frame_facts,
     head_sniffer,
@@ -74,7 +74,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         candidates = (
             (scan, columns)
             for scan in scans
-            for columns in stored_points(image, scan, path, PREVIEW, 0)
+            for columns in stored_points(image, scan, path, PREVIEW_POINTS, 0)
         )
         scan, stored = next(candidates, (scans[0], None))
         candidates.close()

@@ -234,9 +234,9 @@ def _read_columns(
         buffers.append(libe57.SourceDestBuffer(image, name, column, rows, True, True))
     reader = scan.node["points"].reader(buffers)
     try:
-        while held := reader.read():
+        while count := reader.read():
             yield {
-                name: column[:held].astype(scan.fields[name]) for name, column in columns.items()
+                name: column[:count].astype(scan.fields[name]) for name, column in columns.items()
             }
     finally:
         reader.close()

@@ -29,7 +29,7 @@ from lispac.io.point_reader_common import (
     CHUNK,
     GEOREFERENCED,
     PLACE,
-    PREVIEW,
+    PREVIEW_POINTS,
     USE_FEET,
     coordinate_scale,
     frame_facts,
@@ -55,7 +55,7 @@ WAVEFORMS = (4, 5, 9, 10)
 """Point formats whose points refer to waveforms."""
 MIXED_UP = (9, 10)
 """Of these, the ones whose references lazrs 0.8 loses in LAZ between several scanner channels."""
-SHOWN = ("X", "Y", "Z", "gps_time", "intensity", "return_number", "classification")
+PREVIEW_COLUMNS = ("X", "Y", "Z", "gps_time", "intensity", "return_number", "classification")
 
 
 class PackedColumns(Mapping[str, NDArray[Any]]):
@@ -115,10 +115,10 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         if is_in_local_frame(header) and frame is None and "frame" not in choice:
             raise InputError(error("las.local_frame", file=str(path)))
         header_crs = read_header_crs(header, file)
-        points = reader.read_points(min(PREVIEW, _chunk_size(header)))
+        points = reader.read_points(min(PREVIEW_POINTS, _chunk_size(header)))
         xyz = np.stack([points.x, points.y, points.z], axis=1)
         time = np.asarray(points.gps_time)
-        names = [name for name in header.point_format.dimension_names if name in SHOWN]
+        names = [name for name in header.point_format.dimension_names if name in PREVIEW_COLUMNS]
         values = [
             xyz[:, "XYZ".index(name)] if name in "XYZ" else np.asarray(points[name])
             for name in names

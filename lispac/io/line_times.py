@@ -28,14 +28,14 @@ from lispac.survey.time_rollover import PERIODS, find_rollover, resolve_rollover
 
 Array = NDArray[np.float64]
 
-KEPT = 20_000
+MAX_TIMES = 20_000
 """Times kept of a line: one of every few hundred milliseconds of an hour."""
 READ_WHOLE = 3_000_000
 """Points that LAS and LAZ are read whole up to; of more, blocks here and there."""
 BLOCKS, BLOCK = 40, 500
 PLACE_STEP = 10
 """Of so many examined points for their time, one is examined for its place."""
-LONGEST = 15.0
+TIME_LIMIT = 15.0
 """Seconds after which reading stops; what was not read is checked at the import."""
 
 
@@ -129,13 +129,13 @@ def _read_times(
             place = np.asarray(chunk.xyz[len(chunk.xyz) // 2], dtype=np.float64)
         done += len(chunk.time)
         start, end = min(start, float(chunk.time.min())), max(end, float(chunk.time.max()))
-        parts.append(np.asarray(chunk.time[:: max(1, len(chunk.time) // KEPT)]))
+        parts.append(np.asarray(chunk.time[:: max(1, len(chunk.time) // MAX_TIMES)]))
         total = chunk.total
         progress(
             done / max(total or 2 * done, 1),
             gettext_lazy("Examining {file}: {count:n} points", file=path.name, count=done),
         )
-        if clock.monotonic() - started > LONGEST:
+        if clock.monotonic() - started > TIME_LIMIT:
             ended = total is not None and read >= total
             break
     if not done:
@@ -143,7 +143,7 @@ def _read_times(
     if ended:
         require_distinct_times(start, end, done, path)
     sample = np.concatenate(parts)
-    sample = sample[:: max(1, len(sample) // KEPT)]
+    sample = sample[:: max(1, len(sample) // MAX_TIMES)]
     return LineTimes(sample, start, end, read if ended else total, ended, ended, place)
 
 

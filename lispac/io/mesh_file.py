@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 ENDINGS = (".ply", ".obj", ".stl")
 HEAD = 65_536
-MEMORY = 1 << 29
+MEMORY_LIMIT = 1 << 29
 MEMORY_PER_BYTE = 60
 """Bytes that reading a mesh may take: these, and as many for each byte of its file. A triangle of
 ASCII STL with its corners takes about one for each byte, one of binary PLY ten."""
@@ -131,7 +131,7 @@ def _read_in_process(name: str) -> tuple[Array, NDArray[np.int64]]:
     os.close(null)
     import open3d
 
-    _limit_memory(MEMORY + MEMORY_PER_BYTE * os.path.getsize(name))
+    _limit_memory(MEMORY_LIMIT + MEMORY_PER_BYTE * os.path.getsize(name))
     level = open3d.utility.VerbosityLevel.Error
     with open3d.utility.VerbosityContextManager(level):
         found = open3d.io.read_triangle_mesh(Path(name))

@@ -15,11 +15,11 @@ from lispac.messages import Level, Message, Value
 
 Rows = NDArray[np.uint8]
 Flags = NDArray[np.bool_]
-BLOCK = 1 << 22
+BLOCK_SIZE = 1 << 22
 """Bytes searched at once for records that are not zero."""
 SAMPLE = 10_000
 """Records beyond the header count that are checked for plausible values."""
-PLAUSIBLE = 0.5
+MIN_PLAUSIBLE_SHARE = 0.5
 """Share of plausible records from which data beyond the header count are taken for points."""
 
 
@@ -83,7 +83,7 @@ def count_records(
         return PointCounts(header, header)
     rows = np.memmap(path, np.uint8, "r", start, (stored, size))
     numbers = np.unique(np.linspace(header, stored - 1, min(SAMPLE, stored - header)).astype(int))
-    if is_point(np.array(rows[numbers])).mean() >= PLAUSIBLE:
+    if is_point(np.array(rows[numbers])).mean() >= MIN_PLAUSIBLE_SHARE:
         return PointCounts(header, stored)
     return PointCounts(header, header, unread=end - start - header * size)
 
@@ -119,7 +119,7 @@ def count_rows(path: Path, start: int, columns: int, header: int, after: int) ->
 
 def _count_without_padding(path: Path, start: int, size: int, header: int, stored: int) -> int:
     """Number of records up to the last one after ``header`` that is not zero."""
-    step = max(1, BLOCK // size)
+    step = max(1, BLOCK_SIZE // size)
     rows = np.memmap(path, np.uint8, "r", start, (stored, size))
     while stored > header:
         first = max(header, stored - step)

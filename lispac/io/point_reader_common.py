@@ -26,9 +26,9 @@ from lispac.survey.time_rollover import KEYS as KEYS_OF_RESTART
 Array = NDArray[np.float64]
 
 CHUNK = 1_000_000
-PREVIEW = 10_000
+PREVIEW_POINTS = 10_000
 """Number of points that an examination reads."""
-ROWS = 10
+PREVIEW_ROWS = 10
 """Points that a preview shows."""
 HEAD = 65_536
 """Bytes that a sniff reads."""
@@ -385,7 +385,7 @@ def preview_table(
     names: Sequence[str], columns: Sequence[NDArray[Any]]
 ) -> tuple[tuple[str, ...], ...]:
     """First rows of columns as text, the names at the head."""
-    rows = zip(*(column[:ROWS].tolist() for column in columns), strict=True)
+    rows = zip(*(column[:PREVIEW_ROWS].tolist() for column in columns), strict=True)
     return (tuple(names), *(tuple(_value_text(value) for value in row) for row in rows))
 
 

@@ -13,7 +13,7 @@ from lispac.io.first_points import check_first_points
 from lispac.io.format_types import SAME_TIME_BASE, Choice, Fact, FileFormat, FilePreview, PointChunk
 from lispac.io.point_counts import Flags, Rows, count_records, count_rows
 from lispac.io.point_reader_common import (
-    PREVIEW,
+    PREVIEW_POINTS,
     SECONDS,
     coordinate_scale,
     find_time_field,
@@ -220,7 +220,7 @@ def preview_records(
     """Facts and warnings of the first points."""
     path, count = records.path, records.count
     given_choice, choice = choice, format_.resolved(choice)
-    first = {name: values[:PREVIEW] for name, values in columns.items()}
+    first = {name: values[:PREVIEW_POINTS] for name, values in columns.items()}
     field = find_time_field(path, tuple(first), str(choice["time_field"]))
     chunk = point_chunk(first, {**choice, "unit": "metre"}, path, done=0, total=count)
     chunk = usable_points(chunk)

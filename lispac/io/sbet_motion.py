@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from lispac.io.sbet import AXES, SbetOptions, velocity_in_axes
 from lispac.io.trajectory_columns import SIGN_NAMES
-from lispac.io.trajectory_facts import MOVING, SHORTEST_STEP, TrajectoryMotion, wrap_angle
+from lispac.io.trajectory_facts import MIN_SPEED, SHORTEST_STEP, TrajectoryMotion, wrap_angle
 from lispac.messages import Action, Message, note, warning
 
 Array = NDArray[np.float64]
@@ -105,7 +105,7 @@ def _detect_heading(
     for kept in (1.0, 0.0):
         found = [
             wrap_angle(own.course - block[own.index, 9] + kept * block[own.index, 10])[
-                own.speed > MOVING
+                own.speed > MIN_SPEED
             ]
             for block, (own, _) in zip(blocks, motions, strict=True)
         ]
@@ -129,7 +129,7 @@ def _moving_states(
     rows: list[tuple[Array, Array, Array, Array]] = []
     for block, (own, exchanged) in zip(blocks, motions, strict=True):
         common, first, second = np.intersect1d(own.index, exchanged.index, return_indices=True)
-        fast = np.hypot(block[common, 4], block[common, 5]) > MOVING
+        fast = np.hypot(block[common, 4], block[common, 5]) > MIN_SPEED
         rows.append(
             (
                 block[common, 4:7][fast],

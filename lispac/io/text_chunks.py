@@ -29,8 +29,8 @@ from lispac.io.point_reader_common import (
     CHUNK,
     HEAD,
     PLACE,
-    PREVIEW,
-    ROWS,
+    PREVIEW_POINTS,
+    PREVIEW_ROWS,
     SCANNER,
     SCANNER_UNITS,
     SECONDS,
@@ -106,7 +106,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         require_degrees(path, layout)
     rows = data_rows(lines)
     resolved = _merge_options(found, choice)
-    shown = [layout.fields(row) for row in rows[layout.first : layout.first + ROWS]]
+    shown = [layout.fields(row) for row in rows[layout.first : layout.first + PREVIEW_ROWS]]
     columns = resolved["columns"].split()
     head = (
         columns if len(columns) == len(shown[0]) else [f"{k}" for k in range(1, 1 + len(shown[0]))]
@@ -121,7 +121,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     if not columns:
         not_named = warning("text.columns_not_named", file=file)
         return FilePreview({**facts, **frame_facts(resolved)}, preview, found, (not_named,))
-    chunk = next(_read_chunks(path, resolved, PREVIEW), None)
+    chunk = next(_read_chunks(path, resolved, PREVIEW_POINTS), None)
     if chunk is None:
         raise InputError(error("line.no_points", file=str(path)))
     require_usable_points(chunk.xyz, chunk.time, path)

@@ -20,10 +20,10 @@ Array = NDArray[np.float64]
 
 SHORTEST_STEP = 1e-6
 """Seconds: no system measures more often; shorter steps are times without meaning."""
-MOVING = 0.3
+MIN_SPEED = 0.3
 """Metres a second from which a course over ground means something."""
 
-FASTEST = 350.0
+MAX_SPEED = 350.0
 """Metres a second; no carrier of a survey is faster."""
 
 FASTEST_VESSEL = 60.0
@@ -224,7 +224,7 @@ def course_warnings(
     """
     speeds = np.concatenate([motion.speed for motion, _ in motions] or [np.zeros(0)])
     fast = float(np.median(speeds)) if len(speeds) else 0.0
-    if fast > FASTEST:
+    if fast > MAX_SPEED:
         return (warning("trajectory.impossible_speed", file=file, speed=fast),)
     found: tuple[Message, ...] = ()
     if fast > FASTEST_VESSEL:
@@ -290,7 +290,7 @@ def _heading_warnings(
 
 def _heading_differences(motions: Sequence[TrajectoryMotion], headings: Sequence[Array]) -> Array:
     found = [
-        wrap_angle(motion.course - heading[motion.index])[motion.speed > MOVING]
+        wrap_angle(motion.course - heading[motion.index])[motion.speed > MIN_SPEED]
         for motion, heading in zip(motions, headings, strict=True)
     ]
     return np.concatenate(found) if found else np.zeros(0)

@@ -20,7 +20,7 @@ from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.vessel_motion import LAUNCH, VesselHandling
 from lispac.survey.georeferencing import Mounting
 
-LARGEST_POSITION, LARGEST_ATTITUDE, LONGEST = 1e3, 10.0, 1e9
+LARGEST_POSITION, LARGEST_ATTITUDE, LONGEST_TIME = 1e3, 10.0, 1e9
 """Largest errors of a POS, metres and degrees, and longest time about them, seconds."""
 KINDS = ("gauss-markov", "white", "outage", "jumps")
 
@@ -166,15 +166,15 @@ def _read_pos_errors(table: TomlTable) -> PosErrors:
     attitude = (float(roll), float(pitch), float(heading))
     if kind == "gauss-markov":
         return PosErrorModel(
-            position, attitude, table.number("position_s", over=0, high=LONGEST),
-            table.number("attitude_s", over=0, high=LONGEST),
+            position, attitude, table.number("position_s", over=0, high=LONGEST_TIME),
+            table.number("attitude_s", over=0, high=LONGEST_TIME),
         )  # fmt: skip
     if kind == "white":
         return WhiteNoise(position, attitude)
     if kind == "outage":
         return GnssOutage(
-            table.number("start_s", low=0, high=LONGEST),
-            table.number("duration_s", over=0, high=LONGEST), position, attitude,
+            table.number("start_s", low=0, high=LONGEST_TIME),
+            table.number("duration_s", over=0, high=LONGEST_TIME), position, attitude,
             table.boolean("smoothed", True),
         )  # fmt: skip
     at = table.numbers("at_s", None, (), low=0)

@@ -31,10 +31,10 @@ ASSUMED = N_(
     "abeam. Run the lines in the given order. Headings and azimuths are from true north. Fix the "
     "boards flat and firmly: the predicted sigmas assume that they do not move."
 )
-PITCH, CLOSEST, SPACE, LIFT = 0.019, 0.0115, 0.24, 0.26
+PITCH, MIN_PITCH, SPACE, LIFT = 0.019, 0.0115, 0.24, 0.26
 """Shares of the page: height of a row, its smallest value, height of the rows below drawings of
 usual height, and the most that drawings lose where there are many rows."""
-MAX_WARNINGS, WIDE = 3, 140
+MAX_WARNINGS, LINE_LENGTH = 3, 140
 """Warnings that are printed, and letters in a line."""
 OMITTED = Plural("{count:n} more warning is not shown.", "{count:n} more warnings are not shown.")
 BARS = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
@@ -59,7 +59,7 @@ def field_plan_figure(
         rest = gettext(OMITTED, count=len(warnings) - MAX_WARNINGS)
         warnings = (*warnings[:MAX_WARNINGS], rest)
     rows = len(plan.targets) + len(plan.lines) + 4.6 + len(warnings)
-    lift = float(np.clip(rows * CLOSEST - SPACE, 0.0, LIFT)) if rows * PITCH > SPACE else 0.0
+    lift = float(np.clip(rows * MIN_PITCH - SPACE, 0.0, LIFT)) if rows * PITCH > SPACE else 0.0
     pitch = min(PITCH, (SPACE + lift) / rows)
     figure = Figure(figsize=PAGE)
     figure.text(0.07, 0.955, title, fontsize=15, weight="bold", color=INK)
@@ -77,7 +77,7 @@ def field_plan_figure(
         figure.text(0.07, low, warning, fontsize=TEXT, color=WRONG, va="top", weight="bold")
         low -= pitch
     text = "\n".join(
-        fill(note, WIDE) for note in (gettext(ASSUMED), _assumptions_text(plan), *notes)
+        fill(note, LINE_LENGTH) for note in (gettext(ASSUMED), _assumptions_text(plan), *notes)
     )
     figure.text(0.07, low, text, fontsize=SMALL, color=INK, va="top", linespacing=1.4)
     return figure

@@ -21,7 +21,7 @@ from lispac.report.figures import (
     short_name,
     style_axes,
 )
-from lispac.report.legends import USUAL, top_below_legend
+from lispac.report.legends import AXES_POSITION, top_below_legend
 from lispac.report.text_format import grouped_number, localised_number
 from lispac.report.validation_values import ValidationPlane
 from lispac.validation.comparison_results import PlaneComparison
@@ -121,9 +121,9 @@ def _draw_histogram(
     top = float(np.asarray(counted.edges)[-1])
     enlarged = counted.near < MAX_ENLARGED_SHARE * top
     if enlarged:
-        places = list(figure.subplots(1, 2, width_ratios=(3, 2), gridspec_kw=USUAL))
+        places = list(figure.subplots(1, 2, width_ratios=(3, 2), gridspec_kw=AXES_POSITION))
     else:
-        places = [figure.subplots(gridspec_kw=USUAL)]
+        places = [figure.subplots(gridspec_kw=AXES_POSITION)]
     size = SMALL if enlarged else TEXT
     amount = gettext("Share of the points\n(% per mm)") if share else gettext("Points")
     for axes, reach, across in zip(places, (top, counted.near), (_WHOLE, _NEAR), strict=False):

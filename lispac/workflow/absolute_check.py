@@ -51,9 +51,9 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-SIGMA = 0.005
+DEFAULT_SIGMA = 0.005
 """Metres; default sigma of a reference."""
-REACH = 1.0
+SEARCH_DISTANCE = 1.0
 """Metres from the reference within which lines are searched for; at 50 m, 1.1 deg of boresight."""
 PER_DIAMETER, PER_WIDTH = 4, 5
 """Points that stand for a surveyed plane along the diameter of a cylinder, and cylinders along the
@@ -71,8 +71,8 @@ def check_absolute(
     height: str = "",
     trajectory_datum: str | None = None,
     epoch: float | None = None,
-    sigma: float = SIGMA,
-    reach: float = REACH,
+    sigma: float = DEFAULT_SIGMA,
+    reach: float = SEARCH_DISTANCE,
     progress: Progress = no_progress,
 ) -> tuple[Project, tuple[Message, ...]]:
     """Measure every line against a reference, with the prior and the estimated boresight.

@@ -26,7 +26,7 @@ from lispac.project import LineSource, Project, Reading
 from lispac.survey.line_source import printable
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
 
-FARTHEST_ORIGIN = 100_000.0
+MAX_ORIGIN_DISTANCE = 100_000.0
 """Metres; beyond, a plane tangent at the origin is no frame for the site."""
 WORDS: Mapping[Kind, str] = {
     "trajectory": "trajectory", "accuracy": "trajectory accuracy", "points": "line",
@@ -230,7 +230,7 @@ def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[Message, 
         frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
     trajectory = LocalTrajectory.of(raw, frame, project.settings.longest_gap)
     distance = float(np.linalg.norm(trajectory.position[0]))
-    if distance > FARTHEST_ORIGIN:
+    if distance > MAX_ORIGIN_DISTANCE:
         raise InputError(error("import.origin_too_far", project=project.name, distance=distance))
     return trajectory, raw.assumptions
 

@@ -22,7 +22,7 @@ from lispac.survey.time_base import base_of_key
 from lispac.survey.time_rollover import NONE
 from lispac.workflow.file_reading import USUAL, format_of_line, read_trajectory
 
-SAME = 1e-3
+SHIFT_TOLERANCE = 1e-3
 """Seconds that a typed shift may differ from the one that follows, to be the same."""
 
 
@@ -134,7 +134,7 @@ def shift_lines_to_trajectory(
             continue
         shift = found[0].shift
         if typed:
-            if all(abs(typed - match.shift) > SAME for match in found):
+            if all(abs(typed - match.shift) > SHIFT_TOLERANCE for match in found):
                 raise InputError(
                     error(
                         "import.shift_contradicts_base",

@@ -35,7 +35,7 @@ from lispac.workflow.input_times import (
     trajectory_time_base,
 )
 
-FARTHEST = 20_000.0
+MAX_DISTANCE = 20_000.0
 """Metres between a line's points and the trajectory; no scanner sees farther."""
 
 SETTING_OPTIONS = {
@@ -383,7 +383,7 @@ def _location_messages(entry: InputFile, track: Trajectory) -> list[Message]:
     points = geodetic_to_ecef(np.array([place.latitude]), np.array([place.longitude]), np.zeros(1))
     path = geodetic_to_ecef(track.latitude[::50], track.longitude[::50], 0 * track.height[::50])
     distance = float(np.linalg.norm(path - points, axis=1).min())
-    if distance < FARTHEST:
+    if distance < MAX_DISTANCE:
         return []
     return [
         error(

@@ -25,7 +25,7 @@ from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
 
-REACH = 1.0
+SEARCH_DISTANCE = 1.0
 """Metres that lines may be apart: a prior boresight that is half a degree off moves a wall at 60 m
 by half a metre."""
 MIN_PLACES = 10
@@ -141,7 +141,7 @@ def line_quality(
     survey: Survey,
     *,
     which: Which = "prior",
-    reach: float = REACH,
+    reach: float = SEARCH_DISTANCE,
     progress: Progress = no_progress,
 ) -> LineQuality:
     """Compare every two lines of a survey on flat places, calibrated or not.

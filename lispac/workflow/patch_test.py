@@ -32,7 +32,7 @@ from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
 
-MOVED = np.radians(0.05)
+RESELECT_ANGLE = np.radians(0.05)
 """Where an angle has moved by more, radians, the objects' points are taken again: lines were apart
 when they were taken, and boxes did not hold the same of each."""
 
@@ -197,7 +197,7 @@ def find_boresight(
     together = minimise_mismatch(
         laid.sample, laid.blocks(names, chosen), at, progress=sub_progress(progress, 0.0, 0.4)
     )
-    if not np.abs(together.boresight - laid.boresight).max() <= MOVED:
+    if not np.abs(together.boresight - laid.boresight).max() <= RESELECT_ANGLE:
         laid = place_objects(
             project,
             survey,

@@ -44,13 +44,13 @@ from lispac.workflow.target_search import ALIGNED_MAX_SHIFT, find_planes_in_line
 
 Array = NDArray[np.float64]
 
-LARGE = 2.0
+MIN_AREA = 2.0
 """Square metres from which a plane is large enough for validation, where there are others."""
-MOSTLY = 0.5
+MAX_POOR = 0.5
 """Share of its sightings: a plane whose flatness is doubtful or poor on so many is proposed for
 nothing. One that is observed poorly on so many is proposed where there are too few others, and on
 more for nothing."""
-SHARED = 0.01
+MAX_SHARED_POINTS = 0.01
 """Share of the points of a plane from which it overlaps another one."""
 UNCHECKED = {
     "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
@@ -314,7 +314,7 @@ def _adjustment_warnings(result: AdjustmentResult) -> tuple[Message, ...]:
 def _do_planes_overlap(plane: DetectedPlane, other: DetectedPlane) -> bool:
     """True if two planes have points in common."""
     return any(
-        np.isin(plane.found[line].indices, other.found[line].indices).mean() > SHARED
+        np.isin(plane.found[line].indices, other.found[line].indices).mean() > MAX_SHARED_POINTS
         for line in plane.found
         if line in other.found
     )
@@ -326,8 +326,8 @@ def _proposed_target(
     # Where the prior boresight puts it, as if it had been clicked.
     line = plane.line if plane.line in plane.found else next(iter(plane.found))
     indices, aligned = plane.found[line].indices, survey.alignment
-    apart = np.linalg.norm(aligned.clouds[line][indices] - plane.seed, axis=1)
-    clicked = survey.clouds[line][indices[np.argmin(apart)][None]][0]
+    distances = np.linalg.norm(aligned.clouds[line][indices] - plane.seed, axis=1)
+    clicked = survey.clouds[line][indices[np.argmin(distances)][None]][0]
     seed: Triple = (float(clicked[0]), float(clicked[1]), float(clicked[2]))
     sightings = tuple(
         PickedSighting(
@@ -374,11 +374,12 @@ def _assess_plane(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
     poor = tuple(line for line, quality in lines.items() if quality.rating == "poor")
     uneven = [line for line, quality in lines.items() if quality.flatness != "good"]
     reason = lines[poor[0]].reasons[0] if poor else ""
-    if len(uneven) >= MOSTLY * len(lines):
+    if len(uneven) >= MAX_POOR * len(lines):
         return _PlaneAssessment("not flat", poor, reason)
-    if len(poor) < MOSTLY * len(lines):
+    if len(poor) < MAX_POOR * len(lines):
         return _PlaneAssessment("any", poor, reason)
-    return _PlaneAssessment("at need" if len(poor) == MOSTLY * len(lines) else "poor", poor, reason)
+    at_limit = len(poor) == MAX_POOR * len(lines)
+    return _PlaneAssessment("at need" if at_limit else "poor", poor, reason)
 
 
 def _too_few_planes_message(
@@ -473,7 +474,7 @@ def _order_validation_planes(
     survey: Survey,
 ) -> list[str]:
     """Validation planes in order: reciprocal lines first, then by distance from the others."""
-    large = [name for name, plane in planes.items() if plane.area >= LARGE]
+    large = [name for name, plane in planes.items() if plane.area >= MIN_AREA]
     names = large if len(large) >= MIN_VALIDATION else list(planes)
     is_reciprocal = {name: _has_reciprocal_lines(compared[name], survey) for name in names}
     left = sorted(names, key=lambda name: (not is_reciprocal[name], -planes[name].area))

@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 ESTIMATED = PlacementAccuracy(ROUGHLY_OFF)
 """Of lines that an adjustment has placed; the first one used points smeared by the prior."""
 
-NARROWED = 2 / 3
+THRESHOLD_FACTOR = 2 / 3
 """Share of the pick's threshold that is left once the boresight no longer smears the surface: two
 LiDAR sigma where the pick took three. For planes alone: what displaces the profiles of a sphere is
 the motion of the vessel, and that stays."""
@@ -56,7 +56,7 @@ def reselect_target(
     before: Mapping[str, Cloud],
     after: Mapping[str, Cloud],
     *,
-    narrowed: float = NARROWED,
+    narrowed: float = THRESHOLD_FACTOR,
 ) -> Target:
     """Search the used sightings of a target again, in lines placed differently.
 

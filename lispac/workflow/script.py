@@ -27,7 +27,7 @@ from lispac.project import LineSource, Project
 from lispac.survey.line_source import USUAL
 from lispac.survey.store.stored_line import StoredLine
 from lispac.validation.absolute_check import AbsoluteCheck
-from lispac.workflow.absolute_check import REACH, SIGMA, check_absolute
+from lispac.workflow.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE, check_absolute
 from lispac.workflow.calibration import estimate
 from lispac.workflow.projects import complete_readings
 from lispac.workflow.script_targets import target_steps
@@ -209,7 +209,7 @@ def _reference_check_steps(
 ) -> tuple[list[str], list[Message]]:
     """Steps of the check against a reference, with notes on its unknown options."""
     # Of a list the project keeps the usual sigma of its points, not that which was asked for.
-    sigmas = (check.sigma,) if check.kind == "scan" else (SIGMA, check.sigma)
+    sigmas = (check.sigma,) if check.kind == "scan" else (DEFAULT_SIGMA, check.sigma)
     path = _find_reference(check, [files.folder, project.folder, project.folder.parent])
     if path is None:
         step = _check_step(check.reference, sigmas[0], check.search_distance)
@@ -231,7 +231,7 @@ def _reference_check_steps(
 
 
 def _check_step(path: str, sigma: float, reach: float) -> str:
-    values = {"sigma": (sigma, SIGMA), "search_distance": (reach, REACH)}
+    values = {"sigma": (sigma, DEFAULT_SIGMA), "search_distance": (reach, SEARCH_DISTANCE)}
     named = {name: value for name, (value, usual) in values.items() if value != usual}
     return call_text("project.check", path, **named)
 

@@ -32,7 +32,7 @@ class ListedSeed:
     row : int
         Of the list.
     place : metres, local frame
-    taken : bool
+    exists : bool
         Whether the project has a target of that name.
     """
 
@@ -40,7 +40,7 @@ class ListedSeed:
     name: str
     role: Role
     place: Triple
-    taken: bool = False
+    exists: bool = False
 
 
 @dataclass(frozen=True)
@@ -132,7 +132,7 @@ def require_free_names(seeds: SeedList) -> None:
     ProjectError
     """
     for seed in seeds.seeds:
-        if seed.taken:
+        if seed.exists:
             raise ProjectError(
                 error(
                     "pick.name_taken", file=str(seeds.points.path), row=seed.row, target=seed.name

@@ -63,7 +63,7 @@ SOURCES = (
 """Sources of the sensors that come with the program, for their translation."""
 LONGEST = 200
 """Letters of a title or a source."""
-INVENTED = ("profiler",)
+SIMULATED_SCANNERS = ("profiler",)
 """Scanners of the simulator that nobody can buy."""
 LEAST_NOISE = 0.001
 """Metres: the LiDAR noise on each axis, from which search distances follow, is no smaller."""
@@ -155,7 +155,7 @@ def _read_sensors(
     found = {
         path.stem: Sensor(path.stem, supplied(path), is_user_defined=False)
         for path in resource_path(kind).glob("*.toml")
-        if path.stem not in INVENTED
+        if path.stem not in SIMULATED_SCANNERS
     }
     for path in sorted((folder / kind).glob("*.toml")):
         try:

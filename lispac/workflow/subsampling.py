@@ -21,7 +21,7 @@ from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
 
-USUAL = (0.0, 0.05, 0.10, 0.15, 0.20)
+DISTANCES = (0.0, 0.05, 0.10, 0.15, 0.20)
 """Metres: all points, the thesis's distances, and one more."""
 
 
@@ -49,7 +49,7 @@ class SubsamplingResult:
 def subsampling_study(
     project: Project,
     survey: Survey,
-    distances: Sequence[float] = USUAL,
+    distances: Sequence[float] = DISTANCES,
     *,
     progress: Progress = no_progress,
 ) -> tuple[SubsamplingResult, ...]:

@@ -25,7 +25,7 @@ MAX_TARGETS, MIN_TARGETS, MIN_VALIDATION = 6, 3, 4
 """Targets that are chosen, and planes that are left for validation once the targets are checked."""
 MAX_SIGMA_RATIO = 0.85
 """A target that leaves more than this share of every sigma is left for validation."""
-FAR_WORSE = 2.0
+MAX_PAIR_RATIO = 2.0
 """Factor on the least worst sigma of any two planes up to which two others are preferred that are
 apart, or boards."""
 
@@ -167,7 +167,7 @@ def _best_pair(planes: CandidatePlanes, names: Sequence[str]) -> list[str]:
     )  # fmt: skip
     for is_preferred in preferences:
         preferred = {pair: sigma for pair, sigma in worst.items() if is_preferred(pair)}
-        if preferred and min(preferred.values()) <= FAR_WORSE * least:
+        if preferred and min(preferred.values()) <= MAX_PAIR_RATIO * least:
             worst = preferred
     best = min(worst, key=worst.__getitem__)
     return list(best)

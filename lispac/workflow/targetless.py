@@ -36,13 +36,13 @@ Indices = NDArray[np.int64]
 THRESHOLDS = (0.06, 0.03, 0.03, 0.03, 0.03)
 """Metres that a line may be off its region, from round to round: at first as much as a tenth of a
 degree moves it some tens of metres away."""
-QUICK = 0.3
+QUICK_SPACING = 0.3
 """Metres over which points are averaged between the rounds."""
 CONVERGENCE_LIMIT = 0.1
 """Change of an angle, as a share of its sigma, below which no further round is run."""
 MIN_PATCHES = 4
 """Patches below which nothing of them can be checked."""
-DISAGREES = 0.3
+MAX_SHARE = 0.3
 """Share of its sightings that do not agree by which a line is named."""
 
 
@@ -127,7 +127,7 @@ def targetless(
     progress(0.0, gettext_lazy("Aligning the lines"))
     # Wherever the prior is, near or far, the start is the same.
     mounting = survey.alignment.mounting
-    quick = replace(settings, subsample=max(settings.subsample, QUICK), parameters=())
+    quick = replace(settings, subsample=max(settings.subsample, QUICK_SPACING), parameters=())
     judged = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
     picked, found, rounds, converged, mixed = project, 0, 0, False, 0
     for rounds, threshold in enumerate(THRESHOLDS, 1):
@@ -300,5 +300,5 @@ def disagreeing_lines(
     return tuple(
         line
         for line in lines
-        if not count[line] or line in shifted or rejected[line] >= max(2.0, DISAGREES * count[line])
+        if not count[line] or line in shifted or rejected[line] >= max(2.0, MAX_SHARE * count[line])
     )
