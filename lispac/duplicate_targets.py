@@ -28,7 +28,7 @@ SAME_SURFACE_SHARE = 0.3
 SAMPLE_SIZE = 1000
 """Points of a sighting that are checked for common points with another."""
 SIGMA_MARGIN = 0.2
-"""Share of a predicted sigma by which the stated one may differ from it."""
+"""Share of a predicted sigma by which that of the result may differ from it."""
 
 
 @dataclass(frozen=True)
@@ -188,7 +188,7 @@ def prediction_warnings(project: Project) -> tuple[Message, ...]:
 def _predicted_angles(
     result: AdjustmentResult, prediction: ProposalPrediction, named: NDArray[np.bool_]
 ) -> list[Message]:
-    """Predicted and stated sigma of the angles that are named."""
+    """Predicted and formal sigma of the angles that are named."""
     return [
         note(
             "item.angle_predicted", angle=mounting_value_name(angle),

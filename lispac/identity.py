@@ -10,7 +10,7 @@ from lispac.language import N_
 from lispac.messages import error, note
 
 MAX_LENGTH = 200
-"""Letters of a field; remarks may be ten times as long."""
+"""Most characters of a field; remarks may be ten times as long."""
 
 
 @dataclass(frozen=True)

@@ -32,9 +32,9 @@ class MethodResult:
     calibration : Calibration
         Named after its method.
     lines, surfaces : int
-        That the answer rests on.
+        That the result is based on.
     against : CalibrationDifference or None
-        From the first answer to this one; None for the first.
+        From the first result to this one; None for the first.
     messages : tuple of Message
     """
 

@@ -86,7 +86,7 @@ class Settings:
     loss : None for the model's own: ``tukey`` with ``correlated``, ``none`` with ``independent``
     parameters : values of the mounting to estimate besides the boresight
     variance_components : whether to estimate how large LiDAR and POS errors really are
-    accept_single_orientation : whether to answer where all targets are planes that face one way
+    accept_single_orientation : whether to adjust where all targets are planes that face one way
     longest_gap : seconds between two states of the trajectory that may be bridged; points in longer
         gaps are excluded
     """

@@ -36,7 +36,7 @@ _NEW: dict[Status, str] = {
     "partly": "CHECK FIRST",
     "unverified": "CHECK FIRST",
 }
-"""What the new angles are called: nobody should type in an assumption without reading it."""
+"""Title of the new angles by the status of the convention: an assumption has to be read first."""
 OF_PROJECT = "estimated"
 
 

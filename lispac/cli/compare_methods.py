@@ -38,7 +38,7 @@ def compare_methods(arguments: Namespace) -> None:
     Raises
     ------
     ProjectError
-        Where there is no answer at all.
+        Where no method has a result.
     """
     refused: dict[str, Message] = {}
     with opened_project(arguments.projects[0], change=arguments.compute) as project:

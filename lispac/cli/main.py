@@ -35,7 +35,7 @@ def run(argv: Sequence[str] | None = None) -> None:
     parser = build_parser()
     words = with_new_names(sys.argv[1:] if argv is None else argv)
     arguments = parser.parse_args(without_exponents(words))
-    # Its own module only, after parsing: --version and --help answer without NumPy and Numba, and
+    # Its own module only, after parsing: --version and --help work without NumPy and Numba, and
     # no command waits for what another needs.
     if (message := caches.set_cache_variables(os.environ)) is not None:
         print(f"note: {message_text(message)}", file=sys.stderr)

@@ -364,7 +364,7 @@ _UNIT_OPTIONS: tuple[tuple[str, tuple[str, ...], dict[str, str]], ...] = (
 
 
 def _unit_options(titles: Sequence[str]) -> dict[str, str]:
-    """Options for the units that titles state."""
+    """Options for the units specified in titles."""
     found: dict[str, str] = {}
     for option, roles, units in _UNIT_OPTIONS:
         codes = [

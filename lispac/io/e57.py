@@ -169,7 +169,7 @@ def read_coordinates(path: Path) -> Iterator[Array]:
 
 
 def read_file_crs(path: Path) -> tuple[str, tuple[Message, ...]]:
-    """Coordinate system stated in the file, empty if there is none, and messages.
+    """Coordinate system specified in the file, empty if there is none, and messages.
 
     Raises
     ------

@@ -1,7 +1,7 @@
 """Types for the formats of files: options, previews, chunks of points.
 
 A format has a name, file extensions, a test of how likely a file is of this format,
-what the user may have to state, and how to read it. The import dialogue, the command line and the
+options that may be needed, and how to read it. The import dialogue, the command line and the
 tests all work on this list; nothing else knows which formats there are.
 """
 
@@ -31,7 +31,7 @@ nothing speaks against it; it is not one."""
 
 @dataclass(frozen=True)
 class FormatOption:
-    """Reading option that a file does not state itself.
+    """Reading option that a file does not specify itself.
 
     Attributes
     ----------
@@ -90,7 +90,7 @@ class PointChunk:
     Attributes
     ----------
     xyz : ndarray of shape (n, 3), frame and unit of the file
-        Those that the reader's assumptions state.
+        As in the assumptions of the reader.
     time : ndarray of shape (n,), seconds, in the file's time base
     extra : mapping of str to ndarray of shape (n, ...)
         Whatever else the file has, under its own names and types; ``intensity`` where there is one.

@@ -240,7 +240,7 @@ def read_coordinates(path: Path) -> Iterator[NDArray[np.float64]]:
 
 
 def read_file_crs(path: Path) -> HeaderCrs:
-    """Coordinate system stated in the header, with messages about the header.
+    """Coordinate system specified in the header, with messages about the header.
 
     Raises
     ------

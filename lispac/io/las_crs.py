@@ -32,7 +32,7 @@ UTM = (16000, 16100)
 
 @dataclass(frozen=True)
 class HeaderCrs:
-    """Coordinate system stated in a LAS header.
+    """Coordinate system specified in a LAS header.
 
     Attributes
     ----------
@@ -70,7 +70,7 @@ def read_header_crs(header: LasHeader, file: str = "") -> HeaderCrs:
     records = list(header.vlrs) + list(header.evlrs or ())
     by_wkt = by_keys = None
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # PROJ's remarks on old WKT
+        warnings.simplefilter("ignore")  # PROJ's warnings about old WKT
         for record in records:
             if isinstance(record, WktCoordinateSystemVlr) and record.string.strip("\0 \n"):
                 by_wkt = by_wkt or _crs_from_wkt(record.string.strip("\0 \n"), file)

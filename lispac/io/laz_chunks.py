@@ -166,7 +166,7 @@ def read_chunk_table(
 def _do_layers_fit(
     file: BinaryIO, at: int, record: bytes, table: tuple[tuple[int, int], ...]
 ) -> bool:
-    """True if the layers of each chunk lie within it; lazrs allocates the sizes they state.
+    """True if the layers of each chunk lie within it; lazrs allocates the sizes they specify.
 
     A chunk of these holds its first point, the number of points, the sizes of its layers and these.
     """

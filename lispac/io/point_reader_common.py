@@ -361,7 +361,7 @@ def time_base_message(time: NDArray[np.float64], base_key: str) -> Message:
 
 
 def time_base_warnings(time: NDArray[np.float64], base_key: str, file: str) -> tuple[Message, ...]:
-    """Warning that ``time`` (n,), seconds, contradicts the base stated in the file ``file``."""
+    """Warning that ``time`` (n,), seconds, contradicts the base given in the file ``file``."""
     if not base_key or not len(time):
         return ()
     possible = plausible_bases(time)

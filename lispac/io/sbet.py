@@ -27,7 +27,7 @@ ASSUMPTIONS = (note("assumed.applanix"), SAME_TIME_BASE)
 
 @dataclass(frozen=True)
 class SbetOptions:
-    """Conventions that an SBET does not state, by the names of the options."""
+    """Conventions that an SBET does not specify, by the names of the options."""
 
     heading: str = "minus-wander"
     pitch: str = "bow-up"
@@ -81,7 +81,7 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
     ----------
     options : SbetOptions, optional
         After Applanix where there are none. Times that start again at midnight or at the end of
-        the week are continued, which the assumptions then state.
+        the week are continued, which the assumptions then mention.
 
     Raises
     ------

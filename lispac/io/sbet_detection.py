@@ -33,7 +33,7 @@ RECORD = 17 * 8
 HEAD = 100
 BYTE_ORDERS = {"little-endian": "<", "big-endian": ">"}
 BLOCK, BLOCKS = 1000, 60
-"""Records a block, and blocks looked at where a file has more: five seconds each at 200 Hz."""
+"""Records of a block, and blocks read where a file has more: five seconds each at 200 Hz."""
 
 
 MAX_TIMES = 1_000_000

@@ -164,7 +164,7 @@ def detect_signs(
 
     A positive rate about the forward axis takes the starboard side down whether y is to starboard
     or to port; the rate about y raises the bow in the first case and lowers it in the second, and
-    the rate about z against the heading tells which case it is.
+    the rate about z against the heading decides between the cases.
     """
     check = (Action("check_sign", {"name": "pitch"}),)
     if not any(np.any(block[:, 14:17]) for block in blocks):
@@ -219,7 +219,7 @@ def _rate_correlation(blocks: Sequence[Array], angle: int, rate: int) -> float |
     change, turn = np.concatenate(changes), np.concatenate(turns)
     if len(change) < 10:
         return None
-    # About zero, not about the mean: a steady turn tells the sign as well.
+    # About zero, not about the mean: a steady turn gives the sign as well.
     size = float(np.sqrt(np.mean(change**2)))
     length = float(np.linalg.norm(change) * np.linalg.norm(turn))
     if size < np.radians(0.1) or length == 0:

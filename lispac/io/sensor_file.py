@@ -24,7 +24,7 @@ class ScannerSpecification:
     angle_sigma_deg : degrees, of the direction of the beam, both ways across it
     divergence_mrad : milliradians, full angle
     source : where the figures come from
-    unverified : whether nobody has held them against the source
+    unverified : whether they were not compared with the source
     """
 
     title: str
@@ -45,7 +45,7 @@ class PosAccuracy:
     position_sigma : metres, north, east, down
     attitude_sigma_deg : degrees, roll, pitch, heading
     source : where the figures come from
-    unverified : whether nobody has held them against the source
+    unverified : whether they were not compared with the source
     """
 
     name: str

@@ -21,7 +21,7 @@ AXES = ("x", "y", "z")
 
 
 def header_options(layout: RowLayout) -> dict[str, str]:
-    """Options ``time_unit``, ``time_base`` and ``unit`` that the titles of the columns state."""
+    """Options ``time_unit``, ``time_base`` and ``unit`` given in the titles of the columns."""
     units, found = layout.units(), dict[str, str]()
     if "time" in layout.names:
         title = layout.titles[layout.names.index("time")]
@@ -37,7 +37,7 @@ def header_options(layout: RowLayout) -> dict[str, str]:
 
 
 def require_one_unit(path: Path, layout: RowLayout) -> None:
-    """Refuse coordinates in the scanner frame whose titles state several units, or an unknown one.
+    """Refuse coordinates in the scanner frame whose titles give several units, or an unknown one.
 
     Raises
     ------
@@ -145,4 +145,4 @@ def _parse_crs(crs: str) -> CoordinateSystem | None:
     try:
         return coordinate_system(crs) if crs else None
     except InputError:
-        return None  # said where points are brought to the earth
+        return None  # reported where points are georeferenced

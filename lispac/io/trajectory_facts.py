@@ -166,7 +166,7 @@ def time_warnings(time: Array, base_key: str, file: str) -> tuple[Message, ...]:
             )
         )  # fmt: skip
     else:
-        # That UTC could be meant goes for any time of day or week; the base taken is given.
+        # Any time of day or week could be UTC, so these bases are not listed.
         known = base_of_key(base_key)
         others = [
             base_message(base)

@@ -176,7 +176,7 @@ _SIGNS_ASSUMED = {
 
 
 def sign_assumed_warning(path: Path, angle: str, sign: str) -> Message:
-    """The warning that a file does not state the sign of roll or pitch."""
+    """The warning that a file does not specify the sign of roll or pitch."""
     code, actions = _SIGNS_ASSUMED[angle, sign], (Action("check_sign", {"name": angle}),)
     return Message(code, Level.WARNING, {"file": printable(path.name)}, actions=actions)
 

@@ -57,7 +57,7 @@ def speed_warnings(
         columns = [(column.index, parse_number, column.name) for column in velocities]
         (east, north), _ = read_columns(path, iter(rows), columns)
     except InputError:
-        return ()  # columns that nobody needs may hold what they like
+        return ()  # columns that are not used may have any content
     factor = LENGTHS.get(velocities[0].unit)
     recorded = np.hypot(east, north)[motion.index] * (factor or 1.0)
     moving = recorded > MIN_SPEED

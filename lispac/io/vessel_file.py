@@ -47,7 +47,7 @@ class MountingErrors:
     latency: float = 0.0
 
     def mounting(self, lever_arm: Triple) -> Mounting:
-        """True mounting for a stated lever arm.
+        """True mounting for a given lever arm.
 
         Parameters
         ----------

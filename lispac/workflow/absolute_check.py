@@ -235,7 +235,7 @@ class _MeasuredReference:
             flat = is_reference_flat(surface, cores, SMOOTH * wide, self.roughest)
             yield surface, cores[flat], wide[flat], 0
         for k, plane in enumerate(self.reference.planes):
-            # It is flat however wide one looks, and a line may be sparse there.
+            # It is flat at any width, and a line may be sparse there.
             side = float(np.clip(plane.width / PER_WIDTH, NARROWEST, WIDEST))
             diameters = cylinder_diameters(tree, plane.grid(side), self.reach)
             if np.isfinite(diameters).any():

@@ -14,7 +14,7 @@ from lispac.workflow.survey import Survey
 Array = NDArray[np.float64]
 
 TIMES_PER_LINE = 1_000
-"""Times of each line at which accuracies and rates are looked up."""
+"""Times of each line at which accuracies and rates are interpolated."""
 
 
 def error_budget_of(

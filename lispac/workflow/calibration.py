@@ -33,7 +33,7 @@ RESELECTIONS = 3
 """Each selection leaves about a third of the error that the smear of the one before it caused."""
 
 MAX_WARNINGS = 3
-"""Warnings about the data named where an adjustment has no answer."""
+"""Warnings about the data that the error of a failed adjustment names."""
 
 SELECTION_SPACING = 0.1
 """Metres between the points that steer a selection: near a slow scanner a surface has hundreds of
@@ -202,7 +202,7 @@ def estimate(
     Raises
     ------
     AdjustmentError
-        Where targets and lines cannot give an answer.
+        Where targets and lines cannot give a result.
     """
     settings = settings or project.settings
     settings.require_sound()
@@ -260,7 +260,7 @@ def reselect_points(
     """The project with its targets' points selected again, with a boresight found on the way.
 
     The picks were made with the prior boresight, which smears a surface that is seen from a moving
-    platform. The answer is for `adjust_selected`; the picks in the project stay as they were.
+    platform. The result is for `adjust_selected`; the picks in the project stay as they were.
     """
     settings, selected = project.settings, replace(project, result=None)
     prior = project.mounting("prior")
@@ -270,7 +270,7 @@ def reselect_points(
         subsample=max(settings.subsample, SELECTION_SPACING),
         parameters=(),
     )
-    # Whether the geometry answers is judged by the times and surfaces that are given.
+    # The geometry is judged by the times and surfaces that are given.
     judged = replace(settings.stochastic_model, pos_errors="independent", loss="none")
     angles = prior.boresight
     for k in range(rounds):

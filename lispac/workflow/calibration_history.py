@@ -137,7 +137,7 @@ def read_histories(
     Raises
     ------
     ProjectError
-        No project in the folders, or none with an answer and a date.
+        No project in the folders, or none with a result and a date.
     """
     open_ones = {project.folder.resolve(): project for project in also}
     inside, unreadable = find_projects(folders)

@@ -103,9 +103,9 @@ def write_cloud(
     temporary, path : Path
         Where it is written now, and the name it will have.
     mapping : ScannerPointConverter
-        To the coordinate system wanted, with the mounting wanted.
+        To the selected coordinate system, with the selected mounting.
     pattern : callable
-        The first chunk to what the records look like.
+        The first chunk to the layout of the records.
     reading : Reading
         How the source's times come into the trajectory's time base; written are those of the
         source.

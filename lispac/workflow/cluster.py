@@ -25,7 +25,7 @@ from lispac.workflow.cluster_access import ClusterAccess
 from lispac.workflow.parallel_map import chunk_size
 
 CONNECT_TIMEOUT = 4.0
-"""Seconds that a scheduler has to answer."""
+"""Seconds in which a scheduler has to reply."""
 
 START_TIMEOUT = 15.0
 """Seconds that a worker may take to be there: one that was lost is started again by its nanny."""
@@ -107,7 +107,7 @@ def _require_scheduler(address: str, security: Any) -> None:
 
     try:
         asyncio.run(greeted())
-    except Exception as failure:  # whatever another program's answer leads to
+    except Exception as failure:  # whatever another program's reply leads to
         raise LispacError(
             error("cluster.no_scheduler", address=address, limit=CONNECT_TIMEOUT)
         ) from failure
@@ -242,7 +242,7 @@ class _Cluster:
         Raises
         ------
         LispacError
-            Where nobody is left to do it.
+            Where no worker is left.
         """
         while True:
             try:

@@ -88,7 +88,7 @@ def audit_file(
 def audit_messages(
     path: Path, format: FileFormat, options: Choice, *, progress: Progress = no_progress
 ) -> tuple[Message, ...]:
-    """Messages about the points of a file; none where they cannot be read, which others state."""
+    """Messages about the points of a file; none where they cannot be read."""
     try:
         return audit_file(path, format, options, progress=progress).messages
     except LispacError:

@@ -135,7 +135,7 @@ def _stored_layout(stored: StoredLine, path: Path) -> RecordLayout | None:
     try:
         return None if header is None else layout_of_las(header, path)
     except InputError:
-        return None  # damaged: the points are all there, and what is missing is said
+        return None  # damaged: all points are there, and what is missing is reported
 
 
 def _layout_function(

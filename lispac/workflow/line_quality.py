@@ -159,7 +159,7 @@ def line_quality(
     NotComparable
         Where no two lines share a flat place.
     ProjectError
-        Where nothing has been estimated and that is wanted.
+        Where the estimated boresight is selected and there is none.
     """
     if not 0.0 < reach <= 10.0:
         raise InputError(error("check.search_distance", distance=reach))

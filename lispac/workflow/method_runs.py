@@ -99,7 +99,7 @@ def run_method(
     Raises
     ------
     AdjustmentError
-        Where the survey gives it no answer.
+        Where the survey gives it no result.
     """
     if method == "natural planes":
         return adjust_natural_planes(project, survey, progress=progress)

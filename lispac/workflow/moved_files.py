@@ -21,7 +21,7 @@ from lispac.workflow.line_import import line_folder
 MAX_LISTED = 3
 """Missing files that a message names."""
 MAX_SEARCHED = 20_000
-"""Files and folders; a whole disk would be looked through for minutes."""
+"""Files and folders; the search of a whole disk would take minutes."""
 
 
 def missing_files(project: Project) -> tuple[Path, ...]:
@@ -79,7 +79,7 @@ def file_moved_note(path: Path) -> Message:
 
 
 def with_files_of(project: Project, other: Project) -> Project:
-    """Point a project at the files of another state of it, line by line, where its own are gone."""
+    """Point a project at the files of another state of it, by line, where its own are missing."""
     missing = missing_files(project)
     if not missing:
         return project

@@ -16,7 +16,7 @@ MAX_POINTS = 500
 def do_targets_face_one_way(project: Project, survey: Survey) -> bool:
     """True if several planes are in use that all face one way, and the user has not accepted it.
 
-    Told from the sighting with most points of each, as the lines lie before the calibration; the
+    Judged by the sighting with most points of each, as the lines lie before the calibration; the
     estimate judges by the adjusted planes.
     """
     used = [

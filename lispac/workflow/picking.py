@@ -251,7 +251,7 @@ def _find_in_lines(
 ) -> tuple[Mapping[str, Patch], dict[str, Message], float]:
     """Patches, reasons and radius of the first radius with a target on two lines.
 
-    Where none does, those of the radius that most lines answer to, the smallest of these.
+    Where none does, those of the radius that fits most lines, the smallest of these.
     """
     best: tuple[Mapping[str, Patch], dict[str, Message], float] | None = None
     refusal: TargetNotFound | None = None

@@ -66,7 +66,7 @@ def save_project_as(
             raise ProjectError(error("project_folder.exists", folder=str(folder)))
         if folder.is_file():
             raise ProjectError(error("project_folder.is_file", folder=str(folder)))
-    except OSError as failure:  # no permission to look into it, or too long a name
+    except OSError as failure:  # no permission to read it, or too long a name
         raise _not_writable_error(folder, failure) from failure
     copy = replace(project, folder=folder)
     scans, clouds = dict(survey.scans), dict(survey.clouds)

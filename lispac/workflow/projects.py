@@ -164,7 +164,7 @@ def complete_readings(
 
     Returns
     -------
-    lines, trajectory_reading, accuracy_reading : settled
+    lines, trajectory_reading, accuracy_reading : complete
     notes : tuple of Message
 
     Raises

@@ -38,7 +38,7 @@ def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
     Raises
     ------
     ProjectError
-        Where a project has no answer yet, or one is given twice.
+        Where a project has no result yet, or one is given twice.
     """
     projects = [open_project(folder) for folder in folders]
     seen: set[Path] = set()

@@ -208,7 +208,7 @@ def _reference_check_steps(
     project: Project, survey: Survey, check: AbsoluteCheck, files: FilePaths, progress: Progress
 ) -> tuple[list[str], list[Message]]:
     """Steps of the check against a reference, with notes on its unknown options."""
-    # Of a list the project keeps the usual sigma of its points, not that which was asked for.
+    # Of a list the project keeps the usual sigma of its points, not that which was given.
     sigmas = (check.sigma,) if check.kind == "scan" else (DEFAULT_SIGMA, check.sigma)
     path = _find_reference(check, [files.folder, project.folder, project.folder.parent])
     if path is None:

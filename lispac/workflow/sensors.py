@@ -64,7 +64,7 @@ SOURCES = (
 LONGEST = 200
 """Letters of a title or a source."""
 SIMULATED_SCANNERS = ("profiler",)
-"""Scanners of the simulator that nobody can buy."""
+"""Scanners that exist in the simulator only."""
 LEAST_NOISE = 0.001
 """Metres: the LiDAR noise on each axis, from which search distances follow, is no smaller."""
 

@@ -219,7 +219,7 @@ def _ambiguity_note(
     points = cloud[sighting.indices]
     try:
         plane = fit_plane(points)
-    except LispacError:  # said of its quality
+    except LispacError:  # reported with its quality
         return ()
     reach = FinderSettings().max_shift
     about = cloud.within(points.mean(axis=0), reach + target.radius, most=MAX_POINTS)
@@ -238,7 +238,7 @@ def _observed_parts(
     for k, each in enumerate(seen):
         try:
             extents.append(extent_in_plane(fit_plane(each.local), each.local))
-        except LispacError:  # said of that sighting
+        except LispacError:  # reported with that sighting
             continue
         planes[k] = each.local
     shown: list[ObservedExtent | None] = [None] * len(seen)

@@ -66,7 +66,7 @@ def subsampling_study(
     ProjectError
         No target has been picked.
     AdjustmentError
-        Where targets and lines cannot give an answer.
+        Where targets and lines cannot give a result.
     """
     if not distances or not all(0.0 <= distance < np.inf for distance in distances):
         raise InputError(error("estimate.point_spacing"))

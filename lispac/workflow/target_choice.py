@@ -40,7 +40,7 @@ class CandidatePlanes:
         Equations of all planes together, with the unevenness of each one: for the choice.
     predicted : LinearisedProblem
         The same with the surface sigma that an adjustment of all planes finds: for the sigmas that
-        are stated. The choice is to be careful; a prediction is not.
+        are given. The choice is to be careful; a prediction is not.
     centres : mapping of name to ndarray of shape (3,), metres, local frame
     whole : collection of str
         Planes that end within the search radius: every line shows the same outline.
@@ -126,7 +126,7 @@ def choose_targets(planes: CandidatePlanes) -> list[str]:
     with single_blas_thread():
         chosen = _best_pair(planes, names)
         boards = [name for name in names if name in planes.whole]
-        # Boards rather than walls, where they determine enough: walls are wanted for validation.
+        # Boards rather than walls, where they determine enough: walls are kept for validation.
         pool = boards if set(chosen) <= set(boards) else names
         while len(chosen) < min(MAX_TARGETS, len(names)):
             checked = planes.are_mutually_checked(chosen)

@@ -178,7 +178,7 @@ def targetless(
             parameters=settings.parameters,
             components=settings.variance_components,
             accept_single_orientation=settings.accept_single_orientation,
-            test_model=False,  # places of the scene and stretches of lines tell it better
+            test_model=False,  # places of the scene and stretches of lines show it better
             progress=sub_progress(progress, 0.5, 0.9),
         )
     solved = SolvedEquations.of(
