@@ -26,7 +26,7 @@ class AlternativeResult:
     covariance : ndarray of shape (3, 3), radians^2
         Each variance is positive.
     lines : tuple of str
-        That the answer rests on.
+        That the result is based on.
     surfaces : int
         Planes, natural surfaces or objects that it rests on.
     messages : tuple of Message

@@ -47,7 +47,7 @@ def source_state(folder: Path) -> str:
     Parameters
     ----------
     folder : Path
-        Folder of the package `lispac`; a bundle has no source files and is told by its version.
+        Folder of the package `lispac`; a bundle has no source files but a version.
     """
     state = hashlib.blake2b(__version__.encode(), digest_size=8)
     for package in PACKAGES:

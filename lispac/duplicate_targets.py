@@ -21,14 +21,14 @@ from lispac.picked_targets import PickedSighting, Target
 from lispac.project import Project, ProposalPrediction
 from lispac.warning_causes import RESULT, Cause
 
-SHARED = 0.1
+MIN_SHARED = 0.1
 """Share of common points from which two targets are reported."""
-SAME = 0.3
+SAME_SURFACE_SHARE = 0.3
 """Share from which both are the same surface."""
-PROBED = 1000
+SAMPLE_SIZE = 1000
 """Points of a sighting that are checked for common points with another."""
-MISPREDICTED = 0.2
-"""Share of a predicted sigma by which the stated one may differ from it."""
+SIGMA_MARGIN = 0.2
+"""Share of a predicted sigma by which that of the result may differ from it."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class TargetOverlap:
     @property
     def is_same_surface(self) -> bool:
         """True if both targets are the same surface."""
-        return self.share > SAME
+        return self.share > SAME_SURFACE_SHARE
 
 
 def find_overlaps(targets: Iterable[Target]) -> tuple[TargetOverlap, ...]:
@@ -168,18 +168,18 @@ def prediction_warnings(project: Project) -> tuple[Message, ...]:
         return ()
     ratio = result.sigma / prediction.sigma
     found = []
-    if (ratio < 1 - MISPREDICTED).any():
-        angles = _predicted_angles(result, prediction, ratio < 1 - MISPREDICTED)
+    if (ratio < 1 - SIGMA_MARGIN).any():
+        angles = _predicted_angles(result, prediction, ratio < 1 - SIGMA_MARGIN)
         found.append(
             warning(
-                "targets.sigma_below_prediction", limit=MISPREDICTED, angles=angles, subject=RESULT
+                "targets.sigma_below_prediction", limit=SIGMA_MARGIN, angles=angles, subject=RESULT
             )
         )
-    if (ratio > 1 + MISPREDICTED).any():
-        angles = _predicted_angles(result, prediction, ratio > 1 + MISPREDICTED)
+    if (ratio > 1 + SIGMA_MARGIN).any():
+        angles = _predicted_angles(result, prediction, ratio > 1 + SIGMA_MARGIN)
         found.append(
             note(
-                "targets.sigma_above_prediction", limit=MISPREDICTED, angles=angles, subject=RESULT
+                "targets.sigma_above_prediction", limit=SIGMA_MARGIN, angles=angles, subject=RESULT
             )
         )
     return tuple(found)
@@ -188,7 +188,7 @@ def prediction_warnings(project: Project) -> tuple[Message, ...]:
 def _predicted_angles(
     result: AdjustmentResult, prediction: ProposalPrediction, named: NDArray[np.bool_]
 ) -> list[Message]:
-    """Predicted and stated sigma of the angles that are named."""
+    """Predicted and formal sigma of the angles that are named."""
     return [
         note(
             "item.angle_predicted", angle=mounting_value_name(angle),
@@ -281,7 +281,7 @@ def _largest_overlap(one: _TargetPoints, other: _TargetPoints) -> TargetOverlap 
     for line, first in one.lines.items():
         second = other.lines.get(line)
         share = 0.0 if second is None else _shared_fraction(first, second)
-        if second is not None and share >= SHARED:
+        if second is not None and share >= MIN_SHARED:
             smaller = one if len(first) <= len(second) else other
             found.append(TargetOverlap(one.name, other.name, line, share, smaller.name))
     return max(found, key=lambda each: each.share, default=None)
@@ -293,8 +293,8 @@ def _shared_fraction(first: NDArray[np.int64], second: NDArray[np.int64]) -> flo
     if not len(small):
         return 0.0
     # Most pairs have no common points, which some of the points show.
-    share = _fraction_among(small[:: 1 + len(small) // PROBED], large)
-    return share if share < SHARED / 2 else _fraction_among(small, large)
+    share = _fraction_among(small[:: 1 + len(small) // SAMPLE_SIZE], large)
+    return share if share < MIN_SHARED / 2 else _fraction_among(small, large)
 
 
 def _fraction_among(numbers: NDArray[np.int64], among: NDArray[np.int64]) -> float:

@@ -94,7 +94,7 @@ class NotComparable(LispacError):
 
 
 class AdjustmentError(LispacError):
-    """The least-squares adjustment cannot give an answer."""
+    """The least-squares adjustment cannot give a result."""
 
 
 class RankDeficient(AdjustmentError):

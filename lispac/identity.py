@@ -9,8 +9,8 @@ from lispac.errors import InputError
 from lispac.language import N_
 from lispac.messages import error, note
 
-LONGEST = 200
-"""Letters of a field; remarks may be ten times as long."""
+MAX_LENGTH = 200
+"""Most characters of a field; remarks may be ten times as long."""
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,7 @@ def _clean_text(name: str, text: str) -> str:
         raise InputError(error("identity.several_lines", field=field))
     if any(not letter.isprintable() and letter != "\n" for letter in tidy):
         raise InputError(error("identity.not_printable", field=field))
-    longest = LONGEST * (10 if name == "remarks" else 1)
+    longest = MAX_LENGTH * (10 if name == "remarks" else 1)
     if len(tidy) > longest:
         raise InputError(error("identity.too_long", field=field, held=len(tidy), longest=longest))
     return tidy

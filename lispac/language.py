@@ -159,7 +159,7 @@ def number(value: float, decimals: int | None = None, *, sign: bool = False) -> 
     value = value if isinstance(value, int) else float(value)
     if isinstance(value, float) and not isfinite(value):
         return f"{value:+g}" if sign else f"{value:g}"
-    # Damaged files have numbers that nobody writes in full, and Babel has 28 digits.
+    # Numbers of damaged files are too long to be written in full; Babel has 28 digits.
     if abs(value) >= _LARGEST or (decimals is None and 0 < abs(value) < _SMALLEST):
         return f"{Decimal(value):{'+' if sign else ''}.{_SIGNIFICANT}g}"
     if decimals is None:

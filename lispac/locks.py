@@ -14,12 +14,12 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-POLL = 0.05
+POLL_INTERVAL = 0.05
 """Seconds between two attempts to get a lock."""
 UNSUPPORTED = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP}
 
 
-class LockTaken(Exception):
+class AlreadyLocked(Exception):
     """Error that another holder has the lock."""
 
 
@@ -42,7 +42,7 @@ def file_lock(
 
     Raises
     ------
-    LockTaken
+    AlreadyLocked
         Where it is still held after that time, by this process or another.
     NotALockFile
         Where a link or a folder has the name of the lock file.
@@ -63,7 +63,7 @@ def _acquire_lock(path: Path, until: float, waiting: Callable[[], None]) -> int:
 
     Raises
     ------
-    LockTaken
+    AlreadyLocked
     NotALockFile
     OSError
     """
@@ -82,10 +82,10 @@ def _acquire_lock(path: Path, until: float, waiting: Callable[[], None]) -> int:
                 return handle
             os.close(handle)
             if time.monotonic() >= until:
-                raise LockTaken(str(path)) from failure
+                raise AlreadyLocked(str(path)) from failure
             waiting()
             waiting = _do_nothing
-            time.sleep(POLL)
+            time.sleep(POLL_INTERVAL)
             continue
         # The last holder may have removed the file between the two steps.
         try:

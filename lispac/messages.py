@@ -1,7 +1,7 @@
 """Messages to the user as values: a code, a level, parameters, a subject and actions.
 
 A message holds SI numbers and names, never formatted text. `lispac.message_texts` makes its English
-text; no other code looks at the words of a message.
+text; no other code reads the words of a message.
 """
 
 from collections.abc import Iterable, Mapping, Sequence

@@ -11,7 +11,7 @@ from lispac.project import Project
 from lispac.validation.repeatability import Calibration, CalibrationDifference, compare_calibrations
 
 TARGETS, TARGETLESS = "targets", "targetless"
-FAR = 50.0
+EFFECT_DISTANCE = 50.0
 """Distances, metres, at which the effect of a difference on a point is given."""
 
 NAMES: Mapping[str, str] = {
@@ -32,9 +32,9 @@ class MethodResult:
     calibration : Calibration
         Named after its method.
     lines, surfaces : int
-        That the answer rests on.
+        That the result is based on.
     against : CalibrationDifference or None
-        From the first answer to this one; None for the first.
+        From the first result to this one; None for the first.
     messages : tuple of Message
     """
 
@@ -55,10 +55,10 @@ def method_results(project: Project) -> tuple[MethodResult, ...]:
     found: list[MethodResult] = []
 
     def add(
-        calibration: Calibration, lines: int, surfaces: int, remarks: tuple[Message, ...]
+        calibration: Calibration, lines: int, surfaces: int, messages: tuple[Message, ...]
     ) -> None:
         against = compare_calibrations(found[0].calibration, calibration) if found else None
-        found.append(MethodResult(calibration, lines, surfaces, against, remarks))
+        found.append(MethodResult(calibration, lines, surfaces, against, messages))
 
     result = project.result
     if result is not None:
@@ -86,8 +86,8 @@ def missing_methods(project: Project) -> tuple[Method, ...]:
     )
 
 
-def comparison_remarks(results: tuple[MethodResult, ...]) -> tuple[Message, ...]:
-    """Remarks on the agreement of each method with the first, and on its limits."""
+def comparison_messages(results: tuple[MethodResult, ...]) -> tuple[Message, ...]:
+    """Notes on the agreement of each method with the first, and on its limits."""
     if len(results) < 2:
         return ()
     compared = [_agreement_note(each.against) for each in results if each.against is not None]
@@ -102,6 +102,6 @@ def _agreement_note(against: CalibrationDifference) -> Message:
         method=note(NAMES[against.second]),
         other=note(NAMES[against.first]),
         angles=mounting_value_names(angles),
-        distance=FAR,
-        displacement=against.largest_displacement(FAR),
+        distance=EFFECT_DISTANCE,
+        displacement=against.largest_displacement(EFFECT_DISTANCE),
     )

@@ -86,7 +86,7 @@ class Settings:
     loss : None for the model's own: ``tukey`` with ``correlated``, ``none`` with ``independent``
     parameters : values of the mounting to estimate besides the boresight
     variance_components : whether to estimate how large LiDAR and POS errors really are
-    accept_single_orientation : whether to answer where all targets are planes that face one way
+    accept_single_orientation : whether to adjust where all targets are planes that face one way
     longest_gap : seconds between two states of the trajectory that may be bridged; points in longer
         gaps are excluded
     """
@@ -154,17 +154,15 @@ class Settings:
             if not np.isfinite(values).all():
                 raise InputError(error("settings.not_finite", setting=note(name)))
             if name in LIMITS:
-                least, most, unit = LIMITS[name]
+                low, high, unit = LIMITS[name]
                 for value in values:
-                    if value and not least <= abs(value) <= most:
-                        raise InputError(_out_of_range(name, value, least, most, unit))
-        for value, (least, most, unit) in zip(
+                    if value and not low <= abs(value) <= high:
+                        raise InputError(_out_of_range(name, value, low, high, unit))
+        for value, (low, high, unit) in zip(
             self.lidar_beam_sigma or (), LIMITS_OF_BEAM, strict=False
         ):
-            if value > 0 and not least <= value <= most:
-                raise InputError(
-                    _out_of_range("setting.lidar_beam_sigma", value, least, most, unit)
-                )
+            if value > 0 and not low <= value <= high:
+                raise InputError(_out_of_range("setting.lidar_beam_sigma", value, low, high, unit))
         if min(*self.position_sigma, *self.attitude_sigma_deg, self.subsample) < 0:
             raise InputError(error("settings.negative"))
         if self.pos_errors not in POS_ERRORS:
@@ -216,16 +214,16 @@ def require_prior_sigma(parameter: Parameter) -> None:
     ------
     InputError
     """
-    least, most = PRIOR_SIGMAS
-    if parameter.sigma is not None and not least <= parameter.sigma <= most:
+    low, high = PRIOR_SIGMAS
+    if parameter.sigma is not None and not low <= parameter.sigma <= high:
         raise InputError(error("settings.parameter_sigma_out_of_range", name=parameter.name))
 
 
-def _out_of_range(name: str, value: float, least: float, most: float, unit: Unit) -> Message:
+def _out_of_range(name: str, value: float, low: float, high: float, unit: Unit) -> Message:
     """Message that a setting is outside its limits."""
     if unit == "deg":
-        value, least, most = (math.radians(each) for each in (value, least, most))
-    return error(OUT_OF_RANGE[unit], setting=note(name), value=value, least=least, most=most)
+        value, low, high = (math.radians(each) for each in (value, low, high))
+    return error(OUT_OF_RANGE[unit], setting=note(name), value=value, least=low, most=high)
 
 
 @dataclass(frozen=True, eq=False)
@@ -354,8 +352,8 @@ class Project:
 
     def without_target(self, name: str) -> "Project":
         """Remove a target or validation plane."""
-        gone = self.target(name)
-        return self._edited(tuple(t for t in self.targets if t.name != name), {gone.role})
+        removed = self.target(name)
+        return self._edited(tuple(t for t in self.targets if t.name != name), {removed.role})
 
     def with_identity(self, identity: Identity) -> "Project":
         """Change the details for the report; they are not used in computations."""

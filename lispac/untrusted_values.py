@@ -20,7 +20,7 @@ LARGEST_QUANTITY = 1e30
 LEAST_AMOUNT, LARGEST_AMOUNT = 1e-12, 1e12
 """Least and largest amount, other than zero, of what a user or a file of settings may give, in any
 unit. What lies beyond is an error of typing, and its square or inverse would soon overflow."""
-MOST_DIGITS = 19
+MAX_DIGITS = 19
 """Digits of an integer of 64 bits; Python refuses to read thousands of them."""
 
 
@@ -29,9 +29,9 @@ def is_possible_amount(value: float) -> bool:
     return value == 0 or LEAST_AMOUNT <= abs(value) <= LARGEST_AMOUNT
 
 
-def is_whole_number(text: str, most: int) -> bool:
-    """True if a text is a whole number from 0 to ``most`` in decimal digits."""
-    return text.isdecimal() and len(text) <= MOST_DIGITS and int(text) <= most
+def is_whole_number(text: str, limit: int) -> bool:
+    """True if a text is a whole number from 0 to ``limit`` in decimal digits."""
+    return text.isdecimal() and len(text) <= MAX_DIGITS and int(text) <= limit
 
 
 class ArrayShape:
@@ -50,9 +50,9 @@ class ArrayShape:
             return False
         for size, dimension in zip(shape, self.dimensions, strict=True):
             if isinstance(dimension, str):
-                letter, _, more = dimension.partition("+")
-                found = known.setdefault(letter, size - int(more or 0))
-                if found + int(more or 0) != size:
+                letter, _, offset = dimension.partition("+")
+                found = known.setdefault(letter, size - int(offset or 0))
+                if found + int(offset or 0) != size:
                     return False
             elif size != dimension:
                 return False

@@ -75,9 +75,9 @@ class Scene:
             "--boresight", "prior", "--format", "las", *(more or ("--crs", "EPSG:32618")),
         ]  # fmt: skip
 
-    def look(self, name: str) -> Words:
-        """The command that looks into a file."""
-        return ["look", str(self / name)]
+    def inspect(self, name: str) -> Words:
+        """The command that inspects a file."""
+        return ["inspect", str(self / name)]
 
     def cut(self, name: str, size: int) -> None:
         """Keep the first bytes of a file."""
@@ -240,7 +240,7 @@ def _(scene: Scene) -> Words:
 @refused("File of an unknown format")
 def _(scene: Scene) -> Words:
     (scene / "letter.txt").write_text("Dear all,\nthe survey went well.\n" * 20)
-    return scene.look("letter.txt")
+    return scene.inspect("letter.txt")
 
 
 @refused("Line without GPS time")
@@ -255,7 +255,7 @@ def _(scene: Scene) -> Words:
 @doubted("Trajectory with another byte order")
 def _(scene: Scene) -> Words:
     write_records(scene / "pos.sbet", vessel(2000), order=">")
-    return scene.look("pos.sbet")
+    return scene.inspect("pos.sbet")
 
 
 @refused("Line with another byte order")
@@ -302,7 +302,7 @@ def _(scene: Scene) -> Words:
 @doubted("Decreasing times in a line")
 def _(scene: Scene) -> Words:
     write_line(scene / "L1.las", TIMES[::-1])
-    return scene.look("L1.las")
+    return scene.inspect("L1.las")
 
 
 @refused("Line times stored with 32 bits")
@@ -314,7 +314,7 @@ def _(scene: Scene) -> Words:
 @doubted("Line times converted from 32 bits")
 def _(scene: Scene) -> Words:
     write_line(scene / "L1.las", TIMES.astype(np.float32).astype(np.float64))
-    return scene.look("L1.las")
+    return scene.inspect("L1.las")
 
 
 @refused("Line before or after the trajectory")

@@ -27,10 +27,10 @@ def _(scene: Scene) -> Words:
     return scene.new("L1.las", "--trajectory-option", "unit=radians")
 
 
-@doubted("Degrees instead of radians, detected by lispac look")
+@doubted("Degrees instead of radians, detected by lispac inspect")
 def _(scene: Scene) -> Words:
     REFUSED["Degrees instead of radians"](scene)
-    return scene.look("pos.sbet")
+    return scene.inspect("pos.sbet")
 
 
 @doubted("Feet instead of metres in a line")
@@ -41,13 +41,13 @@ def _(scene: Scene) -> Words:
     data.x, data.y, data.z = fan(COUNT).T
     data.gps_time = TIMES
     data.write(scene / "L1.las")
-    return scene.look("L1.las")
+    return scene.inspect("L1.las")
 
 
 @doubted("Millimetres instead of metres in a line")
 def _(scene: Scene) -> Words:
     write_line(scene / "L1.las", TIMES, fan(COUNT) * 1000 / 3)
-    return scene.look("L1.las")
+    return scene.inspect("L1.las")
 
 
 def exchanged(scene: Scene, north: float = 0.0) -> None:
@@ -66,7 +66,7 @@ def _(scene: Scene) -> Words:
 @doubted("Exchanged latitude and longitude, both possible")
 def _(scene: Scene) -> Words:
     exchanged(scene)
-    return scene.look("pos.sbet")
+    return scene.inspect("pos.sbet")
 
 
 @refused("Exchanged latitude and longitude in a text trajectory")

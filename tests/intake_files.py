@@ -22,7 +22,7 @@ def taken_in(
     input_files = input_files.with_files(collect_files(paths))
     while waiting := [entry for entry in input_files.entries if entry.pending]:
         entry = waiting[0]
-        found = reexamine_file(entry) if entry.looks else examine_file(entry.path, mappings)
+        found = reexamine_file(entry) if entry.checks else examine_file(entry.path, mappings)
         input_files = input_files.with_entry(found).with_resolved_role(entry.path)
     return input_files
 
@@ -86,9 +86,9 @@ def named(input_files: InputFiles, name: str) -> InputFile:
 
 def said(input_files: InputFiles, name: str) -> str:
     """Texts of the messages about a file."""
-    return texts(input_files.remarks(named(input_files, name)))
+    return texts(input_files.messages(named(input_files, name)))
 
 
 def codes_about(input_files: InputFiles, name: str) -> list[str]:
     """Codes of the messages about a file."""
-    return codes(input_files.remarks(named(input_files, name)))
+    return codes(input_files.messages(named(input_files, name)))

@@ -56,4 +56,4 @@ def assumed(key: str, file: Path) -> tuple[Message, ...]:
     """What the reader of a format says that it assumes of a file."""
     if key == "pospac-sigmas":
         return ()  # the file of the samples has none
-    return format_of(key).look(file, {}).assumptions
+    return format_of(key).preview(file, {}).assumptions

@@ -19,7 +19,7 @@ from lispac.survey.georeferencing import Mounting
 from tests.report_sample import sample_content
 from tests.test_doubts import CASES
 
-REMARKS = (
+COMMENT_MARKS = (
     note(
         "observability.directions",
         weakest=note(
@@ -159,7 +159,7 @@ def content_of_sample(project: Project) -> ReportContent:
     """Of the sample, with sentences and notes as the program makes them."""
     result = project.result
     if result is not None and result.observability is not None:
-        seen = replace(result.observability, messages=REMARKS)
+        seen = replace(result.observability, messages=COMMENT_MARKS)
         parts = tuple(
             replace(p, reason=p.reason and note("cross_check.no_common_target"))
             if p.kind != "half"

@@ -20,7 +20,7 @@ from lispac.workflow.budget import error_budget_of
 from lispac.workflow.calibration_history import CalibrationHistory, read_histories
 from lispac.workflow.proposals import Proposal, propose_targets
 from lispac.workflow.seed_lists import SeedOutcome, pick_seeds, read_seeds
-from lispac.workflow.subsampling import USUAL, SubsamplingResult, subsampling_study
+from lispac.workflow.subsampling import DISTANCES, SubsamplingResult, subsampling_study
 from lispac.workflow.survey import Survey
 from tests.report_sample import sample_project
 
@@ -62,7 +62,7 @@ class Findings:
             AbsoluteCheckValues.of(absolute),
             ErrorBudgetValues.of(error_budget_of(project, survey)),
             _years(project, folder),
-            subsampling_study(project, survey, sorted({*USUAL, project.settings.subsample})),
+            subsampling_study(project, survey, sorted({*DISTANCES, project.settings.subsample})),
             [study_visibility(site) for site in SITES.values()],
             propose_targets(bare, survey),
             seeds,

@@ -128,11 +128,11 @@ def test_doubted(
     with in_language(language):
         assert main(words) == 0
     out, err = capsys.readouterr()
-    shown = out if words[0] == "look" else err
+    shown = out if words[0] == "inspect" else err
     assert expected & set(said(shown))
     after = held(scene)
     assert before.items() <= after.items()
-    if words[0] == "look":
+    if words[0] == "inspect":
         assert after == before
         with in_language(language):
             assert main(scene.new()) == 0

@@ -223,7 +223,7 @@ def test_what_is_cancelled_stops(
 def test_addresses_that_lead_nowhere_are_refused(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(cluster_module, "CONNECT", 1.0)
+    monkeypatch.setattr(cluster_module, "CONNECT_TIMEOUT", 1.0)
     words = ("campaign", PORT, "--cluster")
     assert command_error(*words, "office-7").code == "cluster.bad_address"
     with socket.socket() as closed:
@@ -267,7 +267,7 @@ def test_workers_of_another_version_are_refused(
 
 
 def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cluster_module, "WORKERS", 1.0)
+    monkeypatch.setattr(cluster_module, "START_TIMEOUT", 1.0)
     with distributed.LocalCluster(n_workers=0, dashboard_address=":0") as empty:
         address = empty.scheduler_address
         with pytest.raises(LispacError) as raised, cluster_mapper(address):
@@ -275,8 +275,8 @@ def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) 
         assert raised.value.code == "cluster.no_workers"
         empty.scale(1)
         empty.wait_for_workers(1, timeout=120)
-        monkeypatch.setattr(cluster_module, "LOOK", 0.1)
-        monkeypatch.setattr(cluster_module, "PATIENCE", 0.3)
+        monkeypatch.setattr(cluster_module, "POLL_INTERVAL", 0.1)
+        monkeypatch.setattr(cluster_module, "WORKER_TIMEOUT", 0.3)
         with cluster_mapper(address) as mapper:
             answers = mapper(abs, range(3))
             assert next(answers) == 0
@@ -298,7 +298,7 @@ def test_a_lost_scheduler_is_told_of(
     tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As a process of its own, which is killed."""
-    monkeypatch.setattr(cluster_module, "WORKERS", 1.0)
+    monkeypatch.setattr(cluster_module, "START_TIMEOUT", 1.0)
     words = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--no-dashboard"]
     words += ["--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(tmp_path / "where")]
     scheduler = subprocess.Popen(words, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
@@ -507,7 +507,7 @@ def test_tls_is_the_protocol_to_other_computers(address: str, url: str) -> None:
 def test_plain_tcp_to_other_computers_has_to_be_accepted(
     address: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(cluster_module, "CONNECT", 0.2)
+    monkeypatch.setattr(cluster_module, "CONNECT_TIMEOUT", 0.2)
     assert "--plain-tcp" in refused(capsys, "campaign", PORT, "--cluster", address)
     assert ClusterAccess(address, plain_tcp=True).is_open
     code, _, err = run(capsys, "campaign", PORT, "--plain-tcp")

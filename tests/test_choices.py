@@ -94,8 +94,8 @@ def test_points_are_selected_again_with_them(
     again = reselection.reselect_target(target, clouds, clouds)
     assert used == [
         CHOSEN.settings(
-            radius=target.radius, threshold=reselection.NARROWED * target.threshold,
-            max_shift=reselection.MET_SHIFT,
+            radius=target.radius, threshold=reselection.THRESHOLD_FACTOR * target.threshold,
+            max_shift=reselection.ALIGNED_MAX_SHIFT,
         )
     ]  # fmt: skip
     assert again.choices == CHOSEN

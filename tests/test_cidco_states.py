@@ -68,10 +68,10 @@ def test_it_is_said_what_is_taken_for_granted(files: dict[str, Path]) -> None:
     assert [format.key for format, _ in recognise_formats(files["states"], "trajectory")] == [
         "cidco-states"
     ]
-    found = STATES.look(files["states"], {})
+    found = STATES.preview(files["states"], {})
     assert codes(found.file_warnings) == ["cidco.no_origin"]
     assert found.assumptions[0] == note("assumed.cidco_positions", origin="0 0 0")
-    assert STATES.look(files["states"], {"origin": "46.8 -71.2 20"}).file_warnings == ()
+    assert STATES.preview(files["states"], {"origin": "46.8 -71.2 20"}).file_warnings == ()
     assert found.facts["Records"] == note("fact.states", count=983)
 
 
@@ -124,7 +124,7 @@ def test_standard_deviations_are_warned_about_as_in_other_formats(tmp_path: Path
     rows = np.fromfile(path, "<f8").reshape(-1, 22)
     rows[:, [13, 14, 15, 19, 20, 21]] = 0.0
     path.write_bytes(rows.tobytes())
-    assert codes(SIGMAS.look(path, {}).file_warnings) == ["accuracy.all_zero"]
+    assert codes(SIGMAS.preview(path, {}).file_warnings) == ["accuracy.all_zero"]
 
 
 def test_the_vessel_is_calibrated_from_the_command_line(

@@ -11,7 +11,7 @@ from lispac.io.project_file import write_project
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.project import Project
-from lispac.workflow.repeated_surveys import comparability_remarks
+from lispac.workflow.repeated_surveys import comparability_notes
 from lispac.workflow.shared_lines import shared_lines
 from tests.command_errors import command_error
 from tests.report_sample import sample_project, with_lines_of_its_own
@@ -133,14 +133,12 @@ def test_the_nearest_point_knows_no_radius(
 
 def test_what_makes_two_answers_hard_to_compare_is_told(tmp_path: Path) -> None:
     first, second = (sample_project(tmp_path / name) for name in ("a", "b"))
-    assert (
-        comparability_remarks(("a", "b"), (first, second)) == []
-    )  # the same lines: told elsewhere
+    assert comparability_notes(("a", "b"), (first, second)) == []  # the same lines: told elsewhere
     settings = replace(first.settings, pos_errors="independent", lever_arm=(0.0, 0.0, 1.0))
     other = replace(second, settings=settings, lines=second.lines[:2])
     first.lines[0].path.unlink()
     changed = replace(first, lines=first.lines[:3])
-    told = comparability_remarks(("a", "b"), (changed, other))
+    told = comparability_notes(("a", "b"), (changed, other))
     assert told == [
         note("repeat.shared_lines", name="b", other="a", count=1),
         note("repeat.lever_arm", name="b", other="a"),

@@ -1,4 +1,4 @@
-"""The design of a site at the command line: predict, scenarios, design, replay."""
+"""The design of a site at the command line: predict, scenarios, design, compare-plan."""
 
 import csv
 import shutil
@@ -118,7 +118,7 @@ def test_replay_of_the_built_in_survey(
     """All its points, its rolling vessel, its helmsman: the sigmas stated are those foretold."""
     folder = tmp_path / "port"
     shutil.copytree(calibrated[0].folder, folder)
-    found = answer(capsys, "replay", folder, "--plan", PORT)
+    found = answer(capsys, "compare-plan", folder, "--plan", PORT)
     stated, predicted = (
         np.array(found["obtained_sigma_deg"]),
         np.array(found["surveyed_with_form_error_sigma_deg"]),
@@ -130,17 +130,19 @@ def test_replay_of_the_built_in_survey(
     further = '[[lines]]\nheading_deg = 20\ndistance_m = 30\nsite_on = "starboard"\n'
     board = '[[boards]]\nname = "T9"\nalong_m = 4\nup_m = 12\n'
     more.write_text(PORT.read_text() + further + board)
-    said = told(capsys, "replay", folder, "--plan", more)
+    said = told(capsys, "compare-plan", folder, "--plan", more)
     assert "Line 7 (020 deg, 30 m to starboard) was not surveyed." in said
     assert "Target T9 was not used." in said
     assert said.count("With it the standard deviation of") == 2
     far = tmp_path / "far.toml"
     far.write_text(PORT.read_text().replace("distance_m = 15", "distance_m = 30", 1))
-    off = answer(capsys, "replay", folder, "--plan", far)
+    off = answer(capsys, "compare-plan", folder, "--plan", far)
     assert off["messages"] == ["Line 1 (000 deg, 30 m to starboard) was surveyed at 15 m."]
     assert off["surveyed_sigma_deg"] == pytest.approx(found["surveyed_sigma_deg"], rel=0.02)
     strange = tmp_path / "strange.toml"
     text = PORT.read_text().replace('"T1"', '"A"').replace('"T2"', '"B"')
     strange.write_text(text)
-    assert "no target of this survey plan" in refused(capsys, "replay", folder, "--plan", strange)
+    assert "no target of this survey plan" in refused(
+        capsys, "compare-plan", folder, "--plan", strange
+    )
     assert read_plan(strange).plan.targets[0].name == "A"

@@ -75,10 +75,10 @@ def test_a_matrix_that_holds_the_lever_arm_leaves_no_room_for_another(
 def test_a_file_that_is_cut_short_is_known_and_the_reason_told(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    """`lispac look` says what it would be, and why nobody can read it."""
+    """`lispac inspect` says what it would be, and why nobody can read it."""
     path = tmp_path / "line.las"
     path.write_bytes(b"LASF" + bytes(40))
-    code, out, _ = run(capsys, "look", path)
+    code, out, _ = run(capsys, "inspect", path)
     assert code == 0
     assert "certainly LAS or LAZ (--line-format las)" in out
     assert "\n  cannot be read: " in out
@@ -95,7 +95,7 @@ def test_a_trajectory_is_not_also_refused_as_points(
         for t in (k / 10 for k in range(400))
     ]  # fmt: skip
     path.write_text("\n".join(["Time,Latitude,Longitude,Height,Roll,Pitch,Heading", *rows]))
-    code, out, _ = run(capsys, "look", path)
+    code, out, _ = run(capsys, "inspect", path)
     assert code == 0
     assert "(--trajectory-format " in out
     assert "cannot be read" not in out

@@ -239,7 +239,7 @@ def test_the_answer_of_the_scene_is_printed_and_kept_where_wanted(
     found = TargetlessResult(sample_project(tmp_path / "sample"), 3, False, 40, ("L6",))
     monkeypatch.setattr(targetless, "find", lambda *_, **__: found)
     out, _ = told(capsys, "targetless", project.folder)
-    remarks = list(map(english_text, found.remarks))
+    remarks = list(map(english_text, found.messages))
     assert out.splitlines()[-len(remarks) :] == remarks
     assert "boresight  " in out
     assert read_project(project.folder).alternative_results == ()

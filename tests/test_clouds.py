@@ -164,7 +164,7 @@ def test_what_is_written_is_read_back(tmp_path: Path, code: str, height: str, nu
     metres = np.array(system.metres)
     assert np.abs((after.xyz - expected) * metres).max() < 0.6e-4
     assert (np.asarray(after.header.scales) * metres <= 1.2e-4).all()
-    choice = {**LAS.look(path, {}).choice, "height": grid}
+    choice = {**LAS.preview(path, {}).choice, "height": grid}
     if number < 6 and code == "EPSG:4326":
         choice["frame"] = "georeferenced"
     found = crs_of_options(LAS.resolved(choice))

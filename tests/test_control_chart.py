@@ -186,6 +186,6 @@ def test_what_is_not_estimated_or_not_named_is_told(tmp_path: Path) -> None:
     write_project(replace(nameless, identity=Identity(dates="2025-07-02")))
     found, remarks = read_histories([tmp_path])
     assert remarks == (note("history.excluded", reason=note("history.no_result", project="b")),)
-    told = {history.entries[0].project.name: history.remarks for history in found}
+    told = {history.entries[0].project.name: history.messages for history in found}
     assert note("history.unnamed_system") not in told["a"]  # its scanner is named
     assert note("history.unnamed_system") in told["c"]

@@ -27,7 +27,7 @@ def test_utm_points_and_their_ecef_twins_agree(
     points, clouds = [], []
     for name in ("points.las", "points_ecef.las"):
         path = shared_data / "leeward" / name
-        choice = LAS.look(path, {}).choice
+        choice = LAS.preview(path, {}).choice
         system = crs_of_options(LAS.resolved(choice))
         assert system is not None
         cloud = laspy.read(path).xyz

@@ -121,10 +121,10 @@ def conflicting(path: Path) -> Path:
 @pytest.mark.parametrize("ending", ["las", "laz"])
 def test_a_line_is_looked_at_with_the_contradiction(tmp_path: Path, ending: str) -> None:
     path = conflicting(tmp_path / f"a.{ending}")
-    found = LAS.look(path, {})
+    found = LAS.preview(path, {})
     assert found.choice["crs"] == ZONE_19
     assert [message.code for message in found.messages] == ["file.two_systems"]
-    settled = LAS.look(path, {"crs": ZONE_18})
+    settled = LAS.preview(path, {"crs": ZONE_18})
     assert [message.code for message in settled.messages] == []
 
 

@@ -37,7 +37,7 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 def excluded(path: Path) -> int:
     """Number of points that the messages count as invalid."""
-    found = E57.look(path, {}).messages
+    found = E57.preview(path, {}).messages
     assert all((m.code, m.level) == ("file.invalid_points", Level.NOTE) for m in found)
     assert all(m.params["total"] == N for m in found)
     return sum(int(str(m.params["count"])) for m in found)
@@ -106,4 +106,4 @@ def test_an_invalid_time_excludes_a_point_of_a_line_but_not_of_a_reference(tmp_p
 def test_a_file_without_valid_points_is_refused(tmp_path: Path) -> None:
     path = file(tmp_path, **EMPTY, cartesianInvalidState=INVALID, sphericalInvalidState=INVALID)
     with pytest.raises(InputError):
-        E57.look(path, {})
+        E57.preview(path, {})

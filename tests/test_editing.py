@@ -9,7 +9,7 @@ from lispac.errors import ProjectError
 from lispac.io.project_file import read_project, write_project
 from lispac.project import PickedSighting, Project, Target
 from lispac.simulation.scene import Sphere
-from lispac.workflow.point_edits import BESIDE, FEWEST, with_points, without_points
+from lispac.workflow.point_edits import EDIT_MARGIN, MIN_POINTS, with_points, without_points
 from lispac.workflow.reselection import reselect_targets
 from lispac.workflow.survey import Survey
 from tests.few_passes import picked
@@ -45,7 +45,7 @@ def test_points_are_taken_away_and_found_again(calibrated: tuple[Project, Survey
     points = clouds[line][sighting.indices]
     centre, _, axes = points.mean(axis=0), *np.linalg.svd(points - points.mean(axis=0))[1:]
     assert np.abs((points - centre) @ axes[2]).max() < 2 * whole.threshold
-    assert np.linalg.norm(points - centre, axis=1).max() < 1.2 + BESIDE
+    assert np.linalg.norm(points - centre, axis=1).max() < 1.2 + EDIT_MARGIN
 
 
 def test_all_lines_are_edited_together_and_nothing_chosen_changes_nothing(
@@ -71,7 +71,7 @@ def test_a_sighting_is_not_emptied(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     with pytest.raises(ProjectError) as raised:
         without_points(
-            project.target("T1"), survey.clouds, lambda p: np.arange(len(p)) >= FEWEST - 1
+            project.target("T1"), survey.clouds, lambda p: np.arange(len(p)) >= MIN_POINTS - 1
         )
     assert raised.value.code == "edit.few_points_left"
 
@@ -127,7 +127,7 @@ def test_what_would_be_left_on_one_straight_line_is_no_surface() -> None:
     project, survey = picked()
     target = project.target("T1")
     one = target.sightings[0]
-    twice = replace(one, indices=np.repeat(one.indices[:1], 2 * FEWEST))
+    twice = replace(one, indices=np.repeat(one.indices[:1], 2 * MIN_POINTS))
     thin = replace(target, sightings=(twice,))
     first = iter([True])
     with pytest.raises(

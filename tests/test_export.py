@@ -228,7 +228,7 @@ def test_trajectory_as_sbet_and_as_text(tmp_path: Path) -> None:
     # The program's own reader knows the columns by their names, and its defaults are right.
     ((format, _), *_) = recognise_formats(path, "trajectory")
     assert format.key == "ascii-trajectory"
-    again = format_of("ascii-trajectory").read(path, format.look(path, {}).choice)
+    again = format_of("ascii-trajectory").read(path, format.preview(path, {}).choice)
     assert isinstance(again, Trajectory)
     np.testing.assert_allclose(again.attitude[:, :2], before.attitude[:, :2], rtol=0, atol=1e-10)
     np.testing.assert_allclose(

@@ -38,7 +38,7 @@ def test_names_of_any_bytes_on_any_terminal(tmp_path: Path, encoding: str) -> No
     project = tmp_path / "project"
     environment = {"PYTHONIOENCODING": encoding, "PYTHONUTF8": "0"}
     for command in (
-        ["look", first],
+        ["inspect", first],
         ["new", project, first, second, "--trajectory", folder / "pos.sbet",
          "--trajectory-accuracy", folder / "smrmsg.out", "--lever-arm", 0.2, -0.1, 1.5],
         ["report", project, "--output", tmp_path / "report.json"],

@@ -194,7 +194,7 @@ def test_natural_planes_of_a_drone_are_found_in_line_2(shared_data: Path, name: 
 
 def test_a_click_on_an_edge_holds_where_lines_are_sampled(monkeypatch: pytest.MonkeyPatch) -> None:
     """One point in many is looked at: the clicked one is among them, and its surface is meant."""
-    monkeypatch.setattr(target_search, "SOUGHT", 6_000)
+    monkeypatch.setattr(target_search, "SEARCH_SAMPLE", 6_000)
     seen = site([board(), wall(0.3)], lines=1, pulses_per_second=300_000.0)
     _, survey = seen.opened()
     cloud = survey.clouds["L1"]
@@ -203,7 +203,7 @@ def test_a_click_on_an_edge_holds_where_lines_are_sampled(monkeypatch: pytest.Mo
     edge = np.abs(points[on, 0]) > 0.57
     clicked = np.random.default_rng(2).choice(on[edge], 40, replace=False)
     sampled = target_search._search_regions(
-        {"L1": cloud}, points[clicked[0]], SETTINGS, most=6_000
+        {"L1": cloud}, points[clicked[0]], SETTINGS, limit=6_000
     )[0]["L1"]
     assert sampled.one_in > 1
     for number in clicked:

@@ -257,7 +257,7 @@ def test_a_ply_header_with_thousands_of_digits_is_refused(tmp_path: Path) -> Non
         f"ply\nformat ascii 1.0\nelement vertex {digits}\nproperty float x\nend_header\n"
     )
     with pytest.raises(InputError):
-        format_of("ply").look(path, {})
+        format_of("ply").preview(path, {})
 
 
 def test_records_with_denormal_times_draw_no_conclusion(tmp_path: Path) -> None:
@@ -266,7 +266,7 @@ def test_records_with_denormal_times_draw_no_conclusion(tmp_path: Path) -> None:
     records[:, 0] = np.arange(200) * 5e-324
     records.tofile(path)
     try:
-        format_of("sbet").look(path, {})
+        format_of("sbet").preview(path, {})
     except InputError:
         return
 

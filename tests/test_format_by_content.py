@@ -215,7 +215,7 @@ def test_packed_files_get_a_hint(
     packed = folder / "packed.laz"
     for source in (lines, trajectory):
         packed.write_bytes(pack(source.read_bytes()))
-        said = refused(capsys, "look", packed)
+        said = refused(capsys, "inspect", packed)
         assert packing in said
     new = ("new", folder / "p", "--lever-arm", 0, 0, 0)
     assert packing in refused(capsys, *new, packed, "--trajectory", trajectory)

@@ -1,13 +1,15 @@
-"""Former names are accepted for one version: options, TOML keys, scripts, stored lines."""
+"""Former names are accepted for one version: commands, options, keys, scripts, stored lines."""
 
 import json
+from argparse import ArgumentParser
 from dataclasses import fields, replace
 from pathlib import Path
 
 import pytest
 
 import lispac
-from lispac.cli.former_options import FORMER_OPTIONS, with_new_options
+from lispac.cli.former_options import FORMER_COMMANDS, FORMER_OPTIONS, with_new_names
+from lispac.cli.main import main
 from lispac.cli.parser import build_parser
 from lispac.former_names import SCRIPT_NAMES
 from lispac.io.plan_file import read_site
@@ -18,6 +20,7 @@ from lispac.survey.store import layout
 from lispac.workflow.batch import BatchRow
 from tests.report_sample import sample_project
 from tests.store_lines import small, stored
+from tests.trajectory_files import vessel, write_records
 
 __all__ = ["small"]
 
@@ -25,9 +28,39 @@ DATA = Path(__file__).parent / "data"
 SITE = Path(__file__).parents[1] / "resources" / "sites" / "quay.toml"
 
 
+def commands() -> dict[str, ArgumentParser]:
+    (found,) = (each.choices for each in build_parser()._actions if each.dest == "command")
+    return found  # type: ignore[return-value]
+
+
 def options_of(command: str) -> set[str]:
-    (commands,) = (each.choices for each in build_parser()._actions if each.dest == "command")
-    return set(commands[command]._option_string_actions)  # type: ignore[index]
+    return set(commands()[command]._option_string_actions)
+
+
+@pytest.mark.parametrize(("former", "new"), FORMER_COMMANDS.items())
+def test_a_former_command_is_replaced_with_a_note(
+    former: str, new: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert new in commands()
+    assert former not in commands()
+    assert former not in build_parser().format_help().split()
+    assert with_new_names([former, former, "--json"]) == [new, former, "--json"]
+    (note,) = capsys.readouterr().err.splitlines()
+    assert note.startswith("note: ")
+    assert f"{former} is now called {new}." in note
+
+
+def test_a_former_command_runs_as_the_new_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = write_records(tmp_path / "a.sbet", vessel(500))
+    assert main(["inspect", str(path)]) == 0
+    expected = capsys.readouterr()
+    assert main(["look", str(path)]) == 0
+    found = capsys.readouterr()
+    assert found.out == expected.out
+    assert expected.err == ""
+    assert found.err.startswith("note: The command look is now called inspect.")
 
 
 @pytest.mark.parametrize("command", FORMER_OPTIONS)
@@ -37,18 +70,18 @@ def test_a_former_option_is_replaced_with_a_note(
     for former, new in FORMER_OPTIONS[command].items():
         assert former not in options_of(command)
         assert new in options_of(command)
-        assert with_new_options([command, "a", former, "1"]) == [command, "a", new, "1"]
-        assert with_new_options([command, f"{former}=1"]) == [command, f"{new}=1"]
+        assert with_new_names([command, "a", former, "1"]) == [command, "a", new, "1"]
+        assert with_new_names([command, f"{former}=1"]) == [command, f"{new}=1"]
         notes = capsys.readouterr().err.splitlines()
         assert len(notes) == 2
         assert all(each.startswith("note: ") and former in each and new in each for each in notes)
-        assert with_new_options([command, new]) == [command, new]
+        assert with_new_names([command, new]) == [command, new]
     assert capsys.readouterr().err == ""
 
 
 def test_an_option_of_another_command_is_not_replaced() -> None:
-    assert with_new_options(["export", "--keep"]) == ["export", "--keep"]
-    assert with_new_options([]) == []
+    assert with_new_names(["export", "--keep"]) == ["export", "--keep"]
+    assert with_new_names([]) == []
 
 
 def test_former_keys_of_a_site_are_read_with_a_warning(tmp_path: Path) -> None:

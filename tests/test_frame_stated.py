@@ -117,5 +117,5 @@ def test_a_system_that_is_not_used_is_said(track, tmp_path) -> None:
     )
     assert unused in survey.notes
     input_files = taken_in(taken_in(InputFiles(), track, line).with_option(line, "crs", SYSTEM))
-    assert unused in input_files.remarks(named(input_files, "near.las"))
+    assert unused in input_files.messages(named(input_files, "near.las"))
     assert input_files.state_of_file(named(input_files, "near.las")) == "warning"

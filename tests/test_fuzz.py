@@ -105,7 +105,7 @@ def of_format(key: str) -> Subject:
             path.write_bytes(content)
             assert 0 <= FORMATS[key].sniff(path) <= 1
             findings: list[FilePreview] = []
-            said_by(lambda: findings.append(FORMATS[key].look(path, {})))
+            said_by(lambda: findings.append(FORMATS[key].preview(path, {})))
             refusals = [
                 said_by(lambda choice=choice: read_wholly(key, path, choice))  # type: ignore[misc]
                 for choice in ({}, *(finding.choice for finding in findings))
@@ -180,7 +180,7 @@ def columns_of(key: str) -> Subject:
 
         def attempt(content: bytes) -> bool:
             choice = {"columns": content.decode("utf-8", "surrogatepass")}
-            said_by(lambda: FORMATS[key].look(path, choice))
+            said_by(lambda: FORMATS[key].preview(path, choice))
             return said_by(lambda: read_wholly(key, path, choice)) is None
 
         return [said.map(lambda text: text.encode("utf-8", "surrogatepass"))], attempt
@@ -592,7 +592,7 @@ def test_every_registered_format_has_sound_files(tmp_path: Path) -> None:
         files = [path for path in folder.iterdir() if path.name != "any"]
         assert files
         for path in files:
-            choice = format_of(key).look(path, {}).choice
+            choice = format_of(key).preview(path, {}).choice
             assert said_by(lambda: read_wholly(key, path, choice)) is None  # noqa: B023
 
 

@@ -97,7 +97,7 @@ def test_two_trajectories_are_one_too_many_until_one_is_left_out(
     second = write_records(tmp_path / "second.sbet", vessel(500))
     input_files = taken_in(whole, second)
     assert "more than one file has the role of trajectory" in input_files.import_problem("x")
-    (leave_out,) = input_files.remarks(named(input_files, "second.sbet"))[0].actions
+    (leave_out,) = input_files.messages(named(input_files, "second.sbet"))[0].actions
     mended = input_files.with_action(second, leave_out)
     assert mended.state_of_file(mended.entry(second)) == "out"
     assert mended.trajectory is not None
@@ -148,7 +148,7 @@ def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
 ) -> None:
     late = write_line(tmp_path / "day.laz", START + np.linspace(20, 30, 3000) - 5 * 86_400)
     input_files = taken_in(whole, late)
-    remark = input_files.remarks(input_files.entry(late))[0]
+    remark = input_files.messages(input_files.entry(late))[0]
     assert (remark.level, remark.code) == (Level.ERROR, "import.outside_with_shift")
     assert remark.params["points"] == note("time_base.gps_day")
     assert remark.actions[0].params["shift"] == pytest.approx(432_000)
@@ -178,11 +178,11 @@ def test_a_shift_that_another_one_rivals_stays_a_doubt(whole: InputFiles, tmp_pa
     # With 18 s to spare on one side, UTC and GPS seconds of the day both fit.
     late = write_line(tmp_path / "day.laz", START + np.linspace(1, 5, 500) - 5 * 86_400)
     input_files = taken_in(whole, late)
-    first = input_files.remarks(input_files.entry(late))[0]
+    first = input_files.messages(input_files.entry(late))[0]
     assert len({action.params.get("shift") for action in first.actions} - {None}) == 2
     mended = input_files.with_action(late, first.actions[0])
     assert mended.state_of_file(mended.entry(late)) == "warning"
-    rivals = mended.remarks(mended.entry(late))[0]
+    rivals = mended.messages(mended.entry(late))[0]
     assert rivals.code == "import.other_bases_fit"
     assert (
         mended.with_action(late, rivals.actions[-1]).state_of_file(input_files.entry(late))
@@ -195,7 +195,7 @@ def test_a_line_of_another_day_is_refused_with_the_distance(
 ) -> None:
     other = write_line(tmp_path / "other.laz", START + 50_000 + np.linspace(0, 5, 500))
     input_files = taken_in(whole, other)
-    remark = input_files.remarks(input_files.entry(other))[0]
+    remark = input_files.messages(input_files.entry(other))[0]
     assert (remark.level, remark.code) == (Level.ERROR, "import.after_trajectory")
     assert remark.params["distance"] == pytest.approx(49_960, abs=0.5)
     assert remark.actions == (Action("leave_out"),)
@@ -205,7 +205,7 @@ def gaps_of(input_files: InputFiles, name: str) -> list[Message]:
     """Messages about the gaps of a trajectory."""
     return [
         each
-        for each in input_files.remarks(named(input_files, name))
+        for each in input_files.messages(named(input_files, name))
         if each.code == "trajectory.gaps"
     ]
 
@@ -219,7 +219,7 @@ def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
     write_records(tmp_path / "gap.sbet", records)
     late = write_line(tmp_path / "late.laz", START + np.linspace(30, 45, 3000))
     input_files = taken_in(InputFiles(), tmp_path / "gap.sbet", files / "L2.las", late)
-    in_gaps = input_files.remarks(named(input_files, "L2.las"))[0]
+    in_gaps = input_files.messages(named(input_files, "L2.las"))[0]
     assert (in_gaps.code, in_gaps.params["limit"]) == ("import.points_in_gaps", 1.5)
     assert "import.points_outside" in codes_about(input_files, "late.laz")
     (gaps,) = gaps_of(input_files, "gap.sbet")
@@ -282,7 +282,7 @@ def test_a_long_line_is_looked_at_here_and_there(
 def test_a_line_that_takes_long_to_read_is_cut_and_said(
     files: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(times_module, "LONGEST", -1.0)
+    monkeypatch.setattr(times_module, "TIME_LIMIT", -1.0)
     entry = examine_file(files / "deeper" / "L9.txt")
     assert entry.content is None  # its columns are not named yet
     monkeypatch.setattr("lispac.io.las_chunks.CHUNK", 500)

@@ -90,7 +90,7 @@ def test_a_projects_own_files_are_there_and_stay(project: Project, files: Path) 
 
 def test_a_line_that_is_there_already_can_only_be_left_out(project: Project, files: Path) -> None:
     input_files = taken_in(opened(project), files / "L1.laz")
-    (remark,) = input_files.remarks(named(input_files, "L1.laz"))
+    (remark,) = input_files.messages(named(input_files, "L1.laz"))
     assert (remark.level, remark.code) == (Level.ERROR, "import.already_in_project")
     assert remark.params == {"file": "L1.laz", "line": "L1"}
     assert message_text(remark) in input_files.files_problem_text()
@@ -107,7 +107,7 @@ def test_gaps_are_bridged_for_a_new_project_and_not_for_one_that_is_there(
     torn = write_records(tmp_path / "torn.sbet", records[(time < 5) | (time > 8)])
     (new,) = (
         remark
-        for remark in (lambda i: i.remarks(named(i, "L1.laz")))(
+        for remark in (lambda i: i.messages(named(i, "L1.laz")))(
             taken_in(InputFiles(), torn, files / "L1.laz")
         )
         if remark.level is Level.WARNING
@@ -115,7 +115,7 @@ def test_gaps_are_bridged_for_a_new_project_and_not_for_one_that_is_there(
     assert [action.params["gap"] for action in new.actions] == [pytest.approx(3.1, abs=0.11)]
     here = replace(project, trajectory=torn, lines=(), accuracy=None)
     input_files = taken_in(opened(here), files / "L1.laz")
-    remarks = input_files.remarks(named(input_files, "L1.laz"))
+    remarks = input_files.messages(named(input_files, "L1.laz"))
     assert remarks == (replace(new, actions=()),)
 
 
@@ -125,7 +125,7 @@ def test_a_gap_too_wide_to_be_bridged_has_no_remedy(files: Path, tmp_path: Path)
     time = records[:, 0] - START
     torn = write_records(tmp_path / "torn.sbet", records[(time < 3) | (time > 30)])
     input_files = taken_in(InputFiles(), torn, files / "L1.laz")
-    found = input_files.remarks(named(input_files, "L1.laz"))
+    found = input_files.messages(named(input_files, "L1.laz"))
     (doubt,) = (each for each in found if each.level is Level.WARNING)
     assert doubt.actions == ()
 
@@ -151,7 +151,7 @@ def test_a_file_that_waits_says_nothing(files: Path) -> None:
     waiting = InputFiles().with_files([files / "L1.laz"])
     entry = waiting.entries[0]
     assert waiting.state_of_file(entry) == "pending"
-    assert waiting.remarks(entry) == ()
+    assert waiting.messages(entry) == ()
 
 
 def test_a_role_that_a_file_has_already_keeps_what_was_found(files: Path) -> None:
@@ -290,7 +290,7 @@ def test_a_warning_has_the_options_that_its_format_takes(
     assert [(a.params["name"], a.params["value"]) for a in shown.actions] == options
     assert all(action.params["name"] in entry.options for action in shown.actions)
     for name, value in options:  # as they are already
-        set_already = replace(entry, stated={name: value})
+        set_already = replace(entry, given_options={name: value})
         (again,) = file_messages(set_already, None, 1, 1, 1.5)
         assert (name, value) not in [(a.params["name"], a.params["value"]) for a in again.actions]
 
@@ -386,7 +386,7 @@ def test_accuracies_are_held_against_the_trajectorys_times(
     assert code not in codes_about(alone, "smrmsg.out")
     input_files = taken_in(alone, files / "pos.sbet")
     found = [
-        each for each in input_files.remarks(named(input_files, "smrmsg.out"))
+        each for each in input_files.messages(named(input_files, "smrmsg.out"))
         if each.code.startswith("import.accuracy_")
     ]  # fmt: skip
     assert [(each.level, each.code) for each in found] == ([(level, code)] if level else [])

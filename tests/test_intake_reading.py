@@ -53,13 +53,13 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
     text = write_unnamed(tmp_path / "one.txt")
     input_files = taken_in(InputFiles(), files / "pos.sbet", text)
     assert input_files.state_of_file(input_files.entry(text)) == "error"
-    (missing,) = input_files.remarks(input_files.entry(text))
+    (missing,) = input_files.messages(input_files.entry(text))
     assert missing.code == "import.columns_not_chosen"
     names = [note(f"column.{name}") for name in ("time", "x", "y", "z")]
     assert list(missing.params["columns"]) == names  # type: ignore[arg-type]
     for column, meaning in enumerate(("y", "y", "z", "time")):
         input_files = taken_in(input_files.with_column(text, column, meaning))
-    assert tuple(input_files.remarks(input_files.entry(text))[0].params["columns"]) == (  # type: ignore[arg-type]
+    assert tuple(input_files.messages(input_files.entry(text))[0].params["columns"]) == (  # type: ignore[arg-type]
         note("column.x"),
     )
     assert input_files.entry(text).columns == ("-", "y", "z", "time")
@@ -79,7 +79,7 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
     assert after.entry(second).remembered
     assert after.entry(second).columns == ("x", "y", "z", "time")
     assert after.state_of_file(after.entry(second)) == "fine"
-    (action,) = after.remarks(after.entry(second))[0].actions
+    (action,) = after.messages(after.entry(second))[0].actions
     assert action.code == "detect_columns"
     anew = taken_in(after.with_action(second, action))
     assert anew.state_of_file(anew.entry(second)) == "error"
@@ -130,7 +130,7 @@ def test_a_trajectory_on_the_map_needs_its_coordinate_system(tmp_path: Path, lan
     entry = input_files.entry(path)
     assert entry.error is not None
     assert entry.error.code == "trajectory.no_system"
-    errors = [each for each in input_files.remarks(entry) if each.level is Level.ERROR]
+    errors = [each for each in input_files.messages(entry) if each.level is Level.ERROR]
     assert [option_to_choose(each.actions[0]) for each in errors] == ["crs"]
 
 
@@ -155,7 +155,7 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
 
     bare = write_line(tmp_path / "bare.laz", times, points)
     input_files = taken_in(whole, bare)
-    remark = input_files.remarks(input_files.entry(bare))[0]
+    remark = input_files.messages(input_files.entry(bare))[0]
     assert (remark.level, option_to_choose(remark.actions[0])) == (Level.ERROR, "crs")
     assert input_files.coverage(input_files.entry(bare)) is not None
     wrong = taken_in(input_files.with_option(bare, "crs", "EPSG:32617"))

@@ -64,7 +64,7 @@ def test_accuracies_that_cover_half_the_trajectory_are_said(tmp_path: Path) -> N
     assert (too_short.params["first"], too_short.params["last"]) == (START, START + 20)
     assert too_short in (
         input_files := taken_in(InputFiles(), track, tmp_path / "half.out")
-    ).remarks(named(input_files, "half.out"))
+    ).messages(named(input_files, "half.out"))
     _, survey = made(tmp_path / "q", track, line, accuracy=tmp_path / "whole.out")
     assert too_short_of(survey) == []
 

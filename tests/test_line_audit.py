@@ -261,10 +261,10 @@ def test_one_value_in_place_of_coordinates_is_no_point(
     points = fan(COUNT)
     points[::14] = value
     path = WRITERS[name](folder / name, TIMES, points)
-    (look, *_) = check_file(path)
-    assert look.finding is not None
-    assert look.finding.choice["frame"] == "scanner"
-    assert not look.finding.file_warnings
+    (check, *_) = check_file(path)
+    assert check.finding is not None
+    assert check.finding.choice["frame"] == "scanner"
+    assert not check.finding.file_warnings
     survey = opened(folder, path)
     found = by_code(survey)
     assert set(found) == {"audit.no_range"}

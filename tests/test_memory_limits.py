@@ -31,7 +31,7 @@ def compressed(path: Path, points: int) -> None:
 def test_layers_of_a_laz_chunk_that_claim_more_than_the_file(tmp_path: Path) -> None:
     path = tmp_path / "a.laz"
     compressed(path, 200)
-    assert require_sound_header(path).held == 200
+    assert require_sound_header(path).stored == 200
     content = bytearray(path.read_bytes())
     (start,) = struct.unpack_from("<I", content, 96)
     sizes = start + 8 + 30 + 4  # the offset of the table, the first point, and the count

@@ -14,7 +14,7 @@ from lispac.errors import AdjustmentError, ProjectError
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import Message, error, note
-from lispac.method_comparison import comparison_remarks, method_results, missing_methods
+from lispac.method_comparison import comparison_messages, method_results, missing_methods
 from lispac.project import Project, Settings
 from lispac.workflow.calibration import estimate
 from lispac.workflow.method_runs import adjust_natural_planes
@@ -54,7 +54,7 @@ def test_each_is_held_against_the_targets(tmp_path: Path) -> None:
     assert np.degrees(far.angles) == pytest.approx([0.3, 0.0, 0.0])
     sigma = np.degrees(project.result.sigma[0])
     assert far.significance[0] == pytest.approx(0.3 / (np.sqrt(2) * sigma))
-    near, differs, shared = comparison_remarks(found)
+    near, differs, shared = comparison_messages(found)
     assert near.code == "methods.agree"
     assert near.params["method"] == note("method.natural_planes")
     assert (differs.code, differs.params["angles"]) == (
@@ -65,7 +65,7 @@ def test_each_is_held_against_the_targets(tmp_path: Path) -> None:
     assert differs.params["displacement"] == pytest.approx(0.262, abs=5e-4)
     assert shared == note("methods.same_lines")
     assert missing_methods(project) == ("patch test",)
-    assert comparison_remarks(found[:1]) == ()
+    assert comparison_messages(found[:1]) == ()
     # Without targets the first of the others takes their place.
     alone = method_results(replace(project, result=None))
     assert [each.method for each in alone] == ["natural planes", "targetless"]

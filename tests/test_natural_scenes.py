@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.warnings import result_warnings
-from lispac.duplicate_targets import MISPREDICTED, prediction_warnings
+from lispac.duplicate_targets import SIGMA_MARGIN, prediction_warnings
 from lispac.errors import RankDeficient, TargetNotFound
 from lispac.messages import error, note
 from lispac.workflow.calibration import estimate
 from lispac.workflow.proposal_acceptance import with_accepted
-from lispac.workflow.proposals import MOSTLY, UNCHECKED, propose_targets
+from lispac.workflow.proposals import MAX_POOR, UNCHECKED, propose_targets
 from lispac.workflow.sighting_assessment import sighting_qualities
-from lispac.workflow.target_choice import LEAST_TARGETS
+from lispac.workflow.target_choice import MIN_TARGETS
 from lispac.workflow.targetless import targetless
 from lispac.workflow.validation import validate
 from tests.natural_scenes import form_factors, natural_site, opened, study
@@ -31,7 +31,7 @@ def test_the_proposal_is_checked_and_predicts_its_sigmas() -> None:
     proposal = propose_targets(project, survey)
     targets = [target for target in proposal.targets if target.role == "target"]
     planes = [target for target in proposal.targets if target.role == "validation"]
-    assert len(targets) >= LEAST_TARGETS
+    assert len(targets) >= MIN_TARGETS
     assert planes
     assert proposal.warnings == ()
     for plane, target in product(planes, targets):
@@ -40,12 +40,12 @@ def test_the_proposal_is_checked_and_predicts_its_sigmas() -> None:
     qualities = sighting_qualities(replace(project, targets=planes), survey)
     for plane in planes:
         uneven = [qualities[plane.name, s.line].flatness != "good" for s in plane.sightings]
-        assert np.mean(uneven) < MOSTLY
+        assert np.mean(uneven) < MAX_POOR
     accepted, _ = with_accepted(project, proposal, [each.name for each in proposal.targets])
     solved = estimate(accepted, survey, cross_check=False)
     result = solved.result
     assert result is not None
-    assert result.sigma == pytest.approx(proposal.sigma, rel=MISPREDICTED)
+    assert result.sigma == pytest.approx(proposal.sigma, rel=SIGMA_MARGIN)
     assert prediction_warnings(solved) == ()
     assert validate(solved, survey).not_compared == {}
     assert (np.abs(result.boresight - seen.boresight) < 3.3 * result.sigma).all()
@@ -135,4 +135,4 @@ def test_intervals_hold_on_two_hundred_scenes() -> None:
     assert ((held >= 0.90) & (held <= 0.98)).all(), held
     ratio = np.array([each.sigma / each.predicted for each in answers])
     print(f"stated over predicted, median {np.median(ratio, axis=0)}")
-    assert (np.abs(np.median(ratio, axis=0) - 1) < MISPREDICTED).all()
+    assert (np.abs(np.median(ratio, axis=0) - 1) < SIGMA_MARGIN).all()

@@ -65,11 +65,11 @@ def test_a_section_of_a_ball_does_not_say_how_far_lines_are_apart() -> None:
     """Along which direction that would be is not known of it, as it is of a plane."""
     project, survey = answered()
     for cut in section_at_target(project, survey, "T1", level=True, size=2.0, thickness=0.2):
-        assert cut.apart is not None
+        assert cut.separation is not None
     ball = replace(project.target("T1"), shape="sphere")
     round_one = replace(project, targets=(ball,))
     for cut in section_at_target(round_one, survey, "T1", level=True, size=2.0, thickness=0.2):
-        assert cut.apart is None
+        assert cut.separation is None
 
 
 def test_planes_on_single_lines_are_each_refused_with_their_reason() -> None:

@@ -82,11 +82,11 @@ def test_targets_come_back_from_csv(
     )  # fmt: skip
     sightings = project.target("T1").used_sightings
     parts = [survey.scans[s.line].take(s.indices) for s in sightings]
-    (look, *_) = check_file(path)
-    assert (look.format.key, look.confidence) == ("target", 1.0)
+    (check, *_) = check_file(path)
+    assert (check.format.key, check.confidence) == ("target", 1.0)
     _, found = read_back(project, path, tmp_path / "new")
     require_same_points(found, *(np.concatenate([part[k] for part in parts]) for k in (0, 1)))
-    (chunk,) = read_chunks(look.format.read(path, {}))
+    (chunk,) = read_chunks(check.format.read(path, {}))
     sizes = np.bincount(chunk.extra["point_source_id"])[1:]
     assert sizes.tolist() == [len(s.indices) for s in sightings]
     intensities = [survey.scans[s.line].intensities(s.indices) for s in sightings]
@@ -101,7 +101,7 @@ def test_a_target_that_is_cut_is_refused_with_its_row(
     rows = path.read_text().splitlines()[:10]
     path.write_text("\n".join([*rows[:-1], rows[-1][:20]]))
     with pytest.raises(InputError, match="row 10: the row has 2 columns"):
-        check_file(path)[0].format.look(path, {})
+        check_file(path)[0].format.preview(path, {})
 
 
 @pytest.mark.parametrize("which", ["prior", "estimated"])
@@ -110,8 +110,8 @@ def test_plane_files_come_back_as_a_line(
 ) -> None:
     project, survey = calibrated
     (path,) = export_planes(project, survey, tmp_path / "out", which, names=["T1"])
-    (look, *_) = check_file(path)
-    assert (look.format.key, look.confidence) == ("planes", 1.0)
+    (check, *_) = check_file(path)
+    assert (check.format.key, check.confidence) == ("planes", 1.0)
     parts = [survey.scans[s.line].take(s.indices) for s in project.target("T1").used_sightings]
     _, found = read_back(project, path, tmp_path / "new")
     require_same_points(found, *(np.concatenate([part[k] for part in parts]) for k in (0, 1)))
@@ -128,13 +128,13 @@ def test_trajectories_come_back(tmp_path: Path, form: Any, place_deg: tuple[floa
     project = replace(two_lines(tmp_path), trajectory=tmp_path / "sbet.out")
     write_sbet(tmp_path / "sbet.out", known)
     path = export_trajectory(project, tmp_path / f"trajectory.{form}", form)
-    (look, *_) = check_file(path)
-    assert (look.format.kind, look.confidence) == ("trajectory", 1.0)
-    assert look.finding is not None
-    assert look.finding.choice["time"] == "gps-week"
+    (check, *_) = check_file(path)
+    assert (check.format.kind, check.confidence) == ("trajectory", 1.0)
+    assert check.finding is not None
+    assert check.finding.choice["time"] == "gps-week"
     if form == "text":
         assert not any(
-            "_down" in code or "_up" in code for code in codes(look.finding.file_warnings)
+            "_down" in code or "_up" in code for code in codes(check.finding.file_warnings)
         )
     reading, _ = usual_or_detected_reading(path, "trajectory", Reading())
     found = read_trajectory(path, reading)

@@ -84,7 +84,7 @@ def test_text_with_longitudes_across_the_antimeridian_or_from_0_to_360(
     names = "Time,Latitude,Longitude,Height,Roll,Pitch,Heading"
     np.savetxt(path, rows, delimiter=",", header=names, comments="", fmt="%.12f")
     format = recognise_formats(path, "trajectory")[0][0]
-    read = format.read(path, format.look(path, {}).choice)
+    read = format.read(path, format.preview(path, {}).choice)
     assert isinstance(read, Trajectory)
     np.testing.assert_allclose(
         np.sin(read.longitude), np.sin(trajectory.longitude), rtol=0, atol=1e-12

@@ -11,7 +11,7 @@ from lispac.design.site import Site, Wall
 from lispac.io.plan_file import TitledPlan
 from lispac.workflow.plan_checks import (
     ONE_WAY,
-    observability_remarks,
+    observability_messages,
     plan_warnings,
     simulate_surveys,
 )
@@ -57,7 +57,7 @@ def test_boards_in_one_place_are_told(plan: Plan) -> None:
 def test_boards_that_face_one_way_are_not_simulated(plan: Plan) -> None:
     one = plan.targets[0]
     alike = replace(plan, targets=(one, replace(one, name="twin")))
-    assert observability_remarks(alike) == (ONE_WAY,)
+    assert observability_messages(alike) == (ONE_WAY,)
     with pytest.raises(RankDeficient) as caught:
         simulate_surveys(alike, 3, seed=1)
     assert caught.value.message == ONE_WAY

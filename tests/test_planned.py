@@ -27,7 +27,7 @@ def test_a_plan_keeps_its_promise(capsys: pytest.CaptureFixture[str], tmp_path: 
     assert project.truth_deg == pytest.approx((0.5, -0.8, 0.4))
     off = np.degrees(project.result.boresight) - project.truth_deg
     assert (np.abs(off) < 3.5 * np.degrees(project.result.sigma)).all(), off
-    found = answer(capsys, "replay", folder, "--plan", PORT)
+    found = answer(capsys, "compare-plan", folder, "--plan", PORT)
     assert found["missing_lines"] == []
     # The plan has two and a half times as many points, which matters little
     ratio = np.array(found["obtained_sigma_deg"]) / found["surveyed_with_form_error_sigma_deg"]

@@ -71,7 +71,7 @@ def read(path: Path, key: str = "las") -> tuple[np.ndarray, np.ndarray]:
 
 
 def messages(path: Path, key: str = "las") -> list[Message]:
-    return list(format_of(key).look(path, {}).messages)
+    return list(format_of(key).preview(path, {}).messages)
 
 
 def all_are_read(path: Path, count: int) -> None:
@@ -83,7 +83,7 @@ def all_are_read(path: Path, count: int) -> None:
     np.testing.assert_array_equal(scan.points_lidar, xyz)
     np.testing.assert_array_equal(scan.time, time)
     assert las_chunks.point_count(path) == count
-    assert format_of("las").look(path, {}).facts["points"] == count
+    assert format_of("las").preview(path, {}).facts["points"] == count
     found = read_line_times(path, format_of("las"), {})
     assert (found.count, found.end) == (count, times(count)[-1])
 

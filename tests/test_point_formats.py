@@ -25,7 +25,7 @@ RNG = np.random.default_rng(8)
 
 def whole(format_: FileFormat, path: Path, choice: dict[str, Any] | None = None) -> PointChunk:
     """All chunks of a file, with the options that a look proposes."""
-    found = format_.look(path, choice or {})
+    found = format_.preview(path, choice or {})
     chunks = list(format_.read(path, {**found.choice, **(choice or {})}))
     assert all(isinstance(chunk, PointChunk) for chunk in chunks)
     return PointChunk(
@@ -82,7 +82,7 @@ def test_every_format_knows_its_own(valid: tuple[FileFormat, Path]) -> None:
 
 def test_a_look_states_frame_unit_time_base_and_assumptions(valid: tuple[FileFormat, Path]) -> None:
     format_, path = valid
-    found = format_.look(path, {})
+    found = format_.preview(path, {})
     assert isinstance(found, FilePreview)
     assert {"frame", "unit", "time base", "format"} <= set(found.facts)
     assert found.assumptions
@@ -131,7 +131,7 @@ def test_points_with_waveforms_are_read_without_them(
     if point_format > 5:
         las.scanner_channel = np.arange(files.COUNT) % 4
     las.write(tmp_path / f"a.{ending}")
-    found = FORMATS["las"].look(tmp_path / f"a.{ending}", {})
+    found = FORMATS["las"].preview(tmp_path / f"a.{ending}", {})
     assert "assumed.waveforms" in codes(found.assumptions)
     assert ("assumed.waveforms_mixed_up" in codes(found.assumptions)) == (
         ending == "laz" and point_format > 5
@@ -192,14 +192,14 @@ def test_reading_from_a_point_on_does_not_decode_what_is_before(tmp_path: Path) 
 @pytest.mark.parametrize("point_format", [0, 2])
 def test_las_without_time_is_refused(tmp_path: Path, point_format: int) -> None:
     path = files.las(tmp_path / "a.las", point_format, "1.2")
-    for attempt in (lambda: FORMATS["las"].look(path, {}), lambda: whole(FORMATS["las"], path)):
+    for attempt in (lambda: FORMATS["las"].preview(path, {}), lambda: whole(FORMATS["las"], path)):
         with pytest.raises(InputError, check=has_code("las.no_gps_time")):
             attempt()
 
 
 def test_las_states_its_time_base_and_system(tmp_path: Path) -> None:
     path = files.las(tmp_path / "a.las", crs="EPSG:2949+6647", adjusted=True)
-    found = FORMATS["las"].look(path, {})
+    found = FORMATS["las"].preview(path, {})
     assert found.choice["time_base"] == "gps-adjusted"
     assert "CGVD2013" in found.facts["coordinate system"]
     assert "times.base_contradicted" in codes(found.file_warnings)  # they are of the week
@@ -260,7 +260,7 @@ def test_text_of_many_kinds(tmp_path: Path, row: str, head: str, choice: dict[st
 def test_decimal_commas(tmp_path: Path) -> None:
     path = files.text(tmp_path / "a.csv", "{t:.6f};{x:.4f};{y:.4f};{z:.4f}", "time;x;y;z")
     path.write_text(path.read_text().replace(".", ","))
-    found = FORMATS["text"].look(path, {})
+    found = FORMATS["text"].preview(path, {})
     assert (found.choice["separator"], found.choice["decimal"]) == ("semicolon", "comma")
     np.testing.assert_array_equal(whole(FORMATS["text"], path).xyz, files.XYZ)
 
@@ -282,17 +282,17 @@ def test_e57_poses_and_starts(tmp_path: Path) -> None:
     posed = whole(FORMATS["e57"], path, {"frame": "georeferenced"})
     turned = np.stack([-files.XYZ[:, 1], files.XYZ[:, 0], files.XYZ[:, 2]], axis=1) + [1, 2, 3]
     np.testing.assert_allclose(posed.xyz, turned, atol=1e-9)
-    assert "e57.poses" in codes(FORMATS["e57"].look(path, {}).file_warnings)
+    assert "e57.poses" in codes(FORMATS["e57"].preview(path, {}).file_warnings)
 
 
 def test_e57_with_stamps_that_are_no_time_since_the_start(tmp_path: Path) -> None:
     path = files.e57(tmp_path / "a.e57", stamps=files.TIME)
-    found = FORMATS["e57"].look(path, {})
+    found = FORMATS["e57"].preview(path, {})
     assert found.choice["time_from"] == "zero"
     assert "e57.large_time_stamps" in codes(found.file_warnings)
     np.testing.assert_allclose(whole(FORMATS["e57"], path).time, files.TIME)
     silent = files.e57(tmp_path / "b.e57", start=0.0)
-    assert FORMATS["e57"].look(silent, {}).choice["time_from"] == "zero"
+    assert FORMATS["e57"].preview(silent, {}).choice["time_from"] == "zero"
     with pytest.raises(InputError, check=has_code("e57.no_start")):
         list(FORMATS["e57"].read(silent, {}))
 

@@ -30,7 +30,7 @@ def test_names_state_units(
     path = tmp_path / "a.csv"
     rows = [f"{300 + k / 10},{6e5 + k},{6.4e5},{10 + k}" for k in range(20)]
     path.write_text("\n".join([f"time,Easting{across},Northing{across},Height{up}", *rows]))
-    finding = TEXT.look(path, {"crs": crs, "frame": "georeferenced"})
+    finding = TEXT.preview(path, {"crs": crs, "frame": "georeferenced"})
     settled = TEXT.resolved({**finding.choice, "crs": crs, "frame": "georeferenced"})
     system = crs_of_options(settled)
     assert system is not None

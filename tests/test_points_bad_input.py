@@ -173,7 +173,7 @@ def test_time_of_32_bits(tmp_path: Path) -> None:
     doubled = laspy.LasData(las.header, las.points[np.repeat(np.arange(60), 5)])
     doubled.gps_time = np.linspace(400_000, 400_001, 300).astype(np.float32)
     doubled.write(tmp_path / "b.las")
-    file_warnings = FORMATS["las"].look(tmp_path / "b.las", {}).file_warnings
+    file_warnings = FORMATS["las"].preview(tmp_path / "b.las", {}).file_warnings
     assert "times.coarse" in codes(file_warnings)
 
 
@@ -186,7 +186,7 @@ def doubts_of(tmp_path: Path, xyz: np.ndarray, crs: str = "", scale: float = 1e-
     las.x, las.y, las.z = xyz.T
     las.gps_time = np.linspace(400_000, 400_001, len(xyz))
     las.write(tmp_path / "a.las")
-    return codes(FORMATS["las"].look(tmp_path / "a.las", {}).file_warnings)
+    return codes(FORMATS["las"].preview(tmp_path / "a.las", {}).file_warnings)
 
 
 def test_doubts_about_place_and_unit(tmp_path: Path) -> None:
@@ -206,7 +206,7 @@ def test_unknown_coordinate_system(tmp_path: Path) -> None:
     near = np.random.default_rng(0).normal(0, 10, (500, 3)) + [350_000, 5e6, 0]
     doubts_of(tmp_path, near)
     las = FORMATS["las"]
-    found = las.look(tmp_path / "a.las", {})
+    found = las.preview(tmp_path / "a.las", {})
     assert found.choice["frame"] == "georeferenced"
     with pytest.raises(InputError, check=has_code("crs.none_given")):
         crs_of_options(las.resolved(found.choice))
@@ -216,7 +216,7 @@ def test_unknown_coordinate_system(tmp_path: Path) -> None:
     data.x, data.y, data.z = near.T
     data.gps_time = np.linspace(0, 1, len(near))
     data.write(tmp_path / "b.las")
-    file_warnings = las.look(tmp_path / "b.las", {}).file_warnings
+    file_warnings = las.preview(tmp_path / "b.las", {}).file_warnings
     assert "las.unknown_wkt" in codes(file_warnings)
 
 

@@ -45,10 +45,10 @@ def test_the_reader_gives_seconds_of_the_day(times, tmp_path) -> None:
     path.write_bytes(gzip.compress(("Time,X,Y,Z\n" + rows_of(times)).encode()))
     text = format_of("text")
     assert text.sniff(path) > 0.5
-    found = text.look(path, {})
+    found = text.preview(path, {})
     assert found.choice["columns"] == "time x y z"
     assert "times.clock_without_base" in codes(found.file_warnings)
-    assert codes(text.look(path, {"time_base": "utc-day"}).file_warnings) == []
+    assert codes(text.preview(path, {"time_base": "utc-day"}).file_warnings) == []
     (chunk,) = text.read(path, dict(found.choice))
     assert chunk.time == pytest.approx(np.mod(times, DAY), abs=1e-6)
     assert chunk.xyz[3] == pytest.approx([3, 10.5, 3])

@@ -128,7 +128,7 @@ def test_a_time_of_two_values_a_point_is_refused(tmp_path: Path) -> None:
 
 def test_a_viewpoint_is_told_and_not_applied(tmp_path: Path) -> None:
     path = written(tmp_path, "pcd", "0 0 0 1 0 0 0", "5 6 7 1 0 0 0")
-    assert FORMATS["pcd"].look(path, {}).facts["viewpoint"] == (
+    assert FORMATS["pcd"].preview(path, {}).facts["viewpoint"] == (
         note("fact.viewpoint", values="5 6 7 1 0 0 0")
     )
     (chunk,) = FORMATS["pcd"].read(path, {})
@@ -140,20 +140,20 @@ def test_doubts_about_what_is_stored_too_coarsely(tmp_path: Path) -> None:
     path = written(tmp_path, "ply", "property double x", "property float x")
     path.write_text(path.read_text().replace("4 5 6", "20000 5 6"))
     (coarse,) = (
-        each for each in FORMATS["ply"].look(path, {}).file_warnings
+        each for each in FORMATS["ply"].preview(path, {}).file_warnings
         if each.code == "points.coordinates_32_bits"
     )  # fmt: skip
     assert coarse.params["step"] == 2.0**-9
     assert coarse.params["largest"] == 20_000
     path = written(tmp_path, "ply", "property double time", "property float time")
-    assert codes(FORMATS["ply"].look(path, {}).file_warnings) == []
+    assert codes(FORMATS["ply"].preview(path, {}).file_warnings) == []
     path.write_text(path.read_text().replace("6 11", "6 5000"))
     expected = warning("times.coarse", file=path.name, step=2.0**-11)
-    assert expected in FORMATS["ply"].look(path, {}).file_warnings
+    assert expected in FORMATS["ply"].preview(path, {}).file_warnings
     path = written(tmp_path, "ply", "property double time", "property int time")
-    file_warnings = FORMATS["ply"].look(path, {}).file_warnings
+    file_warnings = FORMATS["ply"].preview(path, {}).file_warnings
     assert "times.whole_numbers" in codes(file_warnings)
-    file_warnings = FORMATS["ply"].look(path, {"time_unit": "millisecond"}).file_warnings
+    file_warnings = FORMATS["ply"].preview(path, {"time_unit": "millisecond"}).file_warnings
     assert "times.whole_numbers" not in codes(file_warnings)
 
 
@@ -233,13 +233,13 @@ def test_e57_with_a_quaternion_that_is_no_rotation(tmp_path: Path) -> None:
 def test_e57_whose_first_scan_has_no_valid_point(tmp_path: Path) -> None:
     """Such a scan is passed over, by the look at the file too."""
     path = files.e57(tmp_path / "a.e57", invalid=True, none_valid_of=30)
-    found = FORMATS["e57"].look(path, {})
+    found = FORMATS["e57"].preview(path, {})
     assert found.facts["points"] == note("fact.points_in_scans", points=60, scans=2)
     (chunk,) = FORMATS["e57"].read(path, {})
     np.testing.assert_allclose(chunk.xyz, files.XYZ[30::2], atol=1e-9)
     path = files.e57(tmp_path / "b.e57", invalid=True, none_valid_of=60)
     with pytest.raises(InputError) as refused:
-        FORMATS["e57"].look(path, {})
+        FORMATS["e57"].preview(path, {})
     assert refused.value.message == error("file.no_points", file=str(path))
 
 

@@ -62,7 +62,7 @@ def test_a_separator_by_which_no_row_has_numbers(tmp_path: Path) -> None:
     choice = {"separator": "semicolon"}
     assert error_of(path, choice).message == error("line.no_points", file=str(path))
     with pytest.raises(InputError, match=r"a\.csv") as told:
-        TEXT.look(path, choice)
+        TEXT.preview(path, choice)
     assert told.value.code == "line.no_points"
 
 

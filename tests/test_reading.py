@@ -135,11 +135,11 @@ def test_lines_in_another_time_base_are_refused_with_the_shift_and_read_with_it(
 
 def test_look_says_what_a_file_is(calibrated, clouds, capsys) -> None:
     project, _ = calibrated
-    assert main(["look", str(clouds[0].path)]) == 0
+    assert main(["inspect", str(clouds[0].path)]) == 0
     said = capsys.readouterr().out
     assert "certainly LAS or LAZ" in said
     assert "crs=EPSG:32619" in said
-    assert main(["look", str(project.trajectory), "--json"]) == 0
+    assert main(["inspect", str(project.trajectory), "--json"]) == 0
     formats = json.loads(capsys.readouterr().out)["formats"]
     assert formats[0]["format"] == "sbet"
     assert formats[0]["options"]["pitch"] == "bow-up"
@@ -174,10 +174,10 @@ def test_what_makes_no_sense_is_refused(calibrated, tmp_path, options, said) -> 
 def test_why_a_file_is_no_line_is_said(tmp_path, content, said) -> None:
     path = tmp_path / "quay.txt"
     path.write_text(content)
-    assert is_refusal(command_error("look", path), said)
+    assert is_refusal(command_error("inspect", path), said)
 
 
 def test_a_file_nobody_knows_is_refused(tmp_path) -> None:
     path = tmp_path / "notes.doc"
     path.write_bytes(b"\x00\x01nothing" * 40)
-    assert command_error("look", path).code == "import.unknown_format"
+    assert command_error("inspect", path).code == "import.unknown_format"

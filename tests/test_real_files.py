@@ -21,7 +21,7 @@ POINTS = {
 
 
 def read(name: str) -> tuple[FilePreview, PointChunk]:
-    found = LAS.look(FOLDER / name, {})
+    found = LAS.preview(FOLDER / name, {})
     (chunk,) = LAS.read(FOLDER / name, found.choice)  # type: ignore[misc]
     return found, chunk
 
@@ -89,7 +89,7 @@ def test_meshes_without_times_are_refused_in_a_sentence(name: str) -> None:
     """PLY as modelling programs write it, from the examples of pyvista: faces, and no times."""
     path = Path(find_spec("pyvista").origin).parent / "examples" / name  # type: ignore[union-attr,arg-type]
     assert recognise_formats(path, "points")[0][0].key == "ply"
-    for task in (PLY.look, lambda path, choice: list(PLY.read(path, choice))):  # type: ignore[call-overload]
+    for task in (PLY.preview, lambda path, choice: list(PLY.read(path, choice))):  # type: ignore[call-overload]
         with pytest.raises(InputError) as refused:
             task(path, {})
         assert str(refused.value).startswith(str(path))

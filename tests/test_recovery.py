@@ -73,7 +73,7 @@ def written(
 
 def system_in(path: Path) -> CoordinateSystem:
     """By what the header states alone."""
-    system = crs_of_options(LAS.resolved(LAS.look(path, {}).choice))
+    system = crs_of_options(LAS.resolved(LAS.preview(path, {}).choice))
     assert system is not None
     return system
 
@@ -103,7 +103,8 @@ def test_simulated_lines_come_back(
         cloud = system.from_local(local, trajectory.frame)
         path = written(tmp_path / f"{line.name}.laz", cloud, line.time, code, scales)
         recovery = RecoverySetup(system_in(path), trajectory, mounting)
-        chunks = list(recover_scanner_points(LAS.read(path, LAS.look(path, {}).choice), recovery))
+        choice = LAS.preview(path, {}).choice
+        chunks = list(recover_scanner_points(LAS.read(path, choice), recovery))
         back = np.concatenate([chunk.xyz for chunk, _ in chunks])
         worst = max(worst, float(np.linalg.norm(back - line.points_lidar, axis=1).max()))
         assert sum(lost for _, lost in chunks) == 0

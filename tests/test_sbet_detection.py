@@ -17,7 +17,7 @@ SBET = format_of("sbet")
 
 
 def looked(path: Path) -> FilePreview:
-    return SBET.look(path, {})
+    return SBET.preview(path, {})
 
 
 def has(finding: FilePreview, code: str) -> bool:

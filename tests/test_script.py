@@ -124,7 +124,7 @@ def test_everything_that_is_done_to_targets_comes_back(
     quay.validate("quadric", neighbours=15)
 
     script = made(quay)
-    assert script.remarks == ()
+    assert script.messages == ()
     assert "its points were edited manually" in script.text
     # One seed a line is more than one seed can say.
     assert script.text.count("project.put(") == 2
@@ -206,7 +206,7 @@ def test_raw_files_that_are_gone_are_told(demo_project: Project, tmp_path: Path)
     quay.import_lines()
     (raw / "L2_180.laz").unlink()
     quay.survey  # noqa: B018  what is imported needs its file no more
-    (remark,) = made(quay).remarks
+    (remark,) = made(quay).messages
     assert remark == note("script.missing_files", files=[str(raw / "L2_180.laz")])
 
 
@@ -231,12 +231,12 @@ def test_a_check_is_repeated_where_its_reference_is_found(
     quay.check(reference(elsewhere), search_distance=0.8)
     if beside:
         quay.save_as(elsewhere / "quay")
-        assert not made(quay).remarks
+        assert not made(quay).messages
         same_numbers(quay, made(quay), tmp_path)
         reference(elsewhere).write_text("another list")
     script = made(quay)
     assert "# project.check('board.csv', search_distance=0.8)" in script.text
-    (remark,) = script.remarks
+    (remark,) = script.messages
     assert remark == note("script.no_reference", file="board.csv")
 
 
@@ -247,7 +247,7 @@ def test_a_check_that_its_file_alone_does_not_repeat_is_told(
     found = quay.check(reference(tmp_path))
     quay.project = quay.project.with_absolute(replace(found, system="a system of one's own"))
     quay.save_as(tmp_path / "quay")
-    (remark,) = made(quay).remarks
+    (remark,) = made(quay).messages
     assert remark.code == "script.other_check"
     assert remark.params["system"] == "a system of one's own"
 
@@ -256,7 +256,7 @@ def test_an_answer_that_the_steps_do_not_lead_to_is_told(answered: lispac.OpenPr
     quay, result = answered, answered.result
     off = result.mounting.with_boresight(result.boresight + np.radians([0.0, 0.004, 0.0]))
     quay.project = quay.project.with_result(replace(result, mounting=off))
-    (remark,) = made(quay).remarks
+    (remark,) = made(quay).messages
     assert remark.code == "script.other_angles"
     assert remark.params["angle"] == note("quantity.pitch")
     assert english_text(remark).split(":")[0] in made(quay).text.replace("\n# ", " ")

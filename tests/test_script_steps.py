@@ -115,7 +115,7 @@ def test_lines_stand_in_the_script_as_they_are_read(tmp_path: Path) -> None:
     assert isinstance(stated, list)
     assert stated[0] == data / "L1.laz"  # its name and its way of being read are the usual ones
     assert stated[1:] == list(lines[1:])
-    (remark,) = script.remarks
+    (remark,) = script.messages
     assert remark.code == "script.missing_files"
     assert str(data / "L3.txt") in remark.params["files"]
 
@@ -148,7 +148,7 @@ def test_a_check_is_repeated_with_the_very_file_of_that_name(
     (project.trajectory.parent / "board.csv").write_text(other)
     script = script_of(project, survey)
     assert call_text("project.check", path, search_distance=0.8) in script.text
-    assert not any(remark.params.get("file") == "board.csv" for remark in script.remarks)
+    assert not any(remark.params.get("file") == "board.csv" for remark in script.messages)
 
 
 def test_a_list_that_was_changed_since_is_not_taken_for_the_reference(
@@ -158,4 +158,4 @@ def test_a_list_that_was_changed_since_is_not_taken_for_the_reference(
     path.write_text(path.read_text().replace("B0", "C0"))
     script = script_of(project, survey)
     assert "# project.check('board.csv', search_distance=0.8)" in script.text
-    assert note("script.no_reference", file="board.csv") in script.remarks
+    assert note("script.no_reference", file="board.csv") in script.messages

@@ -80,7 +80,7 @@ def test_misalignment_is_seen_before_and_gone_after(calibrated: tuple[Project, S
     for level in (False, True):
         before, after = section_at_target(project, survey, "T1", level=level)
         assert (before.which, after.which) == ("prior", "estimated")
-        assert after.apart < 0.04 < 0.15 < before.apart
+        assert after.separation < 0.04 < 0.15 < before.separation
         for cut in (before, after):
             assert set(cut.points) == set(survey.lines)
             clouds = survey.placed(project, cut.which)
@@ -95,7 +95,7 @@ def test_misalignment_is_seen_before_and_gone_after(calibrated: tuple[Project, S
                 for points in cut.points.values()
                 if len(points)
             ]
-            assert np.ptp(strokes) == pytest.approx(cut.apart, abs=0.03)
+            assert np.ptp(strokes) == pytest.approx(cut.separation, abs=0.03)
 
 
 def test_without_a_result_there_is_only_before(calibrated: tuple[Project, Survey]) -> None:
@@ -104,7 +104,7 @@ def test_without_a_result_there_is_only_before(calibrated: tuple[Project, Survey
     assert [cut.which for cut in section_at_target(alone, survey, "T1")] == ["prior"]
     middle = np.median(survey.clouds[survey.lines[0]].sample, axis=0)
     (cut,) = cut_between_points(alone, survey, middle, middle + [3.0, 0.0, 0.5])
-    assert cut.apart is None
+    assert cut.separation is None
     assert cut.section.width == pytest.approx(3.0)
     assert cut.section.height == pytest.approx(3.0)
 

@@ -50,7 +50,7 @@ def test_roles_and_points_without_names(tmp_path: Path) -> None:
     found = read_point_list(written(tmp_path, "1.5 2 3\n4 5 6\n"))
     assert named(found) == [("", (1.5, 2.0, 3.0)), ("", (4.0, 5.0, 6.0))]
     assert found.columns == ("x", "y", "z")
-    assert not found.stated
+    assert not found.are_columns_given
     assert not is_point_list(found.path)
     found = read_point_list(written(tmp_path, "101 1.5 2 3\n102 4 5 6 note\n"))
     assert [point.name for point in found.points] == ["101", "102"]
@@ -61,7 +61,7 @@ def test_columns_named_or_stated_decide_the_order(tmp_path: Path) -> None:
     on_map = (614119.5, 5041635.7, 8.1)
     found = read_point_list(written(tmp_path, text), local=False)
     assert named(found) == [("1", on_map)]
-    assert found.stated
+    assert found.are_columns_given
     bare = written(tmp_path, text.split("\n")[1])
     stated = read_point_list(bare, columns=["name", "y", "x", "z"], local=False)
     assert named(stated) == [("1", on_map)]

@@ -179,9 +179,9 @@ def test_the_same_surface_twice_is_told(
     path.write_text(rows("T1") + rows("T1", offset=0.2).replace("T1", "Double"))
     read = read_seeds(path, demo_project, survey.trajectory)
     _, outcomes = pick_seeds(demo_project, survey, read.seeds, {})
-    assert outcomes[0].remark is None
-    assert outcomes[1].remark is not None
-    assert outcomes[1].remark.code == "overlap.same_surface_twice"
+    assert outcomes[0].message is None
+    assert outcomes[1].message is not None
+    assert outcomes[1].message.code == "overlap.same_surface_twice"
 
 
 def test_cancelled_half_way_and_what_cannot_be_sought(

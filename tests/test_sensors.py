@@ -40,7 +40,7 @@ FIGURES = {
 
 def test_every_sensor_of_the_program_has_sigmas_and_a_source(tmp_path: Path) -> None:
     found = sensors.read_library(tmp_path)
-    assert found.remarks == ()
+    assert found.messages == ()
     assert {s.name for s in found.scanners} >= {
         "zf-9012", "riegl-vux-1", "riegl-vux-1ha", "velodyne-hdl-32e", "ouster-os1-128",
         "hesai-pandar-xt32",
@@ -122,7 +122,7 @@ def test_a_broken_own_file_is_named_and_the_rest_is_there(tmp_path: Path) -> Non
     path.write_text('title = "INS"\n[rtk]\nposition_m = [0.01, 0, 0.02]\n')
     found = sensors.read_library(tmp_path)
     assert found.pos == sensors.read_library(tmp_path / "none").pos
-    (remark,) = found.remarks
+    (remark,) = found.messages
     assert english_text(remark).startswith(f"{path}: rtk.position_m contains zero")
 
 

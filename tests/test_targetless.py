@@ -83,7 +83,7 @@ def test_each_angle_is_within_three_sigma_of_the_truth(
     assert (off < 3).all(), off
     assert np.degrees(clean.result.sigma).max() < 0.02
     assert clean.disagreeing == ()
-    assert len(clean.remarks) == 1 + (not clean.converged)
+    assert len(clean.messages) == 1 + (not clean.converged)
     assert clean.candidates >= len(clean.project.targets)
     assert clean.result.observability is not None
 
@@ -172,7 +172,7 @@ def test_a_line_whose_position_jumped_is_named(thinned: Opened, clean: Targetles
     off, sigma = np.abs(error(found, project)), np.degrees(found.result.sigma)
     assert (off < 3 * sigma).all(), (off, sigma)
     assert found.disagreeing == (wrong,)
-    assert found.remarks[-1] == note("targetless.lines_disagree", lines=(wrong,))
+    assert found.messages[-1] == note("targetless.lines_disagree", lines=(wrong,))
 
 
 def test_one_line_and_lines_that_share_nothing_are_refused(thinned: Opened) -> None:
@@ -242,7 +242,7 @@ def test_targets_and_the_scene_tell_more_together(thinned: Opened) -> None:
     names = [target.name for target in found.project.targets]
     assert names[: found.targets] == [target.name for target in project.targets_of_role("target")]
     assert len(set(names)) == len(names) <= found.targets + 8
-    assert note("targetless.with_targets", targets=2) in found.remarks
+    assert note("targetless.with_targets", targets=2) in found.messages
     off = np.abs(error(found, project)) / np.degrees(found.result.sigma)
     assert (off < 3).all(), off
     assert project.result is not None
@@ -288,7 +288,7 @@ def test_a_kept_result_is_the_boresight_of_a_project_without_targets(
     assert report["calibrated"]
     codes = {each["code"] for each in report["warnings"]}
     assert "report.not_calibrated" not in codes
-    assert {each.code for each in clean.remarks} <= codes
+    assert {each.code for each in clean.messages} <= codes
     # Another run takes the place of the first.
     again = with_targetless_result(kept, clean)
     assert len(again.targets) == len(kept.targets)

@@ -23,7 +23,7 @@ def test_control_characters_of_names_are_escaped_on_a_terminal(
     bytes_ = io.BytesIO()
     stream = (Terminal if terminal else io.TextIOWrapper)(bytes_, encoding="utf-8")
     monkeypatch.setattr(sys, "stderr", stream)
-    assert main(["look", str(tmp_path / "a\x1b[31m\u202eb.laz")]) == 1
+    assert main(["inspect", str(tmp_path / "a\x1b[31m\u202eb.laz")]) == 1
     stream.flush()
     shown = bytes_.getvalue().decode()
     assert "\x1b" not in shown

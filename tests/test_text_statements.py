@@ -24,7 +24,7 @@ def points(path: Path, head: str, *columns: np.ndarray) -> PointChunk:
     """Points of a file as they are read with what a look finds."""
     np.savetxt(path, np.column_stack(columns), fmt="%.9f", delimiter=",", header=head, comments="")
     text = format_of("text")
-    (chunk,) = text.read(path, text.look(path, {}).choice)
+    (chunk,) = text.read(path, text.preview(path, {}).choice)
     assert isinstance(chunk, PointChunk)
     return chunk
 
@@ -121,7 +121,7 @@ NOTATIONS = {
 
 def trajectory(path: Path) -> Trajectory:
     format = recognise_formats(path, "trajectory")[0][0]
-    read = format.read(path, format.look(path, {}).choice)
+    read = format.read(path, format.preview(path, {}).choice)
     assert isinstance(read, Trajectory)
     return read
 

@@ -10,7 +10,7 @@ from lispac.errors import InputError
 from lispac.io.format_types import FilePreview, PointChunk
 from lispac.io.formats import format_of, recognise_formats
 from lispac.io.seed_file import read_point_list
-from lispac.io.units import UNKNOWN, direction_of, is_units_row, split_title, stated_unit
+from lispac.io.units import UNKNOWN, direction_of, is_units_row, split_title, title_unit
 from lispac.messages import Level
 from lispac.survey.trajectory import Trajectory
 from lispac.workflow.line_points import read_chunks
@@ -44,12 +44,12 @@ def write(path: Path, head: str, row: Row) -> Path:
 
 
 def looked_at(path: Path) -> FilePreview:
-    return recognise_formats(path, "trajectory")[0][0].look(path, {})
+    return recognise_formats(path, "trajectory")[0][0].preview(path, {})
 
 
 def read(path: Path) -> Trajectory:
     format = recognise_formats(path, "trajectory")[0][0]
-    found = format.read(path, format.look(path, {}).choice)
+    found = format.read(path, format.preview(path, {}).choice)
     assert isinstance(found, Trajectory)
     return found.with_positions_only()
 
@@ -212,7 +212,7 @@ def test_the_letter_o_can_be_explained(tmp_path: Path, name: str, sign: int) -> 
     )  # fmt: skip
     columns = f"time latitude latitude_hemisphere longitude {name} height roll pitch heading"
     format = format_of("ascii-trajectory")
-    found = format.read(path, format.look(path, {"columns": columns}).choice)
+    found = format.read(path, format.preview(path, {"columns": columns}).choice)
     assert isinstance(found, Trajectory)
     np.testing.assert_allclose(np.degrees(found.longitude), -sign * LONGITUDE, rtol=0, atol=1e-8)
 
@@ -258,10 +258,10 @@ def test_an_option_against_the_header_is_a_warning(tmp_path: Path) -> None:
     head = T.replace("Height", "Height [ft]")
     path = write(tmp_path / "track.csv", head, lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},{REST}")
     format = format_of("ascii-trajectory")
-    (message,) = format.look(path, {"heights": "metres"}).messages
+    (message,) = format.preview(path, {"heights": "metres"}).messages
     assert (message.code, message.params["option"]) == ("text.unit_overridden", "heights")
     assert message.actions[0].params == {"name": "heights", "value": "feet"}
-    assert not format.look(path, {"heights": "us-survey-feet"}).messages
+    assert not format.preview(path, {"heights": "us-survey-feet"}).messages
     np.testing.assert_allclose(read(path).height, HEIGHT * 0.3048, atol=1e-6)
 
 
@@ -271,7 +271,7 @@ def test_an_option_against_the_header_is_a_warning(tmp_path: Path) -> None:
 def points(path: Path, head: str, *columns: np.ndarray) -> PointChunk:
     np.savetxt(path, np.column_stack(columns), fmt="%.9f", delimiter=",", header=head, comments="")
     text = format_of("text")
-    (chunk,) = text.read(path, text.look(path, {}).choice)
+    (chunk,) = text.read(path, text.preview(path, {}).choice)
     assert isinstance(chunk, PointChunk)
     return chunk
 
@@ -330,7 +330,7 @@ def test_titles_of_points_that_contradict_are_warnings(
 ) -> None:
     path = tmp_path / "a.csv"
     np.savetxt(path, np.column_stack([TIME, XYZ, TIME]), delimiter=",", header=head, comments="")
-    messages = format_of("text").look(path, choice).messages
+    messages = format_of("text").preview(path, choice).messages
     assert [each.code for each in messages] == codes
 
 
@@ -425,7 +425,7 @@ def test_seeds_in_another_unit_are_refused(tmp_path: Path, title: str) -> None:
 )
 def test_titles_are_taken_apart(title: str, name: str, unit: str, direction: str) -> None:
     assert split_title(title)[0] == name
-    assert stated_unit(title) == unit
+    assert title_unit(title) == unit
     assert direction_of(title) == direction
 
 
@@ -454,7 +454,7 @@ def test_the_name_of_the_times_states_their_base(
     rows = np.column_stack([1_707_304_867.2 + np.linspace(0, 10, 500), np.eye(500, 3) + 5])
     np.savetxt(path, rows, fmt="%.6f", delimiter=",", header=f"{title},x [m],y [m],z [m]",
                comments="")  # fmt: skip
-    finding = format_of("text").look(path, {})
+    finding = format_of("text").preview(path, {})
     assert finding.choice.get("time_base") == base
     (chunk,) = read_chunks(format_of("text").read(path, {}))
     assert len(chunk.time) == 500

@@ -131,7 +131,7 @@ def test_the_dialogue_counts_on_and_says_so(tmp_path: Path) -> None:
     input_files = taken_in(InputFiles(), track, line)
     entry = named(input_files, "L.las")
     assert input_files.state_of_file(entry) == "fine"
-    (restart,) = (m for m in input_files.remarks(entry) if m.code == "import.times_restart")
+    (restart,) = (m for m in input_files.messages(entry) if m.code == "import.times_restart")
     assert restart.params["place"] == note("rollover.week_end")
     assert restart.params["last"] == pytest.approx(WEEK, abs=0.1)
     covered = input_files.coverage(entry)
@@ -202,11 +202,11 @@ def test_what_is_done_to_times_that_restart_is_said(
 
 def test_a_restarting_sbet_is_taken_without_options_and_looked_at_rightly(tmp_path, capsys) -> None:
     track, line = survey_about(tmp_path, WEEK)
-    main(["look", str(track)])
+    main(["inspect", str(track)])
     told = capsys.readouterr().out
     assert "40.0 s" in told
     assert "-6047" not in told
-    main(["look", str(line)])
+    main(["inspect", str(line)])
     assert "earlier than the preceding" not in capsys.readouterr().out
     command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
     assert main([*command, "--lever-arm", "0", "0", "0"]) == 0

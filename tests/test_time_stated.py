@@ -148,7 +148,7 @@ def test_bases_that_bring_nothing_inside_are_refused(track, tmp_path) -> None:
 
 
 def test_times_that_fit_no_base_say_so() -> None:
-    stated = KnownTimeBase(base_of_key("gps-week"), stated=True)
+    stated = KnownTimeBase(base_of_key("gps-week"), is_given=True)
     times = np.array([5e12, 4e12])
     refusal = time_base_error(times, stated, "a")
     assert refusal is not None
@@ -160,7 +160,7 @@ def test_times_that_fit_no_base_say_so() -> None:
 
 def test_what_the_trajectory_could_count_instead_is_named() -> None:
     own, track = (
-        KnownTimeBase(base_of_key("gps-adjusted"), stated=True),
+        KnownTimeBase(base_of_key("gps-adjusted"), is_given=True),
         START + np.arange(0.0, 100.0),
     )
     times = 2268 * WEEK - 1e9 + START + np.linspace(10, 40, 50)
@@ -178,7 +178,7 @@ def test_what_the_trajectory_could_count_instead_is_named() -> None:
     behind = 2268 * WEEK - 1e9 + START + 105.0 + np.linspace(0, 5, 50)
     assert no_overlap_error(own, other, behind, track, "a").params["options"] == [options[1]]
     assert no_overlap_error(
-        own, KnownTimeBase(other.base, stated=True), times, track, "a"
+        own, KnownTimeBase(other.base, is_given=True), times, track, "a"
     ).code == ("time_base.no_overlap")
 
 
@@ -233,7 +233,7 @@ def test_the_dialogue_applies_a_lines_statement_and_takes_it_back(track, tmp_pat
     )  # fmt: skip
     assert survey.scans["utc"].time.min() == pytest.approx(START + 30)
     follows = next(
-        each for each in input_files.remarks(named(input_files, "utc.las")) if each.actions
+        each for each in input_files.messages(named(input_files, "utc.las")) if each.actions
     )
     back = taken_in(input_files.with_action(line, follows.actions[0]))
     assert named(back, "utc.las").shift == 0
@@ -256,7 +256,7 @@ def test_the_dialogue_refuses_what_the_times_cannot_be(base: str, track, tmp_pat
     line = write_points(tmp_path / "L.las", 0)
     input_files = taken_in(taken_in(InputFiles(), track, line).with_option(line, "time_base", base))
     assert "cannot be" in input_files.files_problem_text()
-    error = input_files.remarks(named(input_files, "L.las"))[0]
+    error = input_files.messages(named(input_files, "L.las"))[0]
     assert error.level is Level.ERROR
     assert named(input_files, "L.las").shift == 0
     assert taken_in(input_files.with_action(line, error.actions[0])).files_problem_text() == ""

@@ -71,7 +71,7 @@ def error_of(key: str, path: Path, choice: dict[str, str] | None = None) -> Inpu
 
 def look(key: str, path: Path) -> None:
     """A look says its doubts or refuses in a sentence; nothing else comes out."""
-    finding, told = outcome(format_of(key).look, path, {})
+    finding, told = outcome(format_of(key).preview, path, {})
     file_warnings = finding.file_warnings if isinstance(finding, FilePreview) else ()
     assert finding is not None or str(path) in told
     assert all(doubt.params["file"] == path.name for doubt in file_warnings), file_warnings
@@ -88,7 +88,7 @@ def test_sound_file_is_read(tmp_path: Path, key: str) -> None:
     path = good(key, tmp_path / "a.dat")
     format = format_of(key)
     assert format.sniff(path) > 0
-    assert len(format.read(path, format.look(path, {}).choice).time) == 200
+    assert len(format.read(path, format.preview(path, {}).choice).time) == 200
 
 
 @pytest.mark.parametrize("key", EVERY)
@@ -106,7 +106,7 @@ def test_cut_short_binary(tmp_path: Path, key: str) -> None:
     path = good(key, tmp_path / "a.out")
     path.write_bytes(path.read_bytes()[:-20])
     assert "file.partial_record" in refused(key, path)
-    assert "file.partial_record" in codes(format_of(key).look(path, {}).file_warnings)
+    assert "file.partial_record" in codes(format_of(key).preview(path, {}).file_warnings)
     assert recognise_formats(path, format_of(key).kind)[0][0].key == key
 
 
@@ -117,7 +117,7 @@ def test_cut_short_text_names_the_row(tmp_path: Path, key: str) -> None:
     rows = len(path.read_text().splitlines())
     assert f"row {rows}: " in refused(key, path)
     assert any(
-        each.params.get("row") == rows for each in format_of(key).look(path, {}).file_warnings
+        each.params.get("row") == rows for each in format_of(key).preview(path, {}).file_warnings
     )
 
 
@@ -218,7 +218,7 @@ def test_states_of_an_sbet_that_cannot_be(tmp_path: Path, case: str) -> None:
 def test_sbet_of_another_byte_order(tmp_path: Path) -> None:
     path = write_records(tmp_path / "a.sbet", vessel(200), order=">")
     refused("sbet", path)
-    assert "sbet.big_endian" in codes(format_of("sbet").look(path, {}).file_warnings)
+    assert "sbet.big_endian" in codes(format_of("sbet").preview(path, {}).file_warnings)
 
 
 def test_one_record_is_no_trajectory(tmp_path: Path) -> None:
@@ -291,7 +291,7 @@ def test_missing_column(tmp_path: Path, key: str, name: str) -> None:
     assert message is not None
     assert (message.code, message.params["missing"]) == ("trajectory.columns_missing", ("pitch",))
     lacking = [
-        each for each in format_of(key).look(path, {}).file_warnings if each.code == message.code
+        each for each in format_of(key).preview(path, {}).file_warnings if each.code == message.code
     ]
     assert [each.params["missing"] for each in lacking] == [("pitch",)]
 

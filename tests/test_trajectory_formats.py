@@ -66,7 +66,7 @@ def test_unknown_options_are_refused(tmp_path: Path) -> None:
             format.read(tmp_path / "a", {"wheels": "4"})
         assert refused.value.code == "formats.unknown_option"
     with pytest.raises(InputError, match=r"pitch.*sideways") as refused:
-        EXAIL.look(tmp_path / "a", {"pitch": "sideways"})
+        EXAIL.preview(tmp_path / "a", {"pitch": "sideways"})
     assert refused.value.code == "formats.invalid_choice"
 
 
@@ -77,7 +77,7 @@ def test_smrmsg_is_recognised_and_shown(tmp_path: Path) -> None:
     ((format, confidence),) = recognise_formats(tmp_path / "smrmsg.out", "accuracy")
     assert (format.key, confidence) == ("smrmsg", SURE)
     assert recognise_formats(tmp_path / "smrmsg.out", "trajectory") == []
-    finding = format.look(tmp_path / "smrmsg.out", {})
+    finding = format.preview(tmp_path / "smrmsg.out", {})
     assert finding.facts["Records"] == 100
     assert finding.facts["Sigma roll"] == note("fact.angles", low=2e-4, high=2e-4)
     assert finding.file_warnings == ()
@@ -98,7 +98,7 @@ def test_delph_export(tmp_path: Path) -> None:
     records = vessel(500)
     path = write_delph(tmp_path / "nav.txt", records)
     assert recognise_formats(path, "trajectory")[0] == (EXAIL, SURE)
-    finding = EXAIL.look(path, {})
+    finding = EXAIL.preview(path, {})
     assert finding.choice == {"pitch": "bow-down", "roll": "starboard-down", "time": "unix"}
     assert finding.facts["Header"] == "DELPH INS Navigation export"
     assert "trajectory.pitch_bow_down" in codes(finding.file_warnings)
@@ -136,7 +136,7 @@ def test_delph_units_and_signs_come_from_the_header(tmp_path: Path) -> None:
     text = text.replace("# ellipsoidHeight: Height, meter", "# ellipsoidHeight: Height, feet")
     text = text.replace("# roll: Roll, degree\n", "")
     (tmp_path / "nav.txt").write_text(text)
-    finding = EXAIL.look(tmp_path / "nav.txt", {})
+    finding = EXAIL.preview(tmp_path / "nav.txt", {})
     assert finding.choice["pitch"] == "bow-up"
     assert (
         warning("trajectory.degrees_assumed", file="nav.txt", column="roll")
@@ -155,7 +155,7 @@ def test_delph_standard_deviations(tmp_path: Path) -> None:
     accuracy = format.read(path, {})
     np.testing.assert_allclose(accuracy.position[7], SIGMAS[:3])
     np.testing.assert_allclose(np.degrees(accuracy.attitude[7]), [SIGMAS[4], SIGMAS[5], SIGMAS[3]])
-    assert message_text(format.look(path, {}).facts["Sigma roll"]) == "0.0080 to 0.0080 deg"
+    assert message_text(format.preview(path, {}).facts["Sigma roll"]) == "0.0080 to 0.0080 deg"
     assert recognise_formats(write_delph(tmp_path / "bare.txt", vessel(50)), "accuracy") == []
 
 
@@ -163,7 +163,7 @@ def test_pospac_export(tmp_path: Path) -> None:
     records = vessel(500)
     path = write_pospac(tmp_path / "export.txt", records)
     assert recognise_formats(path, "trajectory")[0] == (POSPAC, SURE)
-    finding = POSPAC.look(path, {})
+    finding = POSPAC.preview(path, {})
     assert finding.facts["Date of mission"] == "2018-08-07"
     assert finding.file_warnings == ()
     trajectory = POSPAC.read(path, finding.choice)
@@ -191,7 +191,8 @@ def test_pospac_units_come_from_the_header(tmp_path: Path) -> None:
     assert refused.value.code == "trajectory.pospac_notation"
     without = "\n".join(line for line in text.splitlines() if "(time in" not in line)
     (tmp_path / "a.txt").write_text(without)
-    assert "trajectory.degrees_assumed" in codes(POSPAC.look(tmp_path / "a.txt", {}).file_warnings)
+    finding = POSPAC.preview(tmp_path / "a.txt", {})
+    assert "trajectory.degrees_assumed" in codes(finding.file_warnings)
 
 
 def table(records: np.ndarray, factor: float = 180 / np.pi) -> np.ndarray:
@@ -215,7 +216,7 @@ def test_generic_text(tmp_path: Path, separator: str, header: str) -> None:
     format, confidence = recognise_formats(path, "trajectory")[0]
     assert format is ASCII
     assert confidence == (LIKELY if header else 0.3)
-    finding = ASCII.look(path, {})
+    finding = ASCII.preview(path, {})
     assert finding.choice["columns"] == "time latitude longitude height roll pitch heading"
     assert ("trajectory.columns_assumed" in codes(finding.file_warnings)) == (not header)
     trajectory = ASCII.read(path, finding.choice)
@@ -234,7 +235,7 @@ def test_mapping_is_the_string_that_was_saved(tmp_path: Path) -> None:
         "attitude": "radians",
     }
     agrees(ASCII.read(tmp_path / "a.csv", saved), records)
-    found = ASCII.look(tmp_path / "a.csv", saved)
+    found = ASCII.preview(tmp_path / "a.csv", saved)
     assert found.choice | saved == found.choice
     assert message_text(found.facts["Rate"]) == "50.0 per second"
 
@@ -249,7 +250,7 @@ def test_signs_are_turned_as_stated(tmp_path: Path) -> None:
 
 def test_radians_are_found(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(100), 1.0), "%.14f")
-    finding = ASCII.look(tmp_path / "a.txt", {})
+    finding = ASCII.preview(tmp_path / "a.txt", {})
     assert (finding.choice["position"], finding.choice["attitude"]) == ("radians", "radians")
     assert "trajectory.position_in_radians" in codes(finding.file_warnings)
     agrees(ASCII.read(tmp_path / "a.txt", finding.choice), vessel(100))
@@ -279,7 +280,7 @@ def test_date_and_clock_over_midnight(tmp_path: Path) -> None:
     rows = ["date time lat lon h roll pitch heading"]
     rows += [f"2024-02-{d} {c} 45 -73 9 0 0 90" for d, c in ((28, "23:59:59.5"), (29, "00:00:00"))]
     (tmp_path / "a.txt").write_text("\n".join(rows))
-    finding = ASCII.look(tmp_path / "a.txt", {"attitude": "degrees"})
+    finding = ASCII.preview(tmp_path / "a.txt", {"attitude": "degrees"})
     assert finding.choice["time"] == "unix"
     trajectory = ASCII.read(tmp_path / "a.txt", finding.choice)
     midnight = calendar.timegm((2024, 2, 29, 0, 0, 0))
@@ -318,7 +319,7 @@ def test_feet_in_a_row_of_names_are_found(tmp_path: Path) -> None:
     columns[:, 1:3] = vessel(50)[:, 1:3]
     columns[:, 3] /= 0.3048
     np.savetxt(tmp_path / "a.csv", columns, "%.14f", ",", header=header, comments="")
-    finding = ASCII.look(tmp_path / "a.csv", {})
+    finding = ASCII.preview(tmp_path / "a.csv", {})
     assert finding.choice["heights"] == "feet"
     assert (finding.choice["position"], finding.choice["attitude"]) == ("radians", "degrees")
     agrees(ASCII.read(tmp_path / "a.csv", finding.choice), vessel(50))
@@ -333,17 +334,17 @@ def test_heights_above_the_sea_are_said(tmp_path: Path) -> None:
 
 def test_exchanged_columns_show_in_the_course(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(2000))[:, [0, 2, 1, 3, 4, 5, 6]], "%.12f")
-    assert "trajectory.exchanged" in codes(ASCII.look(tmp_path / "a.txt", {}).file_warnings)
+    assert "trajectory.exchanged" in codes(ASCII.preview(tmp_path / "a.txt", {}).file_warnings)
 
 
 def test_preview_of_a_long_file_reads_head_and_tail(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(5200)), "%.12f")
-    finding = ASCII.look(tmp_path / "a.txt", {})
+    finding = ASCII.preview(tmp_path / "a.txt", {})
     assert "trajectory.last_rows" not in codes(finding.file_warnings)
     assert finding.facts["End"].params["time"] == pytest.approx(vessel(5200)[-1, 0])
     records = vessel(12_000, rate=200)
     np.savetxt(tmp_path / "a.txt", table(records), "%.12f")
-    finding = ASCII.look(tmp_path / "a.txt", {})
+    finding = ASCII.preview(tmp_path / "a.txt", {})
     assert finding.facts["End"].params["time"] == pytest.approx(records[-1, 0])
     assert finding.facts["Rows"].params["count"] == pytest.approx(12_000, rel=0.05)
     assert "trajectory.gaps" not in codes(finding.file_warnings)
@@ -385,7 +386,7 @@ def test_heading_may_count_on_over_full_turns(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(records), "%.12f")
     for path in (write_records(tmp_path / "a.sbet", records), tmp_path / "a.txt"):
         format = recognise_formats(path, "trajectory")[0][0]
-        heading = format.read(path, format.look(path, {}).choice).attitude[:, 2]
+        heading = format.read(path, format.preview(path, {}).choice).attitude[:, 2]
         np.testing.assert_allclose(heading, records[:, 9])
     with pytest.raises(InputError, match=r"a\.txt") as refused:
         ASCII.read(tmp_path / "a.txt", {"attitude": "radians"})

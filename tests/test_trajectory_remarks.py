@@ -113,9 +113,9 @@ def test_times_against_the_base_that_is_stated() -> None:
 def test_a_heading_across_the_course_is_doubted(tmp_path: Path) -> None:
     """The bow of this vessel points two degrees to starboard of its course."""
     records = vessel()
-    assert not SBET.look(write_records(tmp_path / "a.sbet", records), {}).file_warnings
+    assert not SBET.preview(write_records(tmp_path / "a.sbet", records), {}).file_warnings
     records[:, 9] += np.radians(80)
-    (doubt,) = SBET.look(write_records(tmp_path / "a.sbet", records), {}).file_warnings
+    (doubt,) = SBET.preview(write_records(tmp_path / "a.sbet", records), {}).file_warnings
     assert doubt.code == "trajectory.heading_differs"
     assert doubt.params["difference"] == pytest.approx(np.radians(82), abs=np.radians(0.5))
 
@@ -147,10 +147,10 @@ def test_remarks_at_the_end_of_text_are_no_rows(
 ) -> None:
     monkeypatch.setattr(trajectory_preview, "HEAD_ROWS", 50)
     path = good("exail-text", tmp_path / "a.txt")
-    plain = EXAIL.look(path, {})
+    plain = EXAIL.preview(path, {})
     with path.open("a") as file:
         file.write("# end of the export\n\n")
-    found = EXAIL.look(path, {})
+    found = EXAIL.preview(path, {})
     assert found.facts["End"] == plain.facts["End"]
     assert found.file_warnings == plain.file_warnings
     assert len(EXAIL.read(path, found.choice).time) == 200
@@ -164,7 +164,7 @@ def test_an_altitude_above_the_ellipsoid_is_a_height(tmp_path: Path) -> None:
     at_sea = []
     for words in ("Altitude above the ellipsoid, meter", "Altitude above mean sea, meter"):
         path.write_text(text.replace("Height, meter positive upward", words, 1))
-        found = EXAIL.look(path, {})
+        found = EXAIL.preview(path, {})
         read = EXAIL.read(path, found.choice)
         at_sea.append("assumed.heights_above_sea" in codes(read.assumptions))
         np.testing.assert_allclose(read.height, records[:, 3], atol=1e-4)
@@ -176,7 +176,7 @@ def test_times_of_day_without_a_date_are_utc(tmp_path: Path) -> None:
     path.write_text(
         path.read_text().replace("#date\ttime", "#time").replace("2023/06/27\t", "")
     )  # fmt: skip
-    found = EXAIL.look(path, {})
+    found = EXAIL.preview(path, {})
     assert found.choice["time"] == "utc-day"
     np.testing.assert_allclose(
         EXAIL.read(path, found.choice).time, 14 * 3600 + np.arange(200) / 50, atol=1e-4

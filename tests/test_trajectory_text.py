@@ -25,7 +25,7 @@ def text_of(records: np.ndarray, separator: str, sign: str) -> str:
 
 
 def same(path: Path, records: np.ndarray) -> None:
-    trajectory = ASCII.read(path, ASCII.look(path, {}).choice)
+    trajectory = ASCII.read(path, ASCII.preview(path, {}).choice)
     np.testing.assert_allclose(trajectory.time, records[:, 0], rtol=0, atol=1e-6)
     np.testing.assert_allclose(trajectory.latitude, records[:, 1], rtol=0, atol=1e-11)
     np.testing.assert_allclose(trajectory.attitude[:, 2], records[:, 9], rtol=0, atol=1e-9)
@@ -82,7 +82,7 @@ def test_utf_16(tmp_path: Path, encoding: str, count: int) -> None:
     path.write_bytes((mark + text_of(records, ",", ".")).encode(encoding))
     assert recognise_formats(path, "trajectory")[0][0] is ASCII
     same(path, records)
-    facts = ASCII.look(path, {}).facts
+    facts = ASCII.preview(path, {}).facts
     assert facts["End"].params["time"] == pytest.approx(records[-1, 0])
     assert facts["Rows"].params["count"] == pytest.approx(count, rel=0.05)
 
@@ -94,9 +94,9 @@ def test_what_keeps_a_trajectory_out_is_said_once_without_its_path(tmp_path: Pat
     rows = [f"{300 + k / 10} {4e5 + k} 5e6 10 0 0 90" for k in range(50)]
     path.write_text("POS Export Utility\n" + head + "\n".join(rows), encoding="utf-8")
     input_files = InputFiles().with_files([path]).with_entry(examine_file(path))
-    remarks = input_files.remarks(input_files.entries[0])
+    remarks = input_files.messages(input_files.entries[0])
     about = [remark for remark in remarks if remark.code == "trajectory.no_system"]
     assert [remark.level for remark in about] == [Level.ERROR]
     assert about[0].params["file"] == path.name
     assert option_to_choose(about[0].actions[0]) == "crs"
-    assert all(doubt.params["file"] == path.name for doubt in POSPAC.look(path, {}).file_warnings)
+    assert all(each.params["file"] == path.name for each in POSPAC.preview(path, {}).file_warnings)

@@ -106,7 +106,7 @@ def test_plain_feet_are_those_of_the_system(tmp_path: Path, crs: str, unit: floa
         MICHIGAN: note("unit.feet_of_system", unit=FEET),
     }
     assert easting == of_system.get(crs, FEET)
-    file_warnings = POSPAC.look(path, {"crs": crs}).file_warnings
+    file_warnings = POSPAC.preview(path, {"crs": crs}).file_warnings
     assert ("trajectory.feet_not_specified" in codes(file_warnings)) == (crs == UTM)
 
 
@@ -127,7 +127,7 @@ def test_generic_text_heeds_the_unit_in_the_names(
     records, rows = gridded(NEW_JERSEY, unit)
     head = f"Time[s],Easting{mark},Northing{mark},Height[m],Roll[deg],Pitch[deg],Heading[deg]\n"
     path = write(tmp_path / "a.csv", head, rows, ",")
-    finding = ASCII.look(path, {"crs": NEW_JERSEY})
+    finding = ASCII.preview(path, {"crs": NEW_JERSEY})
     trajectory = ASCII.read(path, finding.choice)
     assert off(trajectory, records) < 1e-4
     assert name_of_unit(trajectory, "easting") == name
@@ -138,19 +138,19 @@ def test_unit_stated_by_the_user_goes_before_that_of_the_names(tmp_path: Path) -
     head = "Time,Easting[m],Northing[m],Height[m],Roll[deg],Pitch[deg],Heading[deg]\n"
     path = write(tmp_path / "a.csv", head, rows, ",")
     stated = {"crs": NEW_JERSEY, "grid_unit": "international-feet"}
-    assert off(ASCII.read(path, ASCII.look(path, stated).choice), records) < 1e-4
+    assert off(ASCII.read(path, ASCII.preview(path, stated).choice), records) < 1e-4
 
 
 def test_heights_without_unit_are_metres_unless_the_system_has_heights(tmp_path: Path) -> None:
     records, rows = gridded(NEW_JERSEY, SURVEY_FOOT)
     head = "Time,Easting,Northing,Height,Roll[deg],Pitch[deg],Heading[deg]\n"
     path = write(tmp_path / "a.csv", head, rows, ",")
-    finding = ASCII.look(path, {"crs": NEW_JERSEY})
+    finding = ASCII.preview(path, {"crs": NEW_JERSEY})
     assert off(ASCII.read(path, finding.choice), records) < 1e-4
     assert "trajectory.height_unit_not_stated" in codes(finding.file_warnings)
     rows[:, 3] /= SURVEY_FOOT
     write(path, head, rows, ",")
-    finding = ASCII.look(path, {"crs": f"{NEW_JERSEY}+6360"})  # NAVD88 height (ftUS)
+    finding = ASCII.preview(path, {"crs": f"{NEW_JERSEY}+6360"})  # NAVD88 height (ftUS)
     trajectory = ASCII.read(path, finding.choice)
     assert off(trajectory, records) < 1e-4
     assert name_of_unit(trajectory, "height") == note("unit.as_in_system", unit=US_FEET)
@@ -188,7 +188,7 @@ def doubts_of_velocities(path: Path, word: str, unit: float, factor: float) -> t
     speed = factor * np.stack([4 * np.sin(course), 4 * np.cos(course)], axis=1)
     rows = np.insert(np.column_stack([rows, speed]), 1, 0.0, axis=1)
     write(path, POSPAC_HEAD.format(word), rows, " ")
-    return POSPAC.look(path, {"crs": NEW_JERSEY}).file_warnings
+    return POSPAC.preview(path, {"crs": NEW_JERSEY}).file_warnings
 
 
 def test_velocities_of_the_file_show_a_wrong_unit(tmp_path: Path) -> None:
@@ -216,17 +216,17 @@ def test_speed_that_no_vessel_has_is_doubted(tmp_path: Path) -> None:
         rows = np.column_stack([rows, np.degrees(records[:, [7, 8, 9]])])
         head = "Time,Latitude,Longitude,Height,Roll,Pitch,Heading\n"
         path = write(tmp_path / "a.csv", head, rows, ",")
-        file_warnings = ASCII.look(path, {}).file_warnings
+        file_warnings = ASCII.preview(path, {}).file_warnings
         assert ("trajectory.fast" in codes(file_warnings)) == doubted
 
 
 def test_jump_of_an_sbet_is_doubted(tmp_path: Path) -> None:
     records = vessel(2000)
     path = write_records(tmp_path / "a.sbet", records)
-    assert "trajectory.jumps" not in codes(SBET.look(path, {}).file_warnings)
+    assert "trajectory.jumps" not in codes(SBET.preview(path, {}).file_warnings)
     records[1200:, 1] += 300 / 6.4e6
     write_records(path, records)
-    assert "trajectory.jumps" in codes(SBET.look(path, {}).file_warnings)
+    assert "trajectory.jumps" in codes(SBET.preview(path, {}).file_warnings)
 
 
 @pytest.mark.parametrize(("unit", "said"), [(FOOT, True), (1.0, False)])
@@ -238,7 +238,7 @@ def test_positions_far_from_where_the_system_is_meant_for_are_doubted(
     path = write(tmp_path / "a.csv", "time,easting,northing,height,roll,pitch,heading\n", rows, ",")
     found = [
         (each.params["system"], each.params["name"])
-        for each in ASCII.look(path, {"crs": UTM}).file_warnings
+        for each in ASCII.preview(path, {"crs": UTM}).file_warnings
         if each.code == "trajectory.other_area"
     ]
     assert found == ([(UTM, "WGS 84 / UTM zone 18N")] if said else [])
@@ -255,7 +255,7 @@ def test_heights_in_degrees_are_refused(tmp_path: Path, look: bool) -> None:
     assert refused.value.message == error("trajectory.not_a_length", **column)
     if look:
         named = warning("trajectory.not_a_length", **{**column, "file": path.name})
-        assert named in EXAIL.look(path, {"crs": UTM}).file_warnings
+        assert named in EXAIL.preview(path, {"crs": UTM}).file_warnings
 
 
 def test_angles_in_metres_are_refused(tmp_path: Path) -> None:

@@ -36,7 +36,7 @@ _NEW: dict[Status, str] = {
     "partly": "CHECK FIRST",
     "unverified": "CHECK FIRST",
 }
-"""What the new angles are called: nobody should type in an assumption without reading it."""
+"""Title of the new angles by the status of the convention: an assumption has to be read first."""
 OF_PROJECT = "estimated"
 
 
@@ -159,25 +159,25 @@ def _print_input(conversion_input: ConversionInput) -> None:
 
 
 def _print_converted(conversion_input: ConversionInput, new: ReplacementSettings) -> None:
-    stated, correction = new.stated, new.correction
-    setup = stated.setup
+    mounting, correction = new.stated, new.correction
+    setup = mounting.setup
     convention = setup.convention
     _print_labelled("TO", f"{convention.name}: {STATUS_WORDS[setup.status]}")
     _print_rules(setup)
     if convention.key != "lispac":
         _print_labelled("", str(setup.scanner_axes(new.mounting.rotation_body_lidar)))
-    if stated.angles is not None:
-        decimals = 4 if stated.note is None else 8
+    if mounting.angles is not None:
+        decimals = 4 if mounting.note is None else 8
         print(_angle_heads(setup))
         if correction is None:
-            print(_angle_row(_NEW[setup.status], stated.angles, decimals=decimals))
+            print(_angle_row(_NEW[setup.status], mounting.angles, decimals=decimals))
         else:
             _print_correction(correction, _NEW[setup.status], decimals)
-        _print_sigmas(stated, conversion_input)
+        _print_sigmas(mounting, conversion_input)
         if setup.status != "verified":
             _print_labelled("", message_text(CHECK_FIRST))
-        if stated.note is not None:
-            _print_labelled("note", message_text(stated.note))
+        if mounting.note is not None:
+            _print_labelled("note", message_text(mounting.note))
     _print_lever_arm(new)
 
 
@@ -206,9 +206,9 @@ def _lever_arm_text(axes: Axes, values: Array) -> str:
     )
 
 
-def _print_sigmas(stated: MountingInSystem, conversion_input: ConversionInput) -> None:
-    if stated.sigmas is not None:
-        print(_angle_row("sigma", stated.sigmas, signed=False))
+def _print_sigmas(mounting: MountingInSystem, conversion_input: ConversionInput) -> None:
+    if mounting.sigmas is not None:
+        print(_angle_row("sigma", mounting.sigmas, signed=False))
         if conversion_input.warning:
             _print_labelled("", message_text(conversion_input.warning))
 
@@ -237,22 +237,22 @@ def _print_correction(correction: BoresightCorrection, label: str, decimals: int
 
 
 def _print_matrices(new: ReplacementSettings) -> None:
-    stated, correction = new.stated, new.correction
-    setup = stated.setup
+    mounting, correction = new.stated, new.correction
+    setup = mounting.setup
     print()
-    if stated.angles is not None:
+    if mounting.angles is not None:
         _print_labelled(
             "3x3", f"{setup.convention.formula}, {DIRECTION_WORDS[setup.convention.direction]}"
         )
-        _print_matrix(stated.rotation)
+        _print_matrix(mounting.rotation)
     if correction is not None:
         _print_labelled("current", "3x3")
         _print_matrix(correction.present)
         _print_labelled("correction", "3x3, multiplied from the left: new = correction · current")
         _print_matrix(correction.rotation)
-        if stated.angles is None:
+        if mounting.angles is None:
             _print_labelled(_NEW[setup.status], "3x3, replaces the current matrix")
-            _print_matrix(stated.rotation)
+            _print_matrix(mounting.rotation)
     lever = "lever arm in metres" if new.has_lever_arm else "no lever arm given, zeros used"
     if new.present is not None and new.present.transform is not None and new.transform is not None:
         _print_labelled("current", "4x4, scanner to body")
@@ -261,7 +261,7 @@ def _print_matrices(new: ReplacementSettings) -> None:
         _print_matrix(new.transform)
         lever += "; replaces the current matrix"
     _print_labelled("4x4", f"scanner to body of {setup.convention.name}; {lever}")
-    _print_matrix(stated.transform)
+    _print_matrix(mounting.transform)
 
 
 def _print_matrix(matrix: Array) -> None:
@@ -285,17 +285,17 @@ def _system_values(setup: ConventionSetup) -> dict[str, Any]:
     }
 
 
-def _mounting_values(stated: MountingInSystem, has_lever_arm: bool) -> dict[str, Any]:
-    content = _system_values(stated.setup) | {
-        "angles_deg": _degrees_by_angle(stated.setup, stated.angles),
-        "sigma_deg": _degrees_by_angle(stated.setup, stated.sigmas),
-        "matrix": stated.rotation.tolist(),
-        "note": _optional_text(stated.note),
+def _mounting_values(mounting: MountingInSystem, has_lever_arm: bool) -> dict[str, Any]:
+    content = _system_values(mounting.setup) | {
+        "angles_deg": _degrees_by_angle(mounting.setup, mounting.angles),
+        "sigma_deg": _degrees_by_angle(mounting.setup, mounting.sigmas),
+        "matrix": mounting.rotation.tolist(),
+        "note": _optional_text(mounting.note),
     }
     if has_lever_arm:
         content |= {
-            "lever_arm_m": stated.lever_arm.tolist(),
-            "transform": stated.transform.tolist(),
+            "lever_arm_m": mounting.lever_arm.tolist(),
+            "transform": mounting.transform.tolist(),
         }
     return content
 
@@ -307,10 +307,10 @@ def conversion_values(
     own = convert_to_system(
         conversion_input.mounting, conversion_input.setup, conversion_input.covariance
     )
-    stated, correction = new.stated, new.correction
+    mounting, correction = new.stated, new.correction
     content: dict[str, Any] = {
         "from": _mounting_values(own, conversion_input.has_lever_arm),
-        "to": _mounting_values(stated, new.has_lever_arm),
+        "to": _mounting_values(mounting, new.has_lever_arm),
         "orientation_text": str(
             orientation_text(conversion_input.mounting.without_nominal_axes.boresight)
         ),
@@ -319,9 +319,9 @@ def conversion_values(
     }
     if correction is not None:
         content["correction"] = {
-            "current_deg": _degrees_by_angle(stated.setup, correction.current),
-            "new_deg": _degrees_by_angle(stated.setup, correction.new),
-            "correction_deg": _degrees_by_angle(stated.setup, correction.correction),
+            "current_deg": _degrees_by_angle(mounting.setup, correction.current),
+            "new_deg": _degrees_by_angle(mounting.setup, correction.new),
+            "correction_deg": _degrees_by_angle(mounting.setup, correction.correction),
             "current_matrix": correction.present.tolist(),
             "matrix": correction.rotation.tolist(),
             "side": "left",

@@ -147,30 +147,30 @@ def positive_number(text: str) -> float:
     return value
 
 
-def number_within(least: float, most: float) -> Callable[[str], float]:
-    """Function that reads a number from ``least`` to ``most``."""
+def number_within(low: float, high: float) -> Callable[[str], float]:
+    """Function that reads a number from ``low`` to ``high``."""
 
     def number(text: str) -> float:
         value = _parse_number(text)
-        if not least <= value <= most:
+        if not low <= value <= high:
             raise argparse.ArgumentTypeError(
-                f"{text} is outside the possible range, {least:g} to {most:,.0f}"
+                f"{text} is outside the possible range, {low:g} to {high:,.0f}"
             )
         return value
 
     return number
 
 
-def whole_number_from(least: int) -> Callable[[str], int]:
-    """Function that reads a whole number, not less than ``least``."""
+def whole_number_from(low: int) -> Callable[[str], int]:
+    """Function that reads a whole number, not less than ``low``."""
 
     def number(text: str) -> int:
         try:
             value = int(text)
         except ValueError as error:
             raise argparse.ArgumentTypeError(f"{text} is not a whole number") from error
-        if value < least:
-            raise argparse.ArgumentTypeError(f"{text} is less than {least}")
+        if value < low:
+            raise argparse.ArgumentTypeError(f"{text} is less than {low}")
         return value
 
     return number

@@ -63,14 +63,14 @@ def _print_table(rows: Sequence[BatchRow]) -> None:
                 f"{angle:+11.4f} {sigma:7.4f}"
                 for angle, sigma in zip(row.boresight_deg, row.sigma_deg, strict=True)
             )
-        apart = [None if v is None else 1000 * v for v in (row.rms_before, row.rms_after)]
+        rms_mm = [None if v is None else 1000 * v for v in (row.rms_before, row.rms_after)]
         print(
             f"{row.name:{width}s}{cells}    {_number_cell(row.sigma_0, 9, 2)}"
-            f"{_number_cell(apart[0], 9, 1)}{_number_cell(apart[1], 8, 1)}     {row.verdict}"
+            f"{_number_cell(rms_mm[0], 9, 1)}{_number_cell(rms_mm[1], 8, 1)}     {row.verdict}"
         )
     for row in rows:
-        for remark in row.messages:
-            print(f"{row.name}: {remark}")
+        for message in row.messages:
+            print(f"{row.name}: {message}")
 
 
 def _number_cell(value: float | None, width: int, decimals: int) -> str:

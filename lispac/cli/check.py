@@ -49,8 +49,8 @@ def check(arguments: Namespace) -> None:
                 f"{1000 * (point.after_interval95_m or math.nan):9.1f}"
             )
     print()
-    for remark in found.messages:
-        print(message_text(remark))
+    for message in found.messages:
+        print(message_text(message))
     for reason in found.not_compared:
         print(f"not compared: {message_text(reason)}")
 

@@ -51,14 +51,14 @@ def compare(arguments: Namespace) -> None:
                 "differences": [_difference_values(each) for each in against],
                 "combined": _combined_values(together)
                 | {"counted": [each.name for each in counted]},
-                "messages": list(map(message_text, compared.remarks)),
+                "messages": list(map(message_text, compared.messages)),
             }
         )
         return
     _print_comparison(found, against, together, len(counted))
     sys.stdout.flush()
-    for remark in compared.remarks:
-        print(f"note: {message_text(remark)}", file=sys.stderr)
+    for message in compared.messages:
+        print(f"note: {message_text(message)}", file=sys.stderr)
 
 
 def _print_comparison(
@@ -91,8 +91,8 @@ def _print_comparison(
             f"point shift {effects}"
         )
     if counted > 2:
-        more = "MORE than" if together.differ else "as"
-        words = f"scatter {more} expected from their sigmas"
+        relation = "MORE than" if together.differ else "as"
+        words = f"scatter {relation} expected from their sigmas"
         print(f"\nall calibrations {words} ({_probability_text(together.probability)})")
 
 

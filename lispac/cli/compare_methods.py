@@ -14,7 +14,7 @@ from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, error
 from lispac.method_comparison import (
     MethodResult,
-    comparison_remarks,
+    comparison_messages,
     method_results,
     missing_methods,
 )
@@ -24,7 +24,7 @@ from lispac.workflow.method_runs import run_missing_methods
 from lispac.workflow.projects import save_project
 from lispac.workflow.survey import load_survey
 
-WANTED: dict[Method, str] = {
+METHOD_TEXTS: dict[Method, str] = {
     "natural planes": "adjustment with the validation planes instead of the targets",
     "targetless": "adjustment with surfaces detected automatically in the scene",
     "patch test": "alignment of the lines on common objects",
@@ -38,7 +38,7 @@ def compare_methods(arguments: Namespace) -> None:
     Raises
     ------
     ProjectError
-        Where there is no answer at all.
+        Where no method has a result.
     """
     refused: dict[str, Message] = {}
     with opened_project(arguments.projects[0], change=arguments.compute) as project:
@@ -51,7 +51,7 @@ def compare_methods(arguments: Namespace) -> None:
         print_json(
             {
                 "methods": [_method_values(each) for each in found],
-                "messages": [english_text(each) for each in comparison_remarks(found)],
+                "messages": [english_text(each) for each in comparison_messages(found)],
                 "missing": list(missing_methods(project)),
                 "refused": {name: english_text(why) for name, why in refused.items()},
             }
@@ -63,7 +63,7 @@ def compare_methods(arguments: Namespace) -> None:
         print(f"note: {method}: {message_text(why)}", file=sys.stderr)
     for method in missing_methods(project):
         if method not in refused:
-            print(f"note: no result of {method} yet ({WANTED[method]})", file=sys.stderr)
+            print(f"note: no result of {method} yet ({METHOD_TEXTS[method]})", file=sys.stderr)
 
 
 def _run_missing_methods(project: Project) -> tuple[Project, dict[str, Message]]:
@@ -82,11 +82,9 @@ def _print_methods(results: tuple[MethodResult, ...]) -> None:
     heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
     print(f"{'method':{width}s}{'lines':>6s}{'surfaces':>10s}{heads}  deg")
     for each in results:
-        said = each.calibration
-        cells = "".join(
-            f"{angle:+12.4f} {sigma:7.4f}"
-            for angle, sigma in zip(np.degrees(said.boresight), np.degrees(said.sigma), strict=True)
-        )
+        calibration = each.calibration
+        angles, sigmas = np.degrees(calibration.boresight), np.degrees(calibration.sigma)
+        cells = "".join(f"{a:+12.4f} {s:7.4f}" for a, s in zip(angles, sigmas, strict=True))
         print(f"{each.method:{width}s}{each.lines:6d}{each.surfaces:10d}{cells}")
     if len(results) > 1:
         print(f"\ndifference from {results[0].method}, and (difference / sigma)")
@@ -97,22 +95,22 @@ def _print_methods(results: tuple[MethodResult, ...]) -> None:
                 for angle, over in zip(each.against.angles, each.against.significance, strict=True)
             )
             print(f"{each.method:{width + 16}s}{cells}")
-    for remark in comparison_remarks(results):
-        print(message_text(remark))
+    for message in comparison_messages(results):
+        print(message_text(message))
     for each in results:
-        for remark in each.messages:
-            print(f"{each.method}: {message_text(remark)}")
+        for message in each.messages:
+            print(f"{each.method}: {message_text(message)}")
 
 
 def _method_values(each: MethodResult) -> dict[str, Any]:
-    said, against = each.calibration, each.against
+    calibration, against = each.calibration, each.against
     return {
         "method": each.method,
-        "boresight_deg": np.degrees(said.boresight).tolist(),
-        "sigma_deg": np.degrees(said.sigma).tolist(),
+        "boresight_deg": np.degrees(calibration.boresight).tolist(),
+        "sigma_deg": np.degrees(calibration.sigma).tolist(),
         "lines": each.lines,
         "surfaces": each.surfaces,
-        "messages": [english_text(remark) for remark in each.messages],
+        "messages": [english_text(message) for message in each.messages],
         "difference_deg": None if against is None else np.degrees(against.angles).tolist(),
         "significance": None if against is None else against.significance.tolist(),
         "probability": None if against is None else against.probability,

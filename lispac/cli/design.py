@@ -18,7 +18,7 @@ from lispac.io.plan_file import read_site
 from lispac.message_texts import message_text
 from lispac.simulation.closed_form_survey import Board
 from lispac.workflow.parallel_map import choose_mapper
-from lispac.workflow.plan_checks import observability_remarks, write_design
+from lispac.workflow.plan_checks import observability_messages, write_design
 from lispac.workflow.simulated_setup import setup_file
 
 
@@ -48,10 +48,10 @@ def design(arguments: Namespace) -> None:
             sigma = np.degrees(prediction.sigma)
             text = ", ".join(f"{a} {v:.4f}" for a, v in zip(ANGLES, sigma, strict=True)) + " deg"
         print(f"{name:12s}{text}")
-    looked = f"{found.looked_at:,} survey plans evaluated"
-    print(f"{looked}, all that are possible" if found.exact else f"{looked}, out of many more")
-    for remark in observability_remarks(found.plan):
-        print(message_text(remark))
+    plans = f"{found.looked_at:,} survey plans evaluated"
+    print(f"{plans}, all that are possible" if found.exact else f"{plans}, out of many more")
+    for message in observability_messages(found.plan):
+        print(message_text(message))
     print(f"{'target':12s}{'along m':>9s}{'off m':>9s}{'up m':>9s}{'inclination deg':>16s}")
     for target in found.plan.targets:
         along, off, up = site.wall.wall_coordinates(target.centre)

@@ -27,12 +27,13 @@ def add_commands(commands: "Commands[argparse.ArgumentParser]") -> None:
     _add_scenarios(commands)
     _add_design(commands)
     _add_campaign(commands)
-    replay = add_command(commands, "replay", "compare a survey with its survey plan")
-    replay.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
-    replay.add_argument(
+    compared = add_command(commands, "compare-plan", "compare a survey with its survey plan")
+    compared.set_defaults(command="compare_plan")
+    compared.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
+    compared.add_argument(
         "--plan", type=Path, required=True, metavar="FILE", help="survey plan (TOML file)"
     )
-    add_json_option(replay)
+    add_json_option(compared)
 
 
 def _add_scenarios(commands: "Commands[argparse.ArgumentParser]") -> None:

@@ -391,8 +391,8 @@ def print_result(
     )
     for component in result.components:
         print(_component_line(component))
-    for remark in result.observability.messages if result.observability else ():
-        print(to_plain_text(message_text(remark)))
+    for each in result.observability.messages if result.observability else ():
+        print(to_plain_text(message_text(each)))
     found = result_warnings(result, checks, also)
     if found:
         print("\nWarnings and notes:")

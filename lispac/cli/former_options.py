@@ -1,11 +1,13 @@
-"""Former names of options, accepted for one version with a note."""
+"""Former names of commands and options, accepted for one version with a note."""
 
 import sys
 from collections.abc import Sequence
 
 from lispac.message_texts import message_text
-from lispac.messages import note
+from lispac.messages import Message, note
 
+FORMER_COMMANDS = {"look": "inspect", "replay": "compare-plan"}
+"""New names of commands by the former ones."""
 FORMER_OPTIONS = {
     "angles": {"--lever": "--lever-arm"},
     "budget": {"--lever-sigma": "--lever-arm-sigma"},
@@ -23,16 +25,28 @@ FORMER_OPTIONS = {
 """New names of options by the former ones, by command."""
 
 
-def with_new_options(words: Sequence[str]) -> list[str]:
-    """Words of a command line with former options replaced; a note on stderr names each."""
-    former = FORMER_OPTIONS.get(words[0], {}) if words else {}
-    return [_with_new_option(word, former) for word in words]
+def with_new_names(words: Sequence[str]) -> list[str]:
+    """Words of a command line with former names replaced; a note on stderr names each."""
+    if not words:
+        return []
+    former = FORMER_OPTIONS.get(words[0], {})
+    return [_with_new_command(words[0]), *(_with_new_option(word, former) for word in words[1:])]
+
+
+def _with_new_command(word: str) -> str:
+    if word not in FORMER_COMMANDS:
+        return word
+    _print_note(note("former_name.command", former=word, name=FORMER_COMMANDS[word]))
+    return FORMER_COMMANDS[word]
 
 
 def _with_new_option(word: str, former: dict[str, str]) -> str:
     option, *value = word.split("=", 1)
     if option not in former:
         return word
-    message = note("former_name.option", former=option, name=former[option])
-    print(f"note: {message_text(message)}", file=sys.stderr)
+    _print_note(note("former_name.option", former=option, name=former[option]))
     return "=".join([former[option], *value])
+
+
+def _print_note(message: Message) -> None:
+    print(f"note: {message_text(message)}", file=sys.stderr)

@@ -1,4 +1,4 @@
-"""``lispac georeference``: the lines on the map."""
+"""``lispac georeference``: georeferenced point clouds of the lines."""
 
 from argparse import Namespace
 

@@ -22,7 +22,7 @@ from lispac.workflow.calibration_history import (
 def history(arguments: Namespace) -> None:
     """Print a table for each system, and draw the chart of the first one on request."""
     with ConsoleProgress() as progress:
-        found, remarks = read_histories(
+        found, messages = read_histories(
             arguments.folders, vessel=arguments.vessel, progress=progress
         )
     if arguments.picture is not None:
@@ -31,15 +31,15 @@ def history(arguments: Namespace) -> None:
         print_json(
             {
                 "systems": [_history_values(each) for each in found],
-                "messages": list(map(message_text, remarks)),
+                "messages": list(map(message_text, messages)),
             }
         )
         return
     for each in found:
         _print_calibrations(each)
     sys.stdout.flush()
-    for remark in [*remarks, *(words for each in found for words in each.remarks)]:
-        print(f"note: {message_text(remark)}", file=sys.stderr)
+    for message in [*messages, *(words for each in found for words in each.messages)]:
+        print(f"note: {message_text(message)}", file=sys.stderr)
 
 
 def _print_calibrations(history: CalibrationHistory) -> None:
@@ -75,7 +75,7 @@ def _history_values(history: CalibrationHistory) -> dict[str, Any]:
     return {
         "system": vars(history.system),
         "calibrations": [_calibration_values(each) for each in history.entries],
-        "messages": list(map(message_text, history.remarks)),
+        "messages": list(map(message_text, history.messages)),
     }
 
 

@@ -26,10 +26,10 @@ def identity(arguments: Namespace) -> None:
         if texts:
             project = project.with_identity(project.identity.changed(**texts))
             save_project(project)
-    stated = project.identity.dates
-    if texts.get("dates") and first_date_in(stated) is None:
+    dates = project.identity.dates
+    if texts.get("dates") and first_date_in(dates) is None:
         print(
-            f"note: the survey dates ({stated}) contain no date of the form 2026-03-04; lispac "
+            f"note: the survey dates ({dates}) contain no date of the form 2026-03-04; lispac "
             "history omits this calibration.", file=sys.stderr,
         )  # fmt: skip
     if arguments.json:
@@ -37,9 +37,9 @@ def identity(arguments: Namespace) -> None:
         return
     width = max(map(len, LABELS.values())) + 2
     for name in NAMES:
-        first, *more = getattr(project.identity, name).splitlines() or ["-"]
+        first, *others = getattr(project.identity, name).splitlines() or ["-"]
         print(f"{LABELS[name]:{width}s}{first}")
-        for line in more:
+        for line in others:
             print(" " * width + line)
 
 

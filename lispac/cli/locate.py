@@ -30,12 +30,10 @@ def locate(arguments: Namespace) -> None:
         save_project(after)
     for path in sorted(_project_files(after) - _project_files(before)):
         print(message_text(file_moved_note(path)))
-    gone = missing_files(after)
-    if gone:
-        names = [path.name for path in gone]
-        raise InputError(
-            error("cli.files_not_found", folder=str(arguments.folder), count=len(gone), names=names)
-        )
+    missing = missing_files(after)
+    if missing:
+        folder, names = str(arguments.folder), [path.name for path in missing]
+        raise InputError(error("cli.files_not_found", folder=folder, count=len(names), names=names))
     if after is before and not notes:
         print("No file is missing.")
 

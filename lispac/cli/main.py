@@ -13,7 +13,7 @@ from io import TextIOWrapper
 from lispac import caches
 from lispac.cli.argument_types import without_exponents
 from lispac.cli.console import UsageError
-from lispac.cli.former_options import with_new_options
+from lispac.cli.former_options import with_new_names
 from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, LispacError
 from lispac.message_texts import message_text
@@ -33,9 +33,9 @@ def run(argv: Sequence[str] | None = None) -> None:
         Where options contradict each other.
     """
     parser = build_parser()
-    words = with_new_options(sys.argv[1:] if argv is None else argv)
+    words = with_new_names(sys.argv[1:] if argv is None else argv)
     arguments = parser.parse_args(without_exponents(words))
-    # Its own module only, after parsing: --version and --help answer without NumPy and Numba, and
+    # Its own module only, after parsing: --version and --help work without NumPy and Numba, and
     # no command waits for what another needs.
     if (message := caches.set_cache_variables(os.environ)) is not None:
         print(f"note: {message_text(message)}", file=sys.stderr)

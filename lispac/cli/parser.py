@@ -44,7 +44,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_demo(commands)
     simulate_options.add_simulate_command(commands)
     sensor_options.add_sensors_command(commands)
-    _add_look(commands)
+    _add_inspect(commands)
     _add_new(commands)
     _add_locate(commands)
     _add_import(commands)
@@ -100,15 +100,15 @@ def _add_locate(commands: "Commands[argparse.ArgumentParser]") -> None:
     )
 
 
-def _add_look(commands: "Commands[argparse.ArgumentParser]") -> None:
-    look = add_command(
-        commands, "look", "show the format of a file, the assumptions made and any warnings"
+def _add_inspect(commands: "Commands[argparse.ArgumentParser]") -> None:
+    inspect = add_command(
+        commands, "inspect", "show the format of a file, the assumptions made and any warnings"
     )
-    look.add_argument(
+    inspect.add_argument(
         "file", type=Path, metavar="FILE", help="trajectory, trajectory accuracy or points"
     )
-    look.add_argument("--quick", action="store_true", help="read the first points only")
-    add_json_option(look)
+    inspect.add_argument("--quick", action="store_true", help="read the first points only")
+    add_json_option(inspect)
 
 
 def _add_new(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -145,7 +145,7 @@ def _add_new(commands: "Commands[argparse.ArgumentParser]") -> None:
             action="append",
             default=[],
             metavar="NAME=VALUE",
-            help=f"option for reading {what}; `lispac look FILE` lists the options",
+            help=f"option for reading {what}; `lispac inspect FILE` lists the options",
         )
     new.add_argument(
         "--time-shift", type=finite_number, default=0.0, metavar="SECONDS",

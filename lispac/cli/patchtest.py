@@ -66,7 +66,7 @@ def patchtest(arguments: Namespace) -> None:
 
 
 def print_patch_test(result: PatchTestResult) -> None:
-    """Print the angles with their sigmas, the objects and the remarks."""
+    """Print the angles with their sigmas, the objects and the messages."""
     print("LiDAR patch test (deg)     result   sigma  separately   mm per 0.01 deg")
     for k, angle in enumerate(ANGLES):
         sigma = "none" if result.sigma is None else f"{np.degrees(result.sigma[k]):.4f}"
@@ -84,8 +84,8 @@ def print_patch_test(result: PatchTestResult) -> None:
             f"  {angle:>10}{np.degrees(each.off):>+11.4f}"
             f"{np.degrees(each.allowed):>13.4f}{mark}"
         )
-    for remark in result.remarks:
-        print(message_text(remark))
+    for message in result.remarks:
+        print(message_text(message))
 
 
 def patch_test_values(result: PatchTestResult) -> dict[str, Any]:
@@ -148,6 +148,6 @@ def _selected_pairs(
             raise UsageError(
                 f"patchtest: there is no line {line}; the lines are {', '.join(survey.lines)}."
             )
-    wanted = {kind for kind in get_args(Kind) if kind.split()[0] in kinds}
-    found = workflow.line_pairs(survey, wanted)
+    selected = {kind for kind in get_args(Kind) if kind.split()[0] in kinds}
+    found = workflow.line_pairs(survey, selected)
     return tuple(pair for pair in found if lines is None or set(pair.lines) <= set(lines))

@@ -62,12 +62,12 @@ def pick_list(
 
 def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> dict[str, Any]:
     seed, target = outcome.seed, outcome.target
-    said = {
+    content = {
         "row": seed.row, "name": seed.name, "role": seed.role, "seed_m": list(seed.place),
-        "found": target is not None, "reason": _remark_text(outcome),
+        "found": target is not None, "reason": _message_text(outcome),
     }  # fmt: skip
     if target is None:
-        return said | {"lines": {}, "missing": {}}
+        return content | {"lines": {}, "missing": {}}
     judged = assess_target(project, survey, target)
     lines = {
         s.line: {
@@ -78,11 +78,11 @@ def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> d
         for s in target.sightings
     }
     missing = {line: english_text(reason) for line, reason in target.missing.items()}
-    return said | {"lines": lines, "missing": missing}
+    return content | {"lines": lines, "missing": missing}
 
 
-def _remark_text(outcome: SeedOutcome) -> str:
-    return "" if outcome.remark is None else english_text(outcome.remark)
+def _message_text(outcome: SeedOutcome) -> str:
+    return "" if outcome.message is None else english_text(outcome.message)
 
 
 def _print_outcomes(outcomes: tuple[SeedOutcome, ...], lines: int) -> None:
@@ -93,14 +93,14 @@ def _print_outcomes(outcomes: tuple[SeedOutcome, ...], lines: int) -> None:
         seed, target = outcome.seed, outcome.target
         head = f"{seed.row:4}  {seed.name:{width}}  {seed.role:10}"
         if target is None:
-            print(f"{head}  {'none':>7}  {_remark_text(outcome)}")
+            print(f"{head}  {'none':>7}  {_message_text(outcome)}")
             continue
         found = target.sightings
         points = sum(len(sighting.indices) for sighting in found)
         rms = 1000 * max(sighting.rms for sighting in found)
         print(f"{head}  {f'{len(found)} of {lines}':>7}  {points:9,}  {rms:8.1f}")
-        if outcome.remark is not None:
-            print(f"      {_remark_text(outcome)}")
+        if outcome.message is not None:
+            print(f"      {_message_text(outcome)}")
         for line, reason in target.missing.items():
             print(f"      not on {line}: {message_text(reason)}")
     count = sum(outcome.target is not None for outcome in outcomes)

@@ -12,7 +12,7 @@ from lispac.design.plan_search import information_gains
 from lispac.design.prediction import predict as predicted
 from lispac.io.plan_file import read_plan
 from lispac.message_texts import message_text
-from lispac.workflow.plan_checks import observability_remarks, plan_warnings
+from lispac.workflow.plan_checks import observability_messages, plan_warnings
 
 
 def predict(arguments: Namespace) -> None:
@@ -20,7 +20,7 @@ def predict(arguments: Namespace) -> None:
     titled = read_plan(arguments.plan)
     plan = titled.plan
     found, valued = predicted(plan), information_gains(plan, PlanObjective())
-    remarks = (*plan_warnings(titled), *observability_remarks(plan))
+    messages = (*plan_warnings(titled), *observability_messages(plan))
     if arguments.json:
         determined = found.determined
         print_json(
@@ -34,7 +34,7 @@ def predict(arguments: Namespace) -> None:
                     for (target, line), count in found.points.items()
                 ],
                 "largest_sigma_without_deg": {v.name: sigma_degrees(v.without) for v in valued},
-                "messages": list(map(message_text, remarks)),
+                "messages": list(map(message_text, messages)),
             }
         )
         return
@@ -48,8 +48,8 @@ def predict(arguments: Namespace) -> None:
             f"correlation roll-pitch {rows[0, 1]:+.2f}, roll-yaw {rows[0, 2]:+.2f}, "
             f"pitch-yaw {rows[1, 2]:+.2f}"
         )
-    for remark in remarks:
-        print(message_text(remark))
+    for message in messages:
+        print(message_text(message))
     print(f"{'points':12s}" + "".join(f"{course.name:>8s}" for course in plan.courses))
     for target in plan.targets:
         counts = (found.points.get((target.name, c.name)) for c in plan.courses)

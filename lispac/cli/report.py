@@ -1,4 +1,4 @@
-"""``lispac report``: the sheet that is signed, as PDF, HTML, JSON or tables."""
+"""``lispac report``: calibration report as PDF, HTML, JSON or CSV tables."""
 
 from argparse import Namespace
 

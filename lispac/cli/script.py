@@ -19,11 +19,11 @@ def script(arguments: Namespace) -> None:
     if arguments.output is not None:
         save_script(made, arguments.output)
     if arguments.json:
-        print_json({"script": made.text, "messages": list(map(message_text, made.remarks))})
+        print_json({"script": made.text, "messages": list(map(message_text, made.messages))})
     else:
         print(made.text if arguments.output is None else arguments.output, end="")
         if arguments.output is not None:
             print()
     sys.stdout.flush()
-    for remark in made.remarks:
-        print(f"note: {message_text(remark)}", file=sys.stderr)
+    for message in made.messages:
+        print(f"note: {message_text(message)}", file=sys.stderr)

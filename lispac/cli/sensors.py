@@ -13,8 +13,8 @@ def sensors(arguments: Namespace) -> None:
     """List the library."""
     folder = own_sensors()
     found = read_library(folder)
-    for remark in found.remarks:
-        print(f"note: {message_text(remark)}", file=sys.stderr)
+    for message in found.messages:
+        print(f"note: {message_text(message)}", file=sys.stderr)
     if arguments.json:
         print_json(
             {

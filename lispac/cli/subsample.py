@@ -1,4 +1,4 @@
-"""``lispac subsample``: the answer with points nearer together and farther apart."""
+"""``lispac subsample``: boresight angles for several subsampling distances."""
 
 from argparse import Namespace
 
@@ -7,7 +7,7 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.workflow.projects import open_project
-from lispac.workflow.subsampling import USUAL, subsampling_study
+from lispac.workflow.subsampling import DISTANCES, subsampling_study
 from lispac.workflow.survey import load_survey
 
 
@@ -16,7 +16,8 @@ def subsample(arguments: Namespace) -> None:
     project = open_project(arguments.project)
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=progress)
-        found = subsampling_study(project, survey, arguments.distances or USUAL, progress=progress)
+        distances = arguments.distances or DISTANCES
+        found = subsampling_study(project, survey, distances, progress=progress)
     if arguments.json:
         print_json(
             {

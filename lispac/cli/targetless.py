@@ -47,13 +47,13 @@ def targetless(arguments: Namespace) -> None:
                 "candidates": found.candidates,
                 "targets": found.targets,
                 "disagreeing_lines": list(found.disagreeing),
-                "messages": [english_text(each) for each in found.remarks],
+                "messages": [english_text(each) for each in found.messages],
             }
         )
         return
     print_result(found.result, None)
-    for remark in found.remarks:
-        print(message_text(remark))
+    for message in found.messages:
+        print(message_text(message))
     if arguments.save:
         print(message_text(_kept_note(project, found)))
 

@@ -23,7 +23,7 @@ from lispac.workflow.absolute_check import check_absolute
 from lispac.workflow.budget import error_budget_of
 from lispac.workflow.calibration_history import CalibrationHistory, read_histories
 from lispac.workflow.line_quality import LineQuality, line_quality
-from lispac.workflow.subsampling import USUAL, SubsamplingResult, subsampling_study
+from lispac.workflow.subsampling import DISTANCES, SubsamplingResult, subsampling_study
 from lispac.workflow.survey import Survey
 
 if TYPE_CHECKING:
@@ -137,7 +137,7 @@ class Studies(QObject):
         used = project.settings.subsample
 
         def work(progress: Progress) -> tuple[SubsamplingResult, ...]:
-            return subsampling_study(project, survey, sorted({*USUAL, used}), progress=progress)
+            return subsampling_study(project, survey, sorted({*DISTANCES, used}), progress=progress)
 
         task = self._runner.run(
             gettext("Subsampling study"), work,

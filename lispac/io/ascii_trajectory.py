@@ -40,7 +40,7 @@ from lispac.io.trajectory_columns import (
     trajectory_of,
 )
 from lispac.io.trajectory_preview import TextLayout, preview_text, sign_assumed_warning
-from lispac.io.trajectory_projection import UNSTATED
+from lispac.io.trajectory_projection import UNSPECIFIED
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import (
     ANGLE_CODES,
@@ -48,7 +48,7 @@ from lispac.io.units import (
     direction_of,
     is_units_row,
     split_title,
-    stated_unit,
+    title_unit,
     titles_with_units,
 )
 from lispac.messages import Action, Level, Message, Value, error, note, warning
@@ -77,7 +77,7 @@ HEADER = "header"
 """Choice of a unit: as the title of each column states it."""
 _ANGLES = {"degrees": "deg", "radians": "rad", "dms": "dms", "degrees-minutes": "ddmm"}
 _LENGTHS = {
-    "": UNSTATED,
+    "": UNSPECIFIED,
     "metres": "m",
     "feet": "ft",
     "international-feet": "int-ft",
@@ -86,7 +86,7 @@ _LENGTHS = {
 POSITION_CHOICES = (*_ANGLES, HEADER)
 ATTITUDE_CHOICES = ("degrees", "radians", HEADER)
 LENGTH_CHOICES = (*_LENGTHS, HEADER)
-MOST_HEADER_ROWS = 10**9
+MAX_HEADER_ROWS = 10**9
 _COMMENT = ("#", "%", "//", ";")
 
 
@@ -141,7 +141,7 @@ def layout_by_choice(path: Path, choice: Choice) -> TextLayout:
         return ascii_rows(path, separator, header)
 
     velocities = velocity_columns(
-        [_name_without_unit(name) for name in titles], [stated_unit(name) for name in titles]
+        [_name_without_unit(name) for name in titles], [title_unit(name) for name in titles]
     )
     return TextLayout(
         tuple(columns), tuple(tokens), separator, rows, {"Header": note("fact.text")}, (),
@@ -162,7 +162,7 @@ def ascii_rows(path: Path, separator: str = "auto", header: str = "auto") -> Row
     InputError
         Where ``header`` is neither ``auto`` nor a number.
     """
-    if header != "auto" and not is_whole_number(header, MOST_HEADER_ROWS):
+    if header != "auto" and not is_whole_number(header, MAX_HEADER_ROWS):
         raise InputError(error("trajectory.header_rows", file=str(path), value=header))
     skipped = int(header) if header != "auto" else 0
     started = header != "auto"
@@ -269,7 +269,7 @@ def _column_unit(role: str, token: str, field: str, chosen: dict[str, str], titl
 
 def _unit_in_title(title: str) -> str:
     """Unit in a title; an unknown unit is returned with its words."""
-    unit = stated_unit(title)
+    unit = title_unit(title)
     return f"{UNKNOWN}{split_title(title)[1]}" if unit == UNKNOWN else unit
 
 
@@ -342,15 +342,15 @@ def _column_roles(names: list[str]) -> list[str]:
     """Role of each column; the exact name of a role takes precedence over its synonyms."""
     bares = [_name_without_unit(name) for name in names]
     exact = {bare.strip().lower() for bare in bares} & set(ROLES.values())
-    taken: set[str] = set()
+    used_roles: set[str] = set()
     tokens = []
     for name, bare in zip(names, bares, strict=True):
         role = role_of(bare)
-        if role in HEIGHTS and stated_unit(name) in ANGLE_CODES:
+        if role in HEIGHTS and title_unit(name) in ANGLE_CODES:
             role = ""  # an elevation that is an angle
         waits = role in exact and bare.strip().lower() != role
-        tokens.append(role if role and role not in taken and not waits else "-")
-        taken |= set() if waits else {role}
+        tokens.append(role if role and role not in used_roles and not waits else "-")
+        used_roles |= set() if waits else {role}
     return tokens
 
 
@@ -364,17 +364,17 @@ _UNIT_OPTIONS: tuple[tuple[str, tuple[str, ...], dict[str, str]], ...] = (
 
 
 def _unit_options(titles: Sequence[str]) -> dict[str, str]:
-    """Options for the units that titles state."""
+    """Options for the units specified in titles."""
     found: dict[str, str] = {}
     for option, roles, units in _UNIT_OPTIONS:
-        stated = [
-            stated_unit(title) for title in titles if role_of(_name_without_unit(title)) in roles
+        codes = [
+            title_unit(title) for title in titles if role_of(_name_without_unit(title)) in roles
         ]
         if option == "heights":
-            stated = [unit for unit in stated if unit not in ANGLE_CODES]
-        if not any(stated):
+            codes = [unit for unit in codes if unit not in ANGLE_CODES]
+        if not any(codes):
             continue
-        word = next((word for word, unit in units.items() if set(stated) - {""} == {unit}), HEADER)
+        word = next((word for word, unit in units.items() if set(codes) - {""} == {unit}), HEADER)
         allowed = ATTITUDE_CHOICES if option == "attitude" else (*units, HEADER)
         found[option] = word if word in allowed else HEADER
     return found
@@ -391,8 +391,8 @@ def _require_single_angle_columns(path: Path, titles: Sequence[str]) -> None:
     for role in POSITION:
         own = []
         for title in titles:
-            apart = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", title)
-            words = re.split(r"[\s_.\[\](){}-]+", apart.lower().strip(" ])}"))
+            spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", title)
+            words = re.split(r"[\s_.\[\](){}-]+", spaced.lower().strip(" ])}"))
             bare = [word for word in words if word not in parts]
             if len(bare) < len(words) and role_of("".join(bare)) == role:
                 own.append(title)
@@ -449,9 +449,9 @@ _LETTERS = (
     {"E", "W", "O", "EAST", "WEST", "EST", "OUEST", "OST"},
 )
 """What columns of hemispheres hold."""
-SEARCHED = 200_000
+ROWS_SEARCHED = 200_000
 """Rows that are searched for the first position."""
-SAMPLE = 60
+SAMPLE_ROWS = 60
 
 
 def _rows_with_position(
@@ -468,8 +468,8 @@ def _rows_with_position(
     if not data or is_placed(data[0]):
         return [fields for fields in data if is_placed(fields)]
     rows = ascii_rows(path, choice.get("separator", "auto"), choice.get("header", "auto"))
-    found = (fields for _, fields in islice(rows, SEARCHED) if is_placed(fields))
-    return list(islice(found, SAMPLE)) or data
+    found = (fields for _, fields in islice(rows, ROWS_SEARCHED) if is_placed(fields))
+    return list(islice(found, SAMPLE_ROWS)) or data
 
 
 def _is_zero(field: str) -> bool:
@@ -548,15 +548,15 @@ def _is_in_radians(option: str, largest: float, units: dict[str, str], choice: C
 def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Iterator[Message]:
     """Warnings about titles that the reading does not follow."""
     file = printable(path.name)
-    for option, stated in _unit_options(titles).items():
-        given = str(choice.get(option, stated))
-        if given == stated or given == "dms" or given in _KINDS_OF.get(stated, ()):
+    for option, specified in _unit_options(titles).items():
+        given = str(choice.get(option, specified))
+        if given == specified or given == "dms" or given in _KINDS_OF.get(specified, ()):
             continue
         yield Message(
             "text.unit_overridden", Level.WARNING,
             {"file": file, "option": option, "stated": _titles_with_unit(titles, option),
              "given": given},
-            actions=(Action("set_option", {"name": option, "value": stated}),),
+            actions=(Action("set_option", {"name": option, "value": specified}),),
         )  # fmt: skip
     roles: dict[str, list[str]] = {}
     for title in titles:
@@ -573,7 +573,7 @@ def _header_messages(path: Path, titles: Sequence[str], choice: Choice) -> Itera
         if role == "heading" and _MAGNETIC.search(own[0]):
             params: dict[str, Value] = {"file": file, "column": own[0]}
             yield Message("text.magnetic_heading", Level.WARNING, params)
-        if role == "time" and stated_unit(own[0]) == UNKNOWN:
+        if role == "time" and title_unit(own[0]) == UNKNOWN:
             yield Message(
                 "text.unknown_unit", Level.WARNING,
                 {"file": file, "column": own[0], "used": "seconds"},
@@ -590,5 +590,5 @@ def _titles_with_unit(titles: Sequence[str], option: str) -> tuple[str, ...]:
     return tuple(
         title
         for title in titles
-        if role_of(_name_without_unit(title)) in roles and stated_unit(title)
+        if role_of(_name_without_unit(title)) in roles and title_unit(title)
     )

@@ -17,7 +17,7 @@ from lispac.io.format_types import LIKELY, NOT, Choice, FileFormat, FilePreview,
 from lispac.io.point_reader_common import (
     CHUNK,
     PLACE,
-    PREVIEW,
+    PREVIEW_POINTS,
     SCANNER_COLUMNS,
     coordinate_scale,
     frame_facts,
@@ -32,8 +32,8 @@ from lispac.io.point_reader_common import (
 from lispac.messages import error, note
 from lispac.survey.line_source import printable
 
-COLUMNS = 22
-RECORD = 8 * COLUMNS
+N_COLUMNS = 22
+RECORD = 8 * N_COLUMNS
 PARTS = {
     "points_local": slice(0, 3), "sigma_lidar": slice(7, 10), "attitude": slice(10, 13),
     "sigma_attitude": slice(13, 16), "position": slice(16, 19), "sigma_position": slice(19, 22),
@@ -50,7 +50,7 @@ def sniff(head: bytes, path: Path) -> float:
     """Likelihood by the geometry of each record: POS to point is as long as the LiDAR range."""
     if path.stat().st_size % RECORD:
         return NOT
-    records = np.frombuffer(head[: len(head) // RECORD * RECORD], "<f8").reshape(-1, COLUMNS)
+    records = np.frombuffer(head[: len(head) // RECORD * RECORD], "<f8").reshape(-1, N_COLUMNS)
     return LIKELY if len(records) and _are_consistent_records(records).all() else NOT
 
 
@@ -76,7 +76,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     """
     path = require_not_empty(path, "CIDCO")
     resolved = CIDCO.resolved(choice)
-    records = next(record_chunks(path, PREVIEW))
+    records = next(record_chunks(path, PREVIEW_POINTS))
     seen = check_first_points(records[:, 4:7], records[:, 3], file=printable(path.name), crs="")
     facts = {
         "format": note("fact.cidco"),
@@ -122,7 +122,7 @@ def record_chunks(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
         done = 0
         while data := file.read(rows * RECORD):
             whole = len(data) // RECORD * RECORD
-            records = np.frombuffer(data[:whole], "<f8").reshape(-1, COLUMNS).astype(np.float64)
+            records = np.frombuffer(data[:whole], "<f8").reshape(-1, N_COLUMNS).astype(np.float64)
             require_usable_points(records[:, 4:7], records[:, 3], path, done)
             usable = usable_mask(records[:, 4:7], records[:, 3])
             bad = usable & ~_are_consistent_records(records)

@@ -20,7 +20,7 @@ from lispac.io.files import require_numbers
 from lispac.io.format_types import NOT, POSSIBLE, Choice, Fact, FilePreview, FormatOption
 from lispac.io.point_reader_common import (
     CHUNK,
-    PREVIEW,
+    PREVIEW_POINTS,
     preview_table,
     report_damage,
     require_not_empty,
@@ -45,7 +45,7 @@ ORIGIN = FormatOption(
     "0 0 0",
 )
 STATES = slice(10, 22)
-SAME = 1e-6
+TOLERANCE = 1e-6
 """Metres or radians by which states of one time may differ."""
 
 
@@ -123,7 +123,7 @@ def _state_table(path: Path) -> Array:
     require_numbers(states, path, "CIDCO binary")
     states = states[np.argsort(states[:, 0], kind="stable")]
     repeated = np.diff(states[:, 0]) == 0
-    unlike = repeated & (np.abs(np.diff(states[:, 1:], axis=0)) > SAME).any(axis=1)
+    unlike = repeated & (np.abs(np.diff(states[:, 1:], axis=0)) > TOLERANCE).any(axis=1)
     if unlike.any():
         time = float(states[int(np.argmax(unlike)), 0])
         raise InputError(error("cidco.different_states", file=str(path), time=time))
@@ -145,7 +145,7 @@ def _origin_frame(choice: Choice) -> LocalFrame:
 
 
 def _preview_rows(path: Path) -> tuple[tuple[str, ...], ...]:
-    records = next(record_chunks(path, PREVIEW))
+    records = next(record_chunks(path, PREVIEW_POINTS))
     return preview_table(NAMES, tuple(records.T))
 
 

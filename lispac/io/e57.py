@@ -25,7 +25,7 @@ from lispac.io.point_reader_common import (
     CHUNK,
     GEOREFERENCED,
     PLACE,
-    PREVIEW,
+    PREVIEW_POINTS,
     coordinate_scale,
     frame_facts,
     head_sniffer,
@@ -71,13 +71,13 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         system = _text_field(image.root(), "coordinateMetadata")
         writer = _text_field(image.root(), "e57LibraryVersion")
         # A scan of which no point is valid is passed over, as where points are read.
-        looked = (
+        candidates = (
             (scan, columns)
             for scan in scans
-            for columns in stored_points(image, scan, path, PREVIEW, 0)
+            for columns in stored_points(image, scan, path, PREVIEW_POINTS, 0)
         )
-        scan, stored = next(looked, (scans[0], None))
-        looked.close()
+        scan, stored = next(candidates, (scans[0], None))
+        candidates.close()
         invalid = sum(invalid_count(image, scan) for scan in scans)
     if stored is None:
         raise InputError(error("file.no_points", file=str(path)))
@@ -168,8 +168,8 @@ def read_coordinates(path: Path) -> Iterator[Array]:
                 yield xyz @ scan.rotation.T + scan.translation
 
 
-def stated_crs(path: Path) -> tuple[str, tuple[Message, ...]]:
-    """Coordinate system stated in the file, empty if there is none, and messages.
+def read_file_crs(path: Path) -> tuple[str, tuple[Message, ...]]:
+    """Coordinate system specified in the file, empty if there is none, and messages.
 
     Raises
     ------

@@ -32,15 +32,15 @@ def excess_records(path: Path, points: list[Any]) -> Iterator[tuple[int, int]]:
             return
         for node, offset in zip(points, offsets, strict=True):
             counted, bits = int(node.childCount()), _field_bits(node)
-            held = counted
+            stored = counted
             for total, width in zip(_stream_bytes(file, offset), bits, strict=False):
                 slack = 0 if width in (32, 64) else REGISTER
                 if width:
-                    held = max(held, (8 * total - slack) // width)
+                    stored = max(stored, (8 * total - slack) // width)
                     if not slack:
                         break
-            if held > counted:
-                yield counted, held
+            if stored > counted:
+                yield counted, stored
 
 
 def _field_bits(node: Any) -> list[int]:

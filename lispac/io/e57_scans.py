@@ -115,8 +115,8 @@ def find_scans(image: Any, path: Path, *, timed: bool = True) -> list[Scan]:
     InputError
     """
     nodes = image.root()["data3D"]
-    for counted, held in excess_records(path, [nodes[k]["points"] for k in range(len(nodes))]):
-        raise InputError(error("e57.points_not_counted", file=str(path), header=counted, held=held))
+    for header, total in excess_records(path, [nodes[k]["points"] for k in range(len(nodes))]):
+        raise InputError(error("e57.points_not_counted", file=str(path), header=header, held=total))
     scans = [_read_scan(nodes[k], path, timed) for k in range(len(nodes))]
     scans = [scan for scan in scans if scan.count]
     if not scans:
@@ -234,9 +234,9 @@ def _read_columns(
         buffers.append(libe57.SourceDestBuffer(image, name, column, rows, True, True))
     reader = scan.node["points"].reader(buffers)
     try:
-        while held := reader.read():
+        while count := reader.read():
             yield {
-                name: column[:held].astype(scan.fields[name]) for name, column in columns.items()
+                name: column[:count].astype(scan.fields[name]) for name, column in columns.items()
             }
     finally:
         reader.close()

@@ -38,7 +38,7 @@ from lispac.io.trajectory_preview import (
     preview_text,
     sign_assumed_warning,
 )
-from lispac.io.trajectory_projection import UNSTATED
+from lispac.io.trajectory_projection import UNSPECIFIED
 from lispac.io.trajectory_velocities import velocity_columns
 from lispac.io.units import direction_of, parse_unit
 from lispac.messages import Level, Message, error, note, warning
@@ -137,7 +137,7 @@ def default_unit(role: str) -> str:
     if role in ("time", "date"):
         return {"time": "s", "date": "date"}[role]
     if role in (*GRID, *HEIGHTS):
-        return UNSTATED
+        return UNSPECIFIED
     angles = ("latitude", "longitude", "roll", "pitch", "heading")
     return "deg" if role.removesuffix("_sd") in angles else "m"
 
@@ -150,7 +150,7 @@ def unit_assumed_warning(path: Path, name: str, unit: str) -> Message:
 _ASSUMED = {
     "s": "trajectory.seconds_assumed", "date": "trajectory.dates_assumed",
     "deg": "trajectory.degrees_assumed", "m": "trajectory.metres_assumed",
-    UNSTATED: "trajectory.unit_of_system_assumed",
+    UNSPECIFIED: "trajectory.unit_of_system_assumed",
 }  # fmt: skip
 """Code of the warning by the unit that is assumed (`default_unit`)."""
 

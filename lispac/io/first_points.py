@@ -26,9 +26,9 @@ from lispac.survey.time_rollover import find_rollover, resolve_rollover
 
 Array = NDArray[np.float64]
 
-FAR = 1000.0
+SCANNER_REACH = 1000.0
 """Metres beyond which a vessel's scanner hardly sees."""
-MANY, TYPICAL = 100, 0.99
+QUANTILE_COUNT, QUANTILE = 100, 0.99
 """Points from which on the farthest are not examined, and the share that is."""
 
 
@@ -88,28 +88,28 @@ def check_first_points(
         for i, axis in enumerate("xyz")
     }
     facts["time from, to"] = note("fact.times", low=time.min(), high=time.max(), count=len(time))
-    if len(xyz) >= MANY:  # single outliers do not determine the frame
+    if len(xyz) >= QUANTILE_COUNT:  # single outliers do not determine the frame
         distance = np.linalg.norm(xyz, axis=1)
-        usual = xyz[(distance <= np.quantile(distance, TYPICAL)) & (distance > 0)]
-        if len(usual) and np.linalg.norm(usual, axis=1).max() < FAR:
+        usual = xyz[(distance <= np.quantile(distance, QUANTILE)) & (distance > 0)]
+        if len(usual) and np.linalg.norm(usual, axis=1).max() < SCANNER_REACH:
             low, high = usual.min(axis=0), usual.max(axis=0)
     farthest = float(np.linalg.norm(np.maximum(np.abs(low), np.abs(high))))
     size = float(np.linalg.norm(high - low))
     away = float(np.linalg.norm(np.maximum(0, np.maximum(low, -high))))
-    on_map = bool(crs) or farthest > 10 * FAR
+    on_map = bool(crs) or farthest > 10 * SCANNER_REACH
     if on_map and not crs:
         file_warnings.append(
             warning(NO_SYSTEM, file=file, largest=farthest, actions=(CHOOSE_SYSTEM,))
         )
-        if away == 0 and farthest < 1000 * FAR:
+        if away == 0 and farthest < 1000 * SCANNER_REACH:
             file_warnings.append(
                 warning("points.around_origin", file=file, actions=(CHOOSE_FRAME,))
             )
-    elif crs and farthest < FAR and not _is_geographic(crs):
+    elif crs and farthest < SCANNER_REACH and not _is_geographic(crs):
         file_warnings.append(
             warning("points.small_coordinates", file=file, actions=(CHOOSE_FRAME,))
         )
-    elif not on_map and farthest > FAR:
+    elif not on_map and farthest > SCANNER_REACH:
         file_warnings.append(
             warning("points.far_from_origin", file=file, distance=farthest, actions=(CHOOSE_FRAME,))
         )
@@ -117,7 +117,7 @@ def check_first_points(
         file_warnings.append(
             warning("points.away_from_origin", file=file, distance=away, actions=(CHOOSE_FRAME,))
         )
-    elif len(xyz) > 100 and _looks_geographic(low, high) and (high - low)[:2].max() < 0.02:
+    elif len(xyz) > 100 and _is_likely_geographic(low, high) and (high - low)[:2].max() < 0.02:
         file_warnings.append(warning("points.degrees", file=file, actions=(CHOOSE_FRAME,)))
     file_warnings += _time_warnings(time, len(xyz), file)
     return FirstPointsCheck(GEOREFERENCED if on_map else SCANNER, facts, tuple(file_warnings))
@@ -145,7 +145,7 @@ def _time_warnings(time: NDArray[Any], count: int, file: str) -> tuple[Message, 
     return tuple(file_warnings)
 
 
-def _looks_geographic(low: Array, high: Array) -> bool:
+def _is_likely_geographic(low: Array, high: Array) -> bool:
     return bool(abs(low[:2]).max() <= 360 and abs(high[:2]).max() <= 360)
 
 

@@ -1,7 +1,7 @@
 """Types for the formats of files: options, previews, chunks of points.
 
 A format has a name, file extensions, a test of how likely a file is of this format,
-what the user may have to state, and how to read it. The import dialogue, the command line and the
+options that may be needed, and how to read it. The import dialogue, the command line and the
 tests all work on this list; nothing else knows which formats there are.
 """
 
@@ -31,7 +31,7 @@ nothing speaks against it; it is not one."""
 
 @dataclass(frozen=True)
 class FormatOption:
-    """Reading option that a file does not state itself.
+    """Reading option that a file does not specify itself.
 
     Attributes
     ----------
@@ -90,7 +90,7 @@ class PointChunk:
     Attributes
     ----------
     xyz : ndarray of shape (n, 3), frame and unit of the file
-        Those that the reader's assumptions state.
+        As in the assumptions of the reader.
     time : ndarray of shape (n,), seconds, in the file's time base
     extra : mapping of str to ndarray of shape (n, ...)
         Whatever else the file has, under its own names and types; ``intensity`` where there is one.
@@ -121,7 +121,7 @@ class FileFormat:
     sniff : callable
         Path to how sure the format is that the file is one of its own; reads the beginning alone
         and never fails on whatever bytes it finds.
-    look : callable
+    preview : callable
         Path and options to a `FilePreview`; reads as little as that takes.
     read : callable
         Path and options to a `Trajectory` or `TrajectoryAccuracy`; for points, to an iterator of
@@ -137,7 +137,7 @@ class FileFormat:
     endings: tuple[str, ...]
     options: tuple[FormatOption, ...]
     sniff: Callable[[Path], float]
-    look: Callable[[Path, Choice], FilePreview]
+    preview: Callable[[Path, Choice], FilePreview]
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy | Iterator[PointChunk]]
     read_from: Callable[[Path, Choice, int], Iterator[PointChunk]] | None = None
 

@@ -52,7 +52,7 @@ def format_of(key: str) -> FileFormat:
 
 
 def has_suggested_time_base(format: FileFormat) -> bool:
-    """True if files of a format do not state their time base, so that the values suggest it.
+    """True if files of a format do not specify their time base, so that the values suggest it.
 
     Exail's exports have dates, or are UTC; LAS and other files of points say it where they can.
     """
@@ -60,7 +60,7 @@ def has_suggested_time_base(format: FileFormat) -> bool:
 
 
 def is_las(path: Path) -> bool:
-    """True if a line without a stated format is LAS or LAZ and not text.
+    """True if a line without a given format is LAS or LAZ and not text.
 
     By its content; by its ending where the file is missing or no format knows it.
     """

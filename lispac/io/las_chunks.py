@@ -29,7 +29,7 @@ from lispac.io.point_reader_common import (
     CHUNK,
     GEOREFERENCED,
     PLACE,
-    PREVIEW,
+    PREVIEW_POINTS,
     USE_FEET,
     coordinate_scale,
     frame_facts,
@@ -55,7 +55,7 @@ WAVEFORMS = (4, 5, 9, 10)
 """Point formats whose points refer to waveforms."""
 MIXED_UP = (9, 10)
 """Of these, the ones whose references lazrs 0.8 loses in LAZ between several scanner channels."""
-SHOWN = ("X", "Y", "Z", "gps_time", "intensity", "return_number", "classification")
+PREVIEW_COLUMNS = ("X", "Y", "Z", "gps_time", "intensity", "return_number", "classification")
 
 
 class PackedColumns(Mapping[str, NDArray[Any]]):
@@ -114,11 +114,11 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         frame = None if record is None else record.frame
         if is_in_local_frame(header) and frame is None and "frame" not in choice:
             raise InputError(error("las.local_frame", file=str(path)))
-        stated = read_header_crs(header, file)
-        points = reader.read_points(min(PREVIEW, _chunk_size(header)))
+        header_crs = read_header_crs(header, file)
+        points = reader.read_points(min(PREVIEW_POINTS, _chunk_size(header)))
         xyz = np.stack([points.x, points.y, points.z], axis=1)
         time = np.asarray(points.gps_time)
-        names = [name for name in header.point_format.dimension_names if name in SHOWN]
+        names = [name for name in header.point_format.dimension_names if name in PREVIEW_COLUMNS]
         values = [
             xyz[:, "XYZ".index(name)] if name in "XYZ" else np.asarray(points[name])
             for name in names
@@ -132,14 +132,14 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     )
     if not bounded:
         low, high = xyz.min(axis=0), xyz.max(axis=0)
-    seen = check_first_points(xyz, time, file=file, crs=stated.text, low=low, high=high)
+    seen = check_first_points(xyz, time, file=file, crs=header_crs.text, low=low, high=high)
     if frame is not None:  # what is unusual for a map is usual there
         seen = replace(seen, frame=GEOREFERENCED, file_warnings=())
     base = _time_base(header)
     found = {
         "frame": seen.frame,
-        "crs": stated.text if frame is None else local_frame_text(frame),
-        "height_unit": stated.height_unit,
+        "crs": header_crs.text if frame is None else local_frame_text(frame),
+        "height_unit": header_crs.height_unit,
         "time_base": base,
     }
     resolved = LAS.resolved({**found, **choice})
@@ -150,7 +150,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
             number=int(header.point_format.id),
         ),
         "points": int(header.point_count),
-        "coordinate system": stated.name or note("fact.none"),
+        "coordinate system": header_crs.name or note("fact.none"),
         **frame_facts(resolved),
         "resolution": ", ".join(f"{scale:g}" for scale in header.scales),
         "time base": time_base_message(time, resolved["time_base"]),
@@ -163,15 +163,15 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         preview_table(names, values),
         {name: value for name, value in found.items() if value},
         (
-            *stated.file_warnings,
+            *header_crs.file_warnings,
             *seen.file_warnings,
             *(() if choice.get("time_base") else time_base_warnings(time, base, file)),
-            *_header_warnings(header, stated.text, xyz, file),
+            *_header_warnings(header, header_crs.text, xyz, file),
         ),
         (SAME_TIME_BASE, *_waveform_notes(header)),
         (
             # The system that applies is kept with a project, and the conflict with it.
-            *(stated.messages if choice.get("crs") in (None, "", stated.text) else ()),
+            *(header_crs.messages if choice.get("crs") in (None, "", header_crs.text) else ()),
             *require_sound_header(path).messages(path),
         ),
     )
@@ -239,8 +239,8 @@ def read_coordinates(path: Path) -> Iterator[NDArray[np.float64]]:
             yield np.stack([points.x, points.y, points.z], axis=1)
 
 
-def stated_crs(path: Path) -> HeaderCrs:
-    """Coordinate system stated in the header, with messages about the header.
+def read_file_crs(path: Path) -> HeaderCrs:
+    """Coordinate system specified in the header, with messages about the header.
 
     Raises
     ------
@@ -248,9 +248,9 @@ def stated_crs(path: Path) -> HeaderCrs:
     """
     path = require_not_empty(path, "LAS")
     with report_damage(path, "LAS or LAZ"), opened_las(path, timed=False) as reader:
-        stated = read_header_crs(reader.header, path.name)
+        header_crs = read_header_crs(reader.header, path.name)
     counts = require_sound_header(path).messages(path)
-    return replace(stated, messages=(*stated.messages, *counts))
+    return replace(header_crs, messages=(*header_crs.messages, *counts))
 
 
 def point_count(path: Path) -> int:
@@ -279,7 +279,7 @@ def opened_las(path: Path, *, timed: bool = True) -> laspy.LasReader:
     counts = require_sound_header(path)
     reader = laspy.open(path)
     header = reader.header
-    header.point_count = counts.held
+    header.point_count = counts.stored
     if timed and "gps_time" not in set(header.point_format.dimension_names):
         reader.close()
         raise InputError(error("las.no_gps_time", file=str(path), format=header.point_format.id))

@@ -32,7 +32,7 @@ UTM = (16000, 16100)
 
 @dataclass(frozen=True)
 class HeaderCrs:
-    """Coordinate system stated in a LAS header.
+    """Coordinate system specified in a LAS header.
 
     Attributes
     ----------
@@ -70,7 +70,7 @@ def read_header_crs(header: LasHeader, file: str = "") -> HeaderCrs:
     records = list(header.vlrs) + list(header.evlrs or ())
     by_wkt = by_keys = None
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # PROJ's remarks on old WKT
+        warnings.simplefilter("ignore")  # PROJ's warnings about old WKT
         for record in records:
             if isinstance(record, WktCoordinateSystemVlr) and record.string.strip("\0 \n"):
                 by_wkt = by_wkt or _crs_from_wkt(record.string.strip("\0 \n"), file)
@@ -216,8 +216,8 @@ def _crs_by_citation(numbers: Mapping[int, int], texts: Mapping[int, str]) -> CR
             continue
         if crs.is_projected and crs.utm_zone is not None:
             base = UTM[crs.utm_zone.endswith("S")]
-            stated = numbers.get(PROJECTION, 32767)
-            if stated not in (32767, base + int(crs.utm_zone[:-1])):
+            projection = numbers.get(PROJECTION, 32767)
+            if projection not in (32767, base + int(crs.utm_zone[:-1])):
                 continue
         return crs
     return None

@@ -163,7 +163,7 @@ def layout_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Reco
     columns: dict[str, tuple[str, int | None]] = {}
     extra: list[laspy.ExtraBytesParams] = []
     notes: list[Message] = []
-    taken: set[str] = {*STANDARD, *PLACED}
+    used_names: set[str] = {*STANDARD, *PLACED}
     for name, values in chunk.extra.items():
         if name in STANDARD and _fits_dimension(name, values):
             columns[name] = (name, None)
@@ -176,8 +176,8 @@ def layout_of_columns(chunk: PointChunk, *, standard_time: bool = False) -> Reco
         kind = "u1" if values.dtype.kind == "b" else "f4" if values.dtype == np.float16 else None
         parts = [None] if values.ndim == 1 else list(range(values.shape[1]))
         for part in parts:
-            own = _free_dimension_name(name if part is None else f"{name}_{part + 1}", taken)
-            taken.add(own)
+            own = _free_dimension_name(name if part is None else f"{name}_{part + 1}", used_names)
+            used_names.add(own)
             stored = np.dtype(kind or values.dtype.newbyteorder("="))
             extra.append(laspy.ExtraBytesParams(own, stored, name[:LONGEST_NAME]))
             columns[own] = (name, part)
@@ -197,12 +197,12 @@ def _fits_dimension(name: str, values: NDArray[Any]) -> bool:
     return name not in BITS or int(values.max(initial=0)) < 1 << BITS[name]
 
 
-def _free_dimension_name(name: str, taken: set[str]) -> str:
+def _free_dimension_name(name: str, used_names: set[str]) -> str:
     plain = name.encode("ascii", "replace").decode().strip() or "column"
     if plain in STANDARD or plain in PLACED:
         plain = f"source_{plain}"
     short, number = plain[:LONGEST_NAME], 2
-    while short in taken:
+    while short in used_names:
         ending = f"_{number}"
         short = plain[: LONGEST_NAME - len(ending)] + ending
         number += 1
@@ -249,9 +249,9 @@ class CloudWriter:
         )
         if packed:
             assert isinstance(extra, PackedColumns)
-            held = extra.record.array
+            array = extra.record.array
             record = laspy.ScaleAwarePointRecord(
-                held if chosen is None else held[chosen], header.point_format,
+                array if chosen is None else array[chosen], header.point_format,
                 header.scales, header.offsets,
             )  # fmt: skip
         else:
@@ -299,11 +299,11 @@ class CloudWriter:
         """
         byte, place = record.sub_fields_dict[dimension]
         shift = (place.mask & -place.mask).bit_length() - 1
-        most = int(values.max(initial=0))
-        if most > place.mask >> shift:
+        largest = int(values.max(initial=0))
+        if largest > place.mask >> shift:
             raise InputError(
                 error(
-                    "las.value_too_large", file=self._path.name, column=dimension, value=most,
+                    "las.value_too_large", file=self._path.name, column=dimension, value=largest,
                     limit=int(place.mask >> shift),
                 )
             )  # fmt: skip

@@ -21,7 +21,7 @@ COMPRESSED = 0x80
 """Bit of the point format number that marks LAZ."""
 WAVEFORMS_INSIDE = 0x02
 """Bit of the global encoding: waveforms follow the points."""
-SCALES = (1e-12, 1000.0)
+SCALE_LIMITS = (1e-12, 1000.0)
 """Steps of coordinates from and to which a file can be used, metres, feet or degrees."""
 TIME_AT = {1: 20, 3: 20, 4: 20, 5: 20, 6: 22, 7: 22, 8: 22, 9: 22, 10: 22}
 """Byte of gps_time in a record, by point format."""
@@ -60,7 +60,7 @@ def _count_points(path: Path, size: int, header: bytes) -> PointCounts | None:
         Where points are missing, or the steps of the coordinates cannot be.
     """
     scales = struct.unpack_from("<3d", header, 131)
-    if not all(SCALES[0] <= scale <= SCALES[1] for scale in scales):
+    if not all(SCALE_LIMITS[0] <= scale <= SCALE_LIMITS[1] for scale in scales):
         raise InputError(error("las.scale", file=str(path), scale=[f"{each:g}" for each in scales]))
     header_size, points_start, records = struct.unpack_from("<HII", header, 94)
     point_format, point_size, count = struct.unpack_from("<BHI", header, 104)
@@ -96,9 +96,9 @@ def _count_points(path: Path, size: int, header: bytes) -> PointCounts | None:
     if counts is None:
         return None
     counts = replace(counts, header=count, legacy=legacy)
-    if counts.held < count and counts.held != legacy:
+    if counts.stored < count and counts.stored != legacy:
         raise InputError(
-            error("file.points_missing", file=str(path), header=count, held=counts.held)
+            error("file.points_missing", file=str(path), header=count, held=counts.stored)
         )
     return counts
 

@@ -65,15 +65,15 @@ class LazChunks:
         whole = sum(count for count, _ in self.table)
         if laz.uses_variable_size_chunks() or not self.table:
             return int(whole)
-        most, length = self.table[-1]
-        before = whole - most
+        limit, length = self.table[-1]
+        before = whole - limit
         with self.path.open("rb") as file:
             file.seek(self.start + sum(size for _, size in self.table[:-1]))
             data = file.read(length)
         if self.record[0] == LAYERED:
             (last,) = struct.unpack_from("<I", data, laz.item_size())
-            return int(before + last) if 0 < last <= most else header
-        return int(before + _CompressedLastChunk(data, self.record).points(header - before, most))
+            return int(before + last) if 0 < last <= limit else header
+        return int(before + _CompressedLastChunk(data, self.record).points(header - before, limit))
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ class _CompressedLastChunk:
     data: bytes
     record: bytes
 
-    def points(self, likely: int, most: int) -> int:
+    def points(self, likely: int, limit: int) -> int:
         """Count the points: the number whose decoding uses all bytes; ``likely`` is tried first.
 
         Raises
@@ -91,9 +91,9 @@ class _CompressedLastChunk:
         lazrs.LazrsError
             Where no number does.
         """
-        if 0 < likely <= most and self._can_decode(likely) and not self._can_decode(likely, 1):
+        if 0 < likely <= limit and self._can_decode(likely) and not self._can_decode(likely, 1):
             return likely
-        low, high = 0, most
+        low, high = 0, limit
         while low < high:
             middle = (low + high + 1) // 2
             low, high = (middle, high) if self._can_decode(middle, 1) else (low, middle - 1)
@@ -150,12 +150,12 @@ def read_chunk_table(
             return None
         if record[0] == LAYERED and not _do_layers_fit(file, points_start + 8, record, found):
             return None
-    held = sum(length for _, length in found)
-    most = max((count for count, _ in found), default=0)
+    total_size = sum(length for _, length in found)
+    largest = max((count for count, _ in found), default=0)
     sound = (
         laz.item_size() == point_size
-        and held <= size - points_start
-        and most * point_size <= LARGEST_CHUNK
+        and total_size <= size - points_start
+        and largest * point_size <= LARGEST_CHUNK
         # Points of random bits take little more space than unpacked; lazrs ends in a panic where
         # a chunk has far more bytes than its points can take.
         and all(length <= 2 * count * point_size + SMALL_CHUNK for count, length in found)
@@ -166,7 +166,7 @@ def read_chunk_table(
 def _do_layers_fit(
     file: BinaryIO, at: int, record: bytes, table: tuple[tuple[int, int], ...]
 ) -> bool:
-    """True if the layers of each chunk lie within it; lazrs allocates the sizes they state.
+    """True if the layers of each chunk lie within it; lazrs allocates the sizes they specify.
 
     A chunk of these holds its first point, the number of points, the sizes of its layers and these.
     """

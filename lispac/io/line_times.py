@@ -28,14 +28,14 @@ from lispac.survey.time_rollover import PERIODS, find_rollover, resolve_rollover
 
 Array = NDArray[np.float64]
 
-KEPT = 20_000
+MAX_TIMES = 20_000
 """Times kept of a line: one of every few hundred milliseconds of an hour."""
 READ_WHOLE = 3_000_000
 """Points that LAS and LAZ are read whole up to; of more, blocks here and there."""
 BLOCKS, BLOCK = 40, 500
 PLACE_STEP = 10
 """Of so many examined points for their time, one is examined for its place."""
-LONGEST = 15.0
+TIME_LIMIT = 15.0
 """Seconds after which reading stops; what was not read is checked at the import."""
 
 
@@ -83,21 +83,21 @@ def read_line_times(
         Where the file cannot be read with these options, or holds no points in the scanner frame
         that it is read in.
     """
-    stated = str(choice.get(RESTART, ""))
+    given = str(choice.get(RESTART, ""))
     resolved = format.resolved(choice)
     scanner = resolved[FRAME.name] == SCANNER
     if format.key == "las" and (count := point_count(path)) > READ_WHOLE:
         found, places = _sample_times(path, count, progress)
         if scanner:
             require_scanner_frame(places * coordinate_scale(resolved), path)
-        return _resolve_rollover(found, stated)
+        return _resolve_rollover(found, given)
     chunks = format.read(path, choice)
     assert isinstance(chunks, Iterator)
-    return _resolve_rollover(_read_times(path, chunks, scanner, progress), stated)
+    return _resolve_rollover(_read_times(path, chunks, scanner, progress), given)
 
 
-def _resolve_rollover(line_times: LineTimes, stated: str) -> LineTimes:
-    restart = stated or find_rollover(
+def _resolve_rollover(line_times: LineTimes, given: str) -> LineTimes:
+    restart = given or find_rollover(
         np.append(line_times.sample, [line_times.start, line_times.end])
     )
     if restart not in PERIODS:
@@ -129,13 +129,13 @@ def _read_times(
             place = np.asarray(chunk.xyz[len(chunk.xyz) // 2], dtype=np.float64)
         done += len(chunk.time)
         start, end = min(start, float(chunk.time.min())), max(end, float(chunk.time.max()))
-        parts.append(np.asarray(chunk.time[:: max(1, len(chunk.time) // KEPT)]))
+        parts.append(np.asarray(chunk.time[:: max(1, len(chunk.time) // MAX_TIMES)]))
         total = chunk.total
         progress(
             done / max(total or 2 * done, 1),
             gettext_lazy("Examining {file}: {count:n} points", file=path.name, count=done),
         )
-        if clock.monotonic() - started > LONGEST:
+        if clock.monotonic() - started > TIME_LIMIT:
             ended = total is not None and read >= total
             break
     if not done:
@@ -143,7 +143,7 @@ def _read_times(
     if ended:
         require_distinct_times(start, end, done, path)
     sample = np.concatenate(parts)
-    sample = sample[:: max(1, len(sample) // KEPT)]
+    sample = sample[:: max(1, len(sample) // MAX_TIMES)]
     return LineTimes(sample, start, end, read if ended else total, ended, ended, place)
 
 
@@ -176,6 +176,6 @@ def _sample_times(path: Path, count: int, progress: Progress) -> tuple[LineTimes
     times = times[np.isfinite(times)]
     if not len(times):
         raise InputError(error("line.no_usable_time", file=str(path)))
-    looked = np.concatenate(places)
+    places_read = np.concatenate(places)
     start, end = float(times.min()), float(times.max())
-    return LineTimes(times, start, end, count, False, True, looked[0]), looked
+    return LineTimes(times, start, end, count, False, True, places_read[0]), places_read

@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 ENDINGS = (".ply", ".obj", ".stl")
 HEAD = 65_536
-MEMORY = 1 << 29
+MEMORY_LIMIT = 1 << 29
 MEMORY_PER_BYTE = 60
 """Bytes that reading a mesh may take: these, and as many for each byte of its file. A triangle of
 ASCII STL with its corners takes about one for each byte, one of binary PLY ten."""
@@ -154,22 +154,22 @@ def _read_in_process(name: str) -> tuple[Array, NDArray[np.int64]]:
     os.close(null)
     import open3d
 
-    _limit_memory(MEMORY + MEMORY_PER_BYTE * os.path.getsize(name))
+    _limit_memory(MEMORY_LIMIT + MEMORY_PER_BYTE * os.path.getsize(name))
     level = open3d.utility.VerbosityLevel.Error
     with open3d.utility.VerbosityContextManager(level):
         found = open3d.io.read_triangle_mesh(Path(name))
     return np.asarray(found.vertices, dtype=float), np.asarray(found.triangles, dtype=np.int64)
 
 
-def _limit_memory(more: int) -> None:
-    """Let this process take so many bytes more; Windows has no such limit."""
+def _limit_memory(extra: int) -> None:
+    """Limit the memory of this process to so many further bytes; Windows has no such limit."""
     if sys.platform == "linux":
         import resource
 
         pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
-        most = pages * resource.getpagesize() + more
+        limit = pages * resource.getpagesize() + extra
         hard = resource.getrlimit(resource.RLIMIT_AS)[1]
-        resource.setrlimit(resource.RLIMIT_AS, (most, hard))
+        resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
 
 
 def _read_obj(path: Path) -> tuple[Array, NDArray[np.int64]]:

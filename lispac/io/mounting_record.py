@@ -22,7 +22,7 @@ from lispac.untrusted_values import json_values
 
 RECORD, VERSION = 2, 1
 """Record ID, and version of what it holds."""
-MOST = {"lever_arm_m": 200.0, "boresight_deg": 360.0, "range_offset_m": 10.0,
+MAX_VALUES = {"lever_arm_m": 200.0, "boresight_deg": 360.0, "range_offset_m": 10.0,
         "scan_angle_offset_deg": 360.0, "latency_s": 60.0}  # fmt: skip
 """Largest sizes that are believed."""
 
@@ -99,11 +99,11 @@ def _parse_content(content: Any) -> tuple[Mounting, LocalFrame | None]:
     """
     if content["version"] != VERSION:
         raise ValueError(content["version"])
-    values = {name: np.asarray(content[name], dtype=np.float64) for name in MOST}
-    for name, most in MOST.items():
+    values = {name: np.asarray(content[name], dtype=np.float64) for name in MAX_VALUES}
+    for name, limit in MAX_VALUES.items():
         if values[name].shape != ((3,) if name in ("lever_arm_m", "boresight_deg") else ()):
             raise ValueError(name)
-        if not (np.abs(values[name]) <= most).all():
+        if not (np.abs(values[name]) <= limit).all():
             raise ValueError(name)
     axes = content["axes"]
     if axes is not None:

@@ -42,8 +42,8 @@ TYPES = {
     ("U", 1): "<u1", ("U", 2): "<u2", ("U", 4): "<u4", ("U", 8): "<u8",
     ("F", 4): "<f4", ("F", 8): "<f8",
 }  # fmt: skip
-NEEDED = ("FIELDS", "SIZE", "TYPE", "POINTS", "DATA")
-EXPANSION = 300
+REQUIRED_KEYS = ("FIELDS", "SIZE", "TYPE", "POINTS", "DATA")
+MAX_EXPANSION = 300
 """LZF makes at most 264 bytes out of three; a header that claims more is damaged."""
 
 
@@ -120,7 +120,7 @@ def _read_header(path: Path) -> tuple[PointRecords, str]:
         if words and not words[0].startswith("#"):
             entries[words[0].upper()] = words[1:]
         start = end
-    if missing := [name for name in NEEDED if not entries.get(name)]:
+    if missing := [name for name in REQUIRED_KEYS if not entries.get(name)]:
         raise InputError(error("pcd.header_incomplete", file=str(path), entries=tuple(missing)))
     kind = entries["DATA"][0].lower()
     if kind not in ("ascii", "binary", "binary_compressed"):
@@ -183,11 +183,11 @@ def _with_unpacked_count(records: PointRecords) -> PointRecords:
         data = file.read(4)
     if len(data) < 4:
         return records
-    held, rest = divmod(int.from_bytes(data, "little"), records.dtype.itemsize)
-    if rest or held <= records.count:
+    stored, rest = divmod(int.from_bytes(data, "little"), records.dtype.itemsize)
+    if rest or stored <= records.count:
         return records
-    counts = PointCounts(records.count, held)
-    return replace(records, count=held, messages=counts.messages(records.path))
+    counts = PointCounts(records.count, stored)
+    return replace(records, count=stored, messages=counts.messages(records.path))
 
 
 def _read_compressed(records: PointRecords, rows: int) -> Iterator[Columns]:
@@ -211,7 +211,7 @@ def _read_compressed(records: PointRecords, rows: int) -> Iterator[Columns]:
             error("pcd.compressed_size", file=str(path), header=records.count, size=size)
         )
     packed = packed[: int(lengths[0])]
-    if whole > EXPANSION * len(packed):
+    if whole > MAX_EXPANSION * len(packed):
         raise InputError(error("pcd.compressed_damaged", file=str(path)))
     data = np.empty(whole, np.uint8)
     if _unpack_lzf(packed, data) != whole:

@@ -82,28 +82,28 @@ def read_site(path: Path) -> tuple[str, Site]:
         system, flatness = _read_system(table)
         natural = _read_targets(table, wall, "natural", "natural_balls")
         with table.table("board_choices") as boards:
-            count = _read_whole_number(boards, "boards", 2, least=0, most=6)
+            count = _read_whole_number(boards, "boards", 2, low=0, high=6)
             along = boards.numbers("along_m", None, Site.along)
             heights = boards.numbers("up_m", None, Site.heights)
             leans = boards.numbers(
-                "inclination_deg", None, Site.inclinations_deg, least=0.0, most=180.0
+                "inclination_deg", None, Site.inclinations_deg, low=0.0, high=180.0
             )
-            width = boards.numbers("width_m", None, (Site.sizes[0][0],), least=0.05)
-            tall = boards.numbers("height_m", None, (Site.sizes[0][1],), least=0.05)
+            width = boards.numbers("width_m", None, (Site.sizes[0][0],), low=0.05)
+            tall = boards.numbers("height_m", None, (Site.sizes[0][1],), low=0.05)
             if len(width) != len(tall):
                 raise boards.refuse(
                     "height_m", "plan.sizes_differ", widths=len(width), heights=len(tall)
                 )
         with table.table("line_choices") as choices:
-            lines = _read_whole_number(choices, "lines", 6, least=2, most=12)
+            lines = _read_whole_number(choices, "lines", 6, low=2, high=12)
             headings = choices.numbers("headings_deg", None, Site.headings_deg)
-            distances = choices.numbers("distances_m", None, Site.distances, least=1.0)
-            speeds = choices.numbers("speeds_m_s", None, Site.speeds, least=0.05)
-            closest = choices.number("closest_m", Site.closest, least=0.0)
+            distances = choices.numbers("distances_m", None, Site.distances, low=1.0)
+            speeds = choices.numbers("speeds_m_s", None, Site.speeds, low=0.05)
+            closest = choices.number("closest_m", Site.closest, low=0.0)
         with table.table("time") as time:
             on_site = time.number("on_site_min", Site.time_on_site, over=0.0)
             per_line = time.number("per_line_min", Site.minutes_per_line, over=0.0)
-            per_board = time.number("per_board_min", Site.minutes_per_board, least=0.0)
+            per_board = time.number("per_board_min", Site.minutes_per_board, low=0.0)
         return title, Site(
             wall.middle, wall.facing_deg, along, heights, leans,
             tuple(zip(width, tall, strict=True)), natural, headings, distances, speeds, count,
@@ -111,8 +111,8 @@ def read_site(path: Path) -> tuple[str, Site]:
         )  # fmt: skip
 
 
-def _read_whole_number(table: TomlTable, key: str, usual: int, *, least: int, most: int) -> int:
-    value = table.number(key, float(usual), least=float(least), most=float(most))
+def _read_whole_number(table: TomlTable, key: str, usual: int, *, low: int, high: int) -> int:
+    value = table.number(key, float(usual), low=float(low), high=float(high))
     if value != int(value):
         raise table.refuse(key, "plan.not_whole", value=f"{value:g}")
     return int(value)
@@ -124,11 +124,9 @@ def _read_system(table: TomlTable) -> tuple[System, float]:
     with table.table("system") as own:
         lever = own.three_numbers("lever_arm_m", (0.0, 0.0, 2.0))
         pos = PosErrorModel(
-            own.three_numbers("position_sigma_m", usual.sigma_position, least=1e-6),
+            own.three_numbers("position_sigma_m", usual.sigma_position, low=1e-6),
             _to_radians(
-                own.three_numbers(
-                    "attitude_sigma_deg", _to_degrees(usual.sigma_attitude), least=1e-6
-                )
+                own.three_numbers("attitude_sigma_deg", _to_degrees(usual.sigma_attitude), low=1e-6)
             ),
             own.number("position_time_s", usual.time_position, over=0.0),
             own.number("attitude_time_s", usual.time_attitude, over=0.0),
@@ -139,13 +137,11 @@ def _read_system(table: TomlTable) -> tuple[System, float]:
             max_range=own.number("max_range_m", scanner.max_range, over=0.0),
             range_sigma=own.number("range_sigma_m", scanner.range_sigma, over=0.0),
             angle_sigma=float(
-                np.radians(
-                    own.number("angle_sigma_deg", np.degrees(scanner.angle_sigma), least=0.0)
-                )
+                np.radians(own.number("angle_sigma_deg", np.degrees(scanner.angle_sigma), low=0.0))
             ),
         )
         errors = own.one_of("pos_errors", POS_ERRORS, "correlated")
-        flatness = own.number("flatness_m", Site.flatness, least=0.0)
+        flatness = own.number("flatness_m", Site.flatness, low=0.0)
     mounting = Mounting(np.array(lever), np.zeros(3))
     chosen = next(each for each in POS_ERRORS if each == errors)
     return System(mounting, profiler, pos, chosen), flatness
@@ -161,14 +157,14 @@ def _read_targets(
                 each.text("name"),
                 each.number("along_m"),
                 each.number("up_m"),
-                each.number("inclination_deg", 90.0, least=0.0, most=180.0),
+                each.number("inclination_deg", 90.0, low=0.0, high=180.0),
                 (
-                    each.number("width_m", 1.23, least=0.05),
-                    each.number("height_m", 1.22, least=0.05),
+                    each.number("width_m", 1.23, low=0.05),
+                    each.number("height_m", 1.22, low=0.05),
                 ),
                 off=each.number("off_m", 0.0),
                 facing_deg=each.number("facing_deg", wall.facing_deg),
-                flatness=each.number("flatness_m", None, least=0.0),
+                flatness=each.number("flatness_m", None, low=0.0),
             )
         )
     for each in table.tables(balls):
@@ -178,9 +174,9 @@ def _read_targets(
                 wall.local_point(
                     each.number("along_m"), each.number("off_m", 0.0), each.number("up_m")
                 ),
-                each.number("radius_m", least=0.02),
+                each.number("radius_m", low=0.02),
                 each.boolean("radius_known", True),
-                each.number("flatness_m", None, least=0.0),
+                each.number("flatness_m", None, low=0.0),
             )
         )
     return tuple(found)
@@ -188,10 +184,10 @@ def _read_targets(
 
 def _read_line(table: TomlTable) -> Line:
     return Line(
-        table.number("heading_deg", least=-360.0, most=360.0),
+        table.number("heading_deg", low=-360.0, high=360.0),
         table.number("distance_m", over=0.0),
         table.one_of("site_on", SIDES) == "starboard",
-        table.number("speed_m_s", 1.0, least=0.05),
+        table.number("speed_m_s", 1.0, low=0.05),
     )
 
 

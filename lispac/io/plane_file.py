@@ -17,7 +17,7 @@ from lispac.io.compressed_files import require_uncompressed
 from lispac.io.files import atomic_write, require_file
 from lispac.messages import error
 
-COLUMNS = 25
+N_COLUMNS = 25
 PASS_GAP = 10.0
 """Seconds without a point that part one pass from the next: a board is crossed in about a second,
 and a vessel needs longer than this to turn."""
@@ -120,13 +120,13 @@ def read_plane_table(path: Path) -> NDArray[np.float64]:
                 table = np.loadtxt(file, ndmin=2, delimiter="," if _has_comma(path) else None)
     except (ValueError, UnicodeDecodeError) as failure:
         raise InputError(
-            error("planes.not_numbers", file=str(path), columns=COLUMNS, reason=str(failure))
+            error("planes.not_numbers", file=str(path), columns=N_COLUMNS, reason=str(failure))
         ) from failure
     if table.size == 0:
         raise InputError(error("planes.no_points", file=str(path)))
-    if table.shape[1] != COLUMNS:
+    if table.shape[1] != N_COLUMNS:
         raise InputError(
-            error("planes.other_columns", file=str(path), columns=COLUMNS, found=table.shape[1])
+            error("planes.other_columns", file=str(path), columns=N_COLUMNS, found=table.shape[1])
         )
     if not np.isfinite(table).all():
         row = int(np.argmax(~np.isfinite(table).all(axis=1))) + 1

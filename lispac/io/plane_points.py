@@ -7,7 +7,7 @@ import numpy as np
 
 from lispac.io.first_points import check_first_points
 from lispac.io.format_types import NOT, SURE, Choice, FileFormat, FilePreview, PointChunk
-from lispac.io.plane_file import COLUMNS, read_plane_table
+from lispac.io.plane_file import N_COLUMNS, read_plane_table
 from lispac.io.point_reader_common import (
     PLACE,
     SCANNER_COLUMNS,
@@ -37,7 +37,7 @@ NAMES = (
 def sniff(head: bytes, path: Path) -> float:
     """25 numbers in the first row, of which 21 to 23 are a unit normal."""
     row = head.split(b"\n", 1)[0].replace(b",", b" ").split()
-    if len(row) != COLUMNS:
+    if len(row) != N_COLUMNS:
         return NOT
     normal = [float(field) for field in row[20:23]]
     return SURE if abs(np.linalg.norm(normal) - 1) < 1e-3 else NOT

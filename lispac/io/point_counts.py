@@ -15,11 +15,11 @@ from lispac.messages import Level, Message, Value
 
 Rows = NDArray[np.uint8]
 Flags = NDArray[np.bool_]
-BLOCK = 1 << 22
+BLOCK_SIZE = 1 << 22
 """Bytes searched at once for records that are not zero."""
 SAMPLE = 10_000
 """Records beyond the header count that are checked for plausible values."""
-PLAUSIBLE = 0.5
+MIN_PLAUSIBLE_SHARE = 0.5
 """Share of plausible records from which data beyond the header count are taken for points."""
 
 
@@ -31,7 +31,7 @@ class PointCounts:
     ----------
     header : int
         As the header counts.
-    held : int
+    stored : int
         Points that the file holds and that are read.
     legacy : int
         Second count of a LAS 1.4 header, of 32 bits; 0 where there is none.
@@ -40,15 +40,15 @@ class PointCounts:
     """
 
     header: int
-    held: int
+    stored: int
     legacy: int = 0
     unread: int = 0
 
     def messages(self, path: Path) -> tuple[Message, ...]:
         """Warnings and notes about counts that do not fit the file."""
         found: list[Message] = []
-        counts: dict[str, Value] = {"file": path.name, "header": self.header, "held": self.held}
-        if self.held not in (self.header, self.legacy):
+        counts: dict[str, Value] = {"file": path.name, "header": self.header, "held": self.stored}
+        if self.stored not in (self.header, self.legacy):
             found.append(Message("file.header_count", Level.WARNING, counts))
         elif self.legacy and self.legacy != self.header:
             legacy = {**counts, "legacy": self.legacy}
@@ -75,16 +75,16 @@ def count_records(
     is_point : callable
         Records (n, size) to flags (n,) of those with plausible values.
     """
-    held = max(0, end - start) // size
-    if held <= header:
-        return PointCounts(header, held)
-    held = _count_without_padding(path, start, size, header, held)
-    if held == header:
+    stored = max(0, end - start) // size
+    if stored <= header:
+        return PointCounts(header, stored)
+    stored = _count_without_padding(path, start, size, header, stored)
+    if stored == header:
         return PointCounts(header, header)
-    rows = np.memmap(path, np.uint8, "r", start, (held, size))
-    numbers = np.unique(np.linspace(header, held - 1, min(SAMPLE, held - header)).astype(int))
-    if is_point(np.array(rows[numbers])).mean() >= PLAUSIBLE:
-        return PointCounts(header, held)
+    rows = np.memmap(path, np.uint8, "r", start, (stored, size))
+    numbers = np.unique(np.linspace(header, stored - 1, min(SAMPLE, stored - header)).astype(int))
+    if is_point(np.array(rows[numbers])).mean() >= MIN_PLAUSIBLE_SHARE:
+        return PointCounts(header, stored)
     return PointCounts(header, header, unread=end - start - header * size)
 
 
@@ -112,19 +112,19 @@ def count_rows(path: Path, start: int, columns: int, header: int, after: int) ->
             if rows < header or (rows == matching and len(line.split()) == columns):
                 matching, used = matching + 1, length
             rows += 1
-    held = min(matching, max(header, rows - after))
-    unread = length - used if rows - after > held else 0
-    return PointCounts(header, held, unread=unread)
+    stored = min(matching, max(header, rows - after))
+    unread = length - used if rows - after > stored else 0
+    return PointCounts(header, stored, unread=unread)
 
 
-def _count_without_padding(path: Path, start: int, size: int, header: int, held: int) -> int:
+def _count_without_padding(path: Path, start: int, size: int, header: int, stored: int) -> int:
     """Number of records up to the last one after ``header`` that is not zero."""
-    step = max(1, BLOCK // size)
-    rows = np.memmap(path, np.uint8, "r", start, (held, size))
-    while held > header:
-        first = max(header, held - step)
-        used = np.flatnonzero(rows[first:held].any(axis=1))
+    step = max(1, BLOCK_SIZE // size)
+    rows = np.memmap(path, np.uint8, "r", start, (stored, size))
+    while stored > header:
+        first = max(header, stored - step)
+        used = np.flatnonzero(rows[first:stored].any(axis=1))
         if len(used):
             return first + int(used[-1]) + 1
-        held = first
-    return held
+        stored = first
+    return stored

@@ -26,9 +26,9 @@ from lispac.survey.time_rollover import KEYS as KEYS_OF_RESTART
 Array = NDArray[np.float64]
 
 CHUNK = 1_000_000
-PREVIEW = 10_000
+PREVIEW_POINTS = 10_000
 """Number of points that an examination reads."""
-ROWS = 10
+PREVIEW_ROWS = 10
 """Points that a preview shows."""
 HEAD = 65_536
 """Bytes that a sniff reads."""
@@ -257,9 +257,9 @@ def find_time_field(path: Path, names: Sequence[str], requested: str) -> str:
     raise InputError(error("file.no_time", file=str(path), fields=tuple(names)))
 
 
-MOST_UNUSABLE = 0.25
+MAX_UNUSABLE_SHARE = 0.25
 """Share of values that are no usable numbers from which a file is refused."""
-FEW = 10
+MAX_UNDECIDED_POINTS = 10
 """Number of points too small to determine the byte order."""
 
 
@@ -283,9 +283,9 @@ def require_usable_points(xyz: Array, time: NDArray[Any], path: Path, first: int
     if not (_are_within_limit(xyz, LARGEST) and _are_within_limit(time, LARGEST_TIME)):
         good = usable_mask(xyz, time)
         bad = int((~good).sum())
-        if bad > MOST_UNUSABLE * len(good):
+        if bad > MAX_UNUSABLE_SHARE * len(good):
             point, file = first + int(np.argmin(good)) + 1, str(path)
-            if len(good) > FEW:
+            if len(good) > MAX_UNDECIDED_POINTS:
                 raise InputError(error("file.points_byte_order", file=file, point=point, count=bad))
             raise InputError(error("file.points_not_usable", file=file, point=point, count=bad))
         time = time[good]
@@ -309,11 +309,11 @@ def require_distinct_times(start: float, end: float, count: int, path: Path) -> 
     ------
     InputError
     """
-    if count >= FEW_TIMES and start == end:
+    if count >= MIN_EQUAL_TIMES and start == end:
         raise InputError(error("file.one_time", file=str(path), count=count, time=start))
 
 
-FEW_TIMES = 1000
+MIN_EQUAL_TIMES = 1000
 """Points that share one time only where a file has no times."""
 
 
@@ -352,23 +352,23 @@ def time_resolution(time: NDArray[Any], seconds: float = 1.0) -> float:
     return float(np.spacing(np.float32(np.max(np.abs(finite))))) * seconds
 
 
-def time_base_message(time: NDArray[np.float64], stated: str) -> Message:
-    """Message on the base of ``time`` (n,), seconds: as stated, or those that fit."""
-    if stated:
-        return note("fact.time_base_specified", base=base_message(base_of_key(stated)))
+def time_base_message(time: NDArray[np.float64], base_key: str) -> Message:
+    """Message on the base of ``time`` (n,), seconds: as given, or those that fit."""
+    if base_key:
+        return note("fact.time_base_specified", base=base_message(base_of_key(base_key)))
     fitting = tuple(map(base_message, plausible_bases(time)))
     return note("fact.time_bases_fitting", bases=fitting) if fitting else note("fact.not_specified")
 
 
-def time_base_warnings(time: NDArray[np.float64], stated: str, file: str) -> tuple[Message, ...]:
-    """Warning that ``time`` (n,), seconds, contradicts the base stated in the file ``file``."""
-    if not stated or not len(time):
+def time_base_warnings(time: NDArray[np.float64], base_key: str, file: str) -> tuple[Message, ...]:
+    """Warning that ``time`` (n,), seconds, contradicts the base given in the file ``file``."""
+    if not base_key or not len(time):
         return ()
     possible = plausible_bases(time)
-    if stated in {each.key for each in possible}:
+    if base_key in {each.key for each in possible}:
         return ()
     fitting = tuple(base_message(each) for each in possible)
-    base, first, actions = base_message(base_of_key(stated)), float(time[0]), (CHOOSE_TIME_BASE,)
+    base, first, actions = base_message(base_of_key(base_key)), float(time[0]), (CHOOSE_TIME_BASE,)
     if not fitting:
         return (
             warning("times.base_impossible", file=file, base=base, time=first, actions=actions),
@@ -385,7 +385,7 @@ def preview_table(
     names: Sequence[str], columns: Sequence[NDArray[Any]]
 ) -> tuple[tuple[str, ...], ...]:
     """First rows of columns as text, the names at the head."""
-    rows = zip(*(column[:ROWS].tolist() for column in columns), strict=True)
+    rows = zip(*(column[:PREVIEW_ROWS].tolist() for column in columns), strict=True)
     return (tuple(names), *(tuple(_value_text(value) for value in row) for row in rows))
 
 

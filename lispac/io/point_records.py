@@ -13,7 +13,7 @@ from lispac.io.first_points import check_first_points
 from lispac.io.format_types import SAME_TIME_BASE, Choice, Fact, FileFormat, FilePreview, PointChunk
 from lispac.io.point_counts import Flags, Rows, count_records, count_rows
 from lispac.io.point_reader_common import (
-    PREVIEW,
+    PREVIEW_POINTS,
     SECONDS,
     coordinate_scale,
     find_time_field,
@@ -79,9 +79,9 @@ class PointRecords:
             counts = count_records(
                 self.path, self.start, end, self.dtype.itemsize, self.count, self._are_points
             )
-        if counts.held < self.count:
+        if counts.stored < self.count:
             return self
-        return replace(self, count=counts.held, messages=counts.messages(self.path))
+        return replace(self, count=counts.stored, messages=counts.messages(self.path))
 
     @property
     def _dtype_fields(self) -> list[tuple[Any, ...]]:
@@ -105,9 +105,9 @@ class PointRecords:
         if not self.count:
             raise InputError(error("file.no_points", file=str(self.path)))
         least = 2 * len(self.dtype.names or ()) if self.ascii else self.dtype.itemsize
-        held = (self.path.stat().st_size - self.start) // least
-        if held < self.count - (1 if self.ascii else 0):
-            available = max(held, 0)
+        stored = (self.path.stat().st_size - self.start) // least
+        if stored < self.count - (1 if self.ascii else 0):
+            available = max(stored, 0)
             raise InputError(
                 error("file.points_no_room", file=str(self.path), header=self.count, room=available)
             )
@@ -220,7 +220,7 @@ def preview_records(
     """Facts and warnings of the first points."""
     path, count = records.path, records.count
     given_choice, choice = choice, format_.resolved(choice)
-    first = {name: values[:PREVIEW] for name, values in columns.items()}
+    first = {name: values[:PREVIEW_POINTS] for name, values in columns.items()}
     field = find_time_field(path, tuple(first), str(choice["time_field"]))
     chunk = point_chunk(first, {**choice, "unit": "metre"}, path, done=0, total=count)
     chunk = usable_points(chunk)

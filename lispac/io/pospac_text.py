@@ -80,14 +80,14 @@ def pospac_layout(path: Path) -> TextLayout:
     units_line = next(
         (line for line in lines[start + 1 : start + 5] if line.strip().startswith("(")), ""
     )
-    stated = _stated_units(units_line)
+    units = _units_by_group(units_line)
     columns: list[Column] = []
     file_warnings: list[Message] = []
     for index, name in enumerate(names):
         role = role_of(name)
         if not role or any(column.role == role for column in columns):
             continue
-        unit = stated.get(_unit_group(role), "")
+        unit = units.get(_unit_group(role), "")
         if not unit:
             unit = default_unit(role)
             file_warnings.append(unit_assumed_warning(path, name.lower(), unit))
@@ -101,7 +101,7 @@ def pospac_layout(path: Path) -> TextLayout:
         key, colon, value = line.strip().partition(":")
         if colon and key.strip() in _FACTS and value.strip():
             facts[_FACTS[key.strip()]] = value.strip().rstrip(";").strip()
-    velocities = velocity_columns(names, [stated.get("velocity", "")] * len(names))
+    velocities = velocity_columns(names, [units.get("velocity", "")] * len(names))
     return TextLayout(
         tuple(columns), names, "auto", pospac_rows, facts, tuple(file_warnings), velocities
     )
@@ -183,7 +183,7 @@ def _names_line(lines: list[str]) -> tuple[int, tuple[str, ...]] | None:
     return None
 
 
-def _stated_units(line: str) -> dict[str, str]:
+def _units_by_group(line: str) -> dict[str, str]:
     """Unit of each group of columns, out of the line in parentheses."""
     units: dict[str, str] = {}
     for what, unit in _UNIT.findall(line):

@@ -10,7 +10,7 @@ from lispac.project import ROLES, SHAPES, Project, require_valid_target
 from lispac.targets.finder_settings import is_possible_search
 from lispac.untrusted_values import LARGEST_INTEGER, InvalidContentError
 
-FARTHEST, LARGEST_RMS, FULL_TURN = 1e8, 1e6, 360.0
+LIMITS, LARGEST_RMS, FULL_TURN = 1e8, 1e6, 360.0
 """Metres from the origin of a local frame, metres of a sighting about its plane, degrees."""
 
 
@@ -37,7 +37,7 @@ def require_consistent(project: Project) -> None:
                 error("content.unknown_shape", target=target.name, shape=str(target.shape))
             )
         require_valid_target(target)
-        is_near = np.abs(target.seed).max() <= FARTHEST
+        is_near = np.abs(target.seed).max() <= LIMITS
         if not (is_near and is_possible_search(target.threshold, target.radius)):
             raise InvalidContentError(error("content.invalid_search", target=target.name))
         for sighting in target.sightings:

@@ -73,7 +73,7 @@ Points = Callable[[Path, str, Sequence[int]], Sequence[NDArray[np.int64]]]
 def write_project(project: Project, *, expected: str | None = None) -> str:
     """Write the project into its folder; the old state remains until the new one is complete.
 
-    What is kept against a crash stays: it may be of another window, or not have been asked for yet.
+    What is kept against a crash stays: it may be of another window, or not have been offered yet.
 
     Parameters
     ----------
@@ -246,7 +246,7 @@ def project_folder(path: Path) -> Path:
     try:
         folder = path.parent if is_project_file(path) else path
         is_project = (folder / FILE_NAME).is_file()
-    except OSError as failure:  # no permission to look into it, or too long a name
+    except OSError as failure:  # no permission to read it, or too long a name
         raise _unreadable_error(path, failure) from failure
     if not is_project:
         raise ProjectError(error("project.not_found", folder=str(path), missing=FILE_NAME))

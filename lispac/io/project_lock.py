@@ -10,7 +10,7 @@ from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
 from lispac.io.files import write_error
-from lispac.locks import LockTaken, NotALockFile, file_lock
+from lispac.locks import AlreadyLocked, NotALockFile, file_lock
 from lispac.messages import error
 
 FILE_NAME = "project.json"
@@ -19,7 +19,7 @@ WAIT = 2.0
 """Seconds that a save waits for another program."""
 FOREVER = math.inf
 
-_held: dict[tuple[str, int], int] = {}
+_lock_counts: dict[tuple[str, int], int] = {}
 """How often each thread of this process holds each project."""
 
 
@@ -44,27 +44,27 @@ def project_lock(
         Where the folder cannot be written, or the lock file is a link or a folder.
     """  # noqa: DOC501 - `write_error` makes an InputError
     key = os.path.realpath(folder), threading.get_ident()
-    if key in _held:
-        _held[key] += 1
+    if key in _lock_counts:
+        _lock_counts[key] += 1
         try:
             yield
         finally:
-            _held[key] -= 1
+            _lock_counts[key] -= 1
         return
     lock = file_lock(folder / LOCK_NAME, wait=wait, waiting=waiting)
     try:
         lock.__enter__()
-    except LockTaken as failure:
+    except AlreadyLocked as failure:
         raise ProjectError(error("project.locked", folder=str(folder))) from failure
     except NotALockFile as failure:
         raise InputError(error("lock.not_a_file", file=str(folder / LOCK_NAME))) from failure
     except OSError as failure:
         raise write_error(folder / FILE_NAME, failure) from failure
-    _held[key] = 1
+    _lock_counts[key] = 1
     try:
         yield
     finally:
-        del _held[key]
+        del _lock_counts[key]
         lock.__exit__(None, None, None)
 
 

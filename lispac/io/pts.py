@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError
 from lispac.io.point_reader_common import CHUNK
-from lispac.io.text_layout import REMARKS
+from lispac.io.text_layout import COMMENT_MARKS
 from lispac.io.text_table import is_number, numbered_lines, parse_number, read_columns
 from lispac.messages import error
 from lispac.untrusted_values import is_whole_number
@@ -41,7 +41,7 @@ def read_coordinates(path: Path) -> Iterator[Array]:
     """
     rows: Iterator[Row] = (
         (row, text) for row, line in numbered_lines(path, "PTS")
-        if (text := line.strip()) and not text.startswith(REMARKS)
+        if (text := line.strip()) and not text.startswith(COMMENT_MARKS)
     )  # fmt: skip
     first = next(rows, None)
     if first is None:
@@ -98,7 +98,7 @@ def _first_rows(path: Path, count: int) -> list[str]:
     """First rows that are neither empty nor comments; empty if there are no more."""
     try:
         texts = (text for _, line in numbered_lines(path, "PTS") if (text := line.strip()))
-        rows = list(islice((text for text in texts if not text.startswith(REMARKS)), count))
+        rows = list(islice((text for text in texts if not text.startswith(COMMENT_MARKS)), count))
     except InputError:
         rows = []
     return rows + [""] * (count - len(rows))

@@ -27,7 +27,7 @@ ASSUMPTIONS = (note("assumed.applanix"), SAME_TIME_BASE)
 
 @dataclass(frozen=True)
 class SbetOptions:
-    """Conventions that an SBET does not state, by the names of the options."""
+    """Conventions that an SBET does not specify, by the names of the options."""
 
     heading: str = "minus-wander"
     pitch: str = "bow-up"
@@ -81,7 +81,7 @@ def read_sbet(path: Path, options: SbetOptions | None = None) -> Trajectory:
     ----------
     options : SbetOptions, optional
         After Applanix where there are none. Times that start again at midnight or at the end of
-        the week are continued, which the assumptions then state.
+        the week are continued, which the assumptions then mention.
 
     Raises
     ------
@@ -149,7 +149,7 @@ def velocity_in_axes(axes: str, velocity: Array, wander: Array) -> Array:
     return turned
 
 
-COMPARED = 20_000
+MAX_STATES = 20_000
 """States whose velocities are compared with the positions to find their axes."""
 
 
@@ -169,8 +169,8 @@ def _derivatives(records: Array, chosen: SbetOptions) -> tuple[Array | None, Arr
     found = attitude_rates(angles * signs, factor * rates)
     # The rates may be about axes forward, port, up instead.
     other = attitude_rates(angles * signs, factor * rates * [1.0, -1.0, -1.0])
-    truth = np.gradient(np.unwrap(angles[:COMPARED], axis=0), records[:COMPARED, 0], axis=0)
-    off = [np.abs(each[:COMPARED] - truth * signs).sum() for each in (found, other)]
+    truth = np.gradient(np.unwrap(angles[:MAX_STATES], axis=0), records[:MAX_STATES, 0], axis=0)
+    off = [np.abs(each[:MAX_STATES] - truth * signs).sum() for each in (found, other)]
     best = found if off[0] <= off[1] else other
     return velocity, best * [1.0, -1.0, 1.0]  # pitch bow down
 
@@ -180,7 +180,7 @@ def _with_velocity(
 ) -> Trajectory:
     """The trajectory with velocities in the axes given, or those that fit the positions best."""
     keys = [chosen.axes] if chosen.axes != "unknown" else list(AXES)
-    some = slice(0, COMPARED)
+    some = slice(0, MAX_STATES)
     place = LocalFrame(
         float(trajectory.latitude[0]), float(trajectory.longitude[0]), float(trajectory.height[0])
     ).to_local(trajectory.latitude[some], trajectory.longitude[some], trajectory.height[some])
@@ -189,11 +189,11 @@ def _with_velocity(
     def local(key: str) -> Array:
         return velocity_in_axes(key, velocity, wander) * [1.0, -1.0, 1.0]  # north, west, up
 
-    def misfit(key: str) -> float:
+    def residual(key: str) -> float:
         own = local(key)[some]
         return float(np.abs(0.5 * (own[1:] + own[:-1]) - truth).sum())
 
-    best = min(keys, key=misfit) if len(keys) > 1 else keys[0]
+    best = min(keys, key=residual) if len(keys) > 1 else keys[0]
     return replace(trajectory, velocity=local(best))
 
 

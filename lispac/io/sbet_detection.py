@@ -33,10 +33,10 @@ RECORD = 17 * 8
 HEAD = 100
 BYTE_ORDERS = {"little-endian": "<", "big-endian": ">"}
 BLOCK, BLOCKS = 1000, 60
-"""Records a block, and blocks looked at where a file has more: five seconds each at 200 Hz."""
+"""Records of a block, and blocks read where a file has more: five seconds each at 200 Hz."""
 
 
-MOST_TIMES = 1_000_000
+MAX_TIMES = 1_000_000
 """Times examined for disorder and gaps; of more, every n-th."""
 
 
@@ -81,7 +81,7 @@ def _sample_times(path: Path, byte_order: str, count: int) -> Array:
     """Times of all records, or of every n-th where there are many."""
     mark = "<" if byte_order == "little-endian" else ">"
     records = np.memmap(path, dtype=f"{mark}f8", mode="r", shape=(count, 17))
-    return np.array(records[:: 1 + count // MOST_TIMES, 0], dtype=np.float64)
+    return np.array(records[:: 1 + count // MAX_TIMES, 0], dtype=np.float64)
 
 
 def sbet_fit(records: Array) -> float:

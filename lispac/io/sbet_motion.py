@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 
 from lispac.io.sbet import AXES, SbetOptions, velocity_in_axes
 from lispac.io.trajectory_columns import SIGN_NAMES
-from lispac.io.trajectory_facts import MOVING, SHORTEST_STEP, TrajectoryMotion, wrap_angle
+from lispac.io.trajectory_facts import MIN_SPEED, SHORTEST_STEP, TrajectoryMotion, wrap_angle
 from lispac.messages import Action, Message, note, warning
 
 Array = NDArray[np.float64]
 
-FITTING, APART = 0.02, 3.0
+MAX_RESIDUAL, MIN_RATIO = 0.02, 3.0
 """Part of the speed by which velocities may miss, and by how many times the next must miss more."""
 
 SMALLEST_WANDER = 1e-4
@@ -52,29 +52,29 @@ def detect_velocity_frame(
     if len(velocity) < 20:
         slow = warning("sbet.too_slow", file=file)
         return options, note("fact.velocities_not_checked"), [slow, *unchecked]
-    misfits = {
+    residuals = {
         key: _velocity_residual(velocity_in_axes(key, velocity, wander), own) for key in AXES
     }
     swapped = min(
-        _velocity_residual(velocity_in_axes(key, velocity, wander), exchanged) for key in misfits
+        _velocity_residual(velocity_in_axes(key, velocity, wander), exchanged) for key in residuals
     )
-    best = min(misfits, key=lambda key: misfits[key])
-    if misfits[best] > FITTING:
-        if swapped <= FITTING and options.order == "latitude-longitude":
+    best = min(residuals, key=lambda key: residuals[key])
+    if residuals[best] > MAX_RESIDUAL:
+        if swapped <= MAX_RESIDUAL and options.order == "latitude-longitude":
             chosen = replace(options, order="longitude-latitude")
             again = [(other, first) for first, other in motions]
             chosen, fact, found = detect_velocity_frame(blocks, again, chosen, file)
             order = warning("sbet.longitude_first_by_velocity", file=file)
             return chosen, fact, [order, *found]
         disagree = warning(
-            "sbet.velocities_disagree", file=file, axes=AXES[best], share=misfits[best],
+            "sbet.velocities_disagree", file=file, axes=AXES[best], share=residuals[best],
         )  # fmt: skip
         return options, note("fact.velocities_in_no_frame"), [disagree, *unchecked]
-    share = misfits[best]
+    share = residuals[best]
     fact = note("fact.velocity_axes", axes=AXES[best], share=share)
     chosen = replace(options, axes=best)
-    limit = max(APART * misfits[best], misfits[best] + 0.003)
-    rivals = [key for key in misfits if key != best and misfits[key] < limit]
+    limit = max(MIN_RATIO * residuals[best], residuals[best] + 0.003)
+    rivals = [key for key in residuals if key != best and residuals[key] < limit]
     if not rivals and turns >= SMALLEST_WANDER:
         return _detect_heading(chosen, blocks, motions, turns, fact, file)
     if turns < SMALLEST_WANDER:
@@ -105,7 +105,7 @@ def _detect_heading(
     for kept in (1.0, 0.0):
         found = [
             wrap_angle(own.course - block[own.index, 9] + kept * block[own.index, 10])[
-                own.speed > MOVING
+                own.speed > MIN_SPEED
             ]
             for block, (own, _) in zip(blocks, motions, strict=True)
         ]
@@ -129,7 +129,7 @@ def _moving_states(
     rows: list[tuple[Array, Array, Array, Array]] = []
     for block, (own, exchanged) in zip(blocks, motions, strict=True):
         common, first, second = np.intersect1d(own.index, exchanged.index, return_indices=True)
-        fast = np.hypot(block[common, 4], block[common, 5]) > MOVING
+        fast = np.hypot(block[common, 4], block[common, 5]) > MIN_SPEED
         rows.append(
             (
                 block[common, 4:7][fast],
@@ -164,7 +164,7 @@ def detect_signs(
 
     A positive rate about the forward axis takes the starboard side down whether y is to starboard
     or to port; the rate about y raises the bow in the first case and lowers it in the second, and
-    the rate about z against the heading tells which case it is.
+    the rate about z against the heading decides between the cases.
     """
     check = (Action("check_sign", {"name": "pitch"}),)
     if not any(np.any(block[:, 14:17]) for block in blocks):
@@ -219,7 +219,7 @@ def _rate_correlation(blocks: Sequence[Array], angle: int, rate: int) -> float |
     change, turn = np.concatenate(changes), np.concatenate(turns)
     if len(change) < 10:
         return None
-    # About zero, not about the mean: a steady turn tells the sign as well.
+    # About zero, not about the mean: a steady turn gives the sign as well.
     size = float(np.sqrt(np.mean(change**2)))
     length = float(np.linalg.norm(change) * np.linalg.norm(turn))
     if size < np.radians(0.1) or length == 0:

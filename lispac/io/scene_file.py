@@ -81,7 +81,7 @@ def read_scene(path: Path) -> SceneFile:
             if role is not None:
                 _require_target_name(each, name, surfaces)
                 roles[role].append(name)
-            surfaces += _read_surfaces(each, name, sought=role is not None)
+            surfaces += _read_surfaces(each, name, is_target=role is not None)
         if not surfaces:
             raise table.refuse("surfaces", "scene.no_surfaces")
         passes, stretches = _read_lines(table)
@@ -90,7 +90,7 @@ def read_scene(path: Path) -> SceneFile:
             table.text("title"), table.text("vessel"), table.text("scanner"), _read_origin(table),
             Scene.of(surfaces), tuple(roles["target"]), tuple(roles["validation"]), passes,
             stretches, None if trajectory is None else Path(path).parent / trajectory,
-            table.number("pulses_per_second", None, over=0, most=1e7),
+            table.number("pulses_per_second", None, over=0, high=1e7),
         )  # fmt: skip
 
 
@@ -98,9 +98,9 @@ def _read_origin(table: TomlTable) -> tuple[float, float, float] | None:
     if "origin" not in table:
         return None
     with table.table("origin") as origin:
-        latitude = origin.number("latitude_deg", least=-90, most=90)
-        longitude = origin.number("longitude_deg", least=-360, most=360)
-        height = origin.number("height_m", least=-1000, most=10_000)
+        latitude = origin.number("latitude_deg", low=-90, high=90)
+        longitude = origin.number("longitude_deg", low=-360, high=360)
+        height = origin.number("height_m", low=-1000, high=10_000)
         return float(np.radians(latitude)), float(np.radians(longitude)), height
 
 
@@ -113,13 +113,13 @@ def _require_target_name(table: TomlTable, name: str, surfaces: list[Surface]) -
         raise table.refuse("name", "scene.name_twice", name=name)
 
 
-def _read_surfaces(table: TomlTable, name: str, *, sought: bool) -> list[Surface]:
+def _read_surfaces(table: TomlTable, name: str, *, is_target: bool) -> list[Surface]:
     kind = table.one_of("kind", KINDS)
-    if sought and kind not in ("board", "wall", "sphere"):
+    if is_target and kind not in ("board", "wall", "sphere"):
         raise table.refuse("role", "scene.role_of_kind", kind=kind)
-    if sought and kind == "sphere" and table.one_of("role", ROLES) == "validation":
+    if is_target and kind == "sphere" and table.one_of("role", ROLES) == "validation":
         raise table.refuse("role", "scene.validation_sphere")
-    reflectance = table.number("reflectance", 0.4, least=0, most=1)
+    reflectance = table.number("reflectance", 0.4, low=0, high=1)
     if kind == "board":
         return [_read_board(table, name, reflectance)]
     if kind == "wall":
@@ -158,7 +158,7 @@ def _read_board(table: TomlTable, name: str, reflectance: float) -> Rectangle:
     return tilted_rectangle(
         name, table.three_numbers("centre_m"), table.number("width_m", over=0),
         table.number("height_m", over=0), table.number("facing_deg"),
-        table.number("elevation_deg", 0.0, least=-90, most=90), reflectance,
+        table.number("elevation_deg", 0.0, low=-90, high=90), reflectance,
     )  # fmt: skip
 
 
@@ -168,7 +168,7 @@ def _read_lines(table: TomlTable) -> tuple[tuple[StraightPass, ...], tuple[Traje
     stretches: list[TrajectoryStretch] = []
     with table.table("pattern") as pattern:
         about = pattern.numbers("about_m", 2, (0.0, 0.0))
-        distance = pattern.number("distance_m", None, least=0)
+        distance = pattern.number("distance_m", None, low=0)
     for line in table.tables("lines"):
         if "start_s" in line:
             start = line.number("start_s")
@@ -187,7 +187,7 @@ def _read_lines(table: TomlTable) -> tuple[tuple[StraightPass, ...], tuple[Traje
             StraightPass(
                 float(np.radians(heading)),
                 (float(about[0] - distance * np.cos(to)), float(about[1] + distance * np.sin(to))),
-                line.number("run_in_m", least=0), line.number("run_out_m", least=0), off < 180,
+                line.number("run_in_m", low=0), line.number("run_out_m", low=0), off < 180,
             )
         )  # fmt: skip
     if passes and stretches:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.text_layout import MEANINGS, REMARKS
+from lispac.io.text_layout import COMMENT_MARKS, MEANINGS
 from lispac.io.text_table import (
     HEMISPHERES,
     SEPARATORS,
@@ -19,12 +19,12 @@ from lispac.io.text_table import (
     parse_coordinate,
     split_fields,
 )
-from lispac.io.units import FOOT, UNITS, UNKNOWN, direction_of, split_title, stated_unit
+from lispac.io.units import FOOT, UNITS, UNKNOWN, direction_of, split_title, title_unit
 from lispac.messages import Message, error
 from lispac.picked_targets import Role, require_target_name
 
 WHAT = "coordinate list"
-MOST = 1_000
+MAX_ROWS = 1_000
 """Rows; a longer file is a cloud and not a list of targets."""
 NAME, ROLE, UNUSED = "name", "role", "-"
 COORDINATES = ("x", "y", "z")
@@ -84,14 +84,14 @@ class PointList:
     ----------
     columns : tuple of str
         Meaning of its columns, from the left: of `COLUMNS`, or ``-`` for one not used.
-    stated : bool
+    are_columns_given : bool
         Whether given by a header row or the caller; otherwise by their order.
     """
 
     path: Path
     points: tuple[ListedPoint, ...]
     columns: tuple[str, ...]
-    stated: bool
+    are_columns_given: bool
 
 
 def read_point_list(
@@ -131,7 +131,7 @@ def read_point_list(
     if first is None:
         raise InputError(error("seeds.no_coordinates", file=str(path)))
     separator = separator_of(first[1])
-    stated = True
+    are_given = True
     factors: Mapping[str, float] = {}
     if columns:
         meant = _require_complete_columns(
@@ -146,7 +146,7 @@ def read_point_list(
         titles = dict(zip(meant, split_fields(first[1], separator), strict=True))
         factors, first = _column_factors(path, titles, metres, degrees), None
     else:
-        meant, stated = _meanings_by_order(path, *first, separator, check), False
+        meant, are_given = _meanings_by_order(path, *first, separator, check), False
     points: list[ListedPoint] = []
     letters: dict[int, set[str]] = {k: set() for k, name in enumerate(meant) if name == UNUSED}
     for number, row_text in (*((first,) if first else ()), *rows):
@@ -166,7 +166,7 @@ def read_point_list(
                 )
             )
     _require_unique_points(path, points)
-    return PointList(path, tuple(points), meant, stated)
+    return PointList(path, tuple(points), meant, are_given)
 
 
 def is_point_list(path: Path) -> bool:
@@ -191,14 +191,14 @@ def _data_rows(path: Path) -> Iterator[tuple[int, str]]:
         text = line.strip()
         if not text.strip(' ,;\t"'):
             continue
-        if text.startswith(REMARKS):
+        if text.startswith(COMMENT_MARKS):
             bare = text.lstrip("#%/ ")
             if count or not header_meanings(bare, separator_of(bare), local=True):
                 continue
             text = bare
         count += 1
-        if count > MOST:
-            raise InputError(error("seeds.too_many_rows", file=str(path), most=MOST))
+        if count > MAX_ROWS:
+            raise InputError(error("seeds.too_many_rows", file=str(path), most=MAX_ROWS))
         yield number, text
 
 
@@ -332,7 +332,7 @@ def _column_factors(
     factors: dict[str, float] = {}
     for name, own in (*zip(COORDINATES, metres, strict=True), (SIGMA, 1.0)):
         title = titles.get(name, "")
-        unit = stated_unit(title)
+        unit = title_unit(title)
         angle = degrees and name in COORDINATES[:2]
         if angle:
             turned = direction_of(title) == ("west" if name == "x" else "south")

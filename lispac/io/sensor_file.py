@@ -24,7 +24,7 @@ class ScannerSpecification:
     angle_sigma_deg : degrees, of the direction of the beam, both ways across it
     divergence_mrad : milliradians, full angle
     source : where the figures come from
-    unverified : whether nobody has held them against the source
+    unverified : whether they were not compared with the source
     """
 
     title: str
@@ -45,7 +45,7 @@ class PosAccuracy:
     position_sigma : metres, north, east, down
     attitude_sigma_deg : degrees, roll, pitch, heading
     source : where the figures come from
-    unverified : whether nobody has held them against the source
+    unverified : whether they were not compared with the source
     """
 
     name: str
@@ -82,9 +82,9 @@ def read_scanner_specification(path: Path, *, whole: bool = True) -> ScannerSpec
     with TomlTable.read(path, "scanner") as table:
         found = ScannerSpecification(
             table.text("title"),
-            table.number("range_sigma_m", over=0, most=10),
-            table.number("angle_sigma_deg", over=0, most=10),
-            table.number("divergence_mrad", least=0, most=100),
+            table.number("range_sigma_m", over=0, high=10),
+            table.number("angle_sigma_deg", over=0, high=10),
+            table.number("divergence_mrad", low=0, high=100),
             table.text("source"),
             table.boolean("unverified", False),
         )
@@ -120,8 +120,8 @@ def read_pos_specification(path: Path) -> PosSpecification:
         return PosSpecification(title, tuple(states))
 
 
-def _read_sigmas(table: TomlTable, key: str, most: float) -> Triple:
-    a, b, c = table.numbers(key, 3, least=0, most=most)
+def _read_sigmas(table: TomlTable, key: str, high: float) -> Triple:
+    a, b, c = table.numbers(key, 3, low=0, high=high)
     if min(a, b, c) <= 0:
         raise table.refuse(key, "sensor.zero_sigma")
     return a, b, c

@@ -17,7 +17,7 @@ from lispac.io import e57, las_chunks, pcd, ply, pts
 from lispac.io.format_types import NOT
 from lispac.io.point_reader_common import HEAD, report_damage, require_not_empty
 from lispac.io.seed_file import header_meanings, separator_of
-from lispac.io.text_layout import REMARKS, SEPARATORS
+from lispac.io.text_layout import COMMENT_MARKS, SEPARATORS
 from lispac.io.text_table import UTF16, is_number, numbered_lines, split_fields
 from lispac.messages import Message, error
 from lispac.survey.point_screening import LARGEST
@@ -25,7 +25,7 @@ from lispac.survey.point_screening import LARGEST
 Array = NDArray[np.float64]
 
 WHAT = "static scan"
-LOOKED_AT = 20
+ROWS_CHECKED = 20
 """Rows of a text that are checked for times."""
 
 
@@ -101,10 +101,10 @@ def open_static_scan(path: Path) -> StaticScan:
     path = require_not_empty(Path(path), WHAT)
     kind = _scan_kind(path)
     if kind == "las":
-        stated = las_chunks.stated_crs(path)
-        return StaticScan(path, stated.text, stated.height_unit, stated.messages)
+        header_crs = las_chunks.read_file_crs(path)
+        return StaticScan(path, header_crs.text, header_crs.height_unit, header_crs.messages)
     if kind == "e57":
-        system, messages = e57.stated_crs(path)
+        system, messages = e57.read_file_crs(path)
         return StaticScan(path, system, messages=messages)
     return StaticScan(path)
 
@@ -141,7 +141,7 @@ def _read_text(path: Path, local: bool) -> Array:
     """
     rows = (
         (number, line) for number, line in numbered_lines(path, WHAT)
-        if line.strip() and not line.strip().startswith(REMARKS)
+        if line.strip() and not line.strip().startswith(COMMENT_MARKS)
     )  # fmt: skip
     first = next(rows, None)
     if first is None:
@@ -153,17 +153,17 @@ def _read_text(path: Path, local: bool) -> Array:
     separator = separator_of(sample[1])
     fields = split_fields(sample[1], separator)
     if names:
-        wanted = [names.index(axis) for axis in "xyz" if axis in names]
+        columns = [names.index(axis) for axis in "xyz" if axis in names]
     else:
-        wanted = [k for k, field in enumerate(fields) if is_number(field)][:3]
-    if len(wanted) < 3 or max(wanted) >= len(fields):
+        columns = [k for k, field in enumerate(fields) if is_number(field)][:3]
+    if len(columns) < 3 or max(columns) >= len(fields):
         raise InputError(error("static_scan.too_few_coordinates", file=str(path), row=sample[0]))
-    if any("," in fields[k] for k in wanted):
+    if any("," in fields[k] for k in columns):
         raise InputError(error("static_scan.decimal_commas", file=str(path), row=sample[0]))
     with report_damage(path, f"text of a {WHAT}"), path.open(encoding="utf-8-sig") as file:
         return np.loadtxt(
-            file, delimiter=SEPARATORS.get(separator), usecols=wanted, skiprows=above, ndmin=2,
-            comments=list(REMARKS),
+            file, delimiter=SEPARATORS.get(separator), usecols=columns, skiprows=above, ndmin=2,
+            comments=list(COMMENT_MARKS),
         )  # fmt: skip
 
 
@@ -172,14 +172,14 @@ def has_no_time(path: Path, *, or_text: bool) -> bool:
     if pts.has_point_count(path) or not or_text:
         return pts.has_point_count(path)
     try:
-        texts = (line.strip() for _, line in islice(numbered_lines(path, WHAT), LOOKED_AT))
-        rows = [split_fields(text) for text in texts if text and not text.startswith(REMARKS)]
+        texts = (line.strip() for _, line in islice(numbered_lines(path, WHAT), ROWS_CHECKED))
+        rows = [split_fields(text) for text in texts if text and not text.startswith(COMMENT_MARKS)]
     except InputError:
         return False
     body = rows[1:]  # below a row of names
     return bool(body) and all(len(row) == 3 and all(map(is_number, row)) for row in body)
 
 
-def has_few_rows(path: Path, most: int) -> bool:
+def has_at_most_rows(path: Path, limit: int) -> bool:
     """True if a text file has at most as many rows as a list of points."""
-    return len(list(islice(numbered_lines(path, WHAT), most + 1))) <= most
+    return len(list(islice(numbered_lines(path, WHAT), limit + 1))) <= limit

@@ -29,8 +29,8 @@ from lispac.io.point_reader_common import (
     CHUNK,
     HEAD,
     PLACE,
-    PREVIEW,
-    ROWS,
+    PREVIEW_POINTS,
+    PREVIEW_ROWS,
     SCANNER,
     SCANNER_UNITS,
     SECONDS,
@@ -106,7 +106,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
         require_degrees(path, layout)
     rows = data_rows(lines)
     resolved = _merge_options(found, choice)
-    shown = [layout.fields(row) for row in rows[layout.first : layout.first + ROWS]]
+    shown = [layout.fields(row) for row in rows[layout.first : layout.first + PREVIEW_ROWS]]
     columns = resolved["columns"].split()
     head = (
         columns if len(columns) == len(shown[0]) else [f"{k}" for k in range(1, 1 + len(shown[0]))]
@@ -121,7 +121,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
     if not columns:
         not_named = warning("text.columns_not_named", file=file)
         return FilePreview({**facts, **frame_facts(resolved)}, preview, found, (not_named,))
-    chunk = next(_read_chunks(path, resolved, PREVIEW), None)
+    chunk = next(_read_chunks(path, resolved, PREVIEW_POINTS), None)
     if chunk is None:
         raise InputError(error("line.no_points", file=str(path)))
     require_usable_points(chunk.xyz, chunk.time, path)
@@ -228,23 +228,23 @@ def _merge_options(detected: Choice, choice: Choice) -> dict[str, str]:
 def _read_chunks(path: Path, resolved: Choice, rows: int) -> Iterator[PointChunk]:
     names = _chosen_columns(path, resolved["columns"])
     layout = RowLayout(resolved["separator"], resolved["decimal"] == "comma")
-    wanted = [k for k, name in enumerate(names) if name != "-"]
+    columns = [k for k, name in enumerate(names) if name != "-"]
     factor = SECONDS[resolved["time_unit"]]
     parts: list[NDArray[np.float64]] = []
-    number = held = 0
+    number = pending = 0
     with report_damage(path, "text"), _opened_text(path) as file:
         for block in _line_blocks(file, path, min(BLOCK, 100 * rows)):
-            parts.append(_parse_block(path, block, number, names, wanted, layout))
+            parts.append(_parse_block(path, block, number, names, columns, layout))
             number += len(block)
-            held += len(parts[-1])
-            if held >= rows:
+            pending += len(parts[-1])
+            if pending >= rows:
                 whole = np.concatenate(parts)
-                full = held - held % rows
+                full = pending - pending % rows
                 for start in range(0, full, rows):
-                    yield _point_chunk(whole[start : start + rows], names, wanted, factor)
-                parts, held = [whole[full:]], held - full
-    if held:
-        yield _point_chunk(np.concatenate(parts), names, wanted, factor)
+                    yield _point_chunk(whole[start : start + rows], names, columns, factor)
+                parts, pending = [whole[full:]], pending - full
+    if pending:
+        yield _point_chunk(np.concatenate(parts), names, columns, factor)
 
 
 def _point_chunk(

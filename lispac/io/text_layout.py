@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 from lispac.io.point_reader_common import TIME_NAMES
 from lispac.io.text_table import DECIMAL_COMMAS, is_clock
-from lispac.io.units import ANGLE_CODES, is_units_row, split_title, stated_unit, titles_with_units
+from lispac.io.units import ANGLE_CODES, is_units_row, split_title, title_unit, titles_with_units
 
 REQUIRED = ("time", "x", "y", "z")
 SEPARATORS = {"blank": None, "comma": ",", "semicolon": ";", "tab": "\t"}
-REMARKS = ("#", "%", "//")
+COMMENT_MARKS = ("#", "%", "//")
 TIME_BASES = {
     **dict.fromkeys(("time_tai", "tai_time", "tai", "ptp_time", "time_ptp"), "tai"),
     **dict.fromkeys(("time_unix", "unix_time", "unix", "posix_time"), "unix"),
@@ -66,8 +66,8 @@ class RowLayout:
         return [field.strip() for field in self.plain(row).split(SEPARATORS[self.separator])]
 
     def units(self) -> dict[str, str]:
-        """Unit in the title of each column that has one, as `stated_unit` has it."""
-        units = zip(self.names, map(stated_unit, self.titles), strict=True)
+        """Unit in the title of each column that has one, as `title_unit` has it."""
+        units = zip(self.names, map(title_unit, self.titles), strict=True)
         return {name: unit for name, unit in units if unit and name != "-"}
 
     def is_numeric_row(self, row: str) -> bool:
@@ -82,7 +82,7 @@ class RowLayout:
 def data_rows(lines: Sequence[str]) -> list[str]:
     """Rows that are neither empty nor comments."""
     stripped = (line.strip("\r\n ") for line in lines)
-    return [line for line in stripped if line and not line.startswith(REMARKS)]
+    return [line for line in stripped if line and not line.startswith(COMMENT_MARKS)]
 
 
 def guess_layout(lines: Sequence[str]) -> RowLayout:
@@ -162,7 +162,7 @@ def _column_meanings(fields: Sequence[str]) -> tuple[str, ...]:
     """
     bares = [name_without_unit(field) for field in fields]
     beams = not BEAMS.isdisjoint(bares)
-    angles = [stated_unit(field) in ANGLE_CODES for field in fields]
+    angles = [title_unit(field) in ANGLE_CODES for field in fields]
     chosen: dict[str, int] = {}
     for k, bare in enumerate(bares):
         if MEANINGS.get(bare) == bare:

@@ -21,7 +21,7 @@ AXES = ("x", "y", "z")
 
 
 def header_options(layout: RowLayout) -> dict[str, str]:
-    """Options ``time_unit``, ``time_base`` and ``unit`` that the titles of the columns state."""
+    """Options ``time_unit``, ``time_base`` and ``unit`` given in the titles of the columns."""
     units, found = layout.units(), dict[str, str]()
     if "time" in layout.names:
         title = layout.titles[layout.names.index("time")]
@@ -29,25 +29,25 @@ def header_options(layout: RowLayout) -> dict[str, str]:
             found["time_base"] = base
     if time := TIME_UNITS.get(units.get("time", "")):
         found["time_unit"] = time
-    stated = [units.get(axis, "") for axis in AXES]
-    if len(set(stated)) == 1 and stated[0] in LENGTHS:
-        metres = LENGTHS[stated[0]]
+    axis_units = [units.get(axis, "") for axis in AXES]
+    if len(set(axis_units)) == 1 and axis_units[0] in LENGTHS:
+        metres = LENGTHS[axis_units[0]]
         found["unit"] = next(name for name, own in SCANNER_UNITS.items() if own == metres)
     return found
 
 
 def require_one_unit(path: Path, layout: RowLayout) -> None:
-    """Refuse coordinates in the scanner frame whose titles state several units, or an unknown one.
+    """Refuse coordinates in the scanner frame whose titles give several units, or an unknown one.
 
     Raises
     ------
     InputError
     """
     units = layout.units()
-    stated = {axis: units.get(axis, "") for axis in AXES}
-    if len(set(stated.values())) == 1 and set(stated.values()) <= {"", *LENGTHS}:
+    axis_units = {axis: units.get(axis, "") for axis in AXES}
+    if len(set(axis_units.values())) == 1 and set(axis_units.values()) <= {"", *LENGTHS}:
         return
-    titles = [layout.titles[layout.names.index(axis)] for axis, unit in stated.items() if unit]
+    titles = [layout.titles[layout.names.index(axis)] for axis, unit in axis_units.items() if unit]
     raise InputError(error("text.several_units", file=str(path), titles=tuple(titles)))
 
 
@@ -94,13 +94,13 @@ def unit_messages(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Mes
         Options as the user sets them.
     """
     file = printable(path.name)
-    for option, stated in header_options(layout).items():
-        unit_option = str(choice.get(option, stated))
-        if unit_option not in ("", stated):
+    for option, specified in header_options(layout).items():
+        unit_option = str(choice.get(option, specified))
+        if unit_option not in ("", specified):
             own = AXES if option == "unit" else ("time",)
             titles = tuple(layout.titles[layout.names.index(name)] for name in own)
             params = {"file": file, "option": option, "stated": titles, "given": unit_option}
-            actions = (Action("set_option", {"name": option, "value": stated}),)
+            actions = (Action("set_option", {"name": option, "value": specified}),)
             yield Message("text.unit_overridden", Level.WARNING, params, actions=actions)
     if layout.units().get("time") == UNKNOWN:
         column = layout.titles[layout.names.index("time")]
@@ -145,4 +145,4 @@ def _parse_crs(crs: str) -> CoordinateSystem | None:
     try:
         return coordinate_system(crs) if crs else None
     except InputError:
-        return None  # said where points are brought to the earth
+        return None  # reported where points are georeferenced

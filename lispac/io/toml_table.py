@@ -100,18 +100,18 @@ class TomlTable:
         return value
 
     def number(
-        self, key: str, default: Any = NOTHING, *, least: float = -math.inf,
-        most: float = math.inf, over: float = -math.inf,
+        self, key: str, default: Any = NOTHING, *, low: float = -math.inf,
+        high: float = math.inf, over: float = -math.inf,
     ) -> float:  # fmt: skip
-        """A number from ``least`` to ``most``, and larger than ``over``."""
+        """A number from ``low`` to ``high``, and larger than ``over``."""
         value = self._value(key, default)
         if value is default:
             return value
-        return self._sound(key, value, least, most, over)
+        return self._sound(key, value, low, high, over)
 
     def numbers(
-        self, key: str, count: int | None, default: Any = NOTHING, *, least: float = -math.inf,
-        most: float = math.inf,
+        self, key: str, count: int | None, default: Any = NOTHING, *, low: float = -math.inf,
+        high: float = math.inf,
     ) -> tuple[float, ...]:  # fmt: skip
         """Read ``count`` numbers, or any number of them."""
         value = self._value(key, default)
@@ -123,14 +123,14 @@ class TomlTable:
             raise self.refuse(
                 key, "toml.wrong_number_count", value=_shortened_text(value), count=count
             )
-        return tuple(self._sound(key, each, least, most, -math.inf) for each in value)
+        return tuple(self._sound(key, each, low, high, -math.inf) for each in value)
 
     def three_numbers(
-        self, key: str, default: Any = NOTHING, *, least: float = -math.inf,
-        most: float = math.inf,
+        self, key: str, default: Any = NOTHING, *, low: float = -math.inf,
+        high: float = math.inf,
     ) -> tuple[float, float, float]:  # fmt: skip
         """Three numbers."""
-        values = self.numbers(key, 3, default, least=least, most=most)
+        values = self.numbers(key, 3, default, low=low, high=high)
         return values[0], values[1], values[2]
 
     @contextmanager
@@ -189,17 +189,17 @@ class TomlTable:
             raise self.refuse(key, "toml.missing_key")
         return default
 
-    def _sound(self, key: str, value: Any, least: float, most: float, over: float) -> float:
+    def _sound(self, key: str, value: Any, low: float, high: float, over: float) -> float:
         if isinstance(value, bool) or not isinstance(value, int | float):
             raise self.refuse(key, "toml.not_a_number", value=_shortened_text(value))
         if not math.isfinite(value):
             raise self.refuse(key, "toml.not_finite", value=_shortened_text(value))
-        if value < least:
-            raise self.refuse(key, "toml.below_minimum", value=f"{value:g}", least=f"{least:g}")
+        if value < low:
+            raise self.refuse(key, "toml.below_minimum", value=f"{value:g}", least=f"{low:g}")
         if value <= over:
             raise self.refuse(key, "toml.not_above", value=f"{value:g}", bound=f"{over:g}")
-        if value > most:
-            raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=f"{most:g}")
+        if value > high:
+            raise self.refuse(key, "toml.above_maximum", value=f"{value:g}", most=f"{high:g}")
         if not is_possible_amount(value):
             bound = f"{math.copysign(LARGEST_AMOUNT, value):g}"
             if abs(value) < LEAST_AMOUNT:

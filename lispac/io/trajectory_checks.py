@@ -13,7 +13,7 @@ from lispac.survey.trajectory import LONGEST_GAP
 Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 
-HIGHEST = 1e5
+MAX_HEIGHT = 1e5
 """Metres that no survey exceeds."""
 
 FASTEST_TURN = 0.7
@@ -55,7 +55,7 @@ def require_heights(path: Path, height: Array, numbers: Numbers | None = None) -
     ------
     InputError
     """
-    bad = np.abs(height) > HIGHEST
+    bad = np.abs(height) > MAX_HEIGHT
     if bad.any():
         k = int(np.argmax(bad))
         in_row = numbers is not None

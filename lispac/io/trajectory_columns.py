@@ -29,7 +29,7 @@ from lispac.io.trajectory_checks import (
 )
 from lispac.io.trajectory_projection import (
     LENGTHS,
-    UNSTATED,
+    UNSPECIFIED,
     LengthUnit,
     TrajectoryProjection,
     projection_of_text,
@@ -50,7 +50,7 @@ _NOTATIONS: dict[str, Callable[[str], float]] = {
     "date": date_seconds,
 }
 PARSERS = {code: (_NOTATIONS.get(code, parse_number), unit.si) for code, unit in UNITS.items()}
-PARSERS[UNSTATED] = parse_number, 1.0
+PARSERS[UNSPECIFIED] = parse_number, 1.0
 UNIT_NAMES = {code: unit.name for code, unit in UNITS.items()}
 for _unit in ANGLE_CODES:
     for _way, _code in (("west", "unit.positive_west"), ("south", "unit.positive_south")):
@@ -368,7 +368,7 @@ def _require_unit_kind(path: Path, column: Column, kind: Literal["an angle", "a 
     if kind == "an angle":
         fits = column.unit.removesuffix("-west").removesuffix("-south") in ANGLE_CODES
     else:
-        fits = column.unit in (UNSTATED, *LENGTHS)
+        fits = column.unit in (UNSPECIFIED, *LENGTHS)
     if not fits:
         code = "trajectory.not_an_angle" if kind == "an angle" else "trajectory.not_a_length"
         raise InputError(error(code, file=str(path), column=column.name, unit=column.unit))
@@ -401,8 +401,8 @@ def _read_values(
     InputError
         Where a row cannot be read, or signs contradict the direction in a title.
     """
-    wanted = [(column.index, _field_parser(column), column.name) for column in columns]
-    table, numbers = read_columns(path, rows, wanted)
+    parsers = [(column.index, _field_parser(column), column.name) for column in columns]
+    table, numbers = read_columns(path, rows, parsers)
     for column, own in zip(columns, table, strict=True):
         if column.unit.endswith(("-west", "-south")) and (own < 0).all():
             is_west = column.unit.endswith("-west")

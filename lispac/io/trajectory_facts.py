@@ -20,16 +20,16 @@ Array = NDArray[np.float64]
 
 SHORTEST_STEP = 1e-6
 """Seconds: no system measures more often; shorter steps are times without meaning."""
-MOVING = 0.3
+MIN_SPEED = 0.3
 """Metres a second from which a course over ground means something."""
 
-FASTEST = 350.0
+MAX_SPEED = 350.0
 """Metres a second; no carrier of a survey is faster."""
 
 FASTEST_VESSEL = 60.0
 """Metres a second; beyond, a wrong unit is likelier than a vessel."""
 
-MOST_CENTRES = 10_000
+MAX_CENTRES = 10_000
 """States of a block at which the velocity is taken; of more, every n-th."""
 
 SWAP_COORDINATES = Action("swap_coordinates", {"name": "order", "value": "longitude-latitude"})
@@ -80,7 +80,7 @@ def motion_of(time: Array, latitude: Array, longitude: Array, height: Array) -> 
         return TrajectoryMotion(np.zeros(0, dtype=np.int64), empty, empty, empty)
     with np.errstate(all="ignore"):
         reach = min(0.25, float(time[-1] - time[0]) / 8)
-        index = np.arange(1, count - 1, 1 + count // MOST_CENTRES)
+        index = np.arange(1, count - 1, 1 + count // MAX_CENTRES)
         before = np.minimum(np.searchsorted(time, time[index] - reach), index - 1)
         after = np.maximum(np.searchsorted(time, time[index] + reach, side="right") - 1, index + 1)
         after = np.minimum(after, count - 1)
@@ -142,13 +142,13 @@ def span_facts(time: Array) -> dict[str, Fact]:
     }
 
 
-def time_warnings(time: Array, stated: str, file: str) -> tuple[Message, ...]:
+def time_warnings(time: Array, base_key: str, file: str) -> tuple[Message, ...]:
     """Warnings about the times of a sample in the order of the file.
 
     Parameters
     ----------
     time : ndarray of shape (n,), seconds
-    stated : str
+    base_key : str
         Key of the time base used.
     file : str
         Name of the file.
@@ -158,16 +158,16 @@ def time_warnings(time: Array, stated: str, file: str) -> tuple[Message, ...]:
     start, end = float(time.min()), float(time.max())
     if not bases:
         file_warnings.append(warning("trajectory.no_time_base", file=file, start=start, end=end))
-    elif stated not in {base.key for base in bases}:
+    elif base_key not in {base.key for base in bases}:
         file_warnings.append(
             warning(
-                "trajectory.other_time_base", file=file, start=start, end=end, base=stated,
+                "trajectory.other_time_base", file=file, start=start, end=end, base=base_key,
                 bases=tuple(base.key for base in bases), actions=(CHOOSE_TIME_BASE,),
             )
         )  # fmt: skip
     else:
-        # That UTC could be meant goes for any time of day or week; the base taken is given.
-        known = base_of_key(stated)
+        # Any time of day or week could be UTC, so these bases are not listed.
+        known = base_of_key(base_key)
         others = [
             base_message(base)
             for base in bases
@@ -224,7 +224,7 @@ def course_warnings(
     """
     speeds = np.concatenate([motion.speed for motion, _ in motions] or [np.zeros(0)])
     fast = float(np.median(speeds)) if len(speeds) else 0.0
-    if fast > FASTEST:
+    if fast > MAX_SPEED:
         return (warning("trajectory.impossible_speed", file=file, speed=fast),)
     found: tuple[Message, ...] = ()
     if fast > FASTEST_VESSEL:
@@ -290,7 +290,7 @@ def _heading_warnings(
 
 def _heading_differences(motions: Sequence[TrajectoryMotion], headings: Sequence[Array]) -> Array:
     found = [
-        wrap_angle(motion.course - heading[motion.index])[motion.speed > MOVING]
+        wrap_angle(motion.course - heading[motion.index])[motion.speed > MIN_SPEED]
         for motion, heading in zip(motions, headings, strict=True)
     ]
     return np.concatenate(found) if found else np.zeros(0)

@@ -193,7 +193,7 @@ def _make_format(
     endings: tuple[str, ...],
     options: tuple[FormatOption, ...],
     sniff: Callable[[Path], float],
-    look: Callable[[Path, Choice], FilePreview],
+    preview: Callable[[Path, Choice], FilePreview],
     read: Callable[[Path, Choice], Trajectory | TrajectoryAccuracy],
 ) -> FileFormat:
     """A format that refuses unknown options before it examines or reads."""
@@ -201,7 +201,7 @@ def _make_format(
     def preview_checked(path: Path, choice: Choice) -> FilePreview:
         """Preview of a file, after a check of its options."""
         made.resolved(choice)
-        return look(Path(path), choice)
+        return preview(Path(path), choice)
 
     def read_checked(path: Path, choice: Choice) -> Trajectory | TrajectoryAccuracy:
         made.resolved(choice)

@@ -96,11 +96,11 @@ def preview_text(
         file_warnings.append(refusal_warning(refused, path))
         return FilePreview(facts, rows, choice, tuple(file_warnings))
     file_warnings += map_warnings(path, layout.columns, conventions, first)
-    whole, tail_doubts = _with_last_rows(path, layout, conventions, first, head)
+    whole, tail_warnings = _with_last_rows(path, layout, conventions, first, head)
     motion, exchanged = _motion_variants(first)
     speed = motion.speed
     facts |= trajectory_facts(whole.time, whole.latitude, whole.longitude, whole.height, speed)
-    file_warnings += tail_doubts
+    file_warnings += tail_warnings
     file_warnings += time_warnings(first.time, conventions.time, file)
     file_warnings += course_warnings([(motion, exchanged)], [first.attitude[:, 2]], file)
     file_warnings += speed_warnings(path, head, layout.velocities, motion)
@@ -176,7 +176,7 @@ _SIGNS_ASSUMED = {
 
 
 def sign_assumed_warning(path: Path, angle: str, sign: str) -> Message:
-    """The warning that a file does not state the sign of roll or pitch."""
+    """The warning that a file does not specify the sign of roll or pitch."""
     code, actions = _SIGNS_ASSUMED[angle, sign], (Action("check_sign", {"name": angle}),)
     return Message(code, Level.WARNING, {"file": printable(path.name)}, actions=actions)
 

@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 
 LENGTHS = {code: unit.si for code, unit in UNITS.items() if unit.kind == "length"}
 """Metres in each unit; ``ft`` are feet of unspecified kind."""
-UNSTATED = ""
+UNSPECIFIED = ""
 """Unit of a length without a unit in the file."""
 
 
@@ -71,13 +71,13 @@ class TrajectoryProjection:
     height_metres: float | None
     height_name: Message | None
 
-    def unit(self, name: str, stated: str, path: Path) -> LengthUnit:
+    def unit(self, name: str, title_unit: str, path: Path) -> LengthUnit:
         """Unit of a column of eastings or northings called ``name``."""
-        if stated == UNSTATED:
+        if title_unit == UNSPECIFIED:
             return LengthUnit(self.metres, note("unit.as_in_system", unit=self.name))
-        if stated == "ft" and self.in_feet:
+        if title_unit == "ft" and self.in_feet:
             return LengthUnit(self.metres, note("unit.feet_of_system", unit=self.name))
-        if stated == "ft":
+        if title_unit == "ft":
             return LengthUnit(
                 LENGTHS["ft"],
                 LENGTH_NAMES[LENGTHS["ft"]],
@@ -86,7 +86,7 @@ class TrajectoryProjection:
                     system=self.text, unit=self.name,
                 ),
             )  # fmt: skip
-        return LengthUnit(LENGTHS[stated], LENGTH_NAMES[LENGTHS[stated]])
+        return LengthUnit(LENGTHS[title_unit], LENGTH_NAMES[LENGTHS[title_unit]])
 
     def place_warning(self, path: Path, latitude: Array, longitude: Array) -> Message | None:
         """A warning where positions lie outside the area that the system is meant for.
@@ -174,11 +174,11 @@ def projection_of_text(path: Path, text: str) -> TrajectoryProjection:
 
 
 def unit_of_heights(
-    name: str, stated: str, grid: TrajectoryProjection | None, path: Path
+    name: str, title_unit: str, grid: TrajectoryProjection | None, path: Path
 ) -> LengthUnit:
     """Unit of a column of heights called ``name``; metres by default."""
     own = None if grid is None else grid.height_metres
-    if stated == UNSTATED:
+    if title_unit == UNSPECIFIED:
         if grid is not None and own is not None and grid.height_name is not None:
             return LengthUnit(own, note("unit.as_in_system", unit=grid.height_name))
         reported = None
@@ -188,9 +188,9 @@ def unit_of_heights(
                 unit=grid.name,
             )  # fmt: skip
         return LengthUnit(1.0, note("unit.metres_assumed"), reported)
-    if stated == "ft" and grid is not None and grid.in_feet:
+    if title_unit == "ft" and grid is not None and grid.in_feet:
         return LengthUnit(grid.metres, note("unit.feet_of_system", unit=grid.name))
-    return LengthUnit(LENGTHS[stated], LENGTH_NAMES[LENGTHS[stated]])
+    return LengthUnit(LENGTHS[title_unit], LENGTH_NAMES[LENGTHS[title_unit]])
 
 
 def _unit_name(metres: float, name: str) -> Message:

@@ -11,7 +11,7 @@ import numpy as np
 from lispac.errors import InputError
 from lispac.io.text_table import parse_number, read_columns
 from lispac.io.trajectory_columns import Column
-from lispac.io.trajectory_facts import MOVING, TrajectoryMotion
+from lispac.io.trajectory_facts import MIN_SPEED, TrajectoryMotion
 from lispac.io.trajectory_projection import LENGTHS
 from lispac.messages import Level, Message, Value
 from lispac.survey.line_source import printable
@@ -20,10 +20,10 @@ _NAMES = {
     "east_velocity": ("eastvelocity", "velocityeast", "eastvel", "veleast", "veast", "ve"),
     "north_velocity": ("northvelocity", "velocitynorth", "northvel", "velnorth", "vnorth", "vn"),
 }
-OFF = 0.05
+SPEED_TOLERANCE = 0.05
 """Part by which two speeds of the same motion do not differ in the middle."""
 FOOT = 0.3048
-"""Metres; US survey feet are the same to `OFF`."""
+"""Metres; US survey feet are the same to `SPEED_TOLERANCE`."""
 
 
 def velocity_columns(names: Sequence[str], units: Sequence[str]) -> tuple[Column, ...]:
@@ -57,16 +57,16 @@ def speed_warnings(
         columns = [(column.index, parse_number, column.name) for column in velocities]
         (east, north), _ = read_columns(path, iter(rows), columns)
     except InputError:
-        return ()  # columns that nobody needs may hold what they like
+        return ()  # columns that are not used may have any content
     factor = LENGTHS.get(velocities[0].unit)
-    stated = np.hypot(east, north)[motion.index] * (factor or 1.0)
-    moving = stated > MOVING
+    recorded = np.hypot(east, north)[motion.index] * (factor or 1.0)
+    moving = recorded > MIN_SPEED
     if np.count_nonzero(moving) < 20:
         return ()
-    ratio = float(np.median(motion.speed[moving] / stated[moving]))
-    by_feet = min(abs(ratio / FOOT - 1), abs(ratio * FOOT - 1)) < OFF
+    ratio = float(np.median(motion.speed[moving] / recorded[moving]))
+    by_feet = min(abs(ratio / FOOT - 1), abs(ratio * FOOT - 1)) < SPEED_TOLERANCE
     # Velocities in a unit that is not known may be knots; those of feet and metres show alone.
-    if abs(ratio - 1) <= OFF or (factor is None and not by_feet):
+    if abs(ratio - 1) <= SPEED_TOLERANCE or (factor is None and not by_feet):
         return ()
     code = "trajectory.speed_differs_by_feet" if by_feet else "trajectory.speed_differs"
     params: dict[str, Value] = {

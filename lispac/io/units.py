@@ -101,7 +101,7 @@ _FORMS = (
     (r"^h(ou)?rs?\.?$|^h$|^heures?$|^stunden?$", "h"),
 )
 """Descriptions of units, the first that fits first."""
-_REMARKS = re.compile(
+_QUALIFIERS = re.compile(
     r"(true|grid|mag|wgs|nad|itrf|etrs|rgf|ellips|geoid|ortho|msl|navd|egm|utm|local|lidar|scan|body"
     r"|imu|ins|ref|vessel|frame|utc|gps|tai|unix|tow|sow|week|north|east|south|west|nord|sud|süd|est"
     r"|ost|ouest|up|down|raw|filt|pos|neg|bow|nose|port|star|left|right)\w*|[nsewxyzud]|[+-]|",
@@ -133,12 +133,12 @@ def parse_unit(words: str) -> str:
     return next((code for form, code in _FORMS if re.search(form, words.strip().lower())), "")
 
 
-def stated_unit(title: str) -> str:
+def title_unit(title: str) -> str:
     """Code of the unit in a column's title; empty where there is none, else `UNKNOWN`."""
     words = split_title(title)[1]
     if code := _unit_before_direction(words):
         return code
-    return "" if all(map(_REMARKS.fullmatch, re.split(r"[\s,;/._]+", words))) else UNKNOWN
+    return "" if all(map(_QUALIFIERS.fullmatch, re.split(r"[\s,;/._]+", words))) else UNKNOWN
 
 
 def _unit_before_direction(words: str) -> str:
@@ -185,9 +185,9 @@ def is_units_row(fields: Sequence[str]) -> bool:
     """True if the fields of a row are units, as below the names of columns."""
     if any(map(_is_title_with_unit, fields)):
         return False
-    stated = [field.strip(" []()") for field in fields]
-    known = [bool(_unit_before_direction(field)) for field in stated if field not in NO_UNIT]
-    return len(known) >= 2 and all(known) and all(len(field) < 24 for field in stated)
+    unit_texts = [field.strip(" []()") for field in fields]
+    known = [bool(_unit_before_direction(field)) for field in unit_texts if field not in NO_UNIT]
+    return len(known) >= 2 and all(known) and all(len(field) < 24 for field in unit_texts)
 
 
 def _is_title_with_unit(field: str) -> bool:
@@ -205,8 +205,8 @@ NO_UNIT = ("", "-", "--", "none", "n/a", "1")
 
 def titles_with_units(names: Sequence[str], units: Sequence[str]) -> list[str]:
     """Titles of columns out of a row of names and the row of units below it."""
-    stated = [unit.strip(" []()") for unit in units]
+    unit_texts = [unit.strip(" []()") for unit in units]
     return [
         name if unit in NO_UNIT else f"{name} [{unit}]"
-        for name, unit in zip(names, stated, strict=True)
+        for name, unit in zip(names, unit_texts, strict=True)
     ]

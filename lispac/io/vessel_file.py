@@ -20,7 +20,7 @@ from lispac.simulation.pos_errors import PosErrorModel
 from lispac.simulation.vessel_motion import LAUNCH, VesselHandling
 from lispac.survey.georeferencing import Mounting
 
-LARGEST_POSITION, LARGEST_ATTITUDE, LONGEST = 1e3, 10.0, 1e9
+LARGEST_POSITION, LARGEST_ATTITUDE, LONGEST_TIME = 1e3, 10.0, 1e9
 """Largest errors of a POS, metres and degrees, and longest time about them, seconds."""
 KINDS = ("gauss-markov", "white", "outage", "jumps")
 
@@ -47,7 +47,7 @@ class MountingErrors:
     latency: float = 0.0
 
     def mounting(self, lever_arm: Triple) -> Mounting:
-        """True mounting for a stated lever arm.
+        """True mounting for a given lever arm.
 
         Parameters
         ----------
@@ -59,7 +59,7 @@ class MountingErrors:
         InputError
             Where an error is beyond what any mounting has.
         """
-        for code, values, most in (
+        for code, values, limit in (
             ("vessel.boresight_too_large", np.radians(self.boresight_deg), np.pi),
             (
                 "vessel.scan_angle_offset_too_large",
@@ -71,8 +71,8 @@ class MountingErrors:
             ("vessel.latency_too_large", np.array([self.latency]), 10.0),
         ):
             largest = float(np.abs(values).max())
-            if largest > most:
-                raise InputError(error(code, value=largest, most=most))
+            if largest > limit:
+                raise InputError(error(code, value=largest, most=limit))
         return Mounting(
             np.array(lever_arm) + np.array(self.lever_arm),
             np.radians(self.boresight_deg),
@@ -139,43 +139,43 @@ def read_mounting_errors(table: TomlTable) -> MountingErrors:
 
 def _read_handling(table: TomlTable) -> VesselHandling:
     with table.table("handling") as sailed, table.table("motion") as sea:
-        speed = sailed.number("speed_m_s", over=0, most=50)
+        speed = sailed.number("speed_m_s", over=0, high=50)
         shortest = sea.number("shortest_s", LAUNCH.periods[0], over=0)
         return VesselHandling(
             speed=speed,
-            speed_abeam=sailed.number("speed_abeam_m_s", speed, over=0, most=speed),
+            speed_abeam=sailed.number("speed_abeam_m_s", speed, over=0, high=speed),
             slow_time=sailed.number("slow_s", LAUNCH.slow_time, over=0),
             ramp=sailed.number("ramp_s", LAUNCH.ramp, over=0),
             transit=sailed.number("transit_s", LAUNCH.transit, over=0),
             wait=sailed.number("wait_s", LAUNCH.wait, over=0),
-            roll=float(np.radians(sea.number("roll_deg", least=0, most=45))),
-            pitch=float(np.radians(sea.number("pitch_deg", least=0, most=45))),
-            yaw=float(np.radians(sea.number("yaw_deg", least=0, most=45))),
-            heave=sea.number("heave_m", least=0),
-            drift=sea.number("drift_m", least=0),
-            periods=(shortest, sea.number("longest_s", LAUNCH.periods[1], least=shortest)),
+            roll=float(np.radians(sea.number("roll_deg", low=0, high=45))),
+            pitch=float(np.radians(sea.number("pitch_deg", low=0, high=45))),
+            yaw=float(np.radians(sea.number("yaw_deg", low=0, high=45))),
+            heave=sea.number("heave_m", low=0),
+            drift=sea.number("drift_m", low=0),
+            periods=(shortest, sea.number("longest_s", LAUNCH.periods[1], low=shortest)),
         )
 
 
 def _read_pos_errors(table: TomlTable) -> PosErrors:
     kind = table.one_of("kind", KINDS)
-    position = table.three_numbers("position_m", least=0, most=LARGEST_POSITION)
+    position = table.three_numbers("position_m", low=0, high=LARGEST_POSITION)
     roll, pitch, heading = np.radians(
-        table.three_numbers("attitude_deg", least=0, most=LARGEST_ATTITUDE)
+        table.three_numbers("attitude_deg", low=0, high=LARGEST_ATTITUDE)
     )
     attitude = (float(roll), float(pitch), float(heading))
     if kind == "gauss-markov":
         return PosErrorModel(
-            position, attitude, table.number("position_s", over=0, most=LONGEST),
-            table.number("attitude_s", over=0, most=LONGEST),
+            position, attitude, table.number("position_s", over=0, high=LONGEST_TIME),
+            table.number("attitude_s", over=0, high=LONGEST_TIME),
         )  # fmt: skip
     if kind == "white":
         return WhiteNoise(position, attitude)
     if kind == "outage":
         return GnssOutage(
-            table.number("start_s", least=0, most=LONGEST),
-            table.number("duration_s", over=0, most=LONGEST), position, attitude,
+            table.number("start_s", low=0, high=LONGEST_TIME),
+            table.number("duration_s", over=0, high=LONGEST_TIME), position, attitude,
             table.boolean("smoothed", True),
         )  # fmt: skip
-    at = table.numbers("at_s", None, (), least=0)
-    return StepErrors(position, attitude, at, table.number("per_hour", 0.0, least=0))
+    at = table.numbers("at_s", None, (), low=0)
+    return StepErrors(position, attitude, at, table.number("per_hour", 0.0, low=0))

@@ -36,6 +36,10 @@ TEXTS: Mapping[str, Template] = {
         "The option {former} is now called {name}. The former name will be removed in the next "
         "version; use the new one."
     ),
+    "former_name.command": N_(
+        "The command {former} is now called {name}. The former name will be removed in the next "
+        "version; use the new one."
+    ),
     "former_name.script": N_(
         "“{former}” is now called “{name}”. The former name will be removed in the next version; "
         "change the script."

@@ -86,22 +86,22 @@ TEXTS: Mapping[str, Template] = {
         "{file}: {format} is not a format of a trajectory file. Choose another format."
     ),
     "import.unknown_trajectory_format": N_(
-        "{file}: the file is not recognised as a trajectory file. Run `lispac look` to see which "
-        "format it may have, or give its format."
+        "{file}: the file is not recognised as a trajectory file. Run `lispac inspect` to see "
+        "which format it may have, or give its format."
     ),
     "import.not_accuracy_format": N_(
         "{file}: {format} is not a format of a trajectory accuracy file. Choose another format."
     ),
     "import.unknown_accuracy_format": N_(
-        "{file}: the file is not recognised as a trajectory accuracy file. Run `lispac look` to "
+        "{file}: the file is not recognised as a trajectory accuracy file. Run `lispac inspect` to "
         "see which format it may have, or give its format."
     ),
     "import.not_line_format": N_(
         "{file}: {format} is not a format of a line file. Choose another format."
     ),
     "import.unknown_line_format": N_(
-        "{file}: the file is not recognised as a line file. Run `lispac look` to see which format "
-        "it may have, or give its format."
+        "{file}: the file is not recognised as a line file. Run `lispac inspect` to see which "
+        "format it may have, or give its format."
     ),
     "import.origin_too_far": N_(
         "{project}: the origin is {distance:km} km from the trajectory. Give its latitude and "

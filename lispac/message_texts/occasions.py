@@ -42,7 +42,7 @@ OCCASIONS: Mapping[str, str] = {
     "file": N_("A file is read or written"),
     "finder": N_("A target is searched for at a seed"),
     "format": N_("Name of a file format, in lists and messages"),
-    "former_name": N_("An option, parameter or key has a name of an earlier version"),
+    "former_name": N_("A command, option, parameter or key has a name of an earlier version"),
     "formats": N_("A format or an option of a file is chosen"),
     "further_line": N_("Advice on a further line, after the adjustment or in planning"),
     "history": N_("Calibrations of several surveys are compared over time"),

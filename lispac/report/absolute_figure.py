@@ -7,7 +7,7 @@ from matplotlib.ticker import MaxNLocator
 from lispac.language import N_, gettext
 from lispac.report.absolute_values import AbsoluteCheckValues
 from lispac.report.figures import AFTER, BEFORE, INK, TEXT, blank_figure, short_name, style_axes
-from lispac.report.legends import USUAL, top_below_legend
+from lispac.report.legends import AXES_POSITION, top_below_legend
 from lispac.report.text_format import grouped_number, signed_number
 
 _BEFORE = N_("before: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p95:mm.1} mm")
@@ -17,7 +17,7 @@ _AFTER = N_("after: n {count:n}\nmedian {median} mm, RMS {rms:mm.1} mm, 95 % {p9
 def reference_distance_figure(check: AbsoluteCheckValues, figure: Figure | None = None) -> Figure:
     """All lines together; the bins at both ends hold all beyond."""
     figure = blank_figure(figure, (6.3, 2.5))
-    axes = figure.subplots(gridspec_kw=USUAL)
+    axes = figure.subplots(gridspec_kw=AXES_POSITION)
     edges = 1000 * np.asarray(check.bin_edges_m)
     legend: list[str] = []
     for template, colour, counts, each in (

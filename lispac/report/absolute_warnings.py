@@ -9,7 +9,7 @@ from lispac.validation.absolute_remarks import Off, list_items_with_means
 from lispac.warning_causes import Cause
 
 NORMAL_95 = NormalDist().inv_cdf(0.975)
-LARGE, TOO_LARGE = 2.0, 3.0
+RMS_RATIOS, TOO_LARGE = 2.0, 3.0
 """Ratios of the RMS to the expected one for a note and for a warning. Errors common to the lines
 make an RMS vary about as much as a single error."""
 VALIDATE = Cause.of_step("Validate")
@@ -30,7 +30,7 @@ def absolute_check_warnings(values: AbsoluteCheckValues | None) -> Iterator[Mess
             "report.absolute_nearer" if mean > 0 else "report.absolute_farther",
             mean=abs(mean), interval=after.mean_interval95_m, subject=VALIDATE,
         )  # fmt: skip
-    elif after.distances.rms_m > LARGE * after.rms_expected.total_m:
+    elif after.distances.rms_m > RMS_RATIOS * after.rms_expected.total_m:
         yield _rms_message(after.distances.rms_m, after.rms_expected.total_m)
     yield from _line_warnings(
         [(x.line, x.after.signed.mean_m, x.after.mean_interval95_m) for x in values.lines]

@@ -34,20 +34,20 @@ class MethodValues:
     messages: tuple[Message, ...]
 
     @classmethod
-    def of(cls, answer: MethodResult) -> "MethodValues":
+    def of(cls, result: MethodResult) -> "MethodValues":
         """Values of the result of a method."""
-        calibration, against = answer.calibration, answer.against
+        calibration, against = result.calibration, result.against
         return cls(
-            answer.method,
-            answer.lines,
-            answer.surfaces,
+            result.method,
+            result.lines,
+            result.surfaces,
             _triple(np.degrees(calibration.boresight)),
             _triple(np.degrees(calibration.sigma)),
             None if against is None else _triple(np.degrees(against.angles)),
             None if against is None else _triple(against.significance),
             None if against is None else against.probability,
             None if against is None else against.differ,
-            answer.messages,
+            result.messages,
         )
 
 

@@ -95,7 +95,7 @@ def reliability_blocks(content: ReportContent) -> list[Block]:
             gettext(SIGHTING_TEST, limit=fixed_number(adjustment.critical_w, 2), count=len(found))
         ),
         _test_table(found),
-        *_sighting_remarks(found),
+        *_sighting_notes(found),
         Paragraph(gettext(POINT_TEST, limit=fixed_number(CRITICAL, 2))),
         _point_table(found),
         *_pos_error_blocks(adjustment),
@@ -159,8 +159,8 @@ def _point_table(sightings: Sequence[SightingCheck]) -> Table:
     )
 
 
-def _sighting_remarks(sightings: Sequence[SightingCheck]) -> list[Block]:
-    remarks = []
+def _sighting_notes(sightings: Sequence[SightingCheck]) -> list[Block]:
+    messages = []
     for sighting in sightings:
         if sighting.rejected:
             template = N_(
@@ -174,17 +174,17 @@ def _sighting_remarks(sightings: Sequence[SightingCheck]) -> list[Block]:
             )
         else:
             continue
-        remarks.append(gettext(template, target=sighting.target, line=sighting.line))
+        messages.append(gettext(template, target=sighting.target, line=sighting.line))
     unchecked = [
         gettext("{target} on line {line}", target=s.target, line=s.line)
         for s in sightings
         if s.status == "not checked"
     ]
     if unchecked:
-        remarks.append(
+        messages.append(
             gettext("Not checked by other data: {sightings:names}.", sightings=unchecked)
         )
-    return [Bullets(tuple(remarks))] if remarks else []
+    return [Bullets(tuple(messages))] if messages else []
 
 
 def _pos_error_blocks(adjustment: AdjustmentValues) -> list[Block]:

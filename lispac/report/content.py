@@ -18,7 +18,7 @@ from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.duplicate_targets import all_warnings
 from lispac.language import N_, LazyText, gettext_lazy
 from lispac.messages import Message
-from lispac.method_comparison import comparison_remarks, method_results
+from lispac.method_comparison import comparison_messages, method_results
 from lispac.progress import Progress, no_progress, sub_progress
 from lispac.project import Project, Target
 from lispac.report.absolute_values import AbsoluteCheckValues
@@ -147,7 +147,7 @@ def report_content(
         budget=None if budget is None else ErrorBudgetValues.of(budget),
         trajectory=tuple(trajectory),
         methods=tuple(MethodValues.of(each) for each in methods),
-        method_messages=comparison_remarks(methods),
+        method_messages=comparison_messages(methods),
     )
     also = (outdated_result_warning(refused),) if refused else ()
     return replace(content, warnings=report_warnings(content, all_warnings(project, also)))

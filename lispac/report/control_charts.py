@@ -26,7 +26,7 @@ AXES: Mapping[str, str] = {
     "roll": N_("Roll (deg)"), "pitch": N_("Pitch (deg)"), "yaw": N_("Yaw (deg)")
 }  # fmt: skip
 LIMITS = "#dbe4ee"
-HALF = 0.35
+HALF_WIDTH = 0.35
 """Share of the time between two calibrations that limits extend to either side."""
 DAYS = ["%Y", "%Y-%m", "%Y-%m-%d", "%m-%d %H:%M", "%H:%M", "%S.%f"]
 """Formats of a date beside the axis, from years to seconds: the same in every language."""
@@ -58,7 +58,7 @@ def control_chart_figure(
             reach = control_limits(each)
             if reach is not None and each.before is not None:
                 low, high = np.degrees(reach[:, k])
-                sides = at[j] - HALF * spacing[j], at[j] + HALF * spacing[j + 1]
+                sides = at[j] - HALF_WIDTH * spacing[j], at[j] + HALF_WIDTH * spacing[j + 1]
                 axes.fill_between(sides, low, high, color=LIMITS, linewidth=0)
                 axes.hlines(np.degrees(each.before.boresight[k]), *sides, color=BEFORE, lw=1.0)
         values = np.degrees([each.calibration.boresight[k] for each in charted])
@@ -75,7 +75,7 @@ def control_chart_figure(
             xytext=(0, 3), textcoords="offset points", fontsize=SMALL, color=INK, rotation=25,
             ha="left", va="bottom",
         )  # fmt: skip
-    panels[-1].set_xlim(at[0] - HALF * between, at[-1] + HALF * between)
+    panels[-1].set_xlim(at[0] - HALF_WIDTH * between, at[-1] + HALF_WIDTH * between)
     locator = AutoDateLocator(minticks=2)  # type: ignore[no-untyped-call]
     panels[-1].xaxis.set_major_locator(locator)
     formatter = ConciseDateFormatter(  # type: ignore[no-untyped-call]

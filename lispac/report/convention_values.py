@@ -81,8 +81,8 @@ def convention_values(project: Project, key: str) -> ConventionValues | None:
         Where there is no such program.
     """
     setup = ConventionSetup(convention_of_key(key))
-    stated = _mounting_in_convention(project, setup)
-    if stated is None:
+    converted = _mounting_in_convention(project, setup)
+    if converted is None:
         return None
     assert project.result is not None
     mounting, convention = project.result.mounting, setup.convention
@@ -94,31 +94,31 @@ def convention_values(project: Project, key: str) -> ConventionValues | None:
         source=gettext_lazy(convention.source),
         assumption=setup.assumption,
         check_first=None if setup.status == "verified" else CHECK_FIRST,
-        angles=_angle_values(stated),
-        note=stated.note,
+        angles=_angle_values(converted),
+        note=converted.note,
         warning=None if project.result.model.correlated else UNCORRELATED_WARNING,
         formula=convention.formula,
         direction_text=DIRECTION_WORDS[convention.direction],
         body_axes=tuple(map(gettext_lazy, setup.axes)),
         scanner_text=setup.scanner_axes(mounting.rotation_body_lidar),
         offsets_text=offsets_note(mounting),
-        lever_arm_m=tuple(map(float, stated.lever_arm)),
-        transform=_matrix_rows(stated.transform),
+        lever_arm_m=tuple(map(float, converted.lever_arm)),
+        transform=_matrix_rows(converted.transform),
     )
 
 
 def scanner_to_body_matrix(project: Project) -> ScannerToBodyMatrix | None:
     """The matrix for PDAL; None where nothing is estimated yet."""
     setup = ConventionSetup(convention_of_key(MATRIX_OF))
-    stated = _mounting_in_convention(project, setup)
-    if stated is None:
+    converted = _mounting_in_convention(project, setup)
+    if converted is None:
         return None
     return ScannerToBodyMatrix(
         system=setup.convention.key,
         name=setup.convention.name,
         body_axes=tuple(map(gettext_lazy, setup.axes)),
-        rotation=_matrix_rows(stated.transform[:3, :3]),
-        transform=_matrix_rows(stated.transform),
+        rotation=_matrix_rows(converted.transform[:3, :3]),
+        transform=_matrix_rows(converted.transform),
     )
 
 
@@ -129,16 +129,16 @@ def _mounting_in_convention(project: Project, setup: ConventionSetup) -> Mountin
     return convert_to_system(project.mounting("estimated"), setup, covariance)
 
 
-def _angle_values(stated: MountingInSystem) -> tuple[ConventionAngle, ...]:
-    if stated.angles is None:
+def _angle_values(converted: MountingInSystem) -> tuple[ConventionAngle, ...]:
+    if converted.angles is None:
         return ()
-    sigmas = [None] * 3 if stated.sigmas is None else np.degrees(stated.sigmas).tolist()
+    sigmas = [None] * 3 if converted.sigmas is None else np.degrees(converted.sigmas).tolist()
     return tuple(
         ConventionAngle(
             gettext_lazy(turn.name), gettext_lazy(turn.meaning), float(np.degrees(value)), sigma
         )
         for turn, value, sigma in zip(
-            stated.setup.convention.turns, stated.angles, sigmas, strict=True
+            converted.setup.convention.turns, converted.angles, sigmas, strict=True
         )
     )
 

@@ -15,7 +15,7 @@ from lispac.report.figures import AFTER, BEFORE, INK, SMALL, TEXT, blank_figure,
 from lispac.report.stochastic_model_names import NAMES
 from lispac.report.text_format import fixed_number, parameter_name
 
-BEYOND = 4.0
+MAX_SIGMAS = 4.0
 """Predicted sigmas to either side that errors are drawn to; larger ones count at the border."""
 
 EXPECTED = N_(
@@ -93,10 +93,10 @@ def simulated_errors_figure(result: MonteCarloResult, figure: Figure | None = No
     """Errors of roll, pitch and yaw over their predicted sigmas, with the expected distribution."""
     figure = blank_figure(figure, (6.3, 2.6))
     panels = figure.subplots(1, len(ANGLES), sharex=True, sharey=True)
-    unit = np.clip(result.errors / result.predicted, -BEYOND, BEYOND)
+    unit = np.clip(result.errors / result.predicted, -MAX_SIGMAS, MAX_SIGMAS)
     count = len(unit)
-    edges = np.linspace(-BEYOND, BEYOND, int(np.clip(2 * round(np.sqrt(count)), 8, 40)) + 1)
-    at = np.linspace(-BEYOND, BEYOND, 161)
+    edges = np.linspace(-MAX_SIGMAS, MAX_SIGMAS, int(np.clip(2 * round(np.sqrt(count)), 8, 40)) + 1)
+    at = np.linspace(-MAX_SIGMAS, MAX_SIGMAS, 161)
     expected = np.exp(-(at**2) / 2) / np.sqrt(2 * np.pi) * count * (edges[1] - edges[0])
     for k, (axes, angle) in enumerate(zip(panels, ANGLES, strict=True)):
         axes.hist(unit[:, k], edges, color=COLOURS[k], alpha=0.75)

@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 STATES = N_("before"), N_("after"), N_("after, separate scale")
 COLOURS = "RdBu_r"
 """Red where the first line is nearer to the vessel, white where the two coincide."""
-WITHIN = 98.0
+SCALE_PERCENTILE = 98.0
 """Percentile of the distances at the end of the colour scale."""
 LEAST = 1e-4
 PIXELS = 10
@@ -37,7 +37,7 @@ WIDTH, TALLEST, LOWEST = 6.3, 3.2, 0.5
 LEFT, RIGHT, BETWEEN = 0.8, 0.12, 0.34
 TOP, TOP_TALL, BELOW, BOTTOM = 0.4, 0.8, 0.26, 0.85
 """Inches around and between the pictures."""
-CLEAR = 0.95
+MAX_TEXT_SHARE = 0.95
 """Largest share of the distance between panels that a text may fill."""
 BESIDE = 1.4
 """Height over width of a plane beyond which its pairs are drawn beside each other."""
@@ -107,21 +107,21 @@ def _fitted_pair_names(
 ) -> tuple[list[str], float]:
     """Name of each pair, and the size of the letters, so that none meets its neighbour."""
     box, inches = panel.get_position(original=True), figure.get_size_inches()
-    room = box.width * inches[0] + BETWEEN if tall else box.height * inches[1] + BELOW
-    room *= CLEAR
+    available = box.width * inches[0] + BETWEEN if tall else box.height * inches[1] + BELOW
+    available *= MAX_TEXT_SHARE
     others = [_break_after_commas(gettext(s)) for s in STATES] if tall else [gettext("Up (m)")]
     for template in (N_("{line}\n− {other}"), N_("{line}\n−\n{other}")):
         named = [
             gettext(
                 template,
-                line=cut_to_width(short_name(each.line_a), room),
-                other=cut_to_width(short_name(each.line_b), room),
+                line=cut_to_width(short_name(each.line_a), available),
+                other=cut_to_width(short_name(each.line_b), available),
             )
             for each in maps
         ]
-        if (size := largest_fitting_font_size(named, room, SMALL)) == SMALL:
+        if (size := largest_fitting_font_size(named, available, SMALL)) == SMALL:
             break
-    return named, min(size, largest_fitting_font_size(others, room, SMALL))
+    return named, min(size, largest_fitting_font_size(others, available, SMALL))
 
 
 def _break_after_commas(text: str) -> str:
@@ -205,4 +205,4 @@ def _map_size(pair: DistanceMapValues) -> Array:
 
 
 def _colour_limit(values: Sequence[float]) -> float:
-    return max(float(np.percentile(np.abs(values), WITHIN)), LEAST)
+    return max(float(np.percentile(np.abs(values), SCALE_PERCENTILE)), LEAST)

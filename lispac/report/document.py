@@ -63,7 +63,7 @@ def undrawn_document(
     options: ReportOptions = USUAL,
 ) -> Document:
     """The report in the language in use, its figures not drawn yet."""
-    serious, notes = (_warning_texts(content, serious=wanted) for wanted in (True, False))
+    serious, notes = (_warning_texts(content, serious=is_serious) for is_serious in (True, False))
     status, verdict = _status_text(content, bool(serious))
     parts = [
         _make_section(gettext("Boresight and its uncertainty"), boresight_blocks(content)),

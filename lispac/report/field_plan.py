@@ -31,12 +31,12 @@ ASSUMED = N_(
     "abeam. Run the lines in the given order. Headings and azimuths are from true north. Fix the "
     "boards flat and firmly: the predicted sigmas assume that they do not move."
 )
-PITCH, CLOSEST, ROOM, LIFT = 0.019, 0.0115, 0.24, 0.26
-"""Shares of the page: height of a row, its smallest value, room of the rows beside drawings of the
+PITCH, MIN_PITCH, SPACE, LIFT = 0.019, 0.0115, 0.24, 0.26
+"""Shares of the page: height of a row, its smallest value, height of the rows below drawings of
 usual height, and the most that drawings lose where there are many rows."""
-MOST_CAUTIONS, WIDE = 3, 140
+MAX_WARNINGS, LINE_LENGTH = 3, 140
 """Warnings that are printed, and letters in a line."""
-MORE = Plural("{count:n} more warning is not shown.", "{count:n} more warnings are not shown.")
+OMITTED = Plural("{count:n} more warning is not shown.", "{count:n} more warnings are not shown.")
 BARS = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 """Metres: lengths of the scale."""
 
@@ -55,12 +55,12 @@ def field_plan_figure(
     warnings : sequence of str
         Warnings about parts of the plan that cannot be realised.
     """
-    if len(warnings) > MOST_CAUTIONS:
-        more = gettext(MORE, count=len(warnings) - MOST_CAUTIONS)
-        warnings = (*warnings[:MOST_CAUTIONS], more)
+    if len(warnings) > MAX_WARNINGS:
+        rest = gettext(OMITTED, count=len(warnings) - MAX_WARNINGS)
+        warnings = (*warnings[:MAX_WARNINGS], rest)
     rows = len(plan.targets) + len(plan.lines) + 4.6 + len(warnings)
-    lift = float(np.clip(rows * CLOSEST - ROOM, 0.0, LIFT)) if rows * PITCH > ROOM else 0.0
-    pitch = min(PITCH, (ROOM + lift) / rows)
+    lift = float(np.clip(rows * MIN_PITCH - SPACE, 0.0, LIFT)) if rows * PITCH > SPACE else 0.0
+    pitch = min(PITCH, (SPACE + lift) / rows)
     figure = Figure(figsize=PAGE)
     figure.text(0.07, 0.955, title, fontsize=15, weight="bold", color=INK)
     figure.text(0.07, 0.933, _predicted_sigma_text(plan), fontsize=TEXT + 1, color=INK)
@@ -73,11 +73,11 @@ def field_plan_figure(
         figure, low, pitch, gettext("Lines in survey order"), LINE_HEADS, _line_rows(plan, wall)
     )
     low -= pitch * (len(plan.lines) + 2.3)
-    for caution in warnings:
-        figure.text(0.07, low, caution, fontsize=TEXT, color=WRONG, va="top", weight="bold")
+    for warning in warnings:
+        figure.text(0.07, low, warning, fontsize=TEXT, color=WRONG, va="top", weight="bold")
         low -= pitch
     text = "\n".join(
-        fill(note, WIDE) for note in (gettext(ASSUMED), _assumptions_text(plan), *notes)
+        fill(note, LINE_LENGTH) for note in (gettext(ASSUMED), _assumptions_text(plan), *notes)
     )
     figure.text(0.07, low, text, fontsize=SMALL, color=INK, va="top", linespacing=1.4)
     return figure
@@ -116,7 +116,7 @@ def _triple_text(numbers: Sequence[str]) -> str:
 def _draw_plan_view(axes: Axes, plan: Plan, wall: Wall) -> None:
     """East to the right, north up; the wall, the targets and the lines with their numbers."""
     middle = np.array(plan.middle[:2])
-    aside = 0.02 * max(line.distance for line in plan.lines)  # opposite lines beside each other
+    offset = 0.02 * max(line.distance for line in plan.lines)  # opposite lines beside each other
     begins: dict[tuple[float, float], list[int]] = {}
     reach = max(line.distance for line in plan.lines) + 5.0
     ends = middle + np.outer([-reach, reach], wall.rightward)
@@ -125,7 +125,7 @@ def _draw_plan_view(axes: Axes, plan: Plan, wall: Wall) -> None:
         zip(plan.lines, plan.straight_extents, strict=True), start=1
     ):
         direction, abeam = _direction(line), np.array(line.abeam(plan.middle))
-        abeam = abeam + aside * np.array([direction[1], -direction[0]])
+        abeam = abeam + offset * np.array([direction[1], -direction[0]])
         first, last = abeam + start * direction, abeam + stop * direction
         (x0, x1), (y0, y1) = _east_north(np.stack([first, last]))
         axes.annotate(

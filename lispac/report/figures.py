@@ -52,7 +52,7 @@ PER_RESIDUAL_FIGURE = 28
 
 LONGEST_LABEL = 24
 
-NEAR = 0.05, 0.09
+LABEL_DISTANCE = 0.05, 0.09
 """Distance of marks on the site plan whose names would overlap; shares of the drawn extent."""
 
 POS_COMPONENTS = (
@@ -373,7 +373,7 @@ def _label_seeds(
         return
     seeds = np.array([seed[:2] for _, seed, _ in marks], dtype=float)
     drawn = np.vstack([seeds, *(np.reshape(track, (-1, 2)) for track in tracks)])
-    near = np.array(NEAR) * max(float(np.ptp(drawn, axis=0).max()), 1e-9)
+    near = np.array(LABEL_DISTANCE) * max(float(np.ptp(drawn, axis=0).max()), 1e-9)
     groups: list[list[int]] = []
     for k in np.argsort(-seeds[:, 0], kind="stable"):  # from north to south
         touched = [g for g in groups if (np.abs(seeds[g] - seeds[k]) < near).all(axis=1).any()]

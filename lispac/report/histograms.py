@@ -21,7 +21,7 @@ from lispac.report.figures import (
     short_name,
     style_axes,
 )
-from lispac.report.legends import USUAL, top_below_legend
+from lispac.report.legends import AXES_POSITION, top_below_legend
 from lispac.report.text_format import grouped_number, localised_number
 from lispac.report.validation_values import ValidationPlane
 from lispac.validation.comparison_results import PlaneComparison
@@ -31,7 +31,7 @@ Array = NDArray[np.float64]
 
 BARS = 60
 """Largest number of bars in a picture."""
-NEAR, WORTH_IT = 1.6, 0.4
+ENLARGED_WIDTH, MAX_ENLARGED_SHARE = 1.6, 0.4
 """The distances after are enlarged beside the whole: width in their 95th percentiles, and the share
 of the whole below which that is done."""
 COLOURS = (BEFORE, AFTER)
@@ -77,7 +77,7 @@ def histogram_figure(
             for template, each in ((_BEFORE, before), (_AFTER, after))
         ],
         before.n,
-        NEAR * after.p95,
+        ENLARGED_WIDTH * after.p95,
     )
     title = _plane_title(
         comparison.name, comparison.pooled_from, message_text(comparison.model.name)
@@ -96,7 +96,7 @@ def validation_figure(plane: ValidationPlane) -> Figure:
             for template, each in ((_BEFORE, before), (_AFTER, after))
         ],
         before.n,
-        NEAR * after.p95_m,
+        ENLARGED_WIDTH * after.p95_m,
     )
     title = _plane_title(plane.name, plane.pooled_from, message_text(plane.measured_to))
     return _draw_histogram(None, title, counted, share=False)
@@ -119,11 +119,11 @@ def _draw_histogram(
 ) -> Figure:
     figure = blank_figure(figure, (6.3, 2.5))
     top = float(np.asarray(counted.edges)[-1])
-    enlarged = counted.near < WORTH_IT * top
+    enlarged = counted.near < MAX_ENLARGED_SHARE * top
     if enlarged:
-        places = list(figure.subplots(1, 2, width_ratios=(3, 2), gridspec_kw=USUAL))
+        places = list(figure.subplots(1, 2, width_ratios=(3, 2), gridspec_kw=AXES_POSITION))
     else:
-        places = [figure.subplots(gridspec_kw=USUAL)]
+        places = [figure.subplots(gridspec_kw=AXES_POSITION)]
     size = SMALL if enlarged else TEXT
     amount = gettext("Share of the points\n(% per mm)") if share else gettext("Points")
     for axes, reach, across in zip(places, (top, counted.near), (_WHOLE, _NEAR), strict=False):

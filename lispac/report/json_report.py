@@ -50,8 +50,8 @@ def english_values(value: Any) -> Any:
     if isinstance(value, LazyText):
         return in_english(value)
     if is_dataclass(value) and not isinstance(value, type):
-        held = ((each.name, getattr(value, each.name)) for each in fields(value))
-        return replace(value, **{name: english_values(each) for name, each in held})
+        items = ((each.name, getattr(value, each.name)) for each in fields(value))
+        return replace(value, **{name: english_values(each) for name, each in items})
     if isinstance(value, tuple):
         return tuple(map(english_values, value))
     if isinstance(value, Mapping):

@@ -12,7 +12,7 @@ from lispac.validation.line_differences import LineDifference
 
 COLOURS = "viridis_r"
 """Light where lines coincide, dark where they are far apart; for any colour vision."""
-OUTER = 95.0
+SCALE_PERCENTILE = 95.0
 """Percentile of the differences at the end of the colour scale."""
 
 
@@ -30,7 +30,7 @@ def line_difference_map(pairs: Sequence[LineDifference], figure: Figure | None =
     place = np.concatenate([pair.place for pair in pairs])
     size = 1000 * np.abs(np.concatenate([pair.distance for pair in pairs]))
     order = np.argsort(size)
-    end = max(float(np.percentile(size, OUTER)), 0.1)
+    end = max(float(np.percentile(size, SCALE_PERCENTILE)), 0.1)
     drawn = axes.scatter(
         -place[order, 1], place[order, 0], c=size[order], s=5, cmap=COLOURS, vmin=0.0, vmax=end,
         linewidths=0, rasterized=True,

@@ -29,10 +29,10 @@ def method_blocks(content: ReportContent) -> list[Block]:
     found = content.methods
     if len(found) < 2:
         return []
-    remarks = [
-        gettext("{name}: {remark}", name=_method_name(each), remark=sentence_text(remark))
+    messages = [
+        gettext("{name}: {remark}", name=_method_name(each), remark=sentence_text(message))
         for each in found
-        for remark in each.messages
+        for message in each.messages
     ]
     blocks: list[Block] = [
         Paragraph(gettext(EXPLAINED)),
@@ -40,7 +40,7 @@ def method_blocks(content: ReportContent) -> list[Block]:
         _differences_table(found),
         Bullets(tuple(map(sentence_text, content.method_messages))),
     ]
-    return [*blocks, Bullets(tuple(remarks))] if remarks else blocks
+    return [*blocks, Bullets(tuple(messages))] if messages else blocks
 
 
 def _method_name(each: MethodValues) -> str:

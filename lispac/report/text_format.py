@@ -183,8 +183,8 @@ def _part_name(part: CrossCheckPart) -> str:
 
 def quantity_text(name: str, value: float, *, sign: bool = False) -> str:
     """A value of the mounting, in metres, degrees or seconds, with the unit it is shown in."""
-    shown, (stated, _) = QUANTITIES[name], STATED[name]
-    number = fixed_number(shown.factor / stated * value, shown.decimals, sign=sign)
+    shown, (shown_factor, _) = QUANTITIES[name], STATED[name]
+    number = fixed_number(shown.factor / shown_factor * value, shown.decimals, sign=sign)
     # French writes the sign of degrees without a space before it.
     if shown.unit == "deg":
         return gettext("{number}\u00a0deg", number=number)

@@ -108,13 +108,13 @@ def validation_blocks(content: ReportContent) -> list[Block]:
         )
     )  # fmt: skip
     blocks += _signed_tables(content.validation)
-    apart = tuple(_not_compared_text(plane) for plane in content.validation if plane.not_compared)
-    if apart:
+    omitted = tuple(_not_compared_text(plane) for plane in content.validation if plane.not_compared)
+    if omitted:
         blocks += [
             Paragraph(
                 gettext("Not compared, because the two lines cover no common part of the plane:")
             ),
-            Bullets(apart),
+            Bullets(omitted),
         ]
     return blocks
 

@@ -74,8 +74,8 @@ def _set_y_limits(axes: Axes, values: Array, least: float) -> None:
     low, high = float(values.min()), float(values.max())
     wanting = max(0.0, least - (high - low)) / 2
     low, high = low - wanting, high + wanting
-    room = 0.15 * (high - low)
-    axes.set_ylim(low - room, high + room)
+    margin = 0.15 * (high - low)
+    axes.set_ylim(low - margin, high + margin)
 
 
 def visibility_figure(

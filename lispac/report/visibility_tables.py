@@ -138,22 +138,22 @@ def all_errors_text(study: VisibilityStudy) -> str:
 
 
 def _comparison_row(each: ThesisComparison) -> tuple[str, ...]:
-    best, stated = each.best, each.stated
+    best, thesis_value = each.best, each.stated
     accepted = gettext("none")
     if best.kept:
         accepted = _range_text(
             *(round(float(np.degrees(end))) for end in (best.kept[0], best.kept[-1]))
         )
-    not_seen, thesis = gettext("not visible"), stated.inclination_deg
+    not_seen, thesis = gettext("not visible"), thesis_value.inclination_deg
     return (
         systematic_error_label(best.error),
         accepted,
-        _range_text(*stated.suitable_inclinations_deg),
+        _range_text(*thesis_value.suitable_inclinations_deg),
         not_seen if best.inclination is None else f"{np.degrees(best.inclination):.0f}",
         not_seen if thesis is None else _inclination_text(*thesis),
         # Lines that show the same stand together; one of each group is enough.
         ", ".join("/".join(map(str, group)) for group in best.groups) if best.lines else not_seen,
-        _headings_text(stated.lines) or not_seen,
+        _headings_text(thesis_value.lines) or not_seen,
         _agreement_text(each.inclination_agrees),
         _agreement_text(each.lines_agree),
         "" if each.reason is None else message_text(each.reason),

@@ -46,7 +46,7 @@ def new(
     accuracy : path, optional
         smrmsg, or a text that holds the accuracies of the trajectory.
     line_reading, trajectory_reading, accuracy_reading : Reading
-        Options of the formats; ``lispac look FILE`` lists them.
+        Options of the formats; ``lispac inspect FILE`` lists them.
     resolved : bool
         Whether the readings are complete, as a script of a project has them: nothing is looked for
         in the files then.

@@ -51,14 +51,14 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-SIGMA = 0.005
+DEFAULT_SIGMA = 0.005
 """Metres; default sigma of a reference."""
-REACH = 1.0
+SEARCH_DISTANCE = 1.0
 """Metres from the reference within which lines are searched for; at 50 m, 1.1 deg of boresight."""
 PER_DIAMETER, PER_WIDTH = 4, 5
 """Points that stand for a surveyed plane along the diameter of a cylinder, and cylinders along the
 plane's shorter side."""
-FEWEST_PLACES = {"scan": 30, "points": 1}
+MIN_PLACES = {"scan": 30, "points": 1}
 """Smallest number of places of a line for a result."""
 
 
@@ -71,8 +71,8 @@ def check_absolute(
     height: str = "",
     trajectory_datum: str | None = None,
     epoch: float | None = None,
-    sigma: float = SIGMA,
-    reach: float = REACH,
+    sigma: float = DEFAULT_SIGMA,
+    reach: float = SEARCH_DISTANCE,
     progress: Progress = no_progress,
 ) -> tuple[Project, tuple[Message, ...]]:
     """Measure every line against a reference, with the prior and the estimated boresight.
@@ -136,7 +136,7 @@ def check_absolute(
             error(
                 "check.no_flat_place",
                 file=str(path),
-                count=FEWEST_PLACES[reference.kind],
+                count=MIN_PLACES[reference.kind],
                 distance=reach,
             )
         )
@@ -235,7 +235,7 @@ class _MeasuredReference:
             flat = is_reference_flat(surface, cores, SMOOTH * wide, self.roughest)
             yield surface, cores[flat], wide[flat], 0
         for k, plane in enumerate(self.reference.planes):
-            # It is flat however wide one looks, and a line may be sparse there.
+            # It is flat at any width, and a line may be sparse there.
             side = float(np.clip(plane.width / PER_WIDTH, NARROWEST, WIDEST))
             diameters = cylinder_diameters(tree, plane.grid(side), self.reach)
             if np.isfinite(diameters).any():
@@ -280,7 +280,7 @@ def _compare_line(
         except NotComparable:
             pass
     count = sum(len(group) for _, group in found)
-    if count < FEWEST_PLACES[where.reference.kind]:
+    if count < MIN_PLACES[where.reference.kind]:
         raise NotComparable(_too_few_message(where, count, tried))
     measured = MeasuredPlaces(
         _concatenate_distances([each.before for each, _ in found]),
@@ -300,7 +300,7 @@ def _too_few_message(where: _MeasuredReference, count: int, tried: int) -> Messa
         return error("check.no_reference_near", distance=where.reach)
     return error(
         "check.few_places", places=count, tried=tried, distance=where.reach,
-        least=FEWEST_PLACES["scan"],
+        least=MIN_PLACES["scan"],
     )  # fmt: skip
 
 

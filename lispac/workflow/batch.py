@@ -177,12 +177,12 @@ def _calibrate_project(
 ) -> BatchRow:
     survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.3))
     project = estimate(project, survey, progress=sub_progress(progress, 0.3, 0.7))
-    said: tuple[str, ...] = ()
+    failures: tuple[str, ...] = ()
     if any(plane.used for plane in project.targets_of_role("validation")):
         try:
             project = validate(project, survey, progress=sub_progress(progress, 0.7, 0.9))
         except NotComparable as error:
-            said = (str(error),)
+            failures = (str(error),)
     if save:
         save_project(project)
     if report is not None:
@@ -199,8 +199,8 @@ def _calibrate_project(
     sigmas = np.degrees(result.sigma).tolist()
     return replace(
         known,
-        verdict="warnings" if serious else "notes" if warnings or said else "good",
-        messages=(*said, *(to_plain_text(message_text(message)) for message in warnings)),
+        verdict="warnings" if serious else "notes" if warnings or failures else "good",
+        messages=(*failures, *(to_plain_text(message_text(message)) for message in warnings)),
         boresight_deg=(roll, pitch, yaw),
         sigma_deg=(sigmas[0], sigmas[1], sigmas[2]),
         sigma_0=None if result.variance_factor is None else math.sqrt(result.variance_factor),
@@ -219,13 +219,13 @@ def _pooled_rms(planes: Sequence[tuple[float, int]]) -> float | None:
 
 def _report_names(folders: Sequence[Path]) -> Iterator[str]:
     """A name for each folder's report: its own, with a number where others have the same."""
-    taken: set[str] = set()
+    used_names: set[str] = set()
     for folder in folders:
         name, k = folder.name, 1
-        while name.lower() in taken:
+        while name.lower() in used_names:
             k += 1
             name = f"{folder.name}-{k}"
-        taken.add(name.lower())
+        used_names.add(name.lower())
         yield name
 
 

@@ -13,8 +13,8 @@ from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
 
-STATES = 1_000
-"""Times of each line at which accuracies and rates are looked up."""
+TIMES_PER_LINE = 1_000
+"""Times of each line at which accuracies and rates are interpolated."""
 
 
 def error_budget_of(
@@ -47,7 +47,7 @@ def error_budget_of(
     latency = result.mounting.latency
     time = np.concatenate(
         [
-            np.linspace(scan.first_time, scan.last_time, STATES + 2)[1:-1]
+            np.linspace(scan.first_time, scan.last_time, TIMES_PER_LINE + 2)[1:-1]
             for scan in survey.scans.values()
         ]
     )

@@ -32,14 +32,14 @@ Array = NDArray[np.float64]
 RESELECTIONS = 3
 """Each selection leaves about a third of the error that the smear of the one before it caused."""
 
-MOST_WARNINGS = 3
-"""Warnings about the data named where an adjustment has no answer."""
+MAX_WARNINGS = 3
+"""Warnings about the data that the error of a failed adjustment names."""
 
 SELECTION_SPACING = 0.1
 """Metres between the points that steer a selection: near a slow scanner a surface has hundreds of
 points where its far end has one, and these must not decide alone."""
 
-SETTLED = 0.1
+CONVERGENCE_LIMIT = 0.1
 """Change of an angle, as a share of its sigma, below which the selection is not repeated."""
 
 
@@ -95,9 +95,9 @@ def observations_of(
             if alone
             else error("estimate.no_target", project=project.name)
         )
-    taken = [survey.scans[s.line].take(i) for s, i in zip(sightings, indices, strict=True)]
-    points = np.concatenate([points for points, _ in taken])
-    time = np.concatenate([times for _, times in taken])
+    parts = [survey.scans[s.line].take(i) for s, i in zip(sightings, indices, strict=True)]
+    points = np.concatenate([points for points, _ in parts])
+    time = np.concatenate([times for _, times in parts])
     poses = survey.trajectory.at(time + settings.latency)
     sigma_position, sigma_attitude = survey.accuracy.at(time)
     observations = Observations(
@@ -202,7 +202,7 @@ def estimate(
     Raises
     ------
     AdjustmentError
-        Where targets and lines cannot give an answer.
+        Where targets and lines cannot give a result.
     """
     settings = settings or project.settings
     settings.require_sound()
@@ -242,7 +242,7 @@ def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
         warnings = [each for each in survey.messages if each.level is Level.WARNING]
         alone = single_line_notes(project.targets)
         reason = failure.reason
-        causes: list[Message | str] = [*alone, *warnings[:MOST_WARNINGS]]
+        causes: list[Message | str] = [*alone, *warnings[:MAX_WARNINGS]]
         for cause in causes:
             reason = error("estimate.possible_cause", reason=reason, cause=cause)
         if isinstance(failure, TargetDisagrees):
@@ -260,7 +260,7 @@ def reselect_points(
     """The project with its targets' points selected again, with a boresight found on the way.
 
     The picks were made with the prior boresight, which smears a surface that is seen from a moving
-    platform. The answer is for `adjust_selected`; the picks in the project stay as they were.
+    platform. The result is for `adjust_selected`; the picks in the project stay as they were.
     """
     settings, selected = project.settings, replace(project, result=None)
     prior = project.mounting("prior")
@@ -270,7 +270,7 @@ def reselect_points(
         subsample=max(settings.subsample, SELECTION_SPACING),
         parameters=(),
     )
-    # Whether the geometry answers is judged by the times and surfaces that are given.
+    # The geometry is judged by the times and surfaces that are given.
     judged = replace(settings.stochastic_model, pos_errors="independent", loss="none")
     angles = prior.boresight
     for k in range(rounds):
@@ -292,7 +292,7 @@ def reselect_points(
                 accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
             )  # fmt: skip
         changes = np.abs(result.boresight - angles)
-        if k > 0 and (changes < SETTLED * result.sigma).all():
+        if k > 0 and (changes < CONVERGENCE_LIMIT * result.sigma).all():
             break
         angles = result.boresight
         selected = reselect_targets(selected.with_result(result), survey, progress=step)
@@ -346,7 +346,7 @@ def complete_result(
     """Complete a result with the parts omitted for speed: a further line, the cross-checks.
 
     For what was solved without advice: a click is followed at once, and this comes after it. The
-    result is the same but for the remark on a further line.
+    result is the same but for the note on a further line.
     """
     assert project.result is not None
     observations, _ = _selected_observations(project, selected, survey)
@@ -356,7 +356,7 @@ def complete_result(
 
 
 def _with_advice(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
-    """The result with a remark on the further line that would help most."""
+    """The result with a note on the further line that would help most."""
     # A further line is judged by the sigmas of the whole.
     judged = observations.with_sigmas(*result.sigma_factors)
     seen = result.observability

@@ -20,7 +20,7 @@ from lispac.project import Project
 from lispac.validation.control_chart import ChartedCalibration, control_chart
 from lispac.validation.repeatability import Calibration
 from lispac.workflow.projects import open_project
-from lispac.workflow.repeated_surveys import comparability_remarks, distinct_names
+from lispac.workflow.repeated_surveys import comparability_notes, distinct_names
 from lispac.workflow.shared_lines import has_same_lines
 from lispac.workflow.survey_dates import survey_dates
 
@@ -73,11 +73,11 @@ class HistoryEntry:
 
 @dataclass(frozen=True, eq=False)
 class CalibrationHistory:
-    """Calibrations of one system, the earliest first, with remarks."""
+    """Calibrations of one system, the earliest first, with notes."""
 
     system: CalibratedSystem
     entries: tuple[HistoryEntry, ...]
-    remarks: tuple[Message, ...] = ()
+    messages: tuple[Message, ...] = ()
 
 
 def find_projects(folders: Sequence[Path]) -> tuple[list[Path], list[Message]]:
@@ -132,12 +132,12 @@ def read_histories(
     Returns
     -------
     histories : those with most calibrations first
-    remarks : excluded calibrations, with the reason
+    messages : excluded calibrations, with the reason
 
     Raises
     ------
     ProjectError
-        No project in the folders, or none with an answer and a date.
+        No project in the folders, or none with a result and a date.
     """
     open_ones = {project.folder.resolve(): project for project in also}
     inside, unreadable = find_projects(folders)
@@ -189,8 +189,8 @@ def read_histories(
         (_system_history(group) for group in groups), key=lambda each: -len(each.entries)
     )
     progress(1.0)
-    remarks = tuple(note("history.excluded", reason=each) for each in excluded)
-    return tuple(found), remarks
+    messages = tuple(note("history.excluded", reason=each) for each in excluded)
+    return tuple(found), messages
 
 
 def change_message(entry: HistoryEntry) -> Message:
@@ -211,7 +211,7 @@ def change_message(entry: HistoryEntry) -> Message:
 
 
 def _system_history(group: Sequence[tuple[date, Project]]) -> CalibrationHistory:
-    group, remarks = _without_repeated_surveys(group)
+    group, messages = _without_repeated_surveys(group)
     projects = [project for _, project in group]
     names = distinct_names(projects)
     chart = control_chart([
@@ -220,15 +220,15 @@ def _system_history(group: Sequence[tuple[date, Project]]) -> CalibrationHistory
         if project.result is not None
     ])  # fmt: skip
     for k in range(1, len(projects)):
-        remarks += comparability_remarks(names[k - 1 : k + 1], projects[k - 1 : k + 1])
+        messages += comparability_notes(names[k - 1 : k + 1], projects[k - 1 : k + 1])
     system = CalibratedSystem.of(projects[0])
     if not any(getattr(system, name) for name in SYSTEM):
-        remarks.append(note("history.unnamed_system"))
+        messages.append(note("history.unnamed_system"))
     entries = [
         HistoryEntry(project, day, charted)
         for (day, project), charted in zip(group, chart, strict=True)
     ]
-    return CalibrationHistory(system, tuple(entries), tuple(remarks))
+    return CalibrationHistory(system, tuple(entries), tuple(messages))
 
 
 def _without_repeated_surveys(
@@ -236,16 +236,16 @@ def _without_repeated_surveys(
 ) -> tuple[list[tuple[date, Project]], list[Message]]:
     """Projects without those on the lines of an earlier one, and notes on these."""
     kept: list[tuple[date, Project]] = []
-    remarks = []
+    messages = []
     for day, project in group:
         same = [known for _, known in kept if has_same_lines(known, project)]
         if same:
-            remarks.append(
+            messages.append(
                 note("history.same_lines", folder=str(project.folder), other=str(same[0].folder))
             )
         else:
             kept.append((day, project))
-    return kept, remarks
+    return kept, messages
 
 
 def first_date_in(text: str) -> date | None:

@@ -46,7 +46,7 @@ class WrittenLine:
         it is too steep to be interpolated).
     excluded : int
         Excluded because they are beyond the range of the scanner, or in it.
-    remarks : tuple of Message
+    messages : tuple of Message
         What of the source is not kept, and assumptions.
     """
 
@@ -55,11 +55,11 @@ class WrittenLine:
     outside: int = 0
     in_gaps: int = 0
     excluded: int = 0
-    remarks: tuple[Message, ...] = ()
+    messages: tuple[Message, ...] = ()
 
     @property
     def notes(self) -> tuple[Message, ...]:
-        """Points that are excluded, and the remarks."""
+        """Points that are excluded, and the messages."""
         found, file = [], printable(self.path.name)
         total = self.points + self.outside + self.in_gaps
         if self.outside:
@@ -70,7 +70,7 @@ class WrittenLine:
             found.append(
                 note("export.excluded_in_gaps", file=file, count=self.in_gaps, total=total)
             )
-        return (*found, *self.remarks)
+        return (*found, *self.messages)
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +90,7 @@ def write_cloud(
     *,
     reading: Reading = USUAL,
     recovery: RecoverySetup | None = None,
-    most_range: float = MOST_RANGE,
+    max_range: float = MOST_RANGE,
     compressed: bool = True,
     progress: Progress = no_progress,
 ) -> WrittenLine:
@@ -103,15 +103,15 @@ def write_cloud(
     temporary, path : Path
         Where it is written now, and the name it will have.
     mapping : ScannerPointConverter
-        To the coordinate system wanted, with the mounting wanted.
+        To the selected coordinate system, with the selected mounting.
     pattern : callable
-        The first chunk to what the records look like.
+        The first chunk to the layout of the records.
     reading : Reading
         How the source's times come into the trajectory's time base; written are those of the
         source.
     recovery : RecoverySetup, optional
         What made the chunks, where they are georeferenced already.
-    most_range : float, metres
+    max_range : float, metres
         Largest distance from the scanner of points recovered from a georeferenced cloud.
 
     Raises
@@ -125,7 +125,7 @@ def write_cloud(
     if first is None:
         raise InputError(error("export.no_points", line=path.stem))
     chosen = pattern(first)
-    place = _ChunkGeoreferencer(mapping, reading, recovery, most_range)
+    place = _ChunkGeoreferencer(mapping, reading, recovery, max_range)
     pace, total = (
         PointRate(gettext_lazy("Writing {file}", file=path.name), first.total),
         first.total,
@@ -200,7 +200,7 @@ class _ChunkGeoreferencer:
     mapping: ScannerPointConverter
     reading: Reading
     recovery: RecoverySetup | None
-    most_range: float
+    max_range: float
 
     def __call__(self, cloud: CloudWriter, chunk: PointChunk) -> _GeoreferencedChunk:
         moved = self.reading.to_trajectory_time(chunk.time)
@@ -218,7 +218,7 @@ class _ChunkGeoreferencer:
             xyz, stamps, moved, chosen = xyz[usable], stamps[usable], moved[usable], usable
         if self.recovery is not None:
             xyz = self.recovery.points_lidar(xyz, moved, threads=1)
-            near = is_within_range(xyz, self.most_range)
+            near = is_within_range(xyz, self.max_range)
             if not near.all():
                 xyz, stamps, moved = xyz[near], stamps[near], moved[near]
                 excluded = int(np.count_nonzero(~near))

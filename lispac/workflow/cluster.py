@@ -24,19 +24,19 @@ from lispac.messages import error
 from lispac.workflow.cluster_access import ClusterAccess
 from lispac.workflow.parallel_map import chunk_size
 
-CONNECT = 4.0
-"""Seconds that a scheduler has to answer."""
+CONNECT_TIMEOUT = 4.0
+"""Seconds in which a scheduler has to reply."""
 
-WORKERS = 15.0
+START_TIMEOUT = 15.0
 """Seconds that a worker may take to be there: one that was lost is started again by its nanny."""
 
-LOOK = 2.0
+POLL_INTERVAL = 2.0
 """Seconds without a result after which the number of workers is checked."""
 
-PATIENCE = 60.0
+WORKER_TIMEOUT = 60.0
 """Seconds that may pass without any worker before the campaign ends."""
 
-SENDINGS = 3
+MAX_SENDINGS = 3
 """Times that a chunk is sent; each time the scheduler bears with several lost workers."""
 
 
@@ -67,7 +67,7 @@ def cluster_mapper(access: ClusterAccess | str) -> Iterator[Mapper]:
     with _silenced_logs():
         _require_scheduler(address, security)
         client = distributed.Client(
-            address, timeout=CONNECT, set_as_default=False, security=security
+            address, timeout=CONNECT_TIMEOUT, set_as_default=False, security=security
         )
         cluster = _Cluster(client, address)
         try:
@@ -101,15 +101,15 @@ def _require_scheduler(address: str, security: Any) -> None:
     from distributed.comm import connect
 
     async def greeted() -> None:
-        options = security.get_connection_args("client")
-        comm = await asyncio.wait_for(connect(address, timeout=CONNECT, **options), CONNECT)
+        options = security.get_connection_args("client") | {"timeout": CONNECT_TIMEOUT}
+        comm = await asyncio.wait_for(connect(address, **options), CONNECT_TIMEOUT)
         comm.abort()
 
     try:
         asyncio.run(greeted())
-    except Exception as failure:  # whatever another program's answer leads to
+    except Exception as failure:  # whatever another program's reply leads to
         raise LispacError(
-            error("cluster.no_scheduler", address=address, limit=CONNECT)
+            error("cluster.no_scheduler", address=address, limit=CONNECT_TIMEOUT)
         ) from failure
 
 
@@ -128,7 +128,7 @@ class _Cluster:
         LispacError
         """
         try:  # one that was lost is perhaps being started again
-            self.client.wait_for_workers(1, timeout=WORKERS)
+            self.client.wait_for_workers(1, timeout=START_TIMEOUT)
         except TimeoutError:
             raise LispacError(error("cluster.no_workers", address=self.address)) from None
         try:  # it reads every chunk before it hands it on
@@ -164,16 +164,16 @@ class _Cluster:
         back: SimpleQueue[_ChunkInProgress] = SimpleQueue()
         for k, chunk in enumerate(chunks):
             self._send_chunk(_ChunkInProgress(k, task, chunk, back))
-        answers: dict[int, list[Any]] = {}
+        results: dict[int, list[Any]] = {}
         for k in range(len(chunks)):
-            while k not in answers:
+            while k not in results:
                 sent = self._wait_for_result(back)
-                answer = self._receive_result(sent)
-                if answer is None:
+                result = self._receive_result(sent)
+                if result is None:
                     self._send_chunk(sent)
                 else:
-                    answers[sent.number] = answer
-            yield from answers.pop(k)
+                    results[sent.number] = result
+            yield from results.pop(k)
 
     def _send_chunk(self, sent: "_ChunkInProgress") -> None:
         sent.times += 1
@@ -193,14 +193,14 @@ class _Cluster:
         alone_since = None
         while True:
             try:
-                return back.get(timeout=LOOK)
+                return back.get(timeout=POLL_INTERVAL)
             except Empty:
                 pass
             if self._count_threads():
                 alone_since = None
             else:
                 alone_since = alone_since or monotonic()
-                if monotonic() - alone_since > PATIENCE:
+                if monotonic() - alone_since > WORKER_TIMEOUT:
                     raise self._connection_error()
 
     def _receive_result(self, sent: "_ChunkInProgress") -> list[Any] | None:
@@ -213,40 +213,40 @@ class _Cluster:
         """
         import distributed
 
-        answer = None
+        result = None
         with self._report_lost_connection():
             lost = self._query_scheduler(sent.future.exception)
             if lost is None:
                 # Its worker may have been lost since: others do it again, or are lost by it, too
                 try:
-                    answer = list(self._query_scheduler(sent.future.result))
+                    result = list(self._query_scheduler(sent.future.result))
                 except distributed.scheduler.KilledWorker as killed:
                     lost = killed
         if lost is not None and not isinstance(lost, distributed.scheduler.KilledWorker):
             raise lost
         self._discard_chunk(sent)
-        if lost is not None and sent.times >= SENDINGS:
+        if lost is not None and sent.times >= MAX_SENDINGS:
             raise LispacError(
                 error(
                     "cluster.worker_lost_repeatedly",
                     address=self.address,
                     count=len(sent.chunk),
-                    times=SENDINGS,
+                    times=MAX_SENDINGS,
                 )
             )
-        return answer
+        return result
 
-    def _query_scheduler(self, ask: Callable[..., Any]) -> Any:
+    def _query_scheduler(self, method: Callable[..., Any]) -> Any:
         """Value of a completed future; it is computed again if its worker was lost.
 
         Raises
         ------
         LispacError
-            Where nobody is left to do it.
+            Where no worker is left.
         """
         while True:
             try:
-                return ask(timeout=PATIENCE)
+                return method(timeout=WORKER_TIMEOUT)
             except TimeoutError:
                 if not self._count_threads():
                     raise self._connection_error() from None

@@ -10,9 +10,9 @@ from lispac.survey.trajectory import LocalTrajectory
 
 Array = NDArray[np.float64]
 
-FARTHEST = 5_000.0
+MAX_DISTANCE = 5_000.0
 """Metres from the trajectory beyond which no LiDAR on a vessel sees: a slip, not a target."""
-STATES = 5_000
+MAX_STATES = 5_000
 """Of the trajectory, that distances are measured to: of an hour about one a second."""
 
 
@@ -51,7 +51,7 @@ def distances_from_trajectory(places: Array, trajectory: LocalTrajectory) -> Arr
     """Distances of places from the trajectory, shape (n,), metres."""
     from scipy.spatial import KDTree
 
-    step = max(1, len(trajectory.position) // STATES)
+    step = max(1, len(trajectory.position) // MAX_STATES)
     distances = np.full(len(places), np.inf)
     inside = np.isfinite(places).all(axis=1)
     if inside.any():
@@ -74,11 +74,11 @@ def too_far_message(
     distance = float(
         distances_from_trajectory(to_local_frame(point, system, trajectory), trajectory)[0]
     )
-    if distance <= FARTHEST:
+    if distance <= MAX_DISTANCE:
         return None
     values = " ".join(f"{value:g}" if abs(value) < 1e6 else f"{value:.1f}" for value in point)
     swapped = to_local_frame(point[[1, 0, 2]], system, trajectory)
-    is_swapped = float(distances_from_trajectory(swapped, trajectory)[0]) <= FARTHEST
+    is_swapped = float(distances_from_trajectory(swapped, trajectory)[0]) <= MAX_DISTANCE
     outside = not np.isfinite(distance)
     if system is None:
         if is_swapped:

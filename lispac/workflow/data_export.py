@@ -194,7 +194,7 @@ def _trajectory_time_base(project: Project) -> str:
     format = format_of(reading.format or USUAL["trajectory"])
     try:
         found = known_time_base(
-            format, project.trajectory, dict(reading.options), "time", stated=False
+            format, project.trajectory, dict(reading.options), "time", given=False
         )
     except InputError:  # its file is gone, which the loaded survey does not need
         return ""
@@ -214,12 +214,12 @@ def _target_points(target: Target, survey: Survey) -> _TargetPoints:
     parts = target.used_sightings or target.sightings
     scans = [survey.scans[sighting.line] for sighting in parts]
     chosen = [sighting.indices for sighting in parts]
-    taken = [scan.take(numbers) for scan, numbers in zip(scans, chosen, strict=True)]
+    scanned = [scan.take(numbers) for scan, numbers in zip(scans, chosen, strict=True)]
     found = [scan.intensities(numbers) for scan, numbers in zip(scans, chosen, strict=True)]
     intensities = [values for values in found if values is not None]
     return _TargetPoints(
-        np.concatenate([points for points, _ in taken]),
-        np.concatenate([times for _, times in taken]),
+        np.concatenate([points for points, _ in scanned]),
+        np.concatenate([times for _, times in scanned]),
         np.repeat([survey.lines.index(s.line) for s in parts], [len(i) for i in chosen]),
         np.concatenate(intensities) if len(intensities) == len(scans) else None,
     )

@@ -15,7 +15,7 @@ from lispac.survey.line_source import printable
 from lispac.survey.point_screening import PointScreen, PointSelection
 from lispac.workflow.line_points import read_chunks
 
-MOST_AUDITED = 20_000_000
+MAX_AUDITED_POINTS = 20_000_000
 """Points that are read; the import reads all of them."""
 
 
@@ -42,7 +42,7 @@ def audit_file(
     format: FileFormat,
     options: Choice,
     *,
-    most: int = MOST_AUDITED,
+    max_points: int = MAX_AUDITED_POINTS,
     progress: Progress = no_progress,
 ) -> FileAudit:
     """Read the points of a file and check them as a whole.
@@ -53,7 +53,7 @@ def audit_file(
         Of points.
     options : mapping
         Of the format.
-    most : int
+    max_points : int
         Points after which reading stops, which a message states.
 
     Raises
@@ -67,14 +67,14 @@ def audit_file(
     read, name = 0, printable(path.name)
     complete = True
     for chunk in read_chunks(format.read(path, options)):
-        if read >= most:
+        if read >= max_points:
             complete = False
             break
         attributes |= set(chunk.extra)
         screen(chunk.time, chunk.xyz, chunk.extra)
         read += len(chunk.time)
         progress(
-            min(1.0, read / min(chunk.total or most, most)),
+            min(1.0, read / min(chunk.total or max_points, max_points)),
             gettext_lazy("Checking {file}", file=name),
         )
     audit = screen.result()
@@ -88,7 +88,7 @@ def audit_file(
 def audit_messages(
     path: Path, format: FileFormat, options: Choice, *, progress: Progress = no_progress
 ) -> tuple[Message, ...]:
-    """Messages about the points of a file; none where they cannot be read, which others state."""
+    """Messages about the points of a file; none where they cannot be read."""
     try:
         return audit_file(path, format, options, progress=progress).messages
     except LispacError:

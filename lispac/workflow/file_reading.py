@@ -26,7 +26,7 @@ from lispac.project import LineSource, Project, Reading
 from lispac.survey.line_source import printable
 from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
 
-FARTHEST_ORIGIN = 100_000.0
+MAX_ORIGIN_DISTANCE = 100_000.0
 """Metres; beyond, a plane tangent at the origin is no frame for the site."""
 WORDS: Mapping[Kind, str] = {
     "trajectory": "trajectory", "accuracy": "trajectory accuracy", "points": "line",
@@ -87,12 +87,12 @@ def check_file(
 
 def _check_format(path: Path, format: FileFormat, sure: float) -> FileCheck:
     try:
-        return FileCheck(format, sure, format.look(path, {}))
+        return FileCheck(format, sure, format.preview(path, {}))
     except InputError as refused:
         return FileCheck(format, sure, None, message_with_file_name(refused, path))
 
 
-def preview_with_options(path: Path, format: FileFormat, stated: Choice) -> FilePreview:
+def preview_with_options(path: Path, format: FileFormat, given: Choice) -> FilePreview:
     """Preview of a file with the options that the user gives.
 
     There is no warning about a missing coordinate system where one is given, and a warning where
@@ -103,11 +103,11 @@ def preview_with_options(path: Path, format: FileFormat, stated: Choice) -> File
     InputError
         As the format's own examination.
     """
-    finding = format.look(path, stated)
-    crs = str(stated.get("crs", ""))
+    finding = format.preview(path, given)
+    crs = str(given.get("crs", ""))
     if format.kind != "points" or not crs:
         return finding
-    if {**finding.choice, **stated}.get("frame", SCANNER) != SCANNER:
+    if {**finding.choice, **given}.get("frame", SCANNER) != SCANNER:
         kept = tuple(each for each in finding.file_warnings if each.code != NO_SYSTEM)
         return replace(finding, file_warnings=kept)
     unused = warning(
@@ -140,11 +140,11 @@ def detect_reading(path: Path, kind: Kind, reading: Reading) -> tuple[Reading, t
         if not found:
             raise InputError(error(_UNKNOWN_OF_KIND[kind], file=str(path)))
         format = found[0][0]
-    stated = dict(reading.options)
-    finding = preview_with_options(path, format, stated)
-    choice = format.resolved({**finding.choice, **stated})
+    given = dict(reading.options)
+    finding = preview_with_options(path, format, given)
+    choice = format.resolved({**finding.choice, **given})
     messages = list(finding.file_warnings)
-    detected = [f"{name}={value}" for name, value in choice.items() if value and name not in stated]
+    detected = [f"{name}={value}" for name, value in choice.items() if value and name not in given]
     if detected:
         file = printable(path.name)
         messages.append(note(READ_AS, file=file, format=format.name, options=detected))
@@ -230,7 +230,7 @@ def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[Message, 
         frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
     trajectory = LocalTrajectory.of(raw, frame, project.settings.longest_gap)
     distance = float(np.linalg.norm(trajectory.position[0]))
-    if distance > FARTHEST_ORIGIN:
+    if distance > MAX_ORIGIN_DISTANCE:
         raise InputError(error("import.origin_too_far", project=project.name, distance=distance))
     return trajectory, raw.assumptions
 

@@ -83,12 +83,12 @@ def georeference_project(
     require_no_overwrite(project, paths)
     way = ScannerPointConverter(target, trajectory, mounting)
     stores = {} if sources is None else dict(sources)
-    gone: dict[str, RecordLayout | None] = {}
+    stored_layouts: dict[str, RecordLayout | None] = {}
     for chunks in chosen:
         if not chunks.line.path.exists() and chunks.line.name not in stores:
             stored = open_stored_line(project, chunks.line, trajectory)
             stores[chunks.line.name] = stored_chunks(stored, chunks.line.reading)
-            gone[chunks.line.name] = _stored_layout(stored, chunks.line.path)
+            stored_layouts[chunks.line.name] = _stored_layout(stored, chunks.line.path)
     sizes = [c.line.path.stat().st_size + 1 if c.line.path.exists() else 1 for c in chosen]
     written: list[WrittenLine] = []
     made = _folders_to_create(output)
@@ -108,18 +108,18 @@ def georeference_project(
                     stack.enter_context(atomic_write(path)),
                     path,
                     way,
-                    _layout_function(chunks, gone.get(chunks.line.name)),
+                    _layout_function(chunks, stored_layouts.get(chunks.line.name)),
                     reading=chunks.line.reading,
                     recovery=recovery,
                     compressed=ending == "laz",
                     progress=step,
                 )
-                remarks = (*done.remarks, *_assumptions(target))
-                if chunks.line.name in gone:
-                    is_kept = gone[chunks.line.name] is not None
+                messages = (*done.messages, *_assumptions(target))
+                if chunks.line.name in stored_layouts:
+                    is_kept = stored_layouts[chunks.line.name] is not None
                     code = "export.file_gone" if is_kept else "export.file_and_header_gone"
-                    remarks += (note(code, line=chunks.line.name),)
-                written.append(replace(done, remarks=remarks))
+                    messages += (note(code, line=chunks.line.name),)
+                written.append(replace(done, messages=messages))
             progress(1.0)
     except BaseException:
         for folder in made:
@@ -135,7 +135,7 @@ def _stored_layout(stored: StoredLine, path: Path) -> RecordLayout | None:
     try:
         return None if header is None else layout_of_las(header, path)
     except InputError:
-        return None  # damaged: the points are all there, and what is missing is said
+        return None  # damaged: all points are there, and what is missing is reported
 
 
 def _layout_function(

@@ -22,12 +22,12 @@ from lispac.survey.time_base import base_of_key
 from lispac.survey.time_rollover import NONE
 from lispac.workflow.file_reading import USUAL, format_of_line, read_trajectory
 
-SAME = 1e-3
+SHIFT_TOLERANCE = 1e-3
 """Seconds that a typed shift may differ from the one that follows, to be the same."""
 
 
 def known_time_base(
-    format: FileFormat, path: Path, choice: Choice, option: str, *, stated: bool
+    format: FileFormat, path: Path, choice: Choice, option: str, *, given: bool
 ) -> KnownTimeBase:
     """The time base of a file.
 
@@ -35,7 +35,7 @@ def known_time_base(
     ----------
     option : str
         Its name among the options of the format.
-    stated : bool
+    given : bool
         Whether ``choice`` names it because the user does.
 
     Raises
@@ -45,14 +45,14 @@ def known_time_base(
     """
     base_key = str(choice.get(option, ""))
     if not base_key:
-        found = format.resolved({**format.look(path, choice).choice, **choice})
-        base_key, stated = str(found.get(option, "")), False
-    suggested = not stated and has_suggested_time_base(format)
-    return KnownTimeBase(base_of_key(base_key) if base_key else None, stated, suggested)
+        found = format.resolved({**format.preview(path, choice).choice, **choice})
+        base_key, given = str(found.get(option, "")), False
+    suggested = not given and has_suggested_time_base(format)
+    return KnownTimeBase(base_of_key(base_key) if base_key else None, given, suggested)
 
 
 def has_given_time_base(trajectory: Path, reading: Reading) -> bool:
-    """True if the reading of a trajectory gives a time base that its file does not state.
+    """True if the reading of a trajectory gives a time base that its file does not contain.
 
     Raises
     ------
@@ -60,21 +60,21 @@ def has_given_time_base(trajectory: Path, reading: Reading) -> bool:
         Where the file cannot be examined.
     """
     kept = dict(reading.options)
-    stated = kept.pop("time", "")
-    if not stated:
+    given = kept.pop("time", "")
+    if not given:
         return False
     format = format_of(reading.format or USUAL["trajectory"])
-    found = format.resolved({**format.look(trajectory, kept).choice, **kept})
-    return stated != str(found.get("time", ""))
+    found = format.resolved({**format.preview(trajectory, kept).choice, **kept})
+    return given != str(found.get("time", ""))
 
 
 def shift_lines_to_trajectory(
     lines: Sequence[LineSource],
-    stated: Sequence[Reading],
+    given_readings: Sequence[Reading],
     trajectory: Path,
     trajectory_reading: Reading,
     *,
-    trajectory_stated: bool,
+    trajectory_given: bool,
 ) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
     """Give lines the time shift that follows from the given time bases.
 
@@ -82,12 +82,12 @@ def shift_lines_to_trajectory(
     ----------
     lines : sequence of LineSource
         Complete reading options.
-    stated : sequence of Reading
+    given_readings : sequence of Reading
         Given by the user for each.
     trajectory_reading : Reading
         Complete reading options.
-    trajectory_stated : bool
-        Whether the user states the trajectory's base.
+    trajectory_given : bool
+        Whether the user gives the time base of the trajectory.
 
     Returns
     -------
@@ -101,22 +101,22 @@ def shift_lines_to_trajectory(
         Where the times cannot be what is given, or a shift is given besides that differs from
         the one that follows.
     """
-    bases = [dict(reading.options).get("time_base", "") for reading in stated]
-    if not any(bases) and not trajectory_stated:
+    bases = [dict(reading.options).get("time_base", "") for reading in given_readings]
+    if not any(bases) and not trajectory_given:
         return tuple(lines), ()
     track = read_trajectory(trajectory, trajectory_reading).time
     other = known_time_base(
         format_of(trajectory_reading.format or USUAL["trajectory"]), trajectory,
-        dict(trajectory_reading.options), "time", stated=trajectory_stated,
+        dict(trajectory_reading.options), "time", given=trajectory_given,
     )  # fmt: skip
     shifted_lines: list[LineSource] = []
     notes: list[Message] = []
     for line, base in zip(lines, bases, strict=True):
         shifted_lines.append(line)
-        if not base and not trajectory_stated:
+        if not base and not trajectory_given:
             continue
         format, choice, _ = format_of_line(line)
-        own = known_time_base(format, line.path, choice, "time_base", stated=bool(base))
+        own = known_time_base(format, line.path, choice, "time_base", given=bool(base))
         choice = {**choice, RESTART: line.reading.restart or NONE}
         times = read_line_times(line.path, format, choice).sample
         if wrong := time_base_error(times, own, str(line.path)):
@@ -134,7 +134,7 @@ def shift_lines_to_trajectory(
             continue
         shift = found[0].shift
         if typed:
-            if all(abs(typed - match.shift) > SAME for match in found):
+            if all(abs(typed - match.shift) > SHIFT_TOLERANCE for match in found):
                 raise InputError(
                     error(
                         "import.shift_contradicts_base",

@@ -53,14 +53,12 @@ def meaning_label(meaning: str) -> str:
     return _WORDS.get(meaning, meaning)
 
 
-def column_meanings(
-    format: FileFormat, finding: FilePreview | None, stated: str
-) -> tuple[str, ...]:
+def column_meanings(format: FileFormat, finding: FilePreview | None, given: str) -> tuple[str, ...]:
     """The meaning of each column of the preview, from the left."""
     if finding is None or not finding.rows:
-        return tuple(stated.split())
+        return tuple(given.split())
     width = max(len(row) for row in finding.rows)
-    named = stated or str(finding.choice.get("columns", ""))
+    named = given or str(finding.choice.get("columns", ""))
     tokens = [token.strip() or PASSED_OVER for token in named.replace(",", " ").split()]
     tokens = tokens[:width] + [PASSED_OVER] * (width - len(tokens))
     if format.kind == "trajectory":
@@ -101,19 +99,19 @@ _NAMES = {
 """Code of the message that names a meaning."""
 
 
-def has_column_names(look: FileCheck) -> bool:
+def has_column_names(check: FileCheck) -> bool:
     """True if the file names its columns."""
-    if look.finding is None:
+    if check.finding is None:
         return False
-    if look.format.kind == "points":
-        return bool(look.finding.choice.get("columns"))
-    return not any(each.code == COLUMNS_ASSUMED for each in look.finding.file_warnings)
+    if check.format.kind == "points":
+        return bool(check.finding.choice.get("columns"))
+    return not any(each.code == COLUMNS_ASSUMED for each in check.finding.file_warnings)
 
 
-def layout_key(look: FileCheck) -> str:
+def layout_key(check: FileCheck) -> str:
     """Key of text files with the same format, number and names of columns."""
-    if not has_columns(look.format) or look.finding is None or not look.finding.rows:
+    if not has_columns(check.format) or check.finding is None or not check.finding.rows:
         return ""
-    rows = look.finding.rows
-    named = " ".join(rows[0]) if has_column_names(look) else ""
-    return f"{look.format.key}/{max(len(row) for row in rows)}/{named}"
+    rows = check.finding.rows
+    named = " ".join(rows[0]) if has_column_names(check) else ""
+    return f"{check.format.key}/{max(len(row) for row in rows)}/{named}"

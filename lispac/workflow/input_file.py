@@ -63,13 +63,13 @@ class InputFile:
 
     Attributes
     ----------
-    looks : tuple of FileCheck
+    checks : tuple of FileCheck
         What each format that knows the file finds in it, the surest first; empty before the file
         was examined and where no format knows it.
     role : {"trajectory", "accuracy", "points"} or None
         None leaves the file out.
     format : FileFormat or None
-    stated : mapping of str to str
+    given_options : mapping of str to str
         Options given by the user.
     finding : FilePreview or None
         With these options; the last one that could be made where they do not fit the file.
@@ -93,10 +93,10 @@ class InputFile:
     """
 
     path: Path
-    looks: tuple[FileCheck, ...] = ()
+    checks: tuple[FileCheck, ...] = ()
     role: Kind | None = None
     format: FileFormat | None = None
-    stated: Mapping[str, str] | None = None
+    given_options: Mapping[str, str] | None = None
     finding: FilePreview | None = None
     content: Content | None = None
     error: Message | None = None
@@ -112,12 +112,12 @@ class InputFile:
     @property
     def formats(self) -> tuple[FileFormat, ...]:
         """Formats of its role that know the file, the surest first."""
-        return tuple(look.format for look in self.looks if look.format.kind == self.role)
+        return tuple(check.format for check in self.checks if check.format.kind == self.role)
 
     @property
     def roles(self) -> tuple[Kind, ...]:
         """Roles that some format could give it, the surest first."""
-        return tuple(dict.fromkeys(look.format.kind for look in self.looks))
+        return tuple(dict.fromkeys(check.format.kind for check in self.checks))
 
     @property
     def options(self) -> dict[str, str]:
@@ -126,7 +126,7 @@ class InputFile:
             return {}
         found = {} if self.finding is None else dict(self.finding.choice)
         known = {option.name: option.default for option in self.format.options}
-        resolved = known | found | dict(self.stated or {})
+        resolved = known | found | dict(self.given_options or {})
         return {name: str(resolved[name]) for name in known}
 
     @property
@@ -134,22 +134,22 @@ class InputFile:
         """Meaning of each column of a text file, from the left; empty for other files."""
         if self.format is None or not has_columns(self.format):
             return ()
-        stated = (self.stated or {}).get("columns", "")
-        return column_meanings(self.format, self.finding, stated)
+        given = (self.given_options or {}).get("columns", "")
+        return column_meanings(self.format, self.finding, given)
 
     @property
     def reading(self) -> Reading:
         """Given options of the file, for the project; the others are detected again."""
-        stated = {} if self.stated is None else dict(self.stated)
-        if self.format is None or (not stated and self.format in self.formats[:1]):
+        given = {} if self.given_options is None else dict(self.given_options)
+        if self.format is None or (not given and self.format in self.formats[:1]):
             return Reading("", (), self.shift)
-        return Reading(self.format.key, tuple(stated.items()), self.shift)
+        return Reading(self.format.key, tuple(given.items()), self.shift)
 
     @property
     def layout(self) -> str:
         """Key of the layout of a text file, to recognise the next one; empty for others."""
-        look = next((look for look in self.looks if look.format is self.format), None)
-        return "" if look is None else layout_key(look)
+        check = next((check for check in self.checks if check.format is self.format), None)
+        return "" if check is None else layout_key(check)
 
     def parts(self, line: LineSource) -> tuple[LineSource, ...]:
         """The lines that the file becomes: ``line`` itself, or what it is split into."""
@@ -181,7 +181,7 @@ def examine_file(
     # Of equally sure formats those whose files end so come first, then those that can be read.
     ending = path.suffix.lower()
     found.sort(
-        key=lambda look: (-look.confidence, ending not in look.format.endings, bool(look.error))
+        key=lambda check: (-check.confidence, ending not in check.format.endings, bool(check.error))
     )
     first = found[0]
     entry = InputFile(path, tuple(found), first.format.kind, first.format)
@@ -190,12 +190,12 @@ def examine_file(
             "import.unlikely_format", file=printable(path.name), format=first.format.name
         )
         return replace(entry, role=None, format=None, error=unlikely, pending=False)
-    for look in found:
-        columns = (mappings or {}).get(layout_key(look), "")
-        if columns and not has_column_names(look):
+    for check in found:
+        columns = (mappings or {}).get(layout_key(check), "")
+        if columns and not has_column_names(check):
             entry = replace(
-                entry, role=look.format.kind, format=look.format, remembered=True,
-                stated={"columns": columns},
+                entry, role=check.format.kind, format=check.format, remembered=True,
+                given_options={"columns": columns},
             )  # fmt: skip
             break
     return reexamine_file(entry, progress=progress)
@@ -211,9 +211,10 @@ def examine_project_file(entry: InputFile, *, progress: Progress = no_progress) 
     except LispacError as refused:
         return replace(entry, error=message_with_file_name(refused, entry.path), pending=False)
     format = format_of(entry.project_reading.format or USUAL[entry.role])
-    stated = dict(entry.project_reading.options)
+    given = dict(entry.project_reading.options)
     return reexamine_file(
-        replace(entry, looks=tuple(found), format=format, stated=stated or None), progress=progress
+        replace(entry, checks=tuple(found), format=format, given_options=given or None),
+        progress=progress,
     )
 
 
@@ -227,15 +228,15 @@ def reexamine_file(entry: InputFile, *, progress: Progress = no_progress) -> Inp
     entry = replace(entry, pending=False, error=None, content=None, place=None)
     if entry.role is None or entry.format is None:
         return entry
-    if entry.finding is None or not entry.stated:
+    if entry.finding is None or not entry.given_options:
         entry = _with_preview(entry, {})
     assert entry.format is not None
     missing = missing_columns(entry.format, entry.columns)
     if missing:
         file = printable(entry.path.name)
         return replace(entry, error=error(COLUMNS_NOT_CHOSEN, file=file, columns=missing))
-    if entry.stated:
-        entry = _with_preview(entry, dict(entry.stated))
+    if entry.given_options:
+        entry = _with_preview(entry, dict(entry.given_options))
     if entry.error or entry.finding is None:
         return entry
     progress(0.1, gettext_lazy("Reading {file}", file=entry.path.name))
@@ -251,14 +252,14 @@ COLUMNS_NOT_CHOSEN = "import.columns_not_chosen"
 """Code of the error that the user has to choose what columns are."""
 
 
-def _with_preview(entry: InputFile, stated: dict[str, str]) -> InputFile:
+def _with_preview(entry: InputFile, given: dict[str, str]) -> InputFile:
     assert entry.format is not None
-    known = next((look for look in entry.looks if look.format is entry.format), None)
-    if not stated and known is not None:
-        # Columns shown again as found are those of the first look.
+    known = next((check for check in entry.checks if check.format is entry.format), None)
+    if not given and known is not None:
+        # Columns shown again as found are those of the first check.
         return replace(entry, finding=known.finding, error=known.error)
     try:
-        return replace(entry, finding=preview_with_options(entry.path, entry.format, stated))
+        return replace(entry, finding=preview_with_options(entry.path, entry.format, given))
     except LispacError as refused:
         kept = entry.finding or (None if known is None else known.finding)
         return replace(entry, finding=kept, error=message_with_file_name(refused, entry.path))

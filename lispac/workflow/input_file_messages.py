@@ -35,7 +35,7 @@ from lispac.workflow.input_times import (
     trajectory_time_base,
 )
 
-FARTHEST = 20_000.0
+MAX_DISTANCE = 20_000.0
 """Metres between a line's points and the trajectory; no scanner sees farther."""
 
 SETTING_OPTIONS = {
@@ -201,8 +201,8 @@ def _is_superseded(entry: InputFile, reported: Message) -> bool:
     if entry.error is None:
         return False
     is_same = (reported.code, reported.params) == (entry.error.code, entry.error.params)
-    asks_for_columns = entry.error.code in ABOUT_COLUMNS | {COLUMNS_NOT_CHOSEN}
-    return is_same or (asks_for_columns and reported.code in ABOUT_COLUMNS)
+    is_about_columns = entry.error.code in ABOUT_COLUMNS | {COLUMNS_NOT_CHOSEN}
+    return is_same or (is_about_columns and reported.code in ABOUT_COLUMNS)
 
 
 def _is_resolved_by_split(message: Message, by: str) -> bool:
@@ -253,11 +253,11 @@ def time_messages(
     messages += _coverage_warnings(
         covered, file, longest_gap, whole=len(times.sample) == times.count
     )
-    if more := proposed_shift(entry, track, longest_gap, base):
+    if better := proposed_shift(entry, track, longest_gap, base):
         messages.append(
             warning(
-                "import.shift_offered", file=file, shift=more.shift, share=more.share,
-                base=base_message(more.points), actions=(_shift_action(more),),
+                "import.shift_offered", file=file, shift=better.shift, share=better.share,
+                base=base_message(better.points), actions=(_shift_action(better),),
             )
         )  # fmt: skip
     return messages
@@ -275,7 +275,7 @@ def _given_base_notes(
     if not found or not entry.shift:
         return []
     first, *others = known_base_notes(found, line_base, other, printable(entry.path.name))
-    actions = (CLEAR_TIME_BASE,) if line_base.stated else ()
+    actions = (CLEAR_TIME_BASE,) if line_base.is_given else ()
     return [replace(first, actions=actions), *others]
 
 
@@ -383,7 +383,7 @@ def _location_messages(entry: InputFile, track: Trajectory) -> list[Message]:
     points = geodetic_to_ecef(np.array([place.latitude]), np.array([place.longitude]), np.zeros(1))
     path = geodetic_to_ecef(track.latitude[::50], track.longitude[::50], 0 * track.height[::50])
     distance = float(np.linalg.norm(path - points, axis=1).min())
-    if distance < FARTHEST:
+    if distance < MAX_DISTANCE:
         return []
     return [
         error(

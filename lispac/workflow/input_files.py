@@ -43,7 +43,7 @@ from lispac.workflow.input_times import (
 
 State = Literal["pending", "fine", "warning", "error", "out"]
 
-MOST_FILES = 500
+MAX_FILES = 500
 """Files taken from one folder; more are hardly a survey's."""
 
 
@@ -77,7 +77,7 @@ def collect_files(paths: Iterable[Path]) -> tuple[Path, ...]:
     for path in paths:
         if path.is_dir():
             inside = sorted(p for p in path.iterdir() if p.is_file() and p.name[:1] != ".")
-            found += inside[:MOST_FILES]
+            found += inside[:MAX_FILES]
         else:
             found.append(path)
     return tuple(dict.fromkeys(path.absolute() for path in found))
@@ -139,7 +139,9 @@ class InputFiles:
         entry = self.entry(path)
         if role == entry.role or entry.project_reading is not None:
             return self
-        changed = replace(entry, role=role, stated=None, finding=None, remembered=False, shift=0.0)
+        changed = replace(
+            entry, role=role, given_options=None, finding=None, remembered=False, shift=0.0
+        )
         changed = replace(changed, format=next(iter(changed.formats), None))
         return self.with_entry(replace(changed, pending=role is not None, content=None))
 
@@ -148,14 +150,17 @@ class InputFiles:
         entry = self.entry(path)
         chosen = next(format for format in entry.formats if format.key == key)
         return self.with_entry(
-            replace(entry, format=chosen, stated=None, finding=None, pending=True, remembered=False)
-        )
+            replace(
+                entry, format=chosen, given_options=None, finding=None, pending=True,
+                remembered=False,
+            )
+        )  # fmt: skip
 
     def with_option(self, path: Path, name: str, value: str) -> "InputFiles":
         """Give an option; requires a new examination."""
         entry = self.entry(path)
-        stated = dict(entry.stated or {}) | {name: value}
-        return self.with_entry(replace(entry, stated=stated, pending=True))
+        given = dict(entry.given_options or {}) | {name: value}
+        return self.with_entry(replace(entry, given_options=given, pending=True))
 
     def with_column(self, path: Path, column: int, meaning: str) -> "InputFiles":
         """Give the meaning of a column; requires a new examination."""
@@ -186,8 +191,8 @@ class InputFiles:
             case "keep_one_line":
                 return self.with_entry(replace(entry, split_by=""))
             case "detect_columns":
-                stated = {k: v for k, v in (entry.stated or {}).items() if k != "columns"}
-                changed = replace(entry, stated=stated, remembered=False, finding=None)
+                given = {k: v for k, v in (entry.given_options or {}).items() if k != "columns"}
+                changed = replace(entry, given_options=given, remembered=False, finding=None)
                 return self.with_entry(replace(changed, pending=True))
         return self
 
@@ -205,7 +210,7 @@ class InputFiles:
         """
         entry = self.entry(path)
         surest = {
-            e.path: e.looks[0].confidence for e in self.files_of_role("trajectory") if e.looks
+            e.path: e.checks[0].confidence for e in self.files_of_role("trajectory") if e.checks
         }
         if entry.role != "trajectory" or "points" not in entry.roles or len(surest) < 2:
             return self
@@ -294,7 +299,7 @@ class InputFiles:
         )
 
     @cached_property
-    def _remarks(self) -> dict[Path, tuple[Message, ...]]:
+    def _messages(self) -> dict[Path, tuple[Message, ...]]:
         counts = len(self.files_of_role("trajectory")), len(self.files_of_role("accuracy"))
         found = {
             entry.path: file_messages(entry, self.trajectory, *counts, self.longest_gap)
@@ -309,9 +314,9 @@ class InputFiles:
             for entry in self.entries
         }
 
-    def remarks(self, entry: InputFile) -> tuple[Message, ...]:
+    def messages(self, entry: InputFile) -> tuple[Message, ...]:
         """All messages about a file, errors first."""
-        return self._remarks[entry.path]
+        return self._messages[entry.path]
 
     def time_messages(self, entry: InputFile) -> tuple[Message, ...]:
         """Messages about the times of a line and those of the trajectory."""
@@ -325,7 +330,7 @@ class InputFiles:
             return "pending"
         if entry.role is None:
             return "out"
-        levels = {message.level for message in self.remarks(entry)}
+        levels = {message.level for message in self.messages(entry)}
         return (
             "error" if Level.ERROR in levels else "warning" if Level.WARNING in levels else "fine"
         )
@@ -357,7 +362,7 @@ class InputFiles:
             return gettext("The files are being examined.")
         wrong = [entry for entry in self.entries if self.state_of_file(entry) == "error"]
         if wrong:
-            first = message_text(self.remarks(wrong[0])[0])
+            first = message_text(self.messages(wrong[0])[0])
             if len(wrong) == 1:
                 return first
             return gettext(
@@ -408,7 +413,7 @@ class InputFiles:
         return {
             entry.layout: " ".join(entry.columns)
             for entry in self.entries
-            if entry.role is not None and "columns" in (entry.stated or {}) and entry.layout
+            if entry.role is not None and "columns" in (entry.given_options or {}) and entry.layout
         }
 
 

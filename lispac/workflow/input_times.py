@@ -20,10 +20,10 @@ SHARE_NEEDED = 0.5
 
 def line_time_base(entry: InputFile) -> KnownTimeBase:
     """Known time base of a line."""
-    stated = (entry.stated or {}).get("time_base", "")
+    given = (entry.given_options or {}).get("time_base", "")
     found = "" if entry.finding is None else str(entry.finding.choice.get("time_base", ""))
-    key = stated or found
-    return KnownTimeBase(base_of_key(key) if key else None, bool(stated))
+    key = given or found
+    return KnownTimeBase(base_of_key(key) if key else None, bool(given))
 
 
 def trajectory_time_base(entry: InputFile | None) -> KnownTimeBase:
@@ -31,14 +31,14 @@ def trajectory_time_base(entry: InputFile | None) -> KnownTimeBase:
     key = "" if entry is None else entry.options.get("time", "")
     if entry is None or not key:
         return KnownTimeBase()
-    stated = bool((entry.stated or {}).get("time", ""))
+    given = bool((entry.given_options or {}).get("time", ""))
     if entry.project_reading is not None:
         # A project keeps what was found beside what was given.
-        look = next((look for look in entry.looks if look.format is entry.format), None)
-        found = look.finding.choice if look is not None and look.finding is not None else {}
-        stated = stated and key != found.get("time", key)
-    suggested = not stated and entry.format is not None and has_suggested_time_base(entry.format)
-    return KnownTimeBase(base_of_key(key), stated, suggested)
+        check = next((check for check in entry.checks if check.format is entry.format), None)
+        found = check.finding.choice if check is not None and check.finding is not None else {}
+        given = given and key != found.get("time", key)
+    suggested = not given and entry.format is not None and has_suggested_time_base(entry.format)
+    return KnownTimeBase(base_of_key(key), given, suggested)
 
 
 def with_time_base_shifts(entries: tuple[InputFile, ...]) -> tuple[InputFile, ...]:

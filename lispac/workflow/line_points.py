@@ -42,9 +42,9 @@ Array = NDArray[np.float64]
 
 TIMES_KEPT = 100
 """Times of each chunk that are kept to examine them."""
-SAMPLE_OF_CHUNK, MOST_SAMPLES = 4000, 50
+SAMPLE_OF_CHUNK, MAX_SAMPLES = 4000, 50
 """Points of a chunk, and chunks, that are kept to check how a georeferenced line is recovered."""
-FEW_COPIES = 0.01
+MAX_COPY_SHARE = 0.01
 """Estimated share of copies far apart from which the line is read again to exclude them."""
 
 
@@ -181,7 +181,7 @@ class LinePoints:
         require_distinct_times(
             float(np.nanmin(times)), float(np.nanmax(times)), read, self.line.path
         )
-        if not self._far_copies and self._screen.result().repeated > FEW_COPIES:
+        if not self._far_copies and self._screen.result().repeated > MAX_COPY_SHARE:
             raise DistantDuplicates
 
     @property
@@ -213,8 +213,8 @@ class LinePoints:
             join_coverages(self._covered), self._without_pose, printable(self.line.path.name)
         )
         times = np.concatenate(self._times) if self._times else np.zeros(0)
-        more = shift_gain_note(self.line, times[np.isfinite(times)], self.trajectory.time)
-        return (*self._assumptions, *excluded, *(() if more is None else (more,)))
+        advice = shift_gain_note(self.line, times[np.isfinite(times)], self.trajectory.time)
+        return (*self._assumptions, *excluded, *(() if advice is None else (advice,)))
 
     # -- parts -------------------------------------------------------------------------------
 
@@ -249,7 +249,7 @@ class LinePoints:
         attributes: Mapping[str, NDArray[Any]],
     ) -> None:  # fmt: skip
         """Keep some points of a georeferenced line, to check how they are recovered."""
-        if len(self._samples) >= MOST_SAMPLES:
+        if len(self._samples) >= MAX_SAMPLES:
             return
         step = slice(None, None, 1 + len(time) // SAMPLE_OF_CHUNK)
         ring = ring_numbers(attributes)

@@ -25,10 +25,10 @@ from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
 
-REACH = 1.0
+SEARCH_DISTANCE = 1.0
 """Metres that lines may be apart: a prior boresight that is half a degree off moves a wall at 60 m
 by half a metre."""
-FEWEST = 10
+MIN_PLACES = 10
 """Smallest number of places for a figure."""
 
 
@@ -131,7 +131,7 @@ class LineQuality:
 
 def _difference_statistics(parts: list[LineDifference]) -> DifferenceStatistics | None:
     distance = np.concatenate([each.distance for each in parts])
-    if len(distance) < FEWEST:
+    if len(distance) < MIN_PLACES:
         return None
     return DifferenceStatistics.of(distance, np.concatenate([each.half_width for each in parts]))
 
@@ -141,7 +141,7 @@ def line_quality(
     survey: Survey,
     *,
     which: Which = "prior",
-    reach: float = REACH,
+    reach: float = SEARCH_DISTANCE,
     progress: Progress = no_progress,
 ) -> LineQuality:
     """Compare every two lines of a survey on flat places, calibrated or not.
@@ -159,7 +159,7 @@ def line_quality(
     NotComparable
         Where no two lines share a flat place.
     ProjectError
-        Where nothing has been estimated and that is wanted.
+        Where the estimated boresight is selected and there is none.
     """
     if not 0.0 < reach <= 10.0:
         raise InputError(error("check.search_distance", distance=reach))

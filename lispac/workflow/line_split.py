@@ -35,7 +35,7 @@ def split_line(line: LineSource, by: str) -> tuple[LineSource, ...]:
         Where the file cannot be read, or its points have no such attribute.
     """
     format, choice, _ = format_of_line(line)
-    found = audit_file(line.path, format, choice, most=sys.maxsize)
+    found = audit_file(line.path, format, choice, max_points=sys.maxsize)
     if by != GAP and by not in found.attributes:
         raise InputError(
             error(

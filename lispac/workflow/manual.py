@@ -25,7 +25,7 @@ SHIPPED = "html"
 """Folder of the built pages beside their sources, in a bundle."""
 BUILDERS = {"sphinx": "Sphinx", "myst_parser": "myst-parser", "furo": "furo"}
 """Packages that build the manual, and their names."""
-LOOK_S = 0.1
+POLL_INTERVAL_S = 0.1
 
 
 def manual_page(
@@ -98,21 +98,21 @@ def build_manual(
 
 def _run_command(command: list[str], progress: Progress) -> None:
     variables = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
-    with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as said:
+    with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as output:
         # One after the other: what it says can be read when it has ended
         with subprocess.Popen(
-            command, stdout=said, stderr=subprocess.STDOUT, env=variables
+            command, stdout=output, stderr=subprocess.STDOUT, env=variables
         ) as process:
             try:
                 while process.poll() is None:
                     progress(0.5)
-                    time.sleep(LOOK_S)
+                    time.sleep(POLL_INTERVAL_S)
             except BaseException:
                 process.kill()
                 raise
         if process.returncode != 0:
-            said.seek(0)
-            raise InputError(error("manual.not_built", reason=said.read().strip()))
+            output.seek(0)
+            raise InputError(error("manual.not_built", reason=output.read().strip()))
 
 
 def _build_atomically(sources: Path, place: Path, built: Path, progress: Progress) -> None:

@@ -43,7 +43,7 @@ def adjust_natural_planes(
 
 def targetless_result(result: TargetlessResult) -> AlternativeResult:
     """Result of a targetless adjustment, without its surfaces."""
-    return _alternative_result("targetless", result.project, result.remarks)
+    return _alternative_result("targetless", result.project, result.messages)
 
 
 def with_targetless_result(project: Project, found: TargetlessResult) -> Project:
@@ -62,12 +62,12 @@ def with_targetless_result(project: Project, found: TargetlessResult) -> Project
     if any(each.role == "target" and each.used for each in own):
         return project.with_alternative_result(targetless_result(found))
     names = {each.name for each in own}
-    taken = [each.name for each in found.project.targets if each.name in names]
-    if taken:
-        raise AdjustmentError(error("targetless.name_taken", count=len(taken), names=taken))
+    shared = [each.name for each in found.project.targets if each.name in names]
+    if shared:
+        raise AdjustmentError(error("targetless.name_taken", count=len(shared), names=shared))
     kept = replace(project, targets=(*found.project.targets, *own))
     others = tuple(each for each in kept.alternative_results if each.method != "targetless")
-    result = replace(found.result, messages=found.remarks)
+    result = replace(found.result, messages=found.messages)
     return replace(kept.with_result(result), alternative_results=others)
 
 
@@ -99,7 +99,7 @@ def run_method(
     Raises
     ------
     AdjustmentError
-        Where the survey gives it no answer.
+        Where the survey gives it no result.
     """
     if method == "natural planes":
         return adjust_natural_planes(project, survey, progress=progress)
@@ -132,7 +132,7 @@ def run_missing_methods(
 
 
 def _alternative_result(
-    method: Method, solved: Project, remarks: tuple[Message, ...] = ()
+    method: Method, solved: Project, messages: tuple[Message, ...] = ()
 ) -> AlternativeResult:
     assert solved.result is not None
     seen = [each.sighting for each in solved.result.sightings]
@@ -143,5 +143,5 @@ def _alternative_result(
         np.array(solved.result.covariance),
         tuple(line.name for line in solved.lines if line.name in on),
         len({each.target for each in seen}),
-        remarks,
+        messages,
     )

@@ -1,9 +1,9 @@
 """Files of a project that was moved: found beside it, or in a folder the user gives.
 
 A project points at its files from its own folder. Where only one of both is moved, to another disk
-or computer, the files are sought by the ends of their paths: what lay in ``raw/line1.laz`` is the
-same in another place. That a line is the one that targets were picked on is told by its points
-when the survey is read.
+or computer, the files are found by the ends of their paths: what lay in ``raw/line1.laz`` is the
+same in another place. Whether a line is the one that targets were picked on is checked by its
+points when the survey is read.
 """
 
 import os
@@ -18,10 +18,10 @@ from lispac.survey.line_source import printable
 from lispac.survey.store.layout import has_complete_import
 from lispac.workflow.line_import import line_folder
 
-MOST_NAMED = 3
+MAX_LISTED = 3
 """Missing files that a message names."""
-MOST_LOOKED_AT = 20_000
-"""Files and folders; a whole disk would be looked through for minutes."""
+MAX_SEARCHED = 20_000
+"""Files and folders; the search of a whole disk would take minutes."""
 
 
 def missing_files(project: Project) -> tuple[Path, ...]:
@@ -45,17 +45,17 @@ def with_files_in(project: Project, folder: Path) -> Project:
     InputError
         Where none of them is there.
     """
-    gone = missing_files(project)
-    ends = {path: _find_by_path_end(path, folder) for path in gone}
+    missing = missing_files(project)
+    ends = {path: _find_by_path_end(path, folder) for path in missing}
     found = {path: now for path, now in ends.items() if now is not None}
-    rest = {path for path in gone if path not in found}
+    rest = {path for path in missing if path not in found}
     found |= _find_by_name(rest, folder) if rest else {}
-    if gone and not found:
-        few = len(gone) <= MOST_NAMED
+    if missing and not found:
+        is_short = len(missing) <= MAX_LISTED
         raise InputError(
             error(
-                "project_files.none_found" if few else "project_files.none_of_many_found",
-                folder=str(folder), count=len(gone), files=_file_names(gone),
+                "project_files.none_found" if is_short else "project_files.none_of_many_found",
+                folder=str(folder), count=len(missing), files=_file_names(missing),
             )
         )  # fmt: skip
     return _with_paths(project, found)
@@ -79,16 +79,17 @@ def file_moved_note(path: Path) -> Message:
 
 
 def with_files_of(project: Project, other: Project) -> Project:
-    """Point a project at the files of another state of it, line by line, where its own are gone."""
-    gone = missing_files(project)
-    if not gone:
+    """Point a project at the files of another state of it, by line, where its own are missing."""
+    missing = missing_files(project)
+    if not missing:
         return project
     now = {line.name: line.path for line in other.lines}
     pairs = [(line.path, now.get(line.name)) for line in project.lines]
     pairs += [(project.trajectory, other.trajectory)]
     if project.accuracy is not None:
         pairs += [(project.accuracy, other.accuracy)]
-    return _with_paths(project, {was: is_ for was, is_ in pairs if was in gone and is_ is not None})
+    changed = {old: new for old, new in pairs if old in missing and new is not None}
+    return _with_paths(project, changed)
 
 
 def require_files(project: Project) -> None:
@@ -98,22 +99,22 @@ def require_files(project: Project) -> None:
     ------
     InputError
     """
-    first, *more = missing_files(project) or (None,)
+    first, *others = missing_files(project) or (None,)
     if first is None:
         return
-    if not more:
+    if not others:
         raise InputError(error("project_files.one_missing", file=str(first)))
-    few = len(more) <= MOST_NAMED
+    is_short = len(others) <= MAX_LISTED
     raise InputError(
         error(
-            "project_files.several_missing" if few else "project_files.many_missing",
-            file=str(first), count=len(more), others=_file_names(more),
+            "project_files.several_missing" if is_short else "project_files.many_missing",
+            file=str(first), count=len(others), others=_file_names(others),
         )
     )  # fmt: skip
 
 
 def _file_names(paths: Sequence[Path]) -> list[str]:
-    return [path.name for path in paths[:MOST_NAMED]]
+    return [path.name for path in paths[:MAX_LISTED]]
 
 
 def _find_by_path_end(path: Path, folder: Path) -> Path | None:
@@ -133,7 +134,7 @@ def _find_by_name(paths: set[Path], folder: Path) -> dict[Path, Path]:
         seen += len(folders) + len(files)
         for name in places.keys() & set(files):
             places[name].append(Path(place) / name)
-        if seen > MOST_LOOKED_AT:
+        if seen > MAX_SEARCHED:
             break
     return {path: places[path.name][0] for path in paths if len(places[path.name]) == 1}
 

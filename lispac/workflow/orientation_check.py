@@ -9,14 +9,14 @@ from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.workflow.survey import Survey
 
-LOOKED_AT = 500
+MAX_POINTS = 500
 """Points of a target used for its orientation."""
 
 
 def do_targets_face_one_way(project: Project, survey: Survey) -> bool:
     """True if several planes are in use that all face one way, and the user has not accepted it.
 
-    Told from the sighting with most points of each, as the lines lie before the calibration; the
+    Judged by the sighting with most points of each, as the lines lie before the calibration; the
     estimate judges by the adjusted planes.
     """
     used = [
@@ -34,9 +34,9 @@ def do_targets_face_one_way(project: Project, survey: Survey) -> bool:
         cloud: Cloud | None = survey.clouds.get(sighting.line)
         if cloud is None:
             return False
-        few = sighting.indices[:: -(-len(sighting.indices) // LOOKED_AT)]
+        sample = sighting.indices[:: -(-len(sighting.indices) // MAX_POINTS)]
         try:
-            normals.append(fit_plane(cloud[few]).normal)
+            normals.append(fit_plane(cloud[sample]).normal)
         except PlaneNotFound:
             return False  # its quality shows this
     return have_one_orientation(np.array(normals), np.zeros(len(normals), dtype=bool))

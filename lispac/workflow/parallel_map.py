@@ -17,10 +17,10 @@ from lispac.errors import LispacError
 from lispac.messages import error
 from lispac.workflow.cluster_access import ClusterAccess
 
-CHUNK = 16
+MAX_CHUNK = 16
 """Most values that a process is sent at once."""
 
-ROUNDS = 8
+CHUNKS_PER_PROCESS = 8
 """Chunks that each process gets at least, where there are enough values: the last one to finish
 keeps the others waiting for a fraction of the whole only."""
 
@@ -50,7 +50,7 @@ def choose_mapper(
 
 
 @contextmanager
-def process_pool_mapper(workers: int, *, at_once: int = CHUNK) -> Iterator[Mapper]:
+def process_pool_mapper(workers: int, *, at_once: int = MAX_CHUNK) -> Iterator[Mapper]:
     """Mapper over ``workers`` processes; one stands for this process.
 
     What is not done when the context is left is never begun. The processes are started afresh on
@@ -87,4 +87,4 @@ def process_pool_mapper(workers: int, *, at_once: int = CHUNK) -> Iterator[Mappe
 
 def chunk_size(values: int, workers: int) -> int:
     """Number of values that a process is sent at once."""
-    return max(1, min(CHUNK, values // (ROUNDS * max(workers, 1))))
+    return max(1, min(MAX_CHUNK, values // (CHUNKS_PER_PROCESS * max(workers, 1))))

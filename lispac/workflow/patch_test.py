@@ -32,7 +32,7 @@ from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
 
-MOVED = np.radians(0.05)
+RESELECT_ANGLE = np.radians(0.05)
 """Where an angle has moved by more, radians, the objects' points are taken again: lines were apart
 when they were taken, and boxes did not hold the same of each."""
 
@@ -197,7 +197,7 @@ def find_boresight(
     together = minimise_mismatch(
         laid.sample, laid.blocks(names, chosen), at, progress=sub_progress(progress, 0.0, 0.4)
     )
-    if not np.abs(together.boresight - laid.boresight).max() <= MOVED:
+    if not np.abs(together.boresight - laid.boresight).max() <= RESELECT_ANGLE:
         laid = place_objects(
             project,
             survey,
@@ -244,8 +244,8 @@ def _assess_patch_test(
     judged = bootstrap_precision(
         mismatch, together.boresight, survey.accuracy, model.position_time, model.attitude_time
     )
-    met = {each.name for each in judged.objects}
-    used = [b for b in blocks if b.first.object.name in met]
+    used_names = {each.name for each in judged.objects}
+    used = [b for b in blocks if b.first.object.name in used_names]
     return PatchTestResult(
         boresight=together.boresight,
         one_by_one=turned.boresight,
@@ -259,5 +259,5 @@ def _assess_patch_test(
         objects=judged.objects,
         rounds=turned.rounds,
         converged=together.converged and turned.converged,
-        unmet=tuple(each.name for each in laid.objects if each.name not in met),
+        unmet=tuple(each.name for each in laid.objects if each.name not in used_names),
     )

@@ -228,9 +228,9 @@ def _require_point_numbers(
 
 def next_name(project: Project, role: Role) -> str:
     """First free name: T1, T2 ... for targets, V1, V2 ... for validation planes."""
-    taken = {target.name for target in project.targets}
+    used_names = {target.name for target in project.targets}
     letter = "T" if role == "target" else "V"
-    return next(f"{letter}{k}" for k in itertools.count(1) if f"{letter}{k}" not in taken)
+    return next(f"{letter}{k}" for k in itertools.count(1) if f"{letter}{k}" not in used_names)
 
 
 def _picked_sighting(survey: Survey, line: str, patch: Patch) -> PickedSighting:
@@ -251,7 +251,7 @@ def _find_in_lines(
 ) -> tuple[Mapping[str, Patch], dict[str, Message], float]:
     """Patches, reasons and radius of the first radius with a target on two lines.
 
-    Where none does, those of the radius that most lines answer to, the smallest of these.
+    Where none does, those of the radius that fits most lines, the smallest of these.
     """
     best: tuple[Mapping[str, Patch], dict[str, Message], float] | None = None
     refusal: TargetNotFound | None = None

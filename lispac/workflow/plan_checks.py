@@ -31,8 +31,8 @@ NEAR_WALL = 3.0
 """Metres: smallest distance at which a vessel can pass a wall safely."""
 
 
-def observability_remarks(plan: Plan, *, progress: Progress = no_progress) -> tuple[Message, ...]:
-    """Remarks on the observability of the angles of a plan, as after an adjustment."""
+def observability_messages(plan: Plan, *, progress: Progress = no_progress) -> tuple[Message, ...]:
+    """Messages on the observability of the angles of a plan, as after an adjustment."""
     try:
         if have_targets_one_orientation(plan):
             return (ONE_WAY,)

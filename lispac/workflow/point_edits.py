@@ -17,9 +17,9 @@ Array = NDArray[np.float64]
 Chosen = Callable[[Array], NDArray[np.bool_]]
 """Which of the points (n, 3) are meant."""
 
-FEWEST = 10
+MIN_POINTS = 10
 """Points that a sighting keeps at least."""
-BESIDE = 2.0
+EDIT_MARGIN = 2.0
 """Metres beyond a sighting within which points are added to it."""
 
 
@@ -39,12 +39,12 @@ def without_points(
     Raises
     ------
     ProjectError
-        Where a sighting would keep fewer than `FEWEST` points.
+        Where a sighting would keep fewer than `MIN_POINTS` points.
     """
 
     def edited(sighting: PickedSighting, cloud: Cloud) -> NDArray[np.int64]:
         kept = sighting.indices[~chosen(cloud[sighting.indices])]
-        if len(kept) < min(FEWEST, len(sighting.indices)):
+        if len(kept) < min(MIN_POINTS, len(sighting.indices)):
             raise ProjectError(
                 error(
                     "edit.few_points_left", target=target.name, line=sighting.line, count=len(kept)
@@ -61,7 +61,7 @@ def with_points(
     """Add points near their surface to a target's sightings, or to the one on ``line``.
 
     Added is what lies within the target's threshold of the sighting's own surface, and no farther
-    than `BESIDE` from it: an outline on the screen holds also what is behind.
+    than `EDIT_MARGIN` from it: an outline on the screen holds also what is behind.
 
     Parameters, returns
     -------------------
@@ -71,7 +71,7 @@ def with_points(
     def edited(sighting: PickedSighting, cloud: Cloud) -> NDArray[np.int64]:
         own = cloud[sighting.indices]
         centre = own.mean(axis=0)
-        radius = float(np.linalg.norm(own - centre, axis=1).max()) + BESIDE
+        radius = float(np.linalg.norm(own - centre, axis=1).max()) + EDIT_MARGIN
         around = cloud.within(centre, radius)
         near = np.abs(_surface_distances(target, own, around.points)) <= target.threshold
         added = around.numbers[near][chosen(around.points[near])]

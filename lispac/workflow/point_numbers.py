@@ -10,7 +10,7 @@ from lispac.errors import InputError
 from lispac.messages import error
 
 _RUN = re.compile(r"(\d{1,15})(?:\+(\d{1,9}))?")
-MOST = 10**9
+MAX_POINTS = 10**9
 """Points that a text may stand for."""
 
 
@@ -43,8 +43,8 @@ def point_numbers(text: str) -> NDArray[np.int64]:
     InputError
     """
     runs = list(_parse_runs(text))
-    if sum(count for _, count in runs) > MOST:
-        raise InputError(error("pick.too_many_numbers", limit=MOST))
+    if sum(count for _, count in runs) > MAX_POINTS:
+        raise InputError(error("pick.too_many_numbers", limit=MAX_POINTS))
     ranges = [np.arange(first, first + count, dtype=np.int64) for first, count in runs]
     return np.concatenate([np.zeros(0, np.int64), *ranges])
 

@@ -66,7 +66,7 @@ def save_project_as(
             raise ProjectError(error("project_folder.exists", folder=str(folder)))
         if folder.is_file():
             raise ProjectError(error("project_folder.is_file", folder=str(folder)))
-    except OSError as failure:  # no permission to look into it, or too long a name
+    except OSError as failure:  # no permission to read it, or too long a name
         raise _not_writable_error(folder, failure) from failure
     copy = replace(project, folder=folder)
     scans, clouds = dict(survey.scans), dict(survey.clouds)
@@ -127,9 +127,9 @@ def _marked_unfinished(folder: Path) -> Iterator[None]:
     lines = folder / LINES
     require_no_link(lines)
     lines.mkdir(parents=True, exist_ok=True)
-    with ExitStack() as held:
+    with ExitStack() as locks:
         try:
-            held.enter_context(lock_folder(lines))
+            locks.enter_context(lock_folder(lines))
         except ProjectError as failure:
             raise ProjectError(error("project_folder.being_saved", folder=str(folder))) from failure
         _remove_unfinished(lines)

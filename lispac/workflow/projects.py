@@ -164,7 +164,7 @@ def complete_readings(
 
     Returns
     -------
-    lines, trajectory_reading, accuracy_reading : settled
+    lines, trajectory_reading, accuracy_reading : complete
     notes : tuple of Message
 
     Raises
@@ -172,20 +172,20 @@ def complete_readings(
     InputError
         Where a file cannot be read, or is not what is given.
     """
-    track_stated = bool(dict(trajectory_reading.options).get("time"))
+    base_given = bool(dict(trajectory_reading.options).get("time"))
     trajectory_reading, notes = usual_or_detected_reading(
         trajectory, "trajectory", trajectory_reading
     )
     if accuracy is not None:
-        accuracy_reading, more = usual_or_detected_reading(accuracy, "accuracy", accuracy_reading)
-        notes += more
-    known, more = _lines_with_readings(lines)
-    notes += more
-    known, more = shift_lines_to_trajectory(
+        accuracy_reading, extra = usual_or_detected_reading(accuracy, "accuracy", accuracy_reading)
+        notes += extra
+    known, extra = _lines_with_readings(lines)
+    notes += extra
+    known, extra = shift_lines_to_trajectory(
         known, [line.reading for line in lines], trajectory, trajectory_reading,
-        trajectory_stated=track_stated,
+        trajectory_given=base_given,
     )  # fmt: skip
-    return known, trajectory_reading, accuracy_reading, notes + more
+    return known, trajectory_reading, accuracy_reading, notes + extra
 
 
 def with_lines_added(
@@ -209,11 +209,11 @@ def with_lines_added(
                     error("project_line.known", file=str(line.path), line=known.name)
                 )
     added, notes = _lines_with_readings(lines)
-    added, more = shift_lines_to_trajectory(
+    added, extra = shift_lines_to_trajectory(
         added, [line.reading for line in lines], project.trajectory, project.trajectory_reading,
-        trajectory_stated=has_given_time_base(project.trajectory, project.trajectory_reading),
+        trajectory_given=has_given_time_base(project.trajectory, project.trajectory_reading),
     )  # fmt: skip
-    notes += more
+    notes += extra
     edited = replace(
         project,
         lines=(*project.lines, *(replace(n, path=Path(n.path).absolute()) for n in added)),
@@ -234,11 +234,11 @@ def _lines_with_readings(
     notes: tuple[Message, ...] = ()
     for line in lines:
         named = bool(line.columns)
-        reading, more = usual_or_detected_reading(line.path, "points", line.reading, columns=named)
+        reading, extra = usual_or_detected_reading(line.path, "points", line.reading, columns=named)
         known.append(replace(line, reading=reading))
-        notes += more
-    counted, more = resolve_time_rollovers(known)
-    return counted, notes + more
+        notes += extra
+    counted, extra = resolve_time_rollovers(known)
+    return counted, notes + extra
 
 
 @contextmanager

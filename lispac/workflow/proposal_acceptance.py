@@ -41,8 +41,8 @@ def with_accepted(
     for target in proposal.targets:
         if target.name not in names:
             continue
-        taken = any(picked.name == target.name for picked in project.targets)
-        name = next_name(project, target.role) if taken else target.name
+        is_used = any(picked.name == target.name for picked in project.targets)
+        name = next_name(project, target.role) if is_used else target.name
         project = project.with_target(replace(target, name=name))
         new_names.append(name)
         targets |= {name} if target.role == "target" else set()

@@ -35,22 +35,22 @@ from lispac.workflow.refusals import refused_by_method
 from lispac.workflow.sighting_assessment import sighting_qualities
 from lispac.workflow.survey import Survey
 from lispac.workflow.target_choice import (
-    LEAST_TARGETS,
-    LEAST_VALIDATION,
+    MIN_TARGETS,
+    MIN_VALIDATION,
     CandidatePlanes,
     choose_targets,
 )
-from lispac.workflow.target_search import MET_SHIFT, find_planes_in_lines
+from lispac.workflow.target_search import ALIGNED_MAX_SHIFT, find_planes_in_lines
 
 Array = NDArray[np.float64]
 
-LARGE = 2.0
+MIN_AREA = 2.0
 """Square metres from which a plane is large enough for validation, where there are others."""
-MOSTLY = 0.5
+MAX_POOR = 0.5
 """Share of its sightings: a plane whose flatness is doubtful or poor on so many is proposed for
 nothing. One that is observed poorly on so many is proposed where there are too few others, and on
 more for nothing."""
-SHARED = 0.01
+MAX_SHARED_POINTS = 0.01
 """Share of the points of a plane from which it overlaps another one."""
 UNCHECKED = {
     "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
@@ -106,7 +106,7 @@ def propose_targets(
     aligned = survey.alignment
     settings = FinderSettings(threshold=threshold)
     if aligned.nearly_meets:
-        settings = replace(settings, max_shift=MET_SHIFT)
+        settings = replace(settings, max_shift=ALIGNED_MAX_SHIFT)
 
     def find(seed: Array, line: str, step: Progress) -> Found:
         return find_planes_in_lines(
@@ -133,7 +133,7 @@ def propose_targets(
     progress(0.9, gettext_lazy("Selecting the targets"))
     with refused_by_method(project.name, "propose"):
         chosen, solved, planes = _choose_targets(project, survey, flat, named, judged)
-    if len(chosen) < LEAST_TARGETS:
+    if len(chosen) < MIN_TARGETS:
         spare = [target for target in targets if judged[target.name].use == "at need"]
         flat = [target for target in targets if judged[target.name].use == "any"]
         with suppress(AdjustmentError, TargetNotFound):
@@ -143,7 +143,7 @@ def propose_targets(
     assert solved.result is not None
     left = [target for target in targets if target.name not in chosen]
     compared = _comparable_planes(solved, survey, left, judged)
-    apart = {
+    separate = {
         name: pairs
         for name, pairs in compared.items()
         if not any(_do_planes_overlap(named[name], named[other]) for other in chosen)
@@ -153,9 +153,9 @@ def propose_targets(
     for number, name in enumerate(chosen, start=1):
         proposed.append(_proposed_target(survey, named[name], f"T{number}", "target", threshold))
         reasons[f"T{number}"] = _target_reason(planes, chosen, name, len(named[name].found))
-    ordered = _order_validation_planes({name: named[name] for name in apart}, apart, survey)
+    ordered = _order_validation_planes({name: named[name] for name in separate}, separate, survey)
     for number, name in enumerate(ordered, start=1):
-        plane, is_reciprocal = named[name], _has_reciprocal_lines(apart[name], survey)
+        plane, is_reciprocal = named[name], _has_reciprocal_lines(separate[name], survey)
         proposed.append(_proposed_target(survey, plane, f"V{number}", "validation", threshold))
         reasons[f"V{number}"] = _validation_plane_reason(plane, is_reciprocal, judged[name])
     warnings = _adjustment_warnings(solved.result)
@@ -184,7 +184,7 @@ def _comparable_planes(
     placed = place_clouds(survey.clouds, solved.result.mounting)
     found: dict[str, tuple[tuple[str, str], ...]] = {}
     for target in sorted(usable, key=lambda target: judged[target.name].use == "at need"):
-        if judged[target.name].use == "at need" and len(found) >= LEAST_VALIDATION:
+        if judged[target.name].use == "at need" and len(found) >= MIN_VALIDATION:
             break
         before, after = (
             {
@@ -278,7 +278,7 @@ def _target_reason(
     without = planes.predicted_sigma(set(chosen) - {name})
     now = planes.predicted_sigma(chosen)
     k = int(np.argmax(without / now))
-    if len(chosen) < LEAST_TARGETS or not np.isfinite(without[k]):
+    if len(chosen) < MIN_TARGETS or not np.isfinite(without[k]):
         return note("propose.target_needed", lines=lines)
     return note(
         "propose.target",
@@ -314,7 +314,7 @@ def _adjustment_warnings(result: AdjustmentResult) -> tuple[Message, ...]:
 def _do_planes_overlap(plane: DetectedPlane, other: DetectedPlane) -> bool:
     """True if two planes have points in common."""
     return any(
-        np.isin(plane.found[line].indices, other.found[line].indices).mean() > SHARED
+        np.isin(plane.found[line].indices, other.found[line].indices).mean() > MAX_SHARED_POINTS
         for line in plane.found
         if line in other.found
     )
@@ -326,8 +326,8 @@ def _proposed_target(
     # Where the prior boresight puts it, as if it had been clicked.
     line = plane.line if plane.line in plane.found else next(iter(plane.found))
     indices, aligned = plane.found[line].indices, survey.alignment
-    apart = np.linalg.norm(aligned.clouds[line][indices] - plane.seed, axis=1)
-    clicked = survey.clouds[line][indices[np.argmin(apart)][None]][0]
+    distances = np.linalg.norm(aligned.clouds[line][indices] - plane.seed, axis=1)
+    clicked = survey.clouds[line][indices[np.argmin(distances)][None]][0]
     seed: Triple = (float(clicked[0]), float(clicked[1]), float(clicked[2]))
     sightings = tuple(
         PickedSighting(
@@ -374,21 +374,22 @@ def _assess_plane(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
     poor = tuple(line for line, quality in lines.items() if quality.rating == "poor")
     uneven = [line for line, quality in lines.items() if quality.flatness != "good"]
     reason = lines[poor[0]].reasons[0] if poor else ""
-    if len(uneven) >= MOSTLY * len(lines):
+    if len(uneven) >= MAX_POOR * len(lines):
         return _PlaneAssessment("not flat", poor, reason)
-    if len(poor) < MOSTLY * len(lines):
+    if len(poor) < MAX_POOR * len(lines):
         return _PlaneAssessment("any", poor, reason)
-    return _PlaneAssessment("at need" if len(poor) == MOSTLY * len(lines) else "poor", poor, reason)
+    at_limit = len(poor) == MAX_POOR * len(lines)
+    return _PlaneAssessment("at need" if at_limit else "poor", poor, reason)
 
 
 def _too_few_planes_message(
-    project: Project, few: int, judged: Sequence[_PlaneAssessment]
+    project: Project, flat: int, judged: Sequence[_PlaneAssessment]
 ) -> Message:
     """Warning that there are too few planes, with the reasons why others do not count."""
     uneven = sum(not each.flat for each in judged)
-    poor = len(judged) - few - uneven
+    poor = len(judged) - flat - uneven
     return error(
-        "propose.few_flat_surfaces", project=project.name, count=few, uneven=uneven, poor=poor
+        "propose.few_flat_surfaces", project=project.name, count=flat, uneven=uneven, poor=poor
     )
 
 
@@ -473,12 +474,12 @@ def _order_validation_planes(
     survey: Survey,
 ) -> list[str]:
     """Validation planes in order: reciprocal lines first, then by distance from the others."""
-    large = [name for name, plane in planes.items() if plane.area >= LARGE]
-    names = large if len(large) >= LEAST_VALIDATION else list(planes)
+    large = [name for name, plane in planes.items() if plane.area >= MIN_AREA]
+    names = large if len(large) >= MIN_VALIDATION else list(planes)
     is_reciprocal = {name: _has_reciprocal_lines(compared[name], survey) for name in names}
     left = sorted(names, key=lambda name: (not is_reciprocal[name], -planes[name].area))
     kept = left[:1]
-    while len(left) > len(kept) and len(kept) < LEAST_VALIDATION + 1:
+    while len(left) > len(kept) and len(kept) < MIN_VALIDATION + 1:
         rest = [name for name in left if name not in kept]
         opposite = [name for name in rest if is_reciprocal[name]] or rest
         kept.append(

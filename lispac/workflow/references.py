@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from lispac.errors import InputError, PlaneNotFound
 from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, plane_axes
-from lispac.io.seed_file import MOST, ListedPoint, read_point_list
-from lispac.io.static_scan import StaticScan, has_few_rows, open_static_scan
+from lispac.io.seed_file import MAX_ROWS, ListedPoint, read_point_list
+from lispac.io.static_scan import StaticScan, has_at_most_rows, open_static_scan
 from lispac.language import gettext_lazy
 from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress
@@ -32,7 +32,7 @@ from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
 
-MOST_POINTS = 2_000_000
+MAX_POINTS = 2_000_000
 """Of a static scan; of more a fair sample is kept."""
 LARGEST_SIGMA = 0.2
 """Metres; of a surveyed point, a larger one is rather one in millimetres."""
@@ -176,11 +176,11 @@ def read_reference(
     file_facts = (path, path.stat().st_size, digest)
     if listed:
         points, columns = _read_points(path, system, survey.trajectory)
-        names, places, sigmas, planes, remarks = _group_points(points, sigma, path)
-        remarks += _sigma_warnings([point for point, _ in points])
+        names, places, sigmas, planes, messages = _group_points(points, sigma, path)
+        messages += _sigma_warnings([point for point, _ in points])
         usual = float(np.median([*sigmas, *(p.sigma for p in planes)]))
         return Reference(
-            *file_facts, "points", words, usual, (*notes, columns, *remarks), np.zeros((0, 3)),
+            *file_facts, "points", words, usual, (*notes, columns, *messages), np.zeros((0, 3)),
             names, places, sigmas, planes,
         )  # fmt: skip
     surface, used = _read_surface(found, system, survey, project, reach, progress)
@@ -191,7 +191,7 @@ def read_reference(
 
 
 def _is_list_of_points(path: Path, scan: StaticScan) -> bool:
-    return not scan.is_cloud and has_few_rows(path, MOST)
+    return not scan.is_cloud and has_at_most_rows(path, MAX_ROWS)
 
 
 def _read_points(
@@ -222,20 +222,20 @@ def _group_points(
         if point.plane:
             own = sigma if point.sigma is None else point.sigma
             together.setdefault(point.plane, []).append((place, own))
-    planes, said = [], []
+    planes, uneven = [], []
     for name, some in together.items():
         plane, off = _plane_reference(
             name, np.array([x for x, _ in some]), [s for _, s in some], path
         )
         planes.append(plane)
         if off is not None:
-            said.append(off)
+            uneven.append(off)
     return (
         tuple(name for name, _, _ in alone),
         np.array([x for _, x, _ in alone]).reshape(-1, 3),
         np.array([s for _, _, s in alone]),
         tuple(planes),
-        said,
+        uneven,
     )
 
 
@@ -313,7 +313,7 @@ def _read_surface(
         parts.append(placed[good])
         numbers.append(own[good])
         done, kept = done + len(chunk), kept + int(good.sum())
-        while kept > MOST_POINTS and halvings < MOST_HALVINGS:
+        while kept > MAX_POINTS and halvings < MOST_HALVINGS:
             halvings += 1
             chosen = [is_number_in_sample(some, halvings) for some in numbers]
             parts = [part[which] for part, which in zip(parts, chosen, strict=True)]

@@ -20,16 +20,16 @@ class ComparedProjects:
     ----------
     each : the earliest first
     counted : those that count where all are put together, each survey once
-    remarks : on the comparison
+    messages : on the comparison
     """
 
     each: tuple[Calibration, ...]
     counted: tuple[Calibration, ...]
-    remarks: tuple[Message, ...]
+    messages: tuple[Message, ...]
 
 
 def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
-    """Calibration of each project, with remarks on their comparison.
+    """Calibration of each project, with notes on their comparison.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
     Raises
     ------
     ProjectError
-        Where a project has no answer yet, or one is given twice.
+        Where a project has no result yet, or one is given twice.
     """
     projects = [open_project(folder) for folder in folders]
     seen: set[Path] = set()
@@ -56,15 +56,15 @@ def calibrations_of(folders: Sequence[Path]) -> ComparedProjects:
         if project.result is not None
     ]
     counted: list[int] = []
-    remarks: list[Message] = []
+    messages: list[Message] = []
     for k, project in enumerate(projects):
         first = next((j for j in counted if has_same_lines(projects[j], project)), None)
         if first is None:
             counted.append(k)
         else:
-            remarks.append(note("repeat.same_lines", name=names[k], other=names[first]))
-    remarks += comparability_remarks(names, projects)
-    return ComparedProjects(tuple(found), tuple(found[k] for k in counted), tuple(remarks))
+            messages.append(note("repeat.same_lines", name=names[k], other=names[first]))
+    messages += comparability_notes(names, projects)
+    return ComparedProjects(tuple(found), tuple(found[k] for k in counted), tuple(messages))
 
 
 def distinct_names(projects: Sequence[Project]) -> list[str]:
@@ -84,18 +84,18 @@ def distinct_names(projects: Sequence[Project]) -> list[str]:
     ]
 
 
-def comparability_remarks(names: Sequence[str], projects: Sequence[Project]) -> list[Message]:
+def comparability_notes(names: Sequence[str], projects: Sequence[Project]) -> list[Message]:
     """Notes on differences that limit the comparison with the first project."""
-    remarks = []
+    messages = []
     first = projects[0]
     for name, project in zip(names[1:], projects[1:], strict=True):
         shared = shared_lines(first, project)
         if shared and not has_same_lines(first, project):
-            remarks.append(
+            messages.append(
                 note("repeat.shared_lines", name=name, other=names[0], count=len(shared))
             )
         if project.settings.lever_arm != first.settings.lever_arm:
-            remarks.append(note("repeat.lever_arm", name=name, other=names[0]))
+            messages.append(note("repeat.lever_arm", name=name, other=names[0]))
         if project.settings.pos_errors != first.settings.pos_errors:
-            remarks.append(note("repeat.pos_errors", name=name, other=names[0]))
-    return remarks
+            messages.append(note("repeat.pos_errors", name=name, other=names[0]))
+    return messages

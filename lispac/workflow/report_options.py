@@ -13,7 +13,7 @@ from lispac.survey.conventions.systems import convention_of_key
 from lispac.untrusted_values import InvalidContentError, toml_values
 
 KEYS = ("logo", "company", "heading", "closing", "page", "convention", "language")
-LONGEST = 2000
+MAX_LENGTH = 2000
 """Letters of a text of a template."""
 
 
@@ -111,6 +111,6 @@ def _find_logo(folder: Path, name: str) -> Path:
 
 def _clean_text(key: str, text: str) -> str:
     tidy = "\n".join(line.strip() for line in text.strip().splitlines())
-    if len(tidy) > LONGEST or any(not (c.isprintable() or c == "\n") for c in tidy):
-        raise InputError(error("report_template.long_text", key=key, limit=LONGEST))
+    if len(tidy) > MAX_LENGTH or any(not (c.isprintable() or c == "\n") for c in tidy):
+        raise InputError(error("report_template.long_text", key=key, limit=MAX_LENGTH))
     return tidy

@@ -14,14 +14,14 @@ from lispac.survey.cloud import Cloud
 from lispac.targets.boresight_smear import ROUGHLY_OFF
 from lispac.targets.sighting_agreement import PlacementAccuracy
 from lispac.workflow.survey import Survey
-from lispac.workflow.target_search import MET_SHIFT, TargetSearch
+from lispac.workflow.target_search import ALIGNED_MAX_SHIFT, TargetSearch
 
 Array = NDArray[np.float64]
 
 ESTIMATED = PlacementAccuracy(ROUGHLY_OFF)
 """Of lines that an adjustment has placed; the first one used points smeared by the prior."""
 
-NARROWED = 2 / 3
+THRESHOLD_FACTOR = 2 / 3
 """Share of the pick's threshold that is left once the boresight no longer smears the surface: two
 LiDAR sigma where the pick took three. For planes alone: what displaces the profiles of a sphere is
 the motion of the vessel, and that stays."""
@@ -56,7 +56,7 @@ def reselect_target(
     before: Mapping[str, Cloud],
     after: Mapping[str, Cloud],
     *,
-    narrowed: float = NARROWED,
+    narrowed: float = THRESHOLD_FACTOR,
 ) -> Target:
     """Search the used sightings of a target again, in lines placed differently.
 
@@ -69,7 +69,7 @@ def reselect_target(
     line, seed = _moved_seed(target, before, after)
     narrowed = narrowed if target.shape == "plane" else 1.0
     settings = target.choices.settings(
-        threshold=narrowed * target.threshold, radius=target.radius, max_shift=MET_SHIFT
+        threshold=narrowed * target.threshold, radius=target.radius, max_shift=ALIGNED_MAX_SHIFT
     )
     lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}
     try:
@@ -102,9 +102,9 @@ def _moved_seed(
     seed = np.array(target.seed)
     nearest: list[tuple[float, str, int]] = []
     for sighting in target.used_sightings:
-        apart = np.linalg.norm(before[sighting.line][sighting.indices] - seed, axis=1)
-        k = int(np.argmin(apart))
-        nearest.append((float(apart[k]), sighting.line, int(sighting.indices[k])))
+        distances = np.linalg.norm(before[sighting.line][sighting.indices] - seed, axis=1)
+        k = int(np.argmin(distances))
+        nearest.append((float(distances[k]), sighting.line, int(sighting.indices[k])))
     _, line, number = min(nearest)
     own = np.array([number])
     return line, seed + after[line][own][0] - before[line][own][0]

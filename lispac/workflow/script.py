@@ -27,7 +27,7 @@ from lispac.project import LineSource, Project
 from lispac.survey.line_source import USUAL
 from lispac.survey.store.stored_line import StoredLine
 from lispac.validation.absolute_check import AbsoluteCheck
-from lispac.workflow.absolute_check import REACH, SIGMA, check_absolute
+from lispac.workflow.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE, check_absolute
 from lispac.workflow.calibration import estimate
 from lispac.workflow.projects import complete_readings
 from lispac.workflow.script_targets import target_steps
@@ -43,13 +43,13 @@ class Script:
 
     Attributes
     ----------
-    remarks : tuple of Message
+    messages : tuple of Message
         Where its numbers differ from the project's, and what it cannot know; they stand in the
         text too.
     """
 
     text: str
-    remarks: tuple[Message, ...] = ()
+    messages: tuple[Message, ...] = ()
 
 
 def script_of(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Script:
@@ -75,17 +75,17 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
         step(0.0, gettext_lazy("Checking the seed of {target}", target=target.name))
         picked += list(target_steps(project, survey, target, step))
     blocks.append(picked)
-    remarks = _missing_file_notes(project)
+    messages = _missing_file_notes(project)
     if project.result is not None:
         checks = project.cross_checks is not None
         named = {} if checks else {"cross_check": False}
         blocks.append([call_text("project.estimate", **named), *_comparison_steps(project)])
-        remarks += _angle_difference_notes(project, survey, sub_progress(progress, 0.6, 0.9))
+        messages += _angle_difference_notes(project, survey, sub_progress(progress, 0.6, 0.9))
     if project.absolute is not None:
         step = sub_progress(progress, 0.9, 1.0)
         lines, reported = _reference_check_steps(project, survey, project.absolute, files, step)
         blocks.append(lines)
-        remarks += reported
+        messages += reported
     name = project.name
     blocks.append([
         "project.save()",
@@ -94,7 +94,7 @@ def script_of(project: Project, survey: Survey, *, progress: Progress = no_progr
     ])  # fmt: skip
     progress(1.0)
     steps = "\n\n".join("\n".join(block) for block in blocks if block)
-    return Script(f"{_script_head(project, files, remarks)}\n{steps}\n", tuple(remarks))
+    return Script(f"{_script_head(project, files, messages)}\n{steps}\n", tuple(messages))
 
 
 def save_script(script: Script, path: Path) -> None:
@@ -109,16 +109,16 @@ def save_script(script: Script, path: Path) -> None:
         temporary.write_text(script.text, encoding="utf-8", errors="replace", newline="\n")
 
 
-def _script_head(project: Project, files: FilePaths, remarks: list[Message]) -> str:
+def _script_head(project: Project, files: FilePaths, messages: list[Message]) -> str:
     name = "".join(letter if letter.isprintable() else "?" for letter in project.name)
-    said = [
+    statements = [
         f"Steps of the project {name}, as LISPAC {lispac.__version__} wrote them.",
         "Run it with the Python in which LISPAC is installed: python SCRIPT FOLDER creates "
         "the project in FOLDER, python SCRIPT in the folder named below.",
-        *map(english_text, remarks),
+        *map(english_text, messages),
     ]
     comments = [
-        row for words in said
+        row for words in statements
         for row in textwrap.wrap(words, WIDTH, initial_indent="# ", subsequent_indent="# ")
     ]  # fmt: skip
     return "\n".join([
@@ -152,31 +152,31 @@ def _are_readings_detected(project: Project, survey: Survey) -> bool:
 
     This applies to a project that was just created; an opened one does not show these notes.
     """
-    stated = project.lines, project.trajectory_reading, project.accuracy_reading
+    readings = project.lines, project.trajectory_reading, project.accuracy_reading
     try:
         *found, notes = complete_readings(
-            project.lines, project.trajectory, stated[1], project.accuracy, stated[2]
+            project.lines, project.trajectory, readings[1], project.accuracy, readings[2]
         )
     except LispacError:
         return False
-    return bool(notes) and tuple(found) == stated and set(notes) <= set(survey.notes)
+    return bool(notes) and tuple(found) == readings and set(notes) <= set(survey.notes)
 
 
 def _missing_file_notes(project: Project) -> list[Message]:
     """Note on missing files that the script needs."""
     paths = [project.trajectory, project.accuracy, *(line.path for line in project.lines)]
-    gone = [str(path) for path in paths if path is not None and not path.exists()]
-    return [note("script.missing_files", files=gone)] if gone else []
+    missing = [str(path) for path in paths if path is not None and not path.exists()]
+    return [note("script.missing_files", files=missing)] if missing else []
 
 
 def _line_code(line: LineSource, files: FilePaths) -> PythonCode:
     path = files(line.path)
     if line.name == line.path.stem and not line.columns and line.reading == USUAL:
         return path
-    more = {"columns": line.columns} if line.columns else {}
+    options = {"columns": line.columns} if line.columns else {}
     if line.reading != USUAL:
-        more["reading"] = line.reading  # type: ignore[assignment]
-    return PythonCode(call_text("lispac.LineSource", line.name, path, **more))
+        options["reading"] = line.reading  # type: ignore[assignment]
+    return PythonCode(call_text("lispac.LineSource", line.name, path, **options))
 
 
 def _comparison_steps(project: Project) -> Iterator[str]:
@@ -208,8 +208,8 @@ def _reference_check_steps(
     project: Project, survey: Survey, check: AbsoluteCheck, files: FilePaths, progress: Progress
 ) -> tuple[list[str], list[Message]]:
     """Steps of the check against a reference, with notes on its unknown options."""
-    # Of a list the project keeps the usual sigma of its points, not that which was asked for.
-    sigmas = (check.sigma,) if check.kind == "scan" else (SIGMA, check.sigma)
+    # Of a list the project keeps the usual sigma of its points, not that which was given.
+    sigmas = (check.sigma,) if check.kind == "scan" else (DEFAULT_SIGMA, check.sigma)
     path = _find_reference(check, [files.folder, project.folder, project.folder.parent])
     if path is None:
         step = _check_step(check.reference, sigmas[0], check.search_distance)
@@ -231,8 +231,8 @@ def _reference_check_steps(
 
 
 def _check_step(path: str, sigma: float, reach: float) -> str:
-    said = {"sigma": (sigma, SIGMA), "search_distance": (reach, REACH)}
-    named = {name: value for name, (value, usual) in said.items() if value != usual}
+    values = {"sigma": (sigma, DEFAULT_SIGMA), "search_distance": (reach, SEARCH_DISTANCE)}
+    named = {name: value for name, (value, usual) in values.items() if value != usual}
     return call_text("project.check", path, **named)
 
 

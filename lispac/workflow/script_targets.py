@@ -75,10 +75,10 @@ def _seed_arguments(
 
 
 def _is_same_target(picked: Target, target: Target) -> bool:
-    def stated(each: Target) -> tuple[object, ...]:
+    def properties(each: Target) -> tuple[object, ...]:
         return each.threshold, each.radius, dict(each.missing), len(each.sightings)
 
-    return stated(picked) == stated(target) and all(
+    return properties(picked) == properties(target) and all(
         (one.line, one.rms, one.one_in) == (other.line, other.rms, other.one_in)
         and np.array_equal(one.indices, other.indices)
         for one, other in zip(picked.sightings, target.sightings, strict=True)

@@ -32,7 +32,7 @@ class ListedSeed:
     row : int
         Of the list.
     place : metres, local frame
-    taken : bool
+    exists : bool
         Whether the project has a target of that name.
     """
 
@@ -40,7 +40,7 @@ class ListedSeed:
     name: str
     role: Role
     place: Triple
-    taken: bool = False
+    exists: bool = False
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class SeedOutcome:
 
     seed: ListedSeed
     target: Target | None
-    remark: Message | None = None
+    message: Message | None = None
 
 
 @dataclass(frozen=True)
@@ -98,7 +98,7 @@ def read_seeds(
     points = read_point_list(
         path, columns=columns, local=system is None, degrees=geographic, metres=metres
     )
-    taken = {target.name for target in project.targets}
+    used_names = {target.name for target in project.targets}
     # Names that the list does not give are the next free ones.
     numbered = project
     seeds = []
@@ -115,7 +115,7 @@ def read_seeds(
             np.array(point.coordinates), system, trajectory, where
         )
         place = (float(north), float(west), float(up))
-        seeds.append(ListedSeed(point.row, name, own, place, name in taken))
+        seeds.append(ListedSeed(point.row, name, own, place, name in used_names))
     return SeedList(points, tuple(seeds), _list_notes(points, system))
 
 
@@ -132,7 +132,7 @@ def require_free_names(seeds: SeedList) -> None:
     ProjectError
     """
     for seed in seeds.seeds:
-        if seed.taken:
+        if seed.exists:
             raise ProjectError(
                 error(
                     "pick.name_taken", file=str(seeds.points.path), row=seed.row, target=seed.name
@@ -209,7 +209,7 @@ def require_any_found(seeds: SeedList, outcomes: Sequence[SeedOutcome]) -> None:
                 count=len(outcomes),
                 target=first.seed.name,
                 row=first.seed.row,
-                reason="" if first.remark is None else first.remark,
+                reason="" if first.message is None else first.message,
             )
         )
 
@@ -244,7 +244,7 @@ def columns_note(points: PointList, system: CoordinateSystem | None) -> Message:
     """Note on the order of the columns of a list of points."""
     axes = dict(zip("xyz", axis_names(system), strict=True))
     columns = tuple(note(_COLUMNS[axes.get(name, name)]) for name in points.columns)
-    code = "assumed.columns_as_named" if points.stated else "assumed.columns_by_order"
+    code = "assumed.columns_as_named" if points.are_columns_given else "assumed.columns_by_order"
     return note(code, columns=columns)
 
 

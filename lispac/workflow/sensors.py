@@ -63,8 +63,8 @@ SOURCES = (
 """Sources of the sensors that come with the program, for their translation."""
 LONGEST = 200
 """Letters of a title or a source."""
-INVENTED = ("profiler",)
-"""Scanners of the simulator that nobody can buy."""
+SIMULATED_SCANNERS = ("profiler",)
+"""Scanners that exist in the simulator only."""
 LEAST_NOISE = 0.001
 """Metres: the LiDAR noise on each axis, from which search distances follow, is no smaller."""
 
@@ -92,7 +92,7 @@ class SensorLibrary:
 
     scanners: tuple[Sensor[ScannerSpecification], ...]
     pos: tuple[Sensor[PosSpecification], ...]
-    remarks: tuple[Message, ...] = ()
+    messages: tuple[Message, ...] = ()
 
     def scanner(self, name: str) -> ScannerSpecification:
         """The scanner of a name.
@@ -137,31 +137,31 @@ def read_library(folder: Path) -> SensorLibrary:
     folder : Path
         Holds ``scanners`` and ``pos``; it need not exist.
     """
-    remarks: list[Message] = []
+    messages: list[Message] = []
     return SensorLibrary(
         _read_sensors(
             "scanners", folder, lambda path: read_scanner_specification(path, whole=False),
-            read_scanner_specification, remarks,
+            read_scanner_specification, messages,
         ),
-        _read_sensors("pos", folder, read_pos_specification, read_pos_specification, remarks),
-        tuple(remarks),
+        _read_sensors("pos", folder, read_pos_specification, read_pos_specification, messages),
+        tuple(messages),
     )  # fmt: skip
 
 
 def _read_sensors(
     kind: str, folder: Path, supplied: Callable[[Path], F], read: Callable[[Path], F],
-    remarks: list[Message],
+    messages: list[Message],
 ) -> tuple[Sensor[F], ...]:  # fmt: skip
     found = {
         path.stem: Sensor(path.stem, supplied(path), is_user_defined=False)
         for path in resource_path(kind).glob("*.toml")
-        if path.stem not in INVENTED
+        if path.stem not in SIMULATED_SCANNERS
     }
     for path in sorted((folder / kind).glob("*.toml")):
         try:
             found[path.stem] = Sensor(path.stem, read(path), is_user_defined=True)
         except InputError as failure:
-            remarks.append(as_message(failure.reason))
+            messages.append(as_message(failure.reason))
     return tuple(sorted(found.values(), key=lambda each: each.figures.title.casefold()))
 
 

@@ -36,7 +36,7 @@ Key = tuple[str, str]
 
 STEP = 1e-5
 """Radians by which the boresight is turned to see how points move."""
-LOOKED_AT = 50_000
+MAX_POINTS = 50_000
 """Points about a sighting among which surfaces like it are searched for."""
 
 
@@ -151,7 +151,7 @@ class _PlacedMounting:
     scanner: Georeferencer
     turned: tuple[Georeferencer, ...]
     boresight_off: float
-    nearly_meets: bool
+    is_nearly_aligned: bool
 
     @classmethod
     def of(cls, project: Project, survey: Survey, *, estimated: bool) -> "_PlacedMounting":
@@ -197,13 +197,13 @@ def _target_qualities(
     """The quality of each sighting as selected, those that were picked being the target's own."""
     seen = [_SightingPoints.of(survey, placing, sighting) for sighting in sightings]
     shown: list[ObservedExtent | None] = [None] * len(seen)
-    if target.shape == "plane" and placing.nearly_meets:
+    if target.shape == "plane" and placing.is_nearly_aligned:
         shown = _observed_parts(target, placing, seen)
     judged = [
         _sighting_quality(project, placing, target, sighting, each, beside)
         for sighting, each, beside in zip(sightings, seen, shown, strict=True)
     ]
-    if target.shape == "plane" and not placing.nearly_meets:
+    if target.shape == "plane" and not placing.is_nearly_aligned:
         judged = [
             add_remarks(quality, _ambiguity_note(target, survey, sighting))
             for quality, sighting in zip(judged, sightings, strict=True)
@@ -219,14 +219,14 @@ def _ambiguity_note(
     points = cloud[sighting.indices]
     try:
         plane = fit_plane(points)
-    except LispacError:  # said of its quality
+    except LispacError:  # reported with its quality
         return ()
     reach = FinderSettings().max_shift
-    about = cloud.within(points.mean(axis=0), reach + target.radius, most=LOOKED_AT)
-    apart = nearest_similar_surface(about.points, points, plane, target.threshold, reach)
-    if apart is None:
+    about = cloud.within(points.mean(axis=0), reach + target.radius, most=MAX_POINTS)
+    distance = nearest_similar_surface(about.points, points, plane, target.threshold, reach)
+    if distance is None:
         return ()
-    return (note("quality.mistakable", distance=apart),)
+    return (note("quality.mistakable", distance=distance),)
 
 
 def _observed_parts(
@@ -238,7 +238,7 @@ def _observed_parts(
     for k, each in enumerate(seen):
         try:
             extents.append(extent_in_plane(fit_plane(each.local), each.local))
-        except LispacError:  # said of that sighting
+        except LispacError:  # reported with that sighting
             continue
         planes[k] = each.local
     shown: list[ObservedExtent | None] = [None] * len(seen)

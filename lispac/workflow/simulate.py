@@ -244,7 +244,7 @@ def as_triple(values: np.ndarray) -> Triple:
 
 
 def _surveyor_settings(simulation: SimulatedSetup) -> Settings:
-    """Settings of the surveyor: stated lever arm, no boresight, sigmas of the data sheets."""
+    """Settings of the surveyor: given lever arm, no boresight, sigmas of the data sheets."""
     latitude, longitude, height = simulation.setup.origin
     scanner = simulation.setup.scanner
     beam = (scanner.range_sigma, float(np.degrees(scanner.angle_sigma)))

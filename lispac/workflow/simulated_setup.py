@@ -21,9 +21,9 @@ from lispac.simulation.simulated_survey import SurveySetup
 from lispac.survey.trajectory import LocalTrajectory
 
 KINDS = ("scene", "vessel", "scanner")
-FARTHEST = 20_000.0
+MAX_DISTANCE = 20_000.0
 """Metres: a scene whose origin is farther from the trajectory lies elsewhere."""
-LONGEST = 12 * 3600.0
+MAX_DURATION = 12 * 3600.0
 """Seconds: a survey that takes longer has a figure wrong, and would not fit into memory."""
 
 
@@ -143,14 +143,14 @@ def _origin_and_voyage(
         passes = tuple(replace(each, handling=carried.handling) for each in described.passes)
         takes = sum(each.times[1] - each.times[0] for each in passes)
         takes += len(passes) * carried.handling.transit + 2 * carried.handling.wait
-        if takes > LONGEST:
+        if takes > MAX_DURATION:
             raise InputError(
                 error(
                     "simulate.too_long",
                     file=str(file),
                     vessel=carried.title,
                     duration=takes,
-                    limit=LONGEST,
+                    limit=MAX_DURATION,
                 )
             )
         return described.origin, SailedTrajectory(passes, carried.pos_height)
@@ -164,7 +164,7 @@ def _origin_and_voyage(
     frame = replace(mean, latitude=origin[0], longitude=origin[1], height=origin[2])
     local = LocalTrajectory.of(states, frame)
     farthest = float(np.linalg.norm(local.position, axis=1).min())
-    if farthest > FARTHEST:
+    if farthest > MAX_DISTANCE:
         raise InputError(
             error(
                 "simulate.origin_too_far",

@@ -21,7 +21,7 @@ from lispac.workflow.survey import Survey
 
 Array = NDArray[np.float64]
 
-USUAL = (0.0, 0.05, 0.10, 0.15, 0.20)
+DISTANCES = (0.0, 0.05, 0.10, 0.15, 0.20)
 """Metres: all points, the thesis's distances, and one more."""
 
 
@@ -49,7 +49,7 @@ class SubsamplingResult:
 def subsampling_study(
     project: Project,
     survey: Survey,
-    distances: Sequence[float] = USUAL,
+    distances: Sequence[float] = DISTANCES,
     *,
     progress: Progress = no_progress,
 ) -> tuple[SubsamplingResult, ...]:
@@ -66,7 +66,7 @@ def subsampling_study(
     ProjectError
         No target has been picked.
     AdjustmentError
-        Where targets and lines cannot give an answer.
+        Where targets and lines cannot give a result.
     """
     if not distances or not all(0.0 <= distance < np.inf for distance in distances):
         raise InputError(error("estimate.point_spacing"))

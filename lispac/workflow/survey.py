@@ -44,7 +44,7 @@ from lispac.workflow.moved_files import require_files
 LARGEST_SIGMA_M, LARGEST_SIGMA_RAD = 1e4, np.pi
 """Standard deviations that no POS has; exporters write such values where they have no solution."""
 DATA = Cause.of_step("Data")
-LARGE = 4_000_000
+LARGE_LINE = 4_000_000
 """Points; lines with more are imported into the project's store, smaller ones are read into memory
 whenever the project is opened, with 64 bytes a point."""
 RUNS, RUN = 64, 16
@@ -217,7 +217,7 @@ def _file_messages(project: Project) -> tuple[Message, ...]:
     for kind, path, reading, subject in files:
         format = format_of(reading.format or USUAL[kind])
         try:
-            messages = format.look(path, dict(reading.options)).messages
+            messages = format.preview(path, dict(reading.options)).messages
         except InputError:  # the reader itself refuses the file where that matters
             continue
         found += [replace(each, subject=each.subject or subject) for each in messages]
@@ -308,7 +308,7 @@ def _open_line(
 def _belongs_on_disk(project: Project, line: LineSource) -> bool:
     if has_import(line_folder(project, line)):
         return True
-    return line.path.is_file() and _estimate_point_count(line.path) > LARGE
+    return line.path.is_file() and _estimate_point_count(line.path) > LARGE_LINE
 
 
 def _estimate_point_count(path: Path) -> int:

@@ -49,11 +49,11 @@ def _line_days(project: Project, line: LineSource, survey: Survey | None) -> set
         scan = survey.scans[line.name]
         moved = np.array([scan.first_time, scan.last_time])
         times = line.reading.to_file_time(moved)
-    own = known_time_base(format, line.path, choice, "time_base", stated=False)
+    own = known_time_base(format, line.path, choice, "time_base", given=False)
     # The trajectory's times may contain the date if those of the line do not.
     track = known_time_base(
         format_of(project.trajectory_reading.format or USUAL["trajectory"]), project.trajectory,
-        dict(project.trajectory_reading.options), "time", stated=False,
+        dict(project.trajectory_reading.options), "time", given=False,
     )  # fmt: skip
     for known, seconds in ((own, times), (track, moved)):
         if known.base is not None and known.base.period is None and known.fits(seconds):

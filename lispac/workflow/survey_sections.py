@@ -34,14 +34,14 @@ class SectionPoints:
     section : Section
         Where it was laid.
     points : ndarray of shape (n, 2) by line, metres, to the right and upwards of the middle
-    apart : float or None, metres
+    separation : float or None, metres
         Along a plane's normal, the greatest distance between two lines; None without a plane.
     """
 
     which: Which
     section: Section
     points: Mapping[str, Array]
-    apart: float | None = None
+    separation: float | None = None
 
 
 def section_at_target(
@@ -77,18 +77,18 @@ def section_at_target(
         raise ProjectError(error("section.no_points", target=name))
     normal = common_normal(latest.values())
     ends = np.concatenate([_end_times(survey.scans[line]) for line in latest])
-    eye = survey.trajectory.at(ends).position.mean(axis=0)
+    viewpoint = survey.trajectory.at(ends).position.mean(axis=0)
     cuts = []
     for which, clouds in _placements(project, survey):
         middles = {line: points.mean(axis=0) for line, points in groups[which].items()}
         centre = np.mean(list(middles.values()), axis=0)
         section = section_across_target(
-            centre, normal, eye, level=level, size=size, thickness=thickness
+            centre, normal, viewpoint, level=level, size=size, thickness=thickness
         )
         cut = _section_points(which, clouds, section, progress)
         if target.shape == "plane":
             offsets = [float((middle - centre) @ normal) for middle in middles.values()]
-            cut = replace(cut, apart=float(np.ptp(offsets)))
+            cut = replace(cut, separation=float(np.ptp(offsets)))
         cuts.append(cut)
     return tuple(cuts)
 

@@ -21,11 +21,11 @@ from lispac.messages import error
 
 Array = NDArray[np.float64]
 
-MOST_TARGETS, LEAST_TARGETS, LEAST_VALIDATION = 6, 3, 4
+MAX_TARGETS, MIN_TARGETS, MIN_VALIDATION = 6, 3, 4
 """Targets that are chosen, and planes that are left for validation once the targets are checked."""
-WORTH_IT = 0.85
+MAX_SIGMA_RATIO = 0.85
 """A target that leaves more than this share of every sigma is left for validation."""
-FAR_WORSE = 2.0
+MAX_PAIR_RATIO = 2.0
 """Factor on the least worst sigma of any two planes up to which two others are preferred that are
 apart, or boards."""
 
@@ -40,7 +40,7 @@ class CandidatePlanes:
         Equations of all planes together, with the unevenness of each one: for the choice.
     predicted : LinearisedProblem
         The same with the surface sigma that an adjustment of all planes finds: for the sigmas that
-        are stated. The choice is to be careful; a prediction is not.
+        are given. The choice is to be careful; a prediction is not.
     centres : mapping of name to ndarray of shape (3,), metres, local frame
     whole : collection of str
         Planes that end within the search radius: every line shows the same outline.
@@ -75,8 +75,8 @@ class CandidatePlanes:
             sigma = _sigma_of_targets(self.predicted, kept)
         if not problem.model.correlated or not np.isfinite(sigma).all():
             return sigma
-        gone = np.array([s.target not in kept for s in problem.observations.sightings])
-        return sigma * expected_sigma_factors(self.predicted, gone[problem.groups.sighting])
+        removed = np.array([s.target not in kept for s in problem.observations.sightings])
+        return sigma * expected_sigma_factors(self.predicted, removed[problem.groups.sighting])
 
     def sigma_without_one(self, names: Sequence[str]) -> Array:
         """Largest sigmas of roll, pitch, yaw without one of the planes, shape (3,), radians."""
@@ -85,26 +85,26 @@ class CandidatePlanes:
     def are_mutually_checked(self, names: Sequence[str]) -> bool:
         """True if the other planes reveal an error of any one of the planes."""
         return (
-            len(names) >= LEAST_TARGETS
+            len(names) >= MIN_TARGETS
             and bool((self.sigma_without_one(names) <= CARRIED * self.sigma(names)).all())
             and self.are_spread(names)
         )
 
     def are_spread(self, names: Sequence[str]) -> bool:
         """True if no two of the planes are so close together that they act as one."""
-        apart = [
+        distances = [
             float(np.linalg.norm(self.centres[a] - self.centres[b]))
             for a, b in combinations(names, 2)
         ]
         points = self.linearised.problem.observations.points_lidar
-        return min(apart) >= CLUSTERED * float(np.linalg.norm(points, axis=1).mean())
+        return min(distances) >= CLUSTERED * float(np.linalg.norm(points, axis=1).mean())
 
 
 def _sigma_of_targets(linearised: LinearisedProblem, names: Iterable[str]) -> Array:
     kept = set(names)
     sightings = linearised.problem.observations.sightings
-    gone = np.array([sighting.target not in kept for sighting in sightings])
-    information = linearised.normal_without_sightings(gone).information(3)
+    removed = np.array([sighting.target not in kept for sighting in sightings])
+    information = linearised.normal_without_sightings(removed).information(3)
     if np.linalg.eigvalsh(information)[0] <= 0.0:
         return np.full(3, np.inf)
     return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
@@ -126,11 +126,11 @@ def choose_targets(planes: CandidatePlanes) -> list[str]:
     with single_blas_thread():
         chosen = _best_pair(planes, names)
         boards = [name for name in names if name in planes.whole]
-        # Boards rather than walls, where they determine enough: walls are wanted for validation.
+        # Boards rather than walls, where they determine enough: walls are kept for validation.
         pool = boards if set(chosen) <= set(boards) else names
-        while len(chosen) < min(MOST_TARGETS, len(names)):
+        while len(chosen) < min(MAX_TARGETS, len(names)):
             checked = planes.are_mutually_checked(chosen)
-            spare = len(names) - LEAST_VALIDATION
+            spare = len(names) - MIN_VALIDATION
             if checked and len(chosen) >= spare:
                 break
             added = _best_addition(planes, chosen, pool, checked)
@@ -167,7 +167,7 @@ def _best_pair(planes: CandidatePlanes, names: Sequence[str]) -> list[str]:
     )  # fmt: skip
     for is_preferred in preferences:
         preferred = {pair: sigma for pair, sigma in worst.items() if is_preferred(pair)}
-        if preferred and min(preferred.values()) <= FAR_WORSE * least:
+        if preferred and min(preferred.values()) <= MAX_PAIR_RATIO * least:
             worst = preferred
     best = min(worst, key=worst.__getitem__)
     return list(best)
@@ -193,6 +193,6 @@ def _best_addition(
             ),
         )
     sigma = planes.sigma(chosen)
-    left = {name: float((planes.sigma([*chosen, name]) / sigma).min()) for name in others}
-    best = min(left, key=left.__getitem__)
-    return best if left[best] <= WORTH_IT else None
+    ratios = {name: float((planes.sigma([*chosen, name]) / sigma).min()) for name in others}
+    best = min(ratios, key=ratios.__getitem__)
+    return best if ratios[best] <= MAX_SIGMA_RATIO else None

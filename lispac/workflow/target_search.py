@@ -49,22 +49,22 @@ and only what lies across them counts. A threshold near the radius would take wh
 ball for its surface.
 """
 
-SURROUNDED = 3.0
+SPHERE_FACTOR = 3.0
 """Search radius about the seed in radii of a known sphere, where that is more than usual: the seed
 may lie on the far side, and what is around the ball tells where it is in the other lines."""
 
-SOUGHT = 50_000
-"""Points about a seed among which a plane is sought; where a line has more there, a fair sample
+SEARCH_SAMPLE = 50_000
+"""Points about a seed that are searched for a plane; where a line has more there, a fair sample
 shows where the plane is, and then all points that lie on it are taken."""
 
-ABOUT = 0.1
+CLICK_RADIUS = 0.1
 """Metres from a clicked point within which its neighbours are searched for."""
 
 UP = np.array([0.0, 0.0, 1.0])
 
-MET_SHIFT = 0.5
-"""Metres that a target may be from one line to another where the lines nearly meet: what is left is
-the error of the POS, and what the rough boresight is off by."""
+ALIGNED_MAX_SHIFT = 0.5
+"""Metres that a target may be from one line to another where the lines are nearly aligned: what is
+left is the error of the POS and of the rough boresight."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ class TargetSearch:
     def search_radii(self, role: Role) -> tuple[float, ...]:
         """Default search radii about the seed, metres, tried in turn."""
         usual = DEFAULT_RADII[role]
-        return tuple(max(radius, SURROUNDED * (self.sphere_radius or 0.0)) for radius in usual)
+        return tuple(max(radius, SPHERE_FACTOR * (self.sphere_radius or 0.0)) for radius in usual)
 
     def threshold(self, usual: float) -> float:
         """Default threshold, metres, where that for planes is ``usual``."""
@@ -143,7 +143,7 @@ class TargetSearch:
             return _with_point_numbers(
                 find_sphere(region.points, seed, self.radius_range, settings), region
             )
-        region = cloud.within(require_seed(seed), settings.radius, most=SOUGHT)
+        region = cloud.within(require_seed(seed), settings.radius, most=SEARCH_SAMPLE)
         beside = _points_near_click(region, cloud, require_seed(seed))
         return _complete_plane(
             find_plane(region.points, seed, settings, beside=beside), region, cloud
@@ -224,7 +224,7 @@ def find_planes_in_lines(
     progress: Progress = no_progress,
 ) -> tuple[dict[str, PlanePatch], dict[str, Message]]:
     """Find the plane at ``seed`` (3,), local frame, in every line, or why it is missing."""
-    regions, points = _search_regions(clouds, seed, settings, most=SOUGHT)
+    regions, points = _search_regions(clouds, seed, settings, limit=SEARCH_SAMPLE)
     beside = {
         name: _points_near_click(regions[name], cloud, seed) for name, cloud in clouds.items()
     }
@@ -289,7 +289,7 @@ class SearchPlace:
             Search radius about the seed.
         """
         seed = require_seed(seed)
-        reach = MET_SHIFT if aligned.nearly_meets else FinderSettings().max_shift
+        reach = ALIGNED_MAX_SHIFT if aligned.nearly_meets else FinderSettings().max_shift
         reaches = (CLICK,) if line is None else (CLICK, 0.1, radius)
         nearest: list[tuple[float, str, Array]] = []
         for name in aligned.before if line is None else (line,):
@@ -310,9 +310,9 @@ def _nearest_point(
     for reach in reaches:
         region = before.within(seed, reach)
         if len(region.points):
-            apart = np.linalg.norm(region.points - seed, axis=1)
-            own = region.numbers[np.argmin(apart)][None]
-            return [(float(apart.min()), line, (aligned.clouds[line][own] - before[own])[0])]
+            distances = np.linalg.norm(region.points - seed, axis=1)
+            own = region.numbers[np.argmin(distances)][None]
+            return [(float(distances.min()), line, (aligned.clouds[line][own] - before[own])[0])]
     return []
 
 
@@ -329,13 +329,13 @@ def thinned_notes(target: Target) -> tuple[Message, ...]:
 
 
 def _search_regions(
-    clouds: Mapping[str, Cloud], seed: Array, settings: FinderSettings, *, most: int | None = None
+    clouds: Mapping[str, Cloud], seed: Array, settings: FinderSettings, *, limit: int | None = None
 ) -> tuple[dict[str, SphereRegion], dict[str, Array]]:
     """Search region of each line around the seed, and its points."""
     seed, reach = require_seed(seed), settings.radius + settings.max_shift
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        read = pool.map(lambda cloud: cloud.within(seed, reach, most=most), clouds.values())
+        read = pool.map(lambda cloud: cloud.within(seed, reach, most=limit), clouds.values())
         regions = dict(zip(clouds, read, strict=True))
     return regions, {name: region.points for name, region in regions.items()}
 
@@ -348,7 +348,7 @@ def _points_near_click(region: SphereRegion, cloud: Cloud, seed: Array) -> Array
     """
     if region.one_in == 1 or len(cloud.within(seed, CLICK).numbers) == 0:
         return None
-    points = cloud.within(seed, ABOUT).points
+    points = cloud.within(seed, CLICK_RADIUS).points
     return points[np.argsort(np.linalg.norm(points - seed, axis=1), kind="stable")]
 
 

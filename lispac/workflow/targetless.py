@@ -36,13 +36,13 @@ Indices = NDArray[np.int64]
 THRESHOLDS = (0.06, 0.03, 0.03, 0.03, 0.03)
 """Metres that a line may be off its region, from round to round: at first as much as a tenth of a
 degree moves it some tens of metres away."""
-QUICK = 0.3
+QUICK_SPACING = 0.3
 """Metres over which points are averaged between the rounds."""
-SETTLED = 0.1
+CONVERGENCE_LIMIT = 0.1
 """Change of an angle, as a share of its sigma, below which no further round is run."""
-FEWEST = 4
+MIN_PATCHES = 4
 """Patches below which nothing of them can be checked."""
-DISAGREES = 0.3
+MAX_SHARE = 0.3
 """Share of its sightings that do not agree by which a line is named."""
 
 
@@ -82,14 +82,14 @@ class TargetlessResult:
         return self.project.result
 
     @property
-    def remarks(self) -> tuple[Message, ...]:
-        """Remarks on the basis and the limits of the result."""
+    def messages(self) -> tuple[Message, ...]:
+        """Messages on the basis and the limits of the result."""
         used = len(self.project.targets) - self.targets
         found = [note("targetless.basis", used=used, total=self.candidates, rounds=self.rounds)]
         if self.targets:
             found.append(note("targetless.with_targets", targets=self.targets))
         if not self.converged:
-            found.append(note("targetless.not_converged", share=SETTLED))
+            found.append(note("targetless.not_converged", share=CONVERGENCE_LIMIT))
         if self.disagreeing:
             found.append(note("targetless.lines_disagree", lines=self.disagreeing))
         return tuple(found)
@@ -127,7 +127,7 @@ def targetless(
     progress(0.0, gettext_lazy("Aligning the lines"))
     # Wherever the prior is, near or far, the start is the same.
     mounting = survey.alignment.mounting
-    quick = replace(settings, subsample=max(settings.subsample, QUICK), parameters=())
+    quick = replace(settings, subsample=max(settings.subsample, QUICK_SPACING), parameters=())
     judged = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
     picked, found, rounds, converged, mixed = project, 0, 0, False, 0
     for rounds, threshold in enumerate(THRESHOLDS, 1):
@@ -140,13 +140,13 @@ def targetless(
         )  # fmt: skip
         choice = choose_patches(patches, clouds, survey.accuracy, count)
         found = len(patches)
-        if len(choice.rows) < FEWEST:
+        if len(choice.rows) < MIN_PATCHES:
             raise AdjustmentError(
                 error(
                     "targetless.few_surfaces",
                     project=project.name,
                     count=len(choice.rows),
-                    least=FEWEST,
+                    least=MIN_PATCHES,
                 )
             )
         picked = replace(
@@ -162,7 +162,7 @@ def targetless(
         changes = np.abs(result.boresight - mounting.boresight)
         mounting = mounting.with_boresight(result.boresight)
         # The quick model's own sigmas are far too small to be moved less than.
-        converged = rounds > 1 and bool((changes < SETTLED * choice.sigma).all())
+        converged = rounds > 1 and bool((changes < CONVERGENCE_LIMIT * choice.sigma).all())
         if converged:
             break
     if own is not None:
@@ -178,7 +178,7 @@ def targetless(
             parameters=settings.parameters,
             components=settings.variance_components,
             accept_single_orientation=settings.accept_single_orientation,
-            test_model=False,  # places of the scene and stretches of lines tell it better
+            test_model=False,  # places of the scene and stretches of lines show it better
             progress=sub_progress(progress, 0.5, 0.9),
         )
     solved = SolvedEquations.of(
@@ -206,9 +206,9 @@ def targetless(
             raised_result = replace(raised_result, observability=seen)
         shifted = LineShiftScores.of(solved.here).shifted_lines()
     raised = float((raised_result.sigma / result.sigma).max())
-    answer = replace(picked, result=replace(raised_result, elapsed=perf_counter() - started))
+    final = replace(picked, result=replace(raised_result, elapsed=perf_counter() - started))
     named = disagreeing_lines(result, survey.clouds, shifted)
-    return TargetlessResult(answer, rounds, converged, found, named, mixed, raised)
+    return TargetlessResult(final, rounds, converged, found, named, mixed, raised)
 
 
 def _targets_only(project: Project) -> Project:
@@ -229,14 +229,14 @@ def _surfaces_off_targets(
     for target in targets:
         for sighting in target.sightings:
             on.setdefault(sighting.line, []).append(sighting.indices)
-    taken = {line: np.concatenate(parts) for line, parts in on.items()}
+    used_points = {line: np.concatenate(parts) for line, parts in on.items()}
     names = {target.name for target in targets}
 
     def is_free(surface: Target) -> bool:
         return not any(
-            np.isin(each.indices, taken[each.line]).any()
+            np.isin(each.indices, used_points[each.line]).any()
             for each in surface.sightings
-            if each.line in taken
+            if each.line in used_points
         )
 
     return tuple(
@@ -296,9 +296,9 @@ def disagreeing_lines(
         Those whose position is shifted as a whole.
     """
     count = Counter(residual.sighting.line for residual in result.sightings)
-    gone = Counter(sighting.line for sighting in result.rejected_sightings)
+    rejected = Counter(sighting.line for sighting in result.rejected_sightings)
     return tuple(
         line
         for line in lines
-        if not count[line] or line in shifted or gone[line] >= max(2.0, DISAGREES * count[line])
+        if not count[line] or line in shifted or rejected[line] >= max(2.0, MAX_SHARE * count[line])
     )

@@ -13,7 +13,7 @@ from lispac.survey.line_source import RESTART, printable
 from lispac.survey.time_rollover import NONE, PERIODS, rollover_note
 from lispac.workflow.file_reading import format_of_line
 
-NEAR = 6 * 3600.0
+MIN_MARGIN = 6 * 3600.0
 """Seconds from a midnight or the end of a week that no line reaches which its first points are
 farther from."""
 
@@ -62,6 +62,6 @@ def _is_near_rollover(format: FileFormat, choice: Choice, line: LineSource) -> b
         return False
     time = first.time
     return any(
-        bool(((time >= 0) & (time < period) & (np.minimum(time, period - time) < NEAR)).any())
+        bool(((time >= 0) & (time < period) & (np.minimum(time, period - time) < MIN_MARGIN)).any())
         for period in PERIODS.values()
     )

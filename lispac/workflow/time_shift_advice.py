@@ -45,7 +45,7 @@ def outside_trajectory_message(reading: Reading, times: Array, track: Array, fil
         inside = ((written >= track[0]) & (written <= track[-1])).any()
         code = "import.shift_not_needed" if inside else "import.shift_wrong"
         return Message(code, Level.ERROR, {**span, "shift": reading.time_shift})
-    some, bases = times[:: max(1, len(times) // 1000)], _stated_time_bases(reading, times)
+    some, bases = times[:: max(1, len(times) // 1000)], _known_time_bases(reading, times)
     found = find_time_matches(some, track, point_bases=bases)
     if found and abs(found[0].shift) > 1e-9:
         best = found[0]
@@ -69,8 +69,8 @@ def outside_trajectory_message(reading: Reading, times: Array, track: Array, fil
     return Message(code, Level.ERROR, span)
 
 
-def _stated_time_bases(reading: Reading, times: Array) -> tuple[TimeBase, ...] | None:
-    """Time base that the file or the user states for a line, if its times are possible there."""
+def _known_time_bases(reading: Reading, times: Array) -> tuple[TimeBase, ...] | None:
+    """Time base of a line, from the file or the user, if its times are possible in it."""
     key = dict(reading.options).get("time_base", "")
     return (base_of_key(key),) if key and base_of_key(key) in plausible_bases(times) else None
 

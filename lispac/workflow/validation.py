@@ -77,7 +77,7 @@ def validate_with_truth(
     """Compare the lines on the validation planes with the simulated true boresight as "after".
 
     What is left between the lines then is the POS error of each of them, which no boresight
-    removes: an answer is as good as it can be where it leaves no more.
+    removes: a result cannot be better than that.
 
     Parameters
     ----------

@@ -113,7 +113,7 @@ def test_look_prints_what_all_points_show(
     demo: Demo, tmp_path: Path, capsys: pytest.CaptureFixture[str], words: list[str], found: bool
 ) -> None:
     path = two_scanners(demo.project.lines[0].path, tmp_path / "L9.laz")
-    assert main(["look", str(path), "--json", *words]) == 0
+    assert main(["inspect", str(path), "--json", *words]) == 0
     shown = json.loads(capsys.readouterr().out)
     codes = [each["code"] for each in shown["formats"][0]["messages"]]
     assert ("audit.several_sources" in codes) == found

@@ -14,7 +14,7 @@ from lispac.io.plan_file import TitledPlan
 from lispac.language import N_, Plural, gettext, number
 from lispac.messages import Message, note
 from lispac.progress import Progress, no_progress
-from lispac.workflow.plan_checks import observability_remarks
+from lispac.workflow.plan_checks import observability_messages
 
 UNKNOWN, OPEN = "–", N_("undetermined")
 
@@ -79,7 +79,7 @@ def plan_messages(plan: Plan, progress: Progress = no_progress) -> tuple[Message
     """Remarks on the observability of the angles, as after an adjustment."""
     if not plan.targets or not plan.lines:
         return (note("plan.empty"),)
-    return observability_remarks(plan, progress=progress)
+    return observability_messages(plan, progress=progress)
 
 
 def time_on_site_text(titled: TitledPlan) -> str:

@@ -27,7 +27,7 @@ from lispac.report.absolute_values import (
     ReferenceDistances,
 )
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.absolute_check import REACH, SIGMA
+from lispac.workflow.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE
 from lispac.workflow.output_crs import LOCAL
 
 AS_IN_FILE = N_("System of the file, or local frame if it has none")
@@ -142,7 +142,7 @@ class CheckDialog(QDialog):
                 "own standard deviation."
             ),
         )  # fmt: skip
-        self.sigma.setValue(1000 * SIGMA)
+        self.sigma.setValue(1000 * DEFAULT_SIGMA)
         self.reach = widgets.number(
             "check_reach", suffix=" m", decimals=2, low=0.05, high=20, step=0.25,
             tip=gettext(
@@ -150,7 +150,7 @@ class CheckDialog(QDialog):
                 "the displacement caused by the error of the prior boresight."
             ),
         )  # fmt: skip
-        self.reach.setValue(REACH)
+        self.reach.setValue(SEARCH_DISTANCE)
         form = QFormLayout()
         form.setVerticalSpacing(theme.SPACE)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)

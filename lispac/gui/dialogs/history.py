@@ -83,7 +83,8 @@ class HistoryDialog(StudyDialog):
 
         history = self._histories[self.system.currentIndex()]
         self.show_rows([_row(each) for each in history.entries])
-        self.message_label.setText("\n".join(map(message_text, (*history.remarks, *self._remarks))))
+        messages = map(message_text, (*history.messages, *self._remarks))
+        self.message_label.setText("\n".join(messages))
         self.message_label.setVisible(bool(self.message_label.text()))
         control_chart_figure(
             [each.day for each in history.entries],

@@ -13,7 +13,7 @@ from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.method_comparison import MethodResult, comparison_remarks
+from lispac.method_comparison import MethodResult, comparison_messages
 
 METHODS = {
     "targets": N_("Targets"),
@@ -99,7 +99,7 @@ class MethodsDialog(StudyDialog):
             *((each.method, remark) for each in results for remark in each.messages),
         ]
         texts = [
-            *map(message_text, comparison_remarks(tuple(results))),
+            *map(message_text, comparison_messages(tuple(results))),
             *(_with_method_name(*each) for each in remarks),
         ]
         self.message_label.setText("\n".join(texts))

@@ -38,9 +38,9 @@ class ScriptDialog(QDialog):
         self._save = save
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(gettext(INTRODUCTION), wrap=True))
-        if script.remarks:
+        if script.messages:
             remarks = widgets.label(wrap=True, name="script_remarks")
-            remarks.setText("\n".join(map(message_text, script.remarks)))
+            remarks.setText("\n".join(map(message_text, script.messages)))
             layout.addWidget(remarks)
         self.text = QPlainTextEdit(script.text)
         self.text.setObjectName("script_text")

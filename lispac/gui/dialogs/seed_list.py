@@ -148,11 +148,11 @@ class SeedListDialog(QDialog):
         for row, seed in enumerate(seeds):
             name = _name_item(seed.name, seed.role)
             name.setFlags(name.flags() | Qt.ItemFlag.ItemIsUserCheckable)
-            name.setCheckState(Qt.CheckState.Unchecked if seed.taken else Qt.CheckState.Checked)
+            name.setCheckState(Qt.CheckState.Unchecked if seed.exists else Qt.CheckState.Checked)
             name.setToolTip(gettext("Row {row:n} of the list; untick to exclude", row=seed.row))
             numbers = [*(number(each, 3) for each in seed.place), number(distances[row], 1)]
             remark = (
-                gettext("A target with this name exists; tick to replace it") if seed.taken else ""
+                gettext("A target with this name exists; tick to replace it") if seed.exists else ""
             )
             _set_row(self.table, row, name, seed.role, numbers, remark)
         self.table.blockSignals(False)
@@ -188,7 +188,7 @@ class SeedsFoundDialog(QDialog):
                 points = sum(len(sighting.indices) for sighting in target.sightings)
                 seen = gettext("{seen:n} of {total:n}", seen=len(target.sightings), total=lines)
                 numbers = [seen, number(points)]
-            remarks = [] if outcome.remark is None else [message_text(outcome.remark)]
+            remarks = [] if outcome.message is None else [message_text(outcome.message)]
             if target is not None:
                 remarks += _missing_lines_text(target)
             _set_row(

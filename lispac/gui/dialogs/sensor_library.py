@@ -131,8 +131,8 @@ class SensorLibraryPage(QWidget):
     def _fill(self, name: str = "") -> None:
         found = read_library(self._folder)
         self._sensors = [*found.scanners, *found.pos]
-        self.message_label.setText("\n".join(message_text(each) for each in found.remarks))
-        self.message_label.setVisible(bool(found.remarks))
+        self.message_label.setText("\n".join(message_text(each) for each in found.messages))
+        self.message_label.setVisible(bool(found.messages))
         self.table.setRowCount(len(self._sensors))
         for row, sensor in enumerate(self._sensors):
             sigmas, source = sensor_texts(sensor.figures)

@@ -67,9 +67,9 @@ def draw_section(
 
 def cut_title(cut: SectionPoints) -> str:
     """Title of a cut: before or after, with the largest distance between two lines."""
-    if cut.apart is None:
+    if cut.separation is None:
         return gettext(TITLES[cut.which])
-    distance = quantities.amount(1000 * cut.apart, "mm", 0)
+    distance = quantities.amount(1000 * cut.separation, "mm", 0)
     return gettext(TITLES_WITH_DISTANCE[cut.which], distance=distance)
 
 

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from lispac.errors import InputError, ProjectError
-from lispac.locks import LockTaken, NotALockFile, file_lock, is_locked
+from lispac.locks import AlreadyLocked, NotALockFile, file_lock, is_locked
 from lispac.messages import error
 
 LOCK = ".importing"
@@ -25,7 +25,7 @@ def lock_folder(folder: Path) -> Iterator[None]:
     try:
         with file_lock(folder / LOCK):
             yield
-    except LockTaken as failure:
+    except AlreadyLocked as failure:
         raise ProjectError(error("store.locked", folder=str(folder))) from failure
     except NotALockFile as failure:
         raise InputError(error("lock.not_a_file", file=str(folder / LOCK))) from failure

@@ -103,7 +103,7 @@ class FilePage(QWidget):
         if entry is None:
             return
         fine = "" if entry.pending or entry.role is None else gettext("No problems found.")
-        self.remarks.show_remarks(input_files.remarks(entry), fine)
+        self.remarks.show_remarks(input_files.messages(entry), fine)
         self.options.show_entry(entry)
         for changing in (self.options, self.preview):
             changing.setEnabled(entry.project_reading is None)

@@ -112,7 +112,7 @@ class FileTable(QTableWidget):
             item.setText(state)
             item.setForeground(QColor(colour))
             item.setIcon(file_texts.state_icon(input_files, entry))
-            tip = "\n".join(map(message_text, input_files.remarks(entry))) or state
+            tip = "\n".join(map(message_text, input_files.messages(entry))) or state
             item.setToolTip(widgets.plain_tip(tip))
             out = input_files.state_of_file(entry) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):

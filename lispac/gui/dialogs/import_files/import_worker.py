@@ -137,7 +137,7 @@ class ImportWorker(QObject):
             try:
                 if entry.project_reading is not None:
                     return examine_project_file(entry, progress=progress)
-                if not entry.looks:
+                if not entry.checks:
                     return examine_file(entry.path, mappings, progress=progress)
                 return reexamine_file(entry, progress=progress)
             except Cancelled:

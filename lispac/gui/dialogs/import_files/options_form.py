@@ -41,7 +41,7 @@ class OptionsForm(QWidget):
         if which != self._shown:
             self._shown = which
             self._build(options)
-        resolved, stated = entry.options, entry.stated or {}
+        resolved, stated = entry.options, entry.given_options or {}
         for option in options:
             field = self.fields[option.name]
             field.blockSignals(True)

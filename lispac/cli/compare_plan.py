@@ -1,4 +1,4 @@
-"""``lispac replay``: comparison of a survey with its plan."""
+"""``lispac compare-plan``: comparison of a survey with its plan."""
 
 from argparse import Namespace
 
@@ -7,18 +7,18 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.io.plan_file import read_plan
-from lispac.workflow.plan_comparison import compare_with_plan as replayed
+from lispac.workflow.plan_comparison import compare_with_plan
 from lispac.workflow.projects import open_project
 from lispac.workflow.survey import load_survey
 
 
-def replay(arguments: Namespace) -> None:
+def compare_plan(arguments: Namespace) -> None:
     """Print the predicted precision, deviations from the plan and the precision obtained."""
     titled = read_plan(arguments.plan)
     project = open_project(arguments.project)
     with ConsoleProgress() as progress:
         survey = load_survey(project, progress=progress)
-    found = replayed(project, survey, titled)
+    found = compare_with_plan(project, survey, titled)
     if arguments.json:
         rows = {
             "planned": found.planned,

@@ -1,4 +1,4 @@
-"""``lispac look``: format, assumptions and warnings of a file."""
+"""``lispac inspect``: format, assumptions and warnings of a file."""
 
 from argparse import Namespace
 from collections.abc import Sequence
@@ -13,11 +13,11 @@ from lispac.message_texts import fact_text, message_text
 from lispac.workflow.file_audit import audit_messages
 from lispac.workflow.file_reading import FileCheck, check_file
 
-SWITCH = {"trajectory": "trajectory", "accuracy": "accuracy", "points": "line"}
-WIDEST = 14  # characters of a cell of the preview
+OPTION_PREFIX = {"trajectory": "trajectory", "accuracy": "accuracy", "points": "line"}
+CELL_WIDTH = 14  # characters of a cell of the preview
 
 
-def look(arguments: Namespace) -> None:
+def inspect(arguments: Namespace) -> None:
     """Print the preview of a file in each possible format, the most likely first."""
     found = check_file(arguments.file)
     if not arguments.quick:
@@ -49,7 +49,7 @@ def _print_check(item: FileCheck) -> None:
         "certainly" if item.confidence >= 1 else "probably" if item.confidence > 0.5 else "perhaps"
     )
     name = message_text(item.format.name)
-    print(f"\n{sure} {name} (--{SWITCH[item.format.kind]}-format {item.format.key})")
+    print(f"\n{sure} {name} (--{OPTION_PREFIX[item.format.kind]}-format {item.format.key})")
     if item.finding is None:
         reason = to_plain_text(message_text(item.error)) if item.error else ""
         print(f"  cannot be read: {reason}")
@@ -63,7 +63,7 @@ def _print_check(item: FileCheck) -> None:
     for assumption in item.finding.assumptions:
         print(f"  assumed: {to_plain_text(message_text(assumption))}")
     for row in item.finding.rows[:4]:
-        print("  " + " ".join(f"{cell[:WIDEST]:>{WIDEST}s}" for cell in row[:8]))
+        print("  " + " ".join(f"{cell[:CELL_WIDTH]:>{CELL_WIDTH}s}" for cell in row[:8]))
     for message in (*item.finding.file_warnings, *item.finding.messages):
         print(f"  {message.level}: {to_plain_text(message_text(message))}")
 
