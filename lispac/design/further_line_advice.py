@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adjustment_problem import RELEASED, AdjustmentProblem
+from lispac.adjustment.adjustment_problem import FREE_SIGMA, AdjustmentProblem
 from lispac.adjustment.blas_threads import single_blas_thread
 from lispac.adjustment.message_parts import mounting_value_name, mounting_value_names
 from lispac.adjustment.observations import Observations, Sighting
@@ -87,7 +87,7 @@ def _predicted_sigmas(
     problem = AdjustmentProblem.of(observations, result.mounting, result.model, parameters)
     noise = np.array([target.noise for target in result.targets])
     problem = replace(problem, noise=noise).with_surface_sigma(np.maximum(result.surfaces, 1e-5))
-    problem = problem.with_sighting_surface_sigma(released, slice(0, 3), RELEASED)
+    problem = problem.with_sighting_surface_sigma(released, slice(0, 3), FREE_SIGMA)
     state = problem.start(result.mounting, shapes)
     information = problem.linearised(state).normal.information(3)
     return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))

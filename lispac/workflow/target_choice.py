@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.adjustment_problem import LinearisedProblem
 from lispac.adjustment.blas_threads import single_blas_thread
 from lispac.adjustment.excess_scatter import expected_sigma_factors
-from lispac.adjustment.observability import CARRIED, CLUSTERED
+from lispac.adjustment.observability import CLUSTER_RATIO, MAX_SIGMA_RATIO
 from lispac.errors import AdjustmentError
 from lispac.messages import error
 
@@ -86,7 +86,7 @@ class CandidatePlanes:
         """True if the other planes reveal an error of any one of the planes."""
         return (
             len(names) >= LEAST_TARGETS
-            and bool((self.sigma_without_one(names) <= CARRIED * self.sigma(names)).all())
+            and bool((self.sigma_without_one(names) <= MAX_SIGMA_RATIO * self.sigma(names)).all())
             and self.are_spread(names)
         )
 
@@ -97,7 +97,7 @@ class CandidatePlanes:
             for a, b in combinations(names, 2)
         ]
         points = self.linearised.problem.observations.points_lidar
-        return min(apart) >= CLUSTERED * float(np.linalg.norm(points, axis=1).mean())
+        return min(apart) >= CLUSTER_RATIO * float(np.linalg.norm(points, axis=1).mean())
 
 
 def _sigma_of_targets(linearised: LinearisedProblem, names: Iterable[str]) -> Array:
