@@ -100,7 +100,7 @@ def test_a_crowded_region_is_the_same_sample_in_memory_and_on_disk(
     clouds: dict[str, Cloud], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     centre = np.array([8.0, 20.0, 4.0])
-    one, other = (cloud.within(centre, 12.0, most=300) for cloud in clouds.values())
+    one, other = (cloud.within(centre, 12.0, limit=300) for cloud in clouds.values())
     whole = clouds["memory"].within(centre, 12.0)
     assert one.one_in == other.one_in
     halvings = one.one_in.bit_length() - 1

@@ -69,10 +69,10 @@ def test_few_points_in_crowded_cells_all_come(tmp_path: Path) -> None:
     centre = every[100]
     off = np.linalg.norm(every - centre, axis=1)
     radius = float(np.sort(off)[3]) + 1e-6
-    rows, _, halvings = found.sampled_within(centre, radius, place, margin=20.0, most=5)
+    rows, _, halvings = found.sampled_within(centre, radius, place, margin=20.0, limit=5)
     np.testing.assert_array_equal(rows, np.flatnonzero(off <= radius))
     assert halvings == 0
-    rows, _, halvings = found.sampled_within(centre, 30.0, place, most=50)
+    rows, _, halvings = found.sampled_within(centre, 30.0, place, limit=50)
     assert 0 < len(rows) <= 50
     assert halvings > 0
 

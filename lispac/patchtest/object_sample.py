@@ -136,7 +136,7 @@ class ObjectSample:
             progress(k / len(objects))
             near, radius = {}, each.box.reach + 2 * margin
             for line, cloud in clouds.items():
-                region = cloud.within(each.box.centre, radius, most=READ * most)
+                region = cloud.within(each.box.centre, radius, limit=READ * most)
                 own = each.box.inside(region.points, margin)
                 if np.count_nonzero(own) >= FEWEST:
                     near[line] = (region.numbers[own], region.points[own])
