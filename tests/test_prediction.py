@@ -155,7 +155,7 @@ def test_forty_surveys_scatter_as_foretold() -> None:
     lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
     ratio = found.empirical_sigma / found.predicted
     assert ((ratio > lower) & (ratio < upper)).all(), scatter_table(found)
-    assert found.mean_stated_sigma == pytest.approx(found.predicted, rel=0.02)
+    assert found.mean_formal_sigma == pytest.approx(found.predicted, rel=0.02)
 
 
 @pytest.mark.long
