@@ -245,7 +245,7 @@ def test_accuracies_may_miss_two_seconds_at_either_end() -> None:
 
 def test_leap_seconds_taken_for_granted_are_said() -> None:
     week, utc = base_of_key("gps-week"), base_of_key("utc-week")
-    own, other = KnownTimeBase(utc, stated=True), KnownTimeBase(week)
+    own, other = KnownTimeBase(utc, given=True), KnownTimeBase(week)
     match = TimeMatch(((utc, week),), 18.0, 1.0)
     follows = note(
         "import.shift_follows", file="a", shift=18.0,
@@ -263,7 +263,7 @@ def test_another_way_that_fits_as_well_is_said() -> None:
     day = base_of_key("utc-day")
     pair = ((day, base_of_key("gps-week")),)
     ways = tuple(TimeMatch(pair, 86400.0 * k + 18.0, share) for k, share in ((1, 1.0), (2, 0.998)))
-    own, other = KnownTimeBase(day, stated=True), KnownTimeBase(pair[0][1])
+    own, other = KnownTimeBase(day, given=True), KnownTimeBase(pair[0][1])
     found = known_base_notes((*ways, TimeMatch(pair, 259218.0, 0.9)), own, other, "a")
     follows, rivals = found
     assert follows.params["shift"] == 86_418.0

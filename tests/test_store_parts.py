@@ -30,7 +30,7 @@ from lispac.survey.store.layout import (
 )
 from lispac.survey.store.line_import import write_store
 from lispac.survey.store.original_file import is_original_unchanged, source_file_of
-from lispac.survey.store.point_blocks import MOST, PointPiece
+from lispac.survey.store.point_blocks import MAX_POINTS, PointPiece
 from lispac.survey.store.read_ahead import read_ahead
 from lispac.survey.store.row_runs import gather_values, rows_of_runs, split_runs
 from lispac.survey.store.spatial_cells import is_drawn, stable_order
@@ -194,7 +194,7 @@ def test_a_file_without_a_point_is_refused_and_leaves_nothing(tmp_path: Path) ->
 
 def test_more_points_than_can_be_numbered_are_refused(tmp_path: Path) -> None:
     def far_on(first: int) -> Iterator[PointPiece]:
-        yield PointPiece(np.ones((1, 3)), np.zeros(1), np.array([MOST]), {}, MOST + 1)
+        yield PointPiece(np.ones((1, 3)), np.zeros(1), np.array([MAX_POINTS]), {}, MAX_POINTS + 1)
 
     with pytest.raises(ProjectError) as refused:
         write_store(tmp_path, RECIPE, far_on, place)
@@ -269,7 +269,7 @@ def test_anything_that_can_be_gone_through_is_read_ahead() -> None:
 
 
 def test_nothing_is_lost_where_the_reader_is_slower(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("lispac.survey.store.read_ahead.POLL", 0.001)
+    monkeypatch.setattr("lispac.survey.store.read_ahead.POLL_INTERVAL", 0.001)
     found = []
     for piece in read_ahead(iter(range(5))):
         time.sleep(0.02)  # many looks at a full queue

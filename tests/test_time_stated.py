@@ -148,7 +148,7 @@ def test_bases_that_bring_nothing_inside_are_refused(track, tmp_path) -> None:
 
 
 def test_times_that_fit_no_base_say_so() -> None:
-    stated = KnownTimeBase(base_of_key("gps-week"), stated=True)
+    stated = KnownTimeBase(base_of_key("gps-week"), given=True)
     times = np.array([5e12, 4e12])
     refusal = time_base_error(times, stated, "a")
     assert refusal is not None
@@ -160,7 +160,7 @@ def test_times_that_fit_no_base_say_so() -> None:
 
 def test_what_the_trajectory_could_count_instead_is_named() -> None:
     own, track = (
-        KnownTimeBase(base_of_key("gps-adjusted"), stated=True),
+        KnownTimeBase(base_of_key("gps-adjusted"), given=True),
         START + np.arange(0.0, 100.0),
     )
     times = 2268 * WEEK - 1e9 + START + np.linspace(10, 40, 50)
@@ -177,9 +177,9 @@ def test_what_the_trajectory_could_count_instead_is_named() -> None:
     # Some seconds behind its end: UTC is that much behind
     behind = 2268 * WEEK - 1e9 + START + 105.0 + np.linspace(0, 5, 50)
     assert no_overlap_error(own, other, behind, track, "a").params["options"] == [options[1]]
-    assert no_overlap_error(
-        own, KnownTimeBase(other.base, stated=True), times, track, "a"
-    ).code == ("time_base.no_overlap")
+    assert no_overlap_error(own, KnownTimeBase(other.base, given=True), times, track, "a").code == (
+        "time_base.no_overlap"
+    )
 
 
 def test_a_shift_is_offered_where_it_brings_in_a_twentieth_more() -> None:

@@ -17,7 +17,7 @@ from lispac.survey.time_base import (
 
 Array = NDArray[np.float64]
 
-CLEARLY_MORE = 0.05
+MIN_SHARE_GAIN = 0.05
 """Part of a line's points that a shift has to bring inside besides those that are, before it is
 offered."""
 
@@ -48,14 +48,14 @@ class KnownTimeBase:
     Attributes
     ----------
     base : TimeBase or None
-    stated : bool
+    given : bool
         Whether the user gives it; otherwise it comes from the file or its format.
     suggested : bool
         Whether it is detected from the values, not given in the file.
     """
 
     base: TimeBase | None = None
-    stated: bool = False
+    given: bool = False
     suggested: bool = False
 
     def fits(self, times: Array) -> bool:
@@ -68,7 +68,7 @@ class KnownTimeBase:
         if self.base is None:
             return note("time_base.unknown")
         name = base_message(self.base)
-        if self.stated:
+        if self.given:
             return note("time_base.given", base=name)
         if self.suggested:
             return note("time_base.suggested", base=name)
@@ -85,7 +85,7 @@ def time_base_error(times: Array, line_base: KnownTimeBase, file: str) -> Messag
     file : str
         Name or path of the file.
     """
-    if not line_base.stated or line_base.base is None or line_base.fits(times):
+    if not line_base.given or line_base.base is None or line_base.fits(times):
         return None
     first, last, base = float(times.min()), float(times.max()), base_message(line_base.base)
     fitting = [each.key for each in plausible_bases(times)]
@@ -116,7 +116,7 @@ def matches_of_known_bases(
         None if nothing is given, or one of the two is unknown or contradicted by the times; empty
         if the given bases bring no point inside.
     """
-    if line_base.base is None or other.base is None or not (line_base.stated or other.stated):
+    if line_base.base is None or other.base is None or not (line_base.given or other.given):
         return None
     if not line_base.fits(times) or not other.fits(track):
         return None  # what the times deny is not known
@@ -124,7 +124,7 @@ def matches_of_known_bases(
         times, track, point_bases=(line_base.base,), trajectory_bases=(other.base,)
     )
     # A header that brings nothing inside is no reason to refuse.
-    return found if found or line_base.stated else None
+    return found if found or line_base.given else None
 
 
 def known_base_notes(
@@ -164,7 +164,7 @@ def no_overlap_error(
     file : str
         Path of the file of the line.
     """
-    others = [] if other.stated or line_base.base is None else [
+    others = [] if other.given or line_base.base is None else [
         base for base in plausible_bases(track)
         if base is not other.base
         and find_time_matches(times, track, point_bases=(line_base.base,), trajectory_bases=(base,))
@@ -182,7 +182,7 @@ def no_overlap_error(
 
 def clearly_better_match(matches: tuple[TimeMatch, ...], share: float) -> TimeMatch | None:
     """Best of ``matches`` if clearly more points lie inside than the part ``share``."""
-    return matches[0] if matches and matches[0].share >= share + CLEARLY_MORE else None
+    return matches[0] if matches and matches[0].share >= share + MIN_SHARE_GAIN else None
 
 
 def shift_note(matches: tuple[TimeMatch, ...], share: float, file: str) -> Message | None:

@@ -23,7 +23,7 @@ from lispac.messages import Message, error, note
 from lispac.progress import PointRate, Progress, no_progress
 from lispac.survey.line_source import USUAL, Reading, printable
 from lispac.survey.point_mapping import ScannerPointConverter
-from lispac.survey.point_screening import MOST_RANGE, is_within_range
+from lispac.survey.point_screening import MAX_RANGE, is_within_range
 from lispac.survey.scanner_frame_recovery import RecoverySetup
 
 Array = NDArray[np.float64]
@@ -90,7 +90,7 @@ def write_cloud(
     *,
     reading: Reading = USUAL,
     recovery: RecoverySetup | None = None,
-    most_range: float = MOST_RANGE,
+    max_range: float = MAX_RANGE,
     compressed: bool = True,
     progress: Progress = no_progress,
 ) -> WrittenLine:
@@ -111,7 +111,7 @@ def write_cloud(
         source.
     recovery : RecoverySetup, optional
         What made the chunks, where they are georeferenced already.
-    most_range : float, metres
+    max_range : float, metres
         Largest distance from the scanner of points recovered from a georeferenced cloud.
 
     Raises
@@ -125,7 +125,7 @@ def write_cloud(
     if first is None:
         raise InputError(error("export.no_points", line=path.stem))
     chosen = pattern(first)
-    place = _ChunkGeoreferencer(mapping, reading, recovery, most_range)
+    place = _ChunkGeoreferencer(mapping, reading, recovery, max_range)
     pace, total = (
         PointRate(gettext_lazy("Writing {file}", file=path.name), first.total),
         first.total,
@@ -200,7 +200,7 @@ class _ChunkGeoreferencer:
     mapping: ScannerPointConverter
     reading: Reading
     recovery: RecoverySetup | None
-    most_range: float
+    max_range: float
 
     def __call__(self, cloud: CloudWriter, chunk: PointChunk) -> _GeoreferencedChunk:
         moved = self.reading.to_trajectory_time(chunk.time)
@@ -218,7 +218,7 @@ class _ChunkGeoreferencer:
             xyz, stamps, moved, chosen = xyz[usable], stamps[usable], moved[usable], usable
         if self.recovery is not None:
             xyz = self.recovery.points_lidar(xyz, moved, threads=1)
-            near = is_within_range(xyz, self.most_range)
+            near = is_within_range(xyz, self.max_range)
             if not near.all():
                 xyz, stamps, moved = xyz[near], stamps[near], moved[near]
                 excluded = int(np.count_nonzero(~near))

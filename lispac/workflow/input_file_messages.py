@@ -275,7 +275,7 @@ def _given_base_notes(
     if not found or not entry.shift:
         return []
     first, *others = known_base_notes(found, line_base, other, printable(entry.path.name))
-    actions = (CLEAR_TIME_BASE,) if line_base.stated else ()
+    actions = (CLEAR_TIME_BASE,) if line_base.given else ()
     return [replace(first, actions=actions), *others]
 
 

@@ -35,7 +35,7 @@ from lispac.survey.store.row_runs import (
     split_runs,
 )
 from lispac.survey.store.spatial_cells import (
-    MOST_HALVINGS,
+    MAX_HALVINGS,
     Keys,
     is_octave_in_sample,
     octave_runs_in_sphere,
@@ -44,7 +44,7 @@ from lispac.survey.store.spatial_cells import (
 Array = NDArray[np.float64]
 
 CROWDED = 4
-"""Times as many points in the cells about a sphere as are wanted: too many are in it, too, then."""
+"""Points in the cells about a sphere, over the limit, from which the sphere has too many as well."""
 AT_ONCE = 1 << 20
 """Points placed at once; of those outside the sphere no more than this are ever in memory."""
 FARTHEST = 1e8
@@ -295,7 +295,7 @@ class StoredLine:
             Of the points: the fewest that leave no more than ``limit``; 0 where all of them come.
         """
         halvings = 0
-        while limit and halvings < MOST_HALVINGS:
+        while limit and halvings < MAX_HALVINGS:
             runs = self.near(centre, radius, margin=margin, halvings=halvings)
             if (runs[:, 1] - runs[:, 0]).sum() <= CROWDED * limit:
                 break
@@ -303,14 +303,14 @@ class StoredLine:
         rows, points = self._placed_within(centre, radius, place, margin, halvings)
         if limit is None:
             return rows, points, halvings
-        while len(rows) > limit and halvings < MOST_HALVINGS:
+        while len(rows) > limit and halvings < MAX_HALVINGS:
             halvings += 1
             rows, points = self._placed_within(centre, radius, place, margin, halvings)
         while halvings > 0:
-            more = self._placed_within(centre, radius, place, margin, halvings - 1)
-            if len(more[0]) > limit:
+            finer = self._placed_within(centre, radius, place, margin, halvings - 1)
+            if len(finer[0]) > limit:
                 break
-            (rows, points), halvings = more, halvings - 1
+            (rows, points), halvings = finer, halvings - 1
         return rows, points, halvings
 
     def _placed_within(
@@ -427,7 +427,7 @@ def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> 
             )
             replace_manifest(folder, manifest, now)
     except (ProjectError, FileNotFoundError):
-        if not _is_manifest_current(folder, manifest):  # imported again between the two looks
+        if not _is_manifest_current(folder, manifest):  # imported again between the two checks
             return open_store(folder, line, progress=progress)
         raise
     return stored
