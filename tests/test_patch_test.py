@@ -119,7 +119,7 @@ def test_a_box_about_what_one_line_saw_goes_with_it(thinned: Opened, laid: Place
     right = truth(project)
     off = right + np.radians([2.0, -2.0, 2.0])
     sample = place_objects(project, survey, [MAST], right).sample
-    best = max(sample.seen, key=lambda each: np.count_nonzero(each.inside))
+    best = max(sample.observed, key=lambda each: np.count_nonzero(each.inside))
     inside = np.arange(best.begin, best.end)[best.inside]
     move = (sample.placed_points(off) - sample.placed_points(right))[inside].mean(axis=0)
     assert np.linalg.norm(move) > 0.8
@@ -226,7 +226,7 @@ def test_pos_errors_change_the_gradient_as_foretold(thinned: Opened) -> None:
     other = Mismatch(moved, mismatch.blocks, 100.0)
     change = linearise_blocks(other, at).gradient[0] - found.gradient[0]
     # Beyond first order, the derivatives turn with the attitude a little.
-    np.testing.assert_allclose(change, found.sways[0, 1] @ error, rtol=0.05, atol=2e-4)
+    np.testing.assert_allclose(change, found.pos_derivatives[0, 1] @ error, rtol=0.05, atol=2e-4)
 
 
 def test_an_object_that_one_line_sees_elsewhere_is_named(
@@ -234,7 +234,7 @@ def test_an_object_that_one_line_sees_elsewhere_is_named(
 ) -> None:
     project, survey = thinned
     sample = laid.sample
-    moved = max(sample.seen, key=lambda each: each.end - each.begin)
+    moved = max(sample.observed, key=lambda each: each.end - each.begin)
     mounting = project.mounting("prior").with_boresight(truth(project))
     rows = moved.points
     poses = Poses(sample.poses.position[rows], sample.poses.attitude[rows])

@@ -270,7 +270,7 @@ class CandidateCause:
     Attributes
     ----------
     kind : str
-        A value of the mounting other than its angles (`SWITCHED`), ``line_position``,
+        A value of the mounting other than its angles (`OPTIONAL_NAMES`), ``line_position``,
         ``line_boresight``, ``line_time``, ``sighting_shift`` or ``sighting_surface``.
     target, line : str
         Where it is; empty where it is everywhere.

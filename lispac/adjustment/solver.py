@@ -324,9 +324,9 @@ def _determined_parameters(
         else _fixed_if_uncorrelated(problem)
     )
     correlated = problem.model.correlated
-    held = {e.name for e in hidden if e.prior_sigma is None or not correlated}
-    kept = tuple(p for p in problem.parameters if p.name not in held)
-    if held:
+    fixed = {e.name for e in hidden if e.prior_sigma is None or not correlated}
+    kept = tuple(p for p in problem.parameters if p.name not in fixed)
+    if fixed:
         linearised = problem.with_parameters(kept).linearised(state)
     require_determined(linearised)
     return kept, hidden

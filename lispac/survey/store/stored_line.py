@@ -44,7 +44,7 @@ from lispac.survey.store.spatial_cells import (
 Array = NDArray[np.float64]
 
 CROWDED = 4
-"""Points in the cells about a sphere, over the limit, from which the sphere has too many as well."""
+"""Points in the cells about a sphere, over the limit, from which the sphere has too many too."""
 AT_ONCE = 1 << 20
 """Points placed at once; of those outside the sphere no more than this are ever in memory."""
 FARTHEST = 1e8
