@@ -57,37 +57,34 @@ def find_contradicted_parameters(
     all_freed = every.linearised(linearised.state, linearised.loss)
     sigma_now = np.sqrt(np.diag(linearised.normal.covariance)[:3])
     found: list[ContradictedParameter] = []
-    already_freed, moved = problem.parameters, np.zeros(3)
+    others, moved = problem.parameters, np.zeros(3)
     while True:  # the parameter freed first may explain the contradictions of the others
         tests = [
             test
             for each in omitted
-            if (test := _test_omitted_parameter(all_freed, already_freed, each, moved)) is not None
+            if (test := _test_omitted_parameter(all_freed, others, each, moved)) is not None
         ]
         worst = max(tests, key=lambda test: abs(test.w), default=None)
         if worst is None or abs(worst.w) <= CRITICAL_VALUE:
             break
         if abs(worst.w) > REPORT_VALUE or (np.abs(worst.angle_change) >= least * sigma_now).any():
             found.append(worst)
-        already_freed, moved = (*already_freed, Parameter(worst.name)), moved + worst.angle_change
+        others, moved = (*others, Parameter(worst.name)), moved + worst.angle_change
         omitted = [each for each in omitted if each.name != worst.name]
     return tuple(found)
 
 
 def _test_omitted_parameter(
-    all_freed: LinearisedProblem,
-    already_freed: tuple[Parameter, ...],
-    parameter: Parameter,
-    before: Array,
+    all_freed: LinearisedProblem, others: tuple[Parameter, ...], parameter: Parameter, before: Array
 ) -> ContradictedParameter | None:
-    """Test one more value besides those in ``already_freed``; None if it is undetermined.
+    """Test one more value besides those in ``others``; None if it is undetermined.
 
     Parameters
     ----------
     before : ndarray of shape (3,), radians
         Change of the angles by the parameters freed before.
     """
-    freed = _restrict_parameters(all_freed, (*already_freed, parameter))
+    freed = _restrict_parameters(all_freed, (*others, parameter))
     if any(hidden.name == parameter.name for hidden in find_undetermined_parameters(freed)):
         return None
     problem = freed.problem

@@ -237,13 +237,8 @@ def extract_patch(
         raise PlaneNotFound(
             error("finder.no_plane", threshold=settings.threshold, place=seed_text(seed))
         )
-    on = grow_plane(
-        local,
-        votes,
-        grow_best_contender(local, votes, contenders, settings, fixed),
-        settings,
-        fixed,
-    )
+    best = grow_best_contender(local, votes, contenders, settings, fixed)
+    on = grow_plane(local, votes, best, settings, fixed)
     on = trim_outliers(local, on, settings)
     if len(on) < settings.min_points:
         raise PlaneNotFound(

@@ -193,9 +193,7 @@ def plane_quality(
         degrees = float(np.degrees(incidence))
         found += _grade_by_limits(degrees, OBLIQUE_DEG, note("quality.oblique", angle=incidence))
     found += _grade_by_limits(
-        -coverage,
-        (-FILL_LIMITS[0], -FILL_LIMITS[1]),
-        note("quality.sparse", share=coverage),
+        -coverage, (-FILL_LIMITS[0], -FILL_LIMITS[1]), note("quality.sparse", share=coverage)
     )
     found += _grade_occlusion(shown) + flat
     rating, reasons = _rating_of(found)
@@ -329,20 +327,20 @@ def _form_error(placed: Array, off: Array, cell: float) -> tuple[float, float, b
     bends, directions = np.linalg.eigh(np.array([[2 * xx, xy], [xy, 2 * yy]]))
     lengths = np.ptp(placed @ directions, axis=0)
     sagittas = np.abs(bends) * lengths**2 / 8
-    steepest = int(np.argmax(sagittas))
+    largest = int(np.argmax(sagittas))
     plain, smooth = (float(each @ each) for each in left)
     freedom = len(count) - 6
     ratio = (plain - smooth) / 3 / max(smooth / freedom, 1e-30)
-    u, v = directions[:, steepest]
+    u, v = directions[:, largest]
     across = np.array([2 * u * u, 2 * u * v, 2 * v * v])
     spread = float(across @ inverse[3:, 3:] @ across) * smooth / freedom
-    uncertainty = np.sqrt(max(spread, 0.0)) * lengths[steepest] ** 2 / 8
+    uncertainty = np.sqrt(max(spread, 0.0)) * lengths[largest] ** 2 / 8
     curved = bool(fdtrc(3, freedom, ratio) < TEST_LEVEL)
     # Within a cell there is only noise; what the means have beyond it is the surface's own.
     within = float(np.sum((off - w[key]) ** 2)) / max(len(off) - len(count), 1)
     beyond = smooth / freedom - within
     uneven = float(np.sqrt(max(beyond, 0.0) / np.mean(count)))
-    return float(sagittas[steepest]), float(uncertainty), curved, uneven
+    return float(sagittas[largest]), float(uncertainty), curved, uneven
 
 
 def _solve_least_squares(design: Array, values: Array, weights: Array) -> tuple[Array, Array]:
