@@ -13,7 +13,7 @@ from typing import Annotated, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.parameters import PRIOR_SIGMAS, SWITCHED, Parameter
+from lispac.adjustment.parameters import OPTIONAL_NAMES, PRIOR_SIGMAS, Parameter
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.robust_loss import LOSSES, LossName
 from lispac.adjustment.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
@@ -187,9 +187,13 @@ class Settings:
         if abs(self.range_offset) > 10:
             raise InputError(error("settings.range_offset_too_large", value=self.range_offset))
         for parameter in self.parameters:
-            if parameter.name not in SWITCHED:
+            if parameter.name not in OPTIONAL_NAMES:
                 raise InputError(
-                    error("settings.unknown_parameter", name=parameter.name, known=list(SWITCHED))
+                    error(
+                        "settings.unknown_parameter",
+                        name=parameter.name,
+                        known=list(OPTIONAL_NAMES),
+                    )
                 )
             if parameter.sigma is not None and not parameter.sigma > 0:
                 raise InputError(error("settings.zero_parameter_sigma", name=parameter.name))

@@ -130,7 +130,7 @@ def survey(kind: str, seed: int) -> Observations:
     data = add_errors(exact, pos, generator)
     change = KINDS[kind]
     data = data if change is None else change(data, chance)
-    return average_points_in_cells(data, PRIOR, 0.1, longest=MODEL.knot_interval, strays_apart=True)
+    return average_points_in_cells(data, PRIOR, 0.1, longest=MODEL.knot_interval, no_outliers=True)
 
 
 @dataclass(frozen=True)

@@ -94,7 +94,7 @@ def _one(
         for model in models(times).values():
             if model.correlated:
                 points = average_points_in_cells(
-                    survey, PRIOR, distance, longest=model.knot_interval, strays_apart=True
+                    survey, PRIOR, distance, longest=model.knot_interval, no_outliers=True
                 )
             else:
                 points = selected(survey, distance)

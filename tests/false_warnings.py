@@ -71,7 +71,7 @@ def boards(seed: int, courses: int = 6) -> Judged:
         error_free_survey(TRUTH, TARGETS, chosen, SPACING, chance, pos=HYDROGRAPHIC_INS),
         HYDROGRAPHIC_INS, chance,
     )  # fmt: skip
-    data = average_points_in_cells(data, PRIOR, 0.1, longest=MODEL.knot_interval, strays_apart=True)
+    data = average_points_in_cells(data, PRIOR, 0.1, longest=MODEL.knot_interval, no_outliers=True)
     result = adjust(data, PRIOR, MODEL)
     return result, cross_checks(data, PRIOR, result)
 

@@ -21,7 +21,7 @@ from lispac.adjustment.observability import require_determined
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.omitted_parameters import find_contradicted_parameters
 from lispac.adjustment.parallel_chunks import run_in_chunks
-from lispac.adjustment.parameters import SWITCHED, Parameter
+from lispac.adjustment.parameters import OPTIONAL_NAMES, Parameter
 from lispac.adjustment.robust_loss import Loss
 from lispac.adjustment.solved_equations import SolvedEquations
 from lispac.adjustment.solver import adjust
@@ -212,7 +212,9 @@ def test_with_every_value_estimated_none_is_contradicted(few: Observations) -> N
     stated = AdjustmentProblem.of(data, wrong, MODEL)
     found = find_contradicted_parameters(stated.linearised(stated.start(wrong, start)))
     assert "lever_x" in {each.name for each in found}
-    free = stated.with_parameters(tuple(Parameter(name) for name in SWITCHED if name != "latency"))
+    free = stated.with_parameters(
+        tuple(Parameter(name) for name in OPTIONAL_NAMES if name != "latency")
+    )
     assert find_contradicted_parameters(free.linearised(free.start(wrong, start))) == ()
 
 
@@ -266,7 +268,7 @@ def test_of_two_targets_and_halves_of_lines_nothing_is_told_of_their_scatter(
     solved = SolvedEquations.of(adjust(few, PRIOR, MODEL), few, PRIOR)
     assert solved is not None
     assert excess_variance(solved.here, solved.origins).shape == (3,)
-    monkeypatch.setattr(excess_scatter, "STRETCHES", 2)
+    monkeypatch.setattr(excess_scatter, "LINE_PARTS", 2)
     np.testing.assert_array_equal(excess_variance(solved.here, solved.origins), np.zeros(3))
 
 
@@ -282,7 +284,7 @@ def test_what_is_not_foreseen_is_that_of_adjustments_without_each_place(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Two sightings displaced; the jackknife, less what the sigmas foresee (Tukey, Hausman)."""
-    monkeypatch.setattr(excess_scatter, "STRETCHES", 2)  # too few to tell anything of the lines
+    monkeypatch.setattr(excess_scatter, "LINE_PARTS", 2)  # too few to tell anything of the lines
     generator = np.random.default_rng(5)
     exact = error_free_survey(TRUTH, BESIDE_EACH_OTHER, six_courses(), 0.5, generator)
     data = shifted(add_errors(exact, HYDROGRAPHIC_INS, generator), 2, 0.02)

@@ -44,7 +44,7 @@ def test_six_lines_of_a_harbour_meet_from_wherever_the_prior_is(
     clouds, arm, truth = lines_of(shared_data / "harbour")
     for off in [-truth, *offs]:
         found = align_lines(place_clouds(clouds, Mounting(arm, np.radians(truth + off))))
-        assert found.nearly_meets
+        assert found.is_aligned
         assert np.abs(off_deg(found, truth)).max() < 0.05, off
 
 
@@ -57,14 +57,14 @@ def test_two_lines_of_a_drone_meet(shared_data: Path, name: str, most: float) ->
     """
     clouds, _, truth = lines_of(shared_data / name)
     found = align_lines(clouds)
-    assert found.nearly_meets
-    assert found.met_before < 0.75
+    assert found.is_aligned
+    assert found.matched_share_before < 0.75
     assert np.abs(off_deg(found, truth)).max() < most
 
 
 def test_the_demo_meets_and_a_click_moves_with_its_line(calibrated: tuple) -> None:
     project, survey = calibrated
-    assert survey.alignment.nearly_meets
+    assert survey.alignment.is_aligned
     assert np.abs(off_deg(survey.alignment, project.truth_deg)).max() < 0.05
     sighting = project.target("T1").sightings[2]
     number = sighting.indices[len(sighting.indices) // 2][None]
@@ -96,9 +96,9 @@ def test_what_one_wall_leaves_open_stays_near_its_prior(off: tuple[float, float,
     seen = quay_wall(*TWINS)
     _, survey = seen.opened(off)
     found = survey.alignment
-    assert found.met > 0.9
+    assert found.matched_share > 0.9
     assert not found.determined
-    assert not found.nearly_meets
+    assert not found.is_aligned
     moved = np.degrees(found.mounting.boresight - seen.boresight) - off
     # Roll is what the wall tells; the others are not carried off by the noise.
     assert abs(moved[0] + off[0]) < 0.3
@@ -131,7 +131,7 @@ def test_lines_with_nothing_in_common_stay_where_they_are(calibrated: tuple) -> 
     shrubs = Scan(rng.uniform(-20.0, 20.0, (20_000, 3)), second.scan.time[:20_000])
     apart = CloudInMemory.of(shrubs, second.place.trajectory, second.place.mounting)
     found = align_lines({"L1": first, "L2": apart})
-    assert not found.nearly_meets
+    assert not found.is_aligned
     assert align_lines({"L1": first}).clouds == {"L1": first}
 
 
@@ -140,4 +140,4 @@ def test_a_survey_is_aligned_once(calibrated: tuple, monkeypatch: pytest.MonkeyP
     assert survey.alignment is survey.alignment
     other = survey.with_prior(survey.alignment.mounting)
     assert other.alignment is not survey.alignment
-    assert other.alignment.met_before > 0.9
+    assert other.alignment.matched_share_before > 0.9

@@ -103,7 +103,7 @@ def test_strays_do_not_hide_in_averages(spacing) -> None:
         exact = error_free_survey(TRUTH, BOARDS, six_courses(), spacing, generator)
         clean = add_errors(exact, HYDROGRAPHIC_INS, generator)
         strayed, hit = with_strays(clean, 0.05, generator)
-        fewer = average_points_in_cells(strayed, PRIOR, 0.1, strays_apart=True)
+        fewer = average_points_in_cells(strayed, PRIOR, 0.1, no_outliers=True)
         assert fewer.excluded_outliers == hit.sum()
         found = adjust(fewer, PRIOR, model, diagnostics=False)
         assert found.excluded_outliers == fewer.excluded_outliers
@@ -119,13 +119,13 @@ def test_strays_do_not_hide_in_averages(spacing) -> None:
 
 def test_nothing_stands_out_of_a_clean_survey(survey) -> None:
     """Of normal errors three in a million lie beyond the limit."""
-    assert average_points_in_cells(survey, PRIOR, 0.1, strays_apart=True).excluded_outliers <= 1
+    assert average_points_in_cells(survey, PRIOR, 0.1, no_outliers=True).excluded_outliers <= 1
 
 
 def test_nothing_stands_out_where_the_scanner_is_worse_than_stated(survey) -> None:
     """The spread of the points themselves is what they are judged by."""
     told = survey.with_sigmas(0.2, 1.0, 1.0)
-    assert average_points_in_cells(told, PRIOR, 0.1, strays_apart=True).excluded_outliers <= 1
+    assert average_points_in_cells(told, PRIOR, 0.1, no_outliers=True).excluded_outliers <= 1
 
 
 def test_two_surfaces_among_the_points_of_one_sighting(survey) -> None:
@@ -134,7 +134,7 @@ def test_two_surfaces_among_the_points_of_one_sighting(survey) -> None:
     points = survey.points_lidar.copy()
     points[third] *= 1 + 0.2 / np.linalg.norm(points[third], axis=1)[:, None]
     fewer = average_points_in_cells(
-        replace(survey, points_lidar=points), PRIOR, 0.1, strays_apart=True
+        replace(survey, points_lidar=points), PRIOR, 0.1, no_outliers=True
     )
     assert fewer.excluded_outliers == third.sum()
 

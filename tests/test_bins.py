@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lispac.validation.distance_bins import (
-    IN_THE_NARROWER,
-    MOST,
+    MAX_BINS,
+    MIN_BINS,
     histogram_counts,
     merge_bins,
     shared_bin_edges,
@@ -24,12 +24,12 @@ def test_bins_are_round_and_show_both_states(before: float, after: float, seed: 
     tops = [np.percentile(each, 99.5) for each in distances]
     assert edges[0] == 0.0
     assert max(tops) <= edges[-1] * (1 + 1e-6)
-    assert len(edges) - 1 <= MOST
+    assert len(edges) - 1 <= MAX_BINS
     width = edges[1]
     mantissa = width / 10.0 ** np.floor(np.log10(width) + 1e-9)
     assert min(abs(mantissa - digit) for digit in (1, 2, 5, 10)) < 1e-6
-    finest = width <= min(tops) / IN_THE_NARROWER * (1 + 1e-6)
-    assert finest or len(edges) - 1 > MOST / 2.5 - 1  # as fine as the most bins let them be
+    finest = width <= min(tops) / MIN_BINS * (1 + 1e-6)
+    assert finest or len(edges) - 1 > MAX_BINS / 2.5 - 1  # as fine as the most bins let them be
     for each in distances:
         assert histogram_counts(each, edges).sum() == len(each)
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment import crosscheck, solver
-from lispac.adjustment.adjustment_problem import RELEASED
+from lispac.adjustment.adjustment_problem import FREE_SIGMA
 from lispac.adjustment.blunders import Blunder
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.parameters import Parameter
@@ -19,7 +19,7 @@ from lispac.progress import no_progress
 from tests.test_robustness import PRIOR, survey
 
 STATED = np.full(4, 0.001)
-LET_GO = np.array([0.001, RELEASED, 0.002, RELEASED])
+LET_GO = np.array([0.001, FREE_SIGMA, 0.002, FREE_SIGMA])
 
 
 @dataclass(frozen=True)
@@ -93,7 +93,7 @@ def test_values_are_let_go_of_where_fewer_sightings_are_left(
     if taken:  # the values themselves stay as they were stated
         problem = found.linearised.problem
         assert problem.parameters == ()
-        assert problem.surface_sigma.tolist() == [0.001, RELEASED, 0.001, RELEASED]
+        assert problem.surface_sigma.tolist() == [0.001, FREE_SIGMA, 0.001, FREE_SIGMA]
 
 
 def test_what_was_taken_back_is_not_let_go_of_again(monkeypatch: pytest.MonkeyPatch) -> None:

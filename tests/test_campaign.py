@@ -89,7 +89,7 @@ def test_a_search_is_the_same_everywhere(cluster: distributed.LocalCluster) -> N
             designs.append(search(site, plans=300, mapper=mapper))
     here, *others = designs
     for other in others:
-        assert (other.value, other.looked_at) == (here.value, here.looked_at)
+        assert (other.value, other.evaluated) == (here.value, here.evaluated)
         assert np.array_equal(other.prediction.information, here.prediction.information)
         assert other.plan.lines == here.plan.lines
 

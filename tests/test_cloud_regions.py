@@ -100,7 +100,7 @@ def test_a_crowded_region_is_the_same_sample_in_memory_and_on_disk(
     clouds: dict[str, Cloud], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     centre = np.array([8.0, 20.0, 4.0])
-    one, other = (cloud.within(centre, 12.0, most=300) for cloud in clouds.values())
+    one, other = (cloud.within(centre, 12.0, limit=300) for cloud in clouds.values())
     whole = clouds["memory"].within(centre, 12.0)
     assert one.one_in == other.one_in
     halvings = one.one_in.bit_length() - 1
@@ -113,7 +113,7 @@ def test_a_crowded_region_is_the_same_sample_in_memory_and_on_disk(
     assert (
         len(one.numbers) <= 300 < np.count_nonzero(is_number_in_sample(whole.numbers, halvings - 1))
     )
-    monkeypatch.setattr(cloud_module, "MOST", 300)
+    monkeypatch.setattr(cloud_module, "MAX_POINTS", 300)
     for cloud in clouds.values():
         np.testing.assert_array_equal(cloud.within(centre, 12.0).numbers, one.numbers)
 
@@ -167,7 +167,7 @@ def test_points_about_a_place_tell_how_far_it_moved() -> None:
     after = centre + np.random.default_rng(1).uniform(-5, 5, (4000, 3))
     far = np.linalg.norm(after - centre, axis=1) > 2.0 + cloud_module.BESIDE
     before = after - np.where(far[:, None], [0.0, 2.0, 0.0], [0.3, -0.4, 0.0])
-    near = cloud_module.SPARE * 0.5 + cloud_module.MARGIN_LEAST
+    near = cloud_module.MARGIN_FACTOR * 0.5 + cloud_module.MIN_MARGIN
     found = cloud_module._largest_move_near(before, after, centre, 2.0, 9.0)
     assert found == pytest.approx(near)
     assert cloud_module._largest_move_near(before, after, centre, 2.0, 0.25) == 0.25

@@ -74,17 +74,17 @@ def test_the_correction_moves_what_lies_by_the_present_matrix_to_where_it_belong
     np.testing.assert_allclose(now @ setup.permutation, in_body(points, OLD), rtol=0, atol=1e-9)
     mended = moved(now, new.transform) @ setup.permutation
     np.testing.assert_allclose(mended, in_body(points, wanted), rtol=0, atol=1e-9)
-    np.testing.assert_allclose(moved(theirs, new.stated.transform), moved(now, new.transform),
+    np.testing.assert_allclose(moved(theirs, new.in_system.transform), moved(now, new.transform),
                                rtol=0, atol=1e-9)  # fmt: skip
     assert new.lever_arm == ("replaced" if known else "taken over")
     assert (new.lever_arm == "taken over") != known
     assert new.correction is not None
     np.testing.assert_allclose(
-        new.correction.rotation @ new.correction.present, new.stated.rotation, rtol=0, atol=1e-12
+        new.correction.rotation @ new.correction.present, new.in_system.rotation, rtol=0, atol=1e-12
     )
     if setup.convention.has_angles:
         again = FORMULAS[key](
-            points, new.stated.angles, new.stated.lever_arm, np.zeros((len(points), 3))
+            points, new.in_system.angles, new.in_system.lever_arm, np.zeros((len(points), 3))
         )
         np.testing.assert_allclose(again, in_body(points, wanted), rtol=0, atol=1e-9)
 
@@ -122,7 +122,7 @@ def test_sigmas_are_those_of_the_new_settings(applied: bool) -> None:
         assert np.abs(of_whole - covariance).max() > 1e-9
     np.testing.assert_array_equal(new.covariance, of_whole)
     np.testing.assert_array_equal(
-        new.stated.sigmas, convert_to_system(whole, setup, of_whole).sigmas
+        new.in_system.sigmas, convert_to_system(whole, setup, of_whole).sigmas
     )
 
 

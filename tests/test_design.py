@@ -9,9 +9,9 @@ import pytest
 from lispac.design.objective import CRITERIA, PlanObjective
 from lispac.design.plan import Line
 from lispac.design.plan_choices import thesis_plan
-from lispac.design.plan_search import EXACTLY, information_gains, search
+from lispac.design.plan_search import MAX_EVALUATED, information_gains, search
 from lispac.design.prediction import predict
-from lispac.design.site import Site, are_boards_apart, evenly_spaced
+from lispac.design.site import Site, are_boards_separate, evenly_spaced
 from lispac.errors import Cancelled, InputError, RankDeficient
 from lispac.progress import Step
 from lispac.simulation.closed_form_survey import Board
@@ -40,7 +40,7 @@ def best():
 
 def test_a_small_site_is_searched_exactly(best) -> None:
     assert best.exact
-    assert best.looked_at == 28 * 3**3 <= EXACTLY
+    assert best.evaluated == 28 * 3**3 <= MAX_EVALUATED
     generator = np.random.default_rng(3)
     lines, objective = SMALL.lines_allowed, PlanObjective()
     for _ in range(60):
@@ -52,7 +52,7 @@ def test_a_small_site_is_searched_exactly(best) -> None:
             for k in range(2)
         ]  # fmt: skip
         chosen = [lines[k] for k in generator.integers(0, len(lines), 3)]
-        if are_boards_apart(boards) and boards[0].normal != boards[1].normal:
+        if are_boards_separate(boards) and boards[0].normal != boards[1].normal:
             assert objective.of(SMALL.plan(boards, chosen)) >= best.value * (1 - 1e-9)
 
 
@@ -61,7 +61,7 @@ def test_evolution_finds_what_looking_at_all_finds(best, monkeypatch: pytest.Mon
 
     Which one it is depends on the last digit of the numbers, and so on the processor.
     """
-    monkeypatch.setattr("lispac.design.plan_search.EXACTLY", 10)
+    monkeypatch.setattr("lispac.design.plan_search.MAX_EVALUATED", 10)
     found = [search(SMALL, plans=400, seed=seed) for seed in range(5)]
     assert not any(design.exact for design in found)
     beyond = np.array([design.value for design in found]) / best.value - 1
@@ -72,7 +72,7 @@ def test_evolution_finds_what_looking_at_all_finds(best, monkeypatch: pytest.Mon
 def test_the_same_with_any_mapper(best, monkeypatch: pytest.MonkeyPatch) -> None:
     with ThreadPoolExecutor(2) as pool:
         assert search(SMALL, mapper=pool.map).plan.lines == best.plan.lines
-        monkeypatch.setattr("lispac.design.plan_search.EXACTLY", 10)
+        monkeypatch.setattr("lispac.design.plan_search.MAX_EVALUATED", 10)
         one, other = (search(SMALL, plans=200, mapper=m) for m in (map, pool.map))
     assert one.plan.targets == other.plan.targets
     assert one.plan.lines == other.plan.lines
@@ -109,7 +109,7 @@ def test_worth_is_what_the_plan_is_without(best) -> None:
     without = best.plan.with_lines(best.plan.lines[1:])
     assert found["L1"] == pytest.approx(PlanObjective().of(without))
     assert all(value >= best.value for value in found.values())
-    assert best.worth == information_gains(best.plan, PlanObjective())
+    assert best.gains == information_gains(best.plan, PlanObjective())
 
 
 def test_less_time_is_never_better(best) -> None:
@@ -202,10 +202,10 @@ def test_boards_over_each_other_are_told() -> None:
     def board(along: float, up: float) -> Board:
         return LARGE.wall.board("T", along, up, 90.0, (1.23, 1.22))
 
-    assert not are_boards_apart([board(0.0, 5.0), board(0.9, 5.9)])
-    assert are_boards_apart([board(0.0, 5.0), board(1.3, 5.9)])
-    assert are_boards_apart([board(0.0, 5.0), board(0.9, 6.3)])
-    assert are_boards_apart([board(0.0, 5.0)])
+    assert not are_boards_separate([board(0.0, 5.0), board(0.9, 5.9)])
+    assert are_boards_separate([board(0.0, 5.0), board(1.3, 5.9)])
+    assert are_boards_separate([board(0.0, 5.0), board(0.9, 6.3)])
+    assert are_boards_separate([board(0.0, 5.0)])
 
 
 def test_a_part_without_which_an_angle_is_open_is_worth_all(best) -> None:

@@ -72,7 +72,7 @@ def test_pieces_of_one_surface_do_not_count_as_surfaces_followed():
         if patch.area > 0.7  # of the board
     ]
     assert len(pieces) > 2
-    planes = detect_planes(clouds, settings, most=2)
+    planes = detect_planes(clouds, settings, max_surfaces=2)
     shown = [
         {
             name

@@ -37,7 +37,7 @@ def test_order_does_not_change_the_answer(spacing) -> None:
     for seed in (None, 1, 2):
         points = given if seed is None else mixed(given, seed)
         if spacing:
-            points = average_points_in_cells(points, PRIOR, spacing, strays_apart=True)
+            points = average_points_in_cells(points, PRIOR, spacing, no_outliers=True)
         answers.append(adjust(points, PRIOR, MODEL, diagnostics=True))
     for other in answers[1:]:
         assert set(other.rejected_sightings) == set(answers[0].rejected_sightings) != set()
@@ -47,12 +47,12 @@ def test_order_does_not_change_the_answer(spacing) -> None:
 
 def test_the_number_of_threads_does_not_change_the_answer(monkeypatch) -> None:
     points = survey(5, 0.025)
-    assert len(points) > parallel_chunks.FEW
+    assert len(points) > parallel_chunks.MIN_PARALLEL_POINTS
     answers = []
     for threads in (1, 2, 7):
         monkeypatch.setattr(parallel_chunks.os, "cpu_count", lambda threads=threads: threads)
         answers.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
-    monkeypatch.setattr(parallel_chunks, "FEW", 10**9)  # no threads at all
+    monkeypatch.setattr(parallel_chunks, "MIN_PARALLEL_POINTS", 10**9)  # no threads at all
     answers.append(adjust(points, PRIOR, MODEL, diagnostics=False).boresight)
     for other in answers[1:]:
         assert np.abs(other - answers[0]).max() < SAME

@@ -73,7 +73,7 @@ def test_a_line_nearer_to_the_wall_than_to_the_board_before_is_found() -> None:
         assert len(found.after.distance) > 50
         assert np.abs(found.after.distance - 0.01).max() < 0.005
         assert np.abs(found.before.distance - 0.01 - away).max() < 0.005
-        assert found.beyond == pytest.approx(0.38, abs=0.02)
+        assert found.to_other_surface == pytest.approx(0.38, abs=0.02)
 
 
 def test_stray_points_before_a_surface_are_no_surface() -> None:

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.stats import norm
 
-from lispac.adjustment.omitted_parameters import CRITICAL, find_contradicted_parameters
-from lispac.adjustment.parameters import SWITCHED
+from lispac.adjustment.omitted_parameters import CRITICAL_VALUE, find_contradicted_parameters
+from lispac.adjustment.parameters import OPTIONAL_NAMES
 from lispac.adjustment.solved_equations import SolvedEquations
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic_model import StochasticModel
@@ -95,7 +95,7 @@ def test_nothing_is_contradicted_where_all_is_right(bent) -> None:
 
 
 def test_the_level_is_that_of_all_values_together() -> None:
-    assert 2 * len(SWITCHED) * norm.sf(CRITICAL) == pytest.approx(0.01)
+    assert 2 * len(OPTIONAL_NAMES) * norm.sf(CRITICAL_VALUE) == pytest.approx(0.01)
 
 
 @pytest.mark.long

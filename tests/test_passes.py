@@ -3,12 +3,21 @@
 import numpy as np
 import pytest
 
-from lispac.adjustment.parallel_chunks import CHUNKS, FEW, run_in_chunks
+from lispac.adjustment.parallel_chunks import CHUNKS, MIN_PARALLEL_POINTS, run_in_chunks
 
 
 @pytest.mark.parametrize(
     "counts",
-    [[], [0], [5], [FEW + 1], [3, 0, 4], [10] * 5000, [1, 30 * FEW, 1], [0, 0, 2 * FEW]],
+    [
+        [],
+        [0],
+        [5],
+        [MIN_PARALLEL_POINTS + 1],
+        [3, 0, 4],
+        [10] * 5000,
+        [1, 30 * MIN_PARALLEL_POINTS, 1],
+        [0, 0, 2 * MIN_PARALLEL_POINTS],
+    ],
     ids=lambda counts: f"{len(counts)} of {sum(counts)}",
 )
 def test_each_element_is_dealt_with_once_and_in_one_part(counts: list[int]) -> None:
@@ -19,4 +28,4 @@ def test_each_element_is_dealt_with_once_and_in_one_part(counts: list[int]) -> N
     assert len(taken) <= CHUNKS
     elements = [k for first, last in sorted(taken) for k in range(first, last)]
     assert elements == list(range(len(counts)))
-    assert (len(taken) > 1) == (sum(counts) >= FEW and len(counts) > 1)
+    assert (len(taken) > 1) == (sum(counts) >= MIN_PARALLEL_POINTS and len(counts) > 1)

@@ -7,7 +7,7 @@ import pytest
 
 from lispac.adjustment.message_parts import mounting_value_name
 from lispac.messages import Message, note
-from lispac.patchtest.bootstrap_precision import FEWEST
+from lispac.patchtest.bootstrap_precision import MIN_OBJECTS
 from lispac.patchtest.line_mismatch import SCALE
 from lispac.patchtest.patch_test_result import PatchTestResult
 
@@ -28,14 +28,14 @@ FALL = note("patch_test.mismatch_reduced", limit=SCALE, before=0.2041, after=0.0
 
 
 def test_a_sound_result_has_no_further_remarks() -> None:
-    assert SOUND.remarks == (FIRST, FALL)
+    assert SOUND.messages == (FIRST, FALL)
     np.testing.assert_allclose(SOUND.sigma, [1e-4, 2e-4, 3e-4])
 
 
 @pytest.mark.parametrize(
     ("change", "remark"),
     [
-        ({"covariance": None}, note("patch_test.no_sigma", count=0, needed=FEWEST)),
+        ({"covariance": None}, note("patch_test.no_sigma", count=0, needed=MIN_OBJECTS)),
         ({"converged": False}, note("patch_test.not_converged")),
         (
             {"one_by_one": np.radians([1.005, 2.0, -1.05])},
@@ -44,11 +44,11 @@ def test_a_sound_result_has_no_further_remarks() -> None:
                 angle=mounting_value_name("yaw"), difference=pytest.approx(np.radians(0.05)),
             ),
         ),
-        ({"unmet": ("mast", "wall")}, note("patch_test.not_met", objects=("mast", "wall"))),
+        ({"without_pairs": ("mast", "wall")}, note("patch_test.not_met", objects=("mast", "wall"))),
     ],
 )  # fmt: skip
 def test_each_limit_is_a_remark(change: dict[str, object], remark: Message) -> None:
-    *first, last = replace(SOUND, **change).remarks
+    *first, last = replace(SOUND, **change).messages
     assert first == [FIRST, FALL]
     assert (last.code, dict(last.params)) == (remark.code, dict(remark.params))
 
@@ -59,4 +59,4 @@ def test_without_a_covariance_there_is_no_sigma() -> None:
 
 def test_lines_that_do_not_meet_with_the_prior_boresight_have_no_fall() -> None:
     mismatch = note("patch_test.mismatch", limit=SCALE, after=0.0123)
-    assert replace(SOUND, mismatch_before=float("nan")).remarks == (FIRST, mismatch)
+    assert replace(SOUND, mismatch_before=float("nan")).messages == (FIRST, mismatch)

@@ -119,7 +119,7 @@ def test_a_box_about_what_one_line_saw_goes_with_it(thinned: Opened, laid: Place
     right = truth(project)
     off = right + np.radians([2.0, -2.0, 2.0])
     sample = place_objects(project, survey, [MAST], right).sample
-    best = max(sample.seen, key=lambda each: np.count_nonzero(each.inside))
+    best = max(sample.observed, key=lambda each: np.count_nonzero(each.inside))
     inside = np.arange(best.begin, best.end)[best.inside]
     move = (sample.placed_points(off) - sample.placed_points(right))[inside].mean(axis=0)
     assert np.linalg.norm(move) > 0.8
@@ -131,7 +131,7 @@ def test_a_box_about_what_one_line_saw_goes_with_it(thinned: Opened, laid: Place
     for each, before in zip(others, laid.objects, strict=True):
         assert np.linalg.norm(each.box.centre - before.box.centre) < 0.1
     found = find_boresight(project, survey, both, start=laid.boresight)
-    assert MAST.name not in found.unmet
+    assert MAST.name not in found.without_pairs
     assert (error(found, project) < 3).all()
 
 
@@ -226,7 +226,7 @@ def test_pos_errors_change_the_gradient_as_foretold(thinned: Opened) -> None:
     other = Mismatch(moved, mismatch.blocks, 100.0)
     change = linearise_blocks(other, at).gradient[0] - found.gradient[0]
     # Beyond first order, the derivatives turn with the attitude a little.
-    np.testing.assert_allclose(change, found.sways[0, 1] @ error, rtol=0.05, atol=2e-4)
+    np.testing.assert_allclose(change, found.pos_derivatives[0, 1] @ error, rtol=0.05, atol=2e-4)
 
 
 def test_an_object_that_one_line_sees_elsewhere_is_named(
@@ -234,7 +234,7 @@ def test_an_object_that_one_line_sees_elsewhere_is_named(
 ) -> None:
     project, survey = thinned
     sample = laid.sample
-    moved = max(sample.seen, key=lambda each: each.end - each.begin)
+    moved = max(sample.observed, key=lambda each: each.end - each.begin)
     mounting = project.mounting("prior").with_boresight(truth(project))
     rows = moved.points
     poses = Poses(sample.poses.position[rows], sample.poses.attitude[rows])
@@ -245,7 +245,7 @@ def test_an_object_that_one_line_sees_elsewhere_is_named(
         project, survey, replace(laid, sample=replace(sample, points_lidar=points))
     )
     assert [each.name for each in found.disagreeing] == [moved.object.name]
-    (remark,) = (each for each in found.remarks if each.code == "patch_test.object_disagrees")
+    (remark,) = (each for each in found.messages if each.code == "patch_test.object_disagrees")
     assert remark.params["object"] == moved.object.name
     assert (error(found, project) < 3).all()
 
@@ -254,7 +254,7 @@ def test_few_objects_have_no_sigma(thinned: Opened, laid: PlacedObjects) -> None
     few = place_objects(*thinned, laid.objects[:4], laid.boresight)
     found = find_boresight(*thinned, few)
     assert found.sigma is None
-    assert "patch_test.no_sigma" in codes(found.remarks)
+    assert "patch_test.no_sigma" in codes(found.messages)
 
 
 def test_level_ground_alone_leaves_the_yaw_open(thinned: Opened) -> None:
@@ -317,7 +317,7 @@ def test_the_command_line_says_the_same(
     np.testing.assert_allclose(
         angles(numbers, "boresight_deg"), np.degrees(clean.boresight), atol=1e-9
     )
-    assert numbers["messages"] == list(map(english_text, clean.remarks))
+    assert numbers["messages"] == list(map(english_text, clean.messages))
     assert open_project(folder).alternative_results == ()
     # One more object, of five numbers: no box.
     assert main(["patchtest", str(folder), "--object", "pole=1,2,3,4,5"]) == 2

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from lispac.adjustment.normal_equations import FEW_SURFACES
+from lispac.adjustment.normal_equations import MAX_SURFACES
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic_model import PosErrors, StochasticModel
 from lispac.cli.campaign import scatter_table
@@ -117,7 +117,7 @@ def test_many_sightings_are_eliminated_like_few(lines: int) -> None:
     plan = PLAN.with_targets((*PLAN.targets, ball)).with_lines(PLAN.lines * lines)
     normal = predicted_equations(plan).normal
     surfaces, knots = len(normal.layout.surfaces), len(normal.pull)
-    assert (len(normal.eliminate_surfaces.matrix) < len(normal.matrix)) == (surfaces > FEW_SURFACES)
+    assert (len(normal.eliminate_surfaces.matrix) < len(normal.matrix)) == (surfaces > MAX_SURFACES)
     below = np.zeros((knots, knots))
     for k, diagonal in enumerate(normal.band):
         below += np.diag(diagonal[: knots - k], -k)
@@ -155,7 +155,7 @@ def test_forty_surveys_scatter_as_foretold() -> None:
     lower, upper = np.sqrt(scipy.stats.chi2.ppf([0.0005, 0.9995], count) / count)
     ratio = found.empirical_sigma / found.predicted
     assert ((ratio > lower) & (ratio < upper)).all(), scatter_table(found)
-    assert found.mean_stated_sigma == pytest.approx(found.predicted, rel=0.02)
+    assert found.mean_formal_sigma == pytest.approx(found.predicted, rel=0.02)
 
 
 @pytest.mark.long

@@ -13,8 +13,8 @@ from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.iteration import iterate
 from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.reliability import (
-    CRITICAL,
-    POWER,
+    CRITICAL_VALUE,
+    NONCENTRALITY,
     _group_covariances,
     _point_reliability,
     compute_reliability,
@@ -141,8 +141,8 @@ def test_what_is_detectable_is_four_sigmas_and_what_it_does(linearised) -> None:
         np.testing.assert_allclose(item.effect, tests.effect[s] * item.detectable)
         assert (item.shift, item.w) == (tests.shift[s], tests.w[s])
         assert not item.rejected
-    assert pytest.approx(-ndtri(0.0005) - ndtri(0.2), abs=0.005) == POWER
-    assert pytest.approx(-ndtri(0.0005), abs=0.005) == CRITICAL
+    assert pytest.approx(-ndtri(0.0005) - ndtri(0.2), abs=0.005) == NONCENTRALITY
+    assert pytest.approx(-ndtri(0.0005), abs=0.005) == CRITICAL_VALUE
 
 
 def test_test_values_of_sightings_are_unit_normal() -> None:

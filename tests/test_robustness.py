@@ -131,8 +131,8 @@ def test_steps_that_foresee_the_weights_lead_where_plain_ones_do(loss) -> None:
     model = StochasticModel(loss=loss)
     quick = adjust(dirty, PRIOR, model, diagnostics=False)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(iteration, "FORESEEN", -1)
-        patch.setattr(iteration, "ANGLES_SETTLED", 1e-13)
+        patch.setattr(iteration, "MAX_GAUSS_NEWTON_STEPS", -1)
+        patch.setattr(iteration, "ANGLE_TOLERANCE", 1e-13)
         plain = adjust(dirty, PRIOR, model, diagnostics=False)
     assert plain.iterations > quick.iterations
     assert np.degrees(np.abs(quick.boresight - plain.boresight)).max() < 1e-9

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.critical_values import critical_test_value
-from lispac.adjustment.display_text import QUANTITIES, STATED, variance_component_finding
+from lispac.adjustment.display_text import OUTPUT_UNITS, QUANTITIES, variance_component_finding
 from lispac.adjustment.parameters import ParameterEstimate
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, VarianceComponent
 from lispac.cli.estimate import print_result, result_values
@@ -56,7 +56,7 @@ def test_a_value_is_shown_alike_everywhere(
     printed = words.replace("-", "−")
     in_window = printed.replace(" deg", "°").replace(" ", "\u00a0")
     assert KINDS[name].amount(value) == in_window
-    said = quantity_text(name, value * STATED[name][0], sign=True)
+    said = quantity_text(name, value * OUTPUT_UNITS[name][0], sign=True)
     assert said == printed.replace(" ", "\u00a0")
 
 

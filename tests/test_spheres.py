@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import SphereNotFound
-from lispac.geometry.spheres import Sphere, fit_sphere, rms_from_sphere, seen_surface_share
+from lispac.geometry.spheres import Sphere, fit_sphere, rms_from_sphere, visible_share
 from tests.error_codes import has_code
 
 RADII = [0.05, 0.1, 0.145, 1.0]
@@ -130,9 +130,9 @@ def test_share_is_that_of_the_cap(half_angle_deg):
     sphere = Sphere(np.array([5.0, 6.0, 7.0]), 0.2)
     points = cap(np.random.default_rng(6), sphere, half_angle_deg, 20_000)
     wanted = (1.0 - np.cos(np.radians(half_angle_deg))) / 2.0
-    assert seen_surface_share(sphere, points) == pytest.approx(wanted, rel=0.01)
-    assert seen_surface_share(sphere, points[:2]) == 0.0
-    assert seen_surface_share(sphere, points[:0]) == 0.0
+    assert visible_share(sphere, points) == pytest.approx(wanted, rel=0.01)
+    assert visible_share(sphere, points[:2]) == 0.0
+    assert visible_share(sphere, points[:0]) == 0.0
 
 
 @pytest.mark.parametrize("scale", [1e-9, 1e9])

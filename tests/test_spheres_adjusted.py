@@ -10,7 +10,7 @@ from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic_model import POS_ERRORS, StochasticModel
 from lispac.cli.main import main
 from lispac.errors import ProjectError, SphereNotFound
-from lispac.geometry.spheres import seen_surface_share
+from lispac.geometry.spheres import visible_share
 from lispac.io.project_file import FILE_NAME
 from lispac.messages import note
 from lispac.project import Project
@@ -124,7 +124,7 @@ def test_a_ball_is_picked_in_every_line(balls, picked):
             patch = spheres[sighting.line]
             assert patch.sphere.radius == pytest.approx(radius, abs=0.003)
             points = balls.survey.clouds[sighting.line][sighting.indices]
-            assert patch.share == seen_surface_share(patch.sphere, points)
+            assert patch.share == visible_share(patch.sphere, points)
 
 
 @pytest.mark.parametrize("board", [False, True])

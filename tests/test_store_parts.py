@@ -30,7 +30,7 @@ from lispac.survey.store.layout import (
 )
 from lispac.survey.store.line_import import write_store
 from lispac.survey.store.original_file import is_original_unchanged, source_file_of
-from lispac.survey.store.point_blocks import MOST, PointPiece
+from lispac.survey.store.point_blocks import MAX_POINTS, PointPiece
 from lispac.survey.store.read_ahead import read_ahead
 from lispac.survey.store.row_runs import gather_values, rows_of_runs, split_runs
 from lispac.survey.store.spatial_cells import is_drawn, stable_order
@@ -69,10 +69,10 @@ def test_few_points_in_crowded_cells_all_come(tmp_path: Path) -> None:
     centre = every[100]
     off = np.linalg.norm(every - centre, axis=1)
     radius = float(np.sort(off)[3]) + 1e-6
-    rows, _, halvings = found.sampled_within(centre, radius, place, margin=20.0, most=5)
+    rows, _, halvings = found.sampled_within(centre, radius, place, margin=20.0, limit=5)
     np.testing.assert_array_equal(rows, np.flatnonzero(off <= radius))
     assert halvings == 0
-    rows, _, halvings = found.sampled_within(centre, 30.0, place, most=50)
+    rows, _, halvings = found.sampled_within(centre, 30.0, place, limit=50)
     assert 0 < len(rows) <= 50
     assert halvings > 0
 
@@ -194,7 +194,7 @@ def test_a_file_without_a_point_is_refused_and_leaves_nothing(tmp_path: Path) ->
 
 def test_more_points_than_can_be_numbered_are_refused(tmp_path: Path) -> None:
     def far_on(first: int) -> Iterator[PointPiece]:
-        yield PointPiece(np.ones((1, 3)), np.zeros(1), np.array([MOST]), {}, MOST + 1)
+        yield PointPiece(np.ones((1, 3)), np.zeros(1), np.array([MAX_POINTS]), {}, MAX_POINTS + 1)
 
     with pytest.raises(ProjectError) as refused:
         write_store(tmp_path, RECIPE, far_on, place)
@@ -269,7 +269,7 @@ def test_anything_that_can_be_gone_through_is_read_ahead() -> None:
 
 
 def test_nothing_is_lost_where_the_reader_is_slower(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("lispac.survey.store.read_ahead.POLL", 0.001)
+    monkeypatch.setattr("lispac.survey.store.read_ahead.POLL_INTERVAL", 0.001)
     found = []
     for piece in read_ahead(iter(range(5))):
         time.sleep(0.02)  # many looks at a full queue

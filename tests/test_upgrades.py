@@ -12,7 +12,7 @@ from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.io.project_file import FILE_NAME, read_project, write_project
 from lispac.io.project_upgrades import SCHEMA_VERSION
 from lispac.io.value_conversion import decode_value, encode_value
-from lispac.validation.absolute_remarks import absolute_check_remarks
+from lispac.validation.absolute_messages import absolute_check_messages
 from lispac.workflow.projects import open_project
 from tests.message_codes import codes
 from tests.report_sample import sample_project
@@ -52,7 +52,7 @@ def test_a_check_of_before_says_what_it_does_not_know() -> None:
     check = read_project(OLDER[5]).absolute
     assert check is not None
     assert check.other_surfaces is None
-    assert "absolute.former_version" in codes(absolute_check_remarks(check))
+    assert "absolute.former_version" in codes(absolute_check_messages(check))
 
 
 def test_every_version_has_its_fixture() -> None:

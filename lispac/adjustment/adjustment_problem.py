@@ -43,10 +43,10 @@ Array = NDArray[np.float64]
 
 NO_LOSS = Loss("none")
 
-FIRST_SURFACE = 0.003
+INITIAL_SURFACE_SIGMA = 0.003
 """Metres: sigma of the form errors before it is estimated."""
 
-RELEASED = 10.0
+FREE_SIGMA = 10.0
 """Metres: sigma of the form errors of a rejected sighting."""
 
 
@@ -114,7 +114,7 @@ class AdjustmentProblem:
             moments = moments_by_sighting(observations, prior)
         knots = PosErrorKnots.of(observations, model) if model.correlated else None
         ordered, groups, order = group_points(observations, knots)
-        surface = FIRST_SURFACE if model.surface is None else model.surface
+        surface = INITIAL_SURFACE_SIGMA if model.surface is None else model.surface
         sigma = np.full((len(observations.sightings), 3), surface)
         if model.offset is not None:
             sigma[:, 2] = model.offset
@@ -157,7 +157,7 @@ class AdjustmentProblem:
     @property
     def is_sighting_tied(self) -> NDArray[np.bool_]:
         """Whether each sighting is used (not rejected), shape (sightings,)."""
-        return np.asarray(self.surface_sigma[:, 2] < RELEASED)
+        return np.asarray(self.surface_sigma[:, 2] < FREE_SIGMA)
 
     @property
     def default_surface_sigmas(self) -> Array:
@@ -177,8 +177,8 @@ class AdjustmentProblem:
         sigma : float or ndarray of shape (3,), metres
             Of tilts and offset alike, or of each.
         """
-        kept = self.surface_sigma >= RELEASED
-        return replace(self, surface_sigma=np.where(kept, RELEASED, sigma))
+        kept = self.surface_sigma >= FREE_SIGMA
+        return replace(self, surface_sigma=np.where(kept, FREE_SIGMA, sigma))
 
     def with_sighting_surface_sigma(
         self, sightings: Sequence[int], directions: slice, sigma: float | Array

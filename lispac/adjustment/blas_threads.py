@@ -1,7 +1,7 @@
 """Limit BLAS to one thread for the small matrices of an adjustment.
 
 BLAS starts all cores for a product of a few hundred numbers; where another program uses them, it
-waits for them a hundred times longer than the product takes. One thread also makes the answer the
+waits for them a hundred times longer than the product takes. One thread also makes the result the
 same, bit by bit, on any number of cores.
 """
 

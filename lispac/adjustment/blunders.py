@@ -13,32 +13,32 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adjustment_problem import RELEASED, AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.adjustment_problem import FREE_SIGMA, AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.banded_cholesky import forward_substitution
 from lispac.adjustment.noise_update import reestimate_surface_sigma
 from lispac.adjustment.normal_equations import unknown_directions
 
 Array = NDArray[np.float64]
 
-FAMILY = 0.01
+FAMILY_WISE_LEVEL = 0.01
 """Family-wise probability of a false rejection."""
 
-LOOK = 0.05
+CANDIDATE_LEVEL = 0.05
 """Significance level for the second test, with form errors estimated without the candidate."""
 
-MOST_LOOKED_AT = 6
+MAX_CANDIDATES = 6
 """Largest number of candidates, most significant first, for the second test."""
 
-BELONGS = 0.05
+RESTORATION_LEVEL = 0.05
 """Significance level above which a rejected sighting is restored."""
 
-PLAINLY = 1e-6
+CONFIRMATION_LEVEL = 1e-6
 """Significance level below which sightings excluded from the start values stay excluded."""
 
-LEFT = 2
+MIN_OTHER_SIGHTINGS = 2
 """Minimum number of other sightings of a target."""
 
-SIMPLER = 100.0
+SHIFT_PREFERENCE = 100.0
 """Ratio of the probabilities from which another surface is preferred to a shift."""
 
 
@@ -60,13 +60,13 @@ class Blunder:
     def reject_in(self, problem: AdjustmentProblem) -> AdjustmentProblem:
         """Return the problem with these sightings rejected."""
         return problem.with_sighting_surface_sigma(
-            self.sightings, self._surface_components, RELEASED
+            self.sightings, self._surface_components, FREE_SIGMA
         )
 
     def restore_in(self, problem: AdjustmentProblem) -> AdjustmentProblem:
         """Return the problem with these sightings used like all others."""
-        held = problem.default_surface_sigmas[self._surface_components]
-        return problem.with_sighting_surface_sigma(self.sightings, self._surface_components, held)
+        usual = problem.default_surface_sigmas[self._surface_components]
+        return problem.with_sighting_surface_sigma(self.sightings, self._surface_components, usual)
 
     @property
     def _surface_components(self) -> slice:
@@ -83,41 +83,41 @@ def worst_blunder(linearised: LinearisedProblem, spared: Collection[Blunder]) ->
     """
     candidates = [found for found in _candidate_blunders(linearised.problem) if found not in spared]
     first = [(_score_test_p_value(linearised, found), found) for found in candidates]
-    looked = [item for item in first if item[0] < LOOK]
-    looked.sort(key=_weighted_p_value)
+    promising = [item for item in first if item[0] < CANDIDATE_LEVEL]
+    promising.sort(key=_weighted_p_value)
     again = [
         (_weighted_p_value((chance, found)), k, found)
-        for k, (_, found) in enumerate(looked[:MOST_LOOKED_AT])
+        for k, (_, found) in enumerate(promising[:MAX_CANDIDATES])
         for chance in [
             _score_test_p_value(_surfaces_from_other_sightings(linearised, found), found)
         ]
-        if chance < FAMILY / len(candidates)
+        if chance < FAMILY_WISE_LEVEL / len(candidates)
     ]
     return min(again)[-1] if again else None
 
 
 def _weighted_p_value(item: tuple[float, Blunder]) -> float:
     chance, found = item
-    return chance * (SIMPLER if found.kind == "surface" else 1.0)
+    return chance * (SHIFT_PREFERENCE if found.kind == "surface" else 1.0)
 
 
 def find_restorable_blunder(
-    linearised: LinearisedProblem, gone: Collection[Blunder]
+    linearised: LinearisedProblem, rejected: Collection[Blunder]
 ) -> Blunder | None:
     """Find the rejected blunder that agrees best, if it agrees well enough to be restored."""
-    chances = [(_p_value_if_restored(linearised, found), found) for found in gone]
+    chances = [(_p_value_if_restored(linearised, found), found) for found in rejected]
     chance, best = max(chances, key=lambda item: item[0], default=(0.0, None))
-    return best if chance > BELONGS else None
+    return best if chance > RESTORATION_LEVEL else None
 
 
 def find_confirmed_blunders(
-    linearised: LinearisedProblem, gone: Collection[Blunder]
+    linearised: LinearisedProblem, rejected: Collection[Blunder]
 ) -> list[Blunder]:
     """Blunders excluded at the start that remain rejected, as a shift where that is enough."""
     return [
         _reduce_to_shift(linearised, found)
-        for found in gone
-        if _p_value_if_restored(linearised, found) < PLAINLY
+        for found in rejected
+        if _p_value_if_restored(linearised, found) < CONFIRMATION_LEVEL
     ]
 
 
@@ -133,22 +133,22 @@ def _reduce_to_shift(linearised: LinearisedProblem, blunder: Blunder) -> Blunder
     if blunder.kind != "surface":
         return blunder
     shift = Blunder("shift", blunder.sightings)
-    tilts_held = linearised.of(shift.reject_in(blunder.restore_in(linearised.problem)))
-    return shift if _score_test_p_value(tilts_held, blunder) > FAMILY else blunder
+    without_shift = linearised.of(shift.reject_in(blunder.restore_in(linearised.problem)))
+    return shift if _score_test_p_value(without_shift, blunder) > FAMILY_WISE_LEVEL else blunder
 
 
 def _candidate_blunders(problem: AdjustmentProblem) -> Iterator[Blunder]:
     """Sightings and lines whose rejection leaves every target with enough others."""
-    observations, held = problem.observations, problem.is_sighting_tied
+    observations, is_tied = problem.observations, problem.is_sighting_tied
     owners = observations.target_of_sighting
-    counts = np.bincount(owners[held], minlength=len(observations.targets))
-    spare = held & (counts[owners] > LEFT)
+    counts = np.bincount(owners[is_tied], minlength=len(observations.targets))
+    spare = is_tied & (counts[owners] > MIN_OTHER_SIGHTINGS)
     for s in np.flatnonzero(spare):
         yield Blunder("shift", (int(s),))
         if not observations.is_sphere[owners[s]]:
             yield Blunder("surface", (int(s),))
     for line in observations.lines:
-        own = [s for s, x in enumerate(observations.sightings) if x.line == line and held[s]]
+        own = [s for s, x in enumerate(observations.sightings) if x.line == line and is_tied[s]]
         # For a line with one sighting the shift of that is sufficient.
         if len(own) > 1 and spare[own].all():
             yield Blunder("line", tuple(own))
@@ -175,14 +175,14 @@ def _score_test_p_value(linearised: LinearisedProblem, blunder: Blunder) -> floa
     pull = right - by_unknowns @ correction - by_pos @ change.reshape(-1)
     # What the data do not see (a shift along the boards) cannot be tested.
     values, directions = np.linalg.eigh(information)
-    seen = values > SEEN * np.diag(own).max()
-    if not seen.any():
+    is_determined = values > MIN_INFORMATION_SHARE * np.diag(own).max()
+    if not is_determined.any():
         return 1.0
-    statistic = float((((directions.T @ pull) ** 2)[seen] / values[seen]).sum())
-    return float(chdtrc(int(seen.sum()), statistic))
+    statistic = float((((directions.T @ pull) ** 2)[is_determined] / values[is_determined]).sum())
+    return float(chdtrc(int(is_determined.sum()), statistic))
 
 
-SEEN = 1e-6
+MIN_INFORMATION_SHARE = 1e-6
 """Share of the information that must be left when all else is eliminated."""
 
 

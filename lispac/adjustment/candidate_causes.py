@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.banded_cholesky import forward_substitution
 from lispac.adjustment.normal_equations import unknown_directions
-from lispac.adjustment.parameters import SWITCHED, Parameter
+from lispac.adjustment.parameters import OPTIONAL_NAMES, Parameter
 from lispac.adjustment.result import CandidateCause
 from lispac.adjustment.variance_components import LARGEST_SURFACE
 
@@ -38,22 +38,22 @@ PRIOR_SIGMA = {
 depends on its logarithm alone."""
 FORM_SIGMA = (0.01, 0.03, 0.1)
 """Metres: by how much the sightings of a target can differ that is no single flat surface."""
-CLEARLY = 6.0
+STRONG_EVIDENCE = 6.0
 """Twice the logarithm of the Bayes factor from which a candidate is clearly better than another: 20
 to 1, "strong" by Kass and Raftery (1995)."""
-ENOUGH = 10.0
+VERY_STRONG_EVIDENCE = 10.0
 """That from which there is another error besides those found: 150 to 1, "very strong"."""
-VISIBLE = 1.5e-4
+MIN_RMS_EFFECT = 1.5e-4
 """Metres: RMS of what an error does to the points beyond what all other unknowns explain, at least.
 Even a good board bends by more over its sighting, and the model has no term for that."""
-MOST_CAUSES = 3
+MAX_CAUSES = 3
 """Largest number of errors, searched for one after the other."""
-MOST_NAMED = 4
+MAX_CANDIDATES = 4
 """Candidates named for one error."""
-SMALLEST_SURFACE, STEPS = 1e-4, 13
+SMALLEST_SURFACE, SIGMA_STEPS = 1e-4, 13
 """Metres, and number of sigmas of the surfaces that are tried from there to `LARGEST_SURFACE`."""
 AXES = 3
-OF_LINE = 2 * AXES
+LINE_UNKNOWNS = 2 * AXES
 """Unknowns of the position and of the boresight of a line."""
 
 
@@ -80,7 +80,7 @@ def find_candidate_causes(linearised: LinearisedProblem) -> tuple[tuple[Candidat
     found: list[tuple[CandidateCause, ...]] = []
     given: tuple[_ModelError, ...] = ()
     moved = np.zeros(AXES)
-    while len(found) < MOST_CAUSES:
+    while len(found) < MAX_CAUSES:
         without = max(each.likelihood(given) for each in solutions)
         judged = [
             (evidence - without, solution, each)
@@ -89,15 +89,17 @@ def find_candidate_causes(linearised: LinearisedProblem) -> tuple[tuple[Candidat
             for evidence, solution in [_maximise_likelihood(solutions, (*given, each))]
         ]
         judged.sort(key=lambda item: -item[0])
-        if not judged or judged[0][0] < ENOUGH:
+        if not judged or judged[0][0] < VERY_STRONG_EVIDENCE:
             break
-        if judged[0][1].visible((*given, judged[0][2])) < VISIBLE:
+        if judged[0][1].visible((*given, judged[0][2])) < MIN_RMS_EFFECT:
             break
-        fitting = _best_of_each_cause(item for item in judged if judged[0][0] - item[0] < CLEARLY)
+        fitting = _best_of_each_cause(
+            item for item in judged if judged[0][0] - item[0] < STRONG_EVIDENCE
+        )
         found.append(
             tuple(
                 solution.cause((*given, each), evidence, moved)
-                for evidence, solution, each in fitting[:MOST_NAMED]
+                for evidence, solution, each in fitting[:MAX_CANDIDATES]
             )
         )
         given = (*given, judged[0][2])
@@ -127,7 +129,7 @@ def _trial_surface_sigmas(problem: AdjustmentProblem) -> Iterator[Array]:
     if problem.model.surface is not None:
         yield usual
         return
-    for sigma in np.geomspace(SMALLEST_SURFACE, LARGEST_SURFACE, STEPS):
+    for sigma in np.geomspace(SMALLEST_SURFACE, LARGEST_SURFACE, SIGMA_STEPS):
         yield np.full(AXES, sigma)
         if problem.has_own_offsets:
             yield np.array([*usual[:2], sigma])
@@ -347,7 +349,7 @@ def _omitted_parameters(problem: AdjustmentProblem) -> list[Parameter]:
     estimated = {parameter.name for parameter in problem.parameters}
     return [
         Parameter(name)
-        for name in SWITCHED
+        for name in OPTIONAL_NAMES
         if name not in estimated
         and not (name == "latency" and problem.observations.pose_rate is None)
     ]
@@ -379,11 +381,11 @@ def _build_candidates(problem: AdjustmentProblem, omitted: Sequence[str]) -> Ite
     first, count = first + AXES * count, len(observations.lines)
     has_times = observations.pose_rate is not None
     for k, line in enumerate(observations.lines):
-        own = first + (OF_LINE + has_times) * k + np.arange(OF_LINE + has_times)
+        own = first + (LINE_UNKNOWNS + has_times) * k + np.arange(LINE_UNKNOWNS + has_times)
         yield candidate("line_position", "", line, own[:AXES], 1 / count)
-        yield candidate("line_boresight", "", line, own[AXES:OF_LINE], 1 / count)
+        yield candidate("line_boresight", "", line, own[AXES:LINE_UNKNOWNS], 1 / count)
         if has_times:
-            yield candidate("line_time", "", line, own[OF_LINE:], 1 / count)
+            yield candidate("line_time", "", line, own[LINE_UNKNOWNS:], 1 / count)
 
 
 def _add_line_errors(linearised: LinearisedProblem) -> tuple[Array, Array, Array]:
@@ -401,12 +403,12 @@ def _add_line_errors(linearised: LinearisedProblem) -> tuple[Array, Array, Array
     own, lines = len(layout.active) + 4, observations.lines
     of_sighting = np.array([lines.index(each.line) for each in observations.sightings])
     latency = np.flatnonzero(layout.active == Parameter("latency").index)
-    unknowns = OF_LINE + len(latency)
+    unknowns = LINE_UNKNOWNS + len(latency)
     size = np.zeros((sums.shape[1], unknowns))
-    size[latency, OF_LINE:] = 1.0
+    size[latency, LINE_UNKNOWNS:] = 1.0
     # The POS position at the knot before and at the one after, both at once
     size[own : own + AXES, :AXES] = size[own + 6 : own + 6 + AXES, :AXES] = np.eye(AXES)
-    size[:AXES, AXES:OF_LINE] = np.eye(AXES)
+    size[:AXES, AXES:LINE_UNKNOWNS] = np.eye(AXES)
     products = np.einsum("wc,gwv->gcv", size, sums)
     basis = unknown_directions(layout, observations.target_of_sighting, linearised.bases)
     added = layout.size + unknowns * len(lines)

@@ -9,10 +9,10 @@ import numpy as np
 from lispac.adjustment.critical_values import critical_test_value
 from lispac.adjustment.display_text import sighting_status
 from lispac.adjustment.message_parts import amount_with_unit, mounting_value_name
-from lispac.adjustment.omitted_parameters import OF_CONSEQUENCE
-from lispac.adjustment.parameters import SWITCHED
+from lispac.adjustment.omitted_parameters import MIN_ANGLE_CHANGE
+from lispac.adjustment.parameters import OPTIONAL_NAMES
 from lispac.adjustment.result import ANGLES, AdjustmentResult, CandidateCause, ContradictedParameter
-from lispac.adjustment.sighting_warnings import MOST_JUMPED
+from lispac.adjustment.sighting_warnings import MAX_REJECTED_SHARE
 from lispac.messages import Message, note, warning
 from lispac.warning_causes import RESULT, Cause
 
@@ -36,10 +36,10 @@ KNOWN_FROM_DATA = {
 """Warnings about the imported data that explain residuals, and the code of the error."""
 SAME_ON_LINES = "data.same_on_lines"
 """Code of a warning about the data of several lines: ``reason`` is that about the first one."""
-EFFECTS = ("effect", "shift", "misfit")
+EFFECT_PARAMETERS = ("effect", "shift", "misfit")
 """Parameters of warnings about the data: by how much points are displaced, metres."""
 SURFACES_DIFFER = ("adjustment.surfaces_differ", "adjustment.surfaces_displaced")
-EXPLAINS = 0.5
+MIN_EFFECT_RATIO = 0.5
 """Effect of an error known from the data over that of a candidate from which it explains it."""
 
 
@@ -72,12 +72,12 @@ class KnownError:
 
     def explains(self, effect: float) -> bool:
         """Whether the error is large enough to cause residuals of ``effect`` metres."""
-        return self.effect >= EXPLAINS * effect
+        return self.effect >= MIN_EFFECT_RATIO * effect
 
 
 def point_displacement(message: Message) -> float | None:
     """Displacement of points by the error that a message describes, metres, where known."""
-    known = (message.params[name] for name in EFFECTS if name in message.params)
+    known = (message.params[name] for name in EFFECT_PARAMETERS if name in message.params)
     value = next(known, None)
     return float(value) if isinstance(value, int | float) else None
 
@@ -112,7 +112,7 @@ def warnings_about_causes(
             )
         ]
     jumped = _line_jump_warnings(result, causes)
-    if any(len(group) == 1 and group[0].kind in SWITCHED for group in causes):
+    if any(len(group) == 1 and group[0].kind in OPTIONAL_NAMES for group in causes):
         others = [each for each in others if each.code not in SURFACES_DIFFER]
     if known is None:
         return (*found, *jumped, *others)
@@ -134,8 +134,8 @@ def warnings_about_causes(
 
 def _has_too_few_lines(result: AdjustmentResult) -> bool:
     """Whether there are too few lines to detect or identify an error of one line."""
-    seen = result.observability
-    return seen is not None and any(each.kind == "line" for each in seen.unchecked)
+    geometry = result.observability
+    return geometry is not None and any(each.kind == "line" for each in geometry.unchecked)
 
 
 def _unlocated_cause_notes(causes: Sequence[Sequence[CandidateCause]]) -> Iterator[Message]:
@@ -159,7 +159,7 @@ def _single_cause_warning(result: AdjustmentResult, cause: CandidateCause) -> It
     """Warning about a cause that is clearly more likely than all others."""
     line, target = Cause.of_line(cause.line), Cause.of_target(cause.target)
     of_line = warning if _are_many_lines_wrong(result, 1) else note
-    if cause.kind in SWITCHED:
+    if cause.kind in OPTIONAL_NAMES:
         yield _wrong_value_warning(result, cause)
     elif cause.kind == "line_boresight":
         differences = [
@@ -198,7 +198,7 @@ def _wrong_value_warning(result: AdjustmentResult, cause: CandidateCause) -> Mes
             ratio=float(abs(moved) / its_sigma),
         )
         for angle, moved, its_sigma in zip(ANGLES, cause.angle_change, result.sigma, strict=True)
-        if abs(moved) > OF_CONSEQUENCE * its_sigma
+        if abs(moved) > MIN_ANGLE_CHANGE * its_sigma
     ]
     code = f"adjustment.contradicted_{cause.kind}"
     return warning(
@@ -217,7 +217,7 @@ def _wrong_value_warning(result: AdjustmentResult, cause: CandidateCause) -> Mes
 
 def _ambiguous_cause_warning(group: Sequence[CandidateCause]) -> Iterator[Message]:
     """Warning about causes that are about equally likely."""
-    serious = any(each.kind in SWITCHED or each.kind == "line_boresight" for each in group)
+    serious = any(each.kind in OPTIONAL_NAMES or each.kind == "line_boresight" for each in group)
     yield (warning if serious else note)(
         "adjustment.several_causes", causes=_cause_phrases(group), subject=_cause_subject(group[0])
     )
@@ -253,7 +253,7 @@ def _line_jump_warnings(
 
 def _are_many_lines_wrong(result: AdjustmentResult, count: int) -> bool:
     """Whether so many lines are wrong that the remaining ones are unreliable too."""
-    return count > MOST_JUMPED * len({item.sighting.line for item in result.reliability})
+    return count > MAX_REJECTED_SHARE * len({item.sighting.line for item in result.reliability})
 
 
 def _is_already_named(result: AdjustmentResult, cause: CandidateCause) -> bool:
@@ -272,7 +272,7 @@ def _cause_phrases(causes: Sequence[CandidateCause]) -> tuple[Message, ...]:
 
 def _cause_phrase(cause: CandidateCause) -> Message:
     """A cause in a list: ``lever arm X smaller by 0.0951 m``."""
-    if cause.kind in SWITCHED:
+    if cause.kind in OPTIONAL_NAMES:
         size = float(cause.size[0])
         return note(
             "cause.larger" if size > 0 else "cause.smaller",
@@ -305,7 +305,7 @@ def _error_magnitude(cause: CandidateCause) -> float:
 
 
 def _cause_subject(cause: CandidateCause) -> Cause:
-    if cause.kind in SWITCHED:
+    if cause.kind in OPTIONAL_NAMES:
         return Cause.of_parameter(cause.kind)
     if not cause.line:
         return Cause.of_target(cause.target)

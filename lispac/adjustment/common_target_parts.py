@@ -19,14 +19,14 @@ from lispac.targets import outline
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-LEAST_OVERLAP = 0.5
+MIN_OVERLAP = 0.5
 """Share of the points of one of two sightings that the other shows as well, at least; below it they
 show different parts."""
-FEWEST, LEAST_SHARE = 30, 0.1
+MIN_POINTS, MIN_SHARE = 30, 0.1
 """Points that a common part must have on a line, and share of its sighting there."""
-CERTAINTY = 3.0
+CURVATURE_SIGMAS = 3.0
 """Standard deviations of the curvature that are added to it: flatness must be shown."""
-FLAT = 1.0
+MAX_SAGITTA = 1.0
 """Largest sagitta over the whole surface, in standard deviations of the LiDAR noise."""
 
 
@@ -75,18 +75,18 @@ def _common_part_of_target(points: Array, sighting: NDArray[np.int64]) -> Flags 
         shows[k] = outline.is_covered(placed, placed[own], cell)
     # Share of the points of sighting i (columns) that sighting k (rows) shows
     share = np.stack([shows[:, own].mean(axis=1) for own in parts], axis=1)
-    groups = _connected_groups(np.maximum(share, share.T) >= LEAST_OVERLAP)
+    groups = _connected_groups(np.maximum(share, share.T) >= MIN_OVERLAP)
     if len(groups) == 1:
         return None
-    by_most = shows.sum(axis=0) > len(parts) / 2
+    by_majority = shows.sum(axis=0) > len(parts) / 2
     largest = max(groups, key=len)
-    if sum(_is_part_large_enough(by_most[own]) for own in parts) > len(largest):
-        return by_most
+    if sum(_is_part_large_enough(by_majority[own]) for own in parts) > len(largest):
+        return by_majority
     return np.isin(np.arange(len(points)), np.concatenate([parts[k] for k in largest]))
 
 
 def _is_part_large_enough(common: Flags) -> bool:
-    return bool(common.sum() >= FEWEST and common.mean() >= LEAST_SHARE)
+    return bool(common.sum() >= MIN_POINTS and common.mean() >= MIN_SHARE)
 
 
 def _connected_groups(alike: Flags) -> list[list[int]]:
@@ -124,5 +124,5 @@ def _is_flat(points: Array, sighting: NDArray[np.int64], sigma: Array) -> bool:
     noise = float(np.sqrt(np.mean((off - columns @ bends) ** 2)))
     spread = noise * np.sqrt(np.maximum(np.diag(inverse), 0.0))
     # Over the whole surface u and v run over two at most, so that a bend is its own sagitta.
-    sagitta = float(np.max(np.abs(bends) + CERTAINTY * spread))
-    return sagitta <= FLAT * float(np.sqrt(np.mean(sigma**2)))
+    sagitta = float(np.max(np.abs(bends) + CURVATURE_SIGMAS * spread))
+    return sagitta <= MAX_SAGITTA * float(np.sqrt(np.mean(sigma**2)))

@@ -66,7 +66,7 @@ def linearise(observations: Observations, mounting: Mounting, shapes: Array) -> 
 
 
 def evaluate_columns(
-    observations: Observations, mounting: Mounting, shapes: Array, wanted: slice
+    observations: Observations, mounting: Mounting, shapes: Array, columns: slice
 ) -> Array:
     """Some columns of `linearise`, computed with less memory, shape (n, columns).
 
@@ -74,14 +74,14 @@ def evaluate_columns(
     ----------
     shapes : ndarray of shape (targets, 4), local frame
         As in `linearise`.
-    wanted : slice
+    columns : slice
         Of the columns.
     """
-    out = np.empty((len(observations), wanted.stop - wanted.start))
+    out = np.empty((len(observations), columns.stop - columns.start))
     points, placing = PointArrays.of(observations, mounting), MountingArrays.of(mounting, shapes)
     run_in_chunks(
         lambda first, last: _evaluate_columns_kernel(
-            first, last, *points, *placing, wanted.start, out
+            first, last, *points, *placing, columns.start, out
         ),
         np.arange(1, len(observations) + 1),
     )
@@ -102,10 +102,10 @@ def misclosures(observations: Observations, mounting: Mounting, shapes: Array) -
 class PointArrays(NamedTuple):
     """Arrays of point data as the kernels take them.
 
-    They take it one by one: to look into a tuple for every point costs more than the arithmetic.
+    They take it one by one: indexing a tuple for every point costs more than the arithmetic.
     """
 
-    seen: Array  # by the scanner, in its frame
+    xyz: Array  # in the LiDAR frame
     position: Array
     turns: Array  # cosines and sines of roll, pitch, heading
     rate: Array  # of no rows where it is unknown
@@ -198,10 +198,10 @@ def condition_row(  # type: ignore[no-untyped-def]
     x0, x1, x2 = px + h0, py + h1, pz + h2
     if sphere:
         n0, n1, n2 = x0 - s0, x1 - s1, x2 - s2
-        apart = np.sqrt(n0 * n0 + n1 * n1 + n2 * n2)
-        n0, n1, n2 = n0 / apart, n1 / apart, n2 / apart
+        norm = np.sqrt(n0 * n0 + n1 * n1 + n2 * n2)
+        n0, n1, n2 = n0 / norm, n1 / norm, n2 / norm
         out[9], out[10], out[11], out[12] = -n0, -n1, -n2, -1.0
-        out[19] = apart - s3
+        out[19] = norm - s3
     else:
         n0, n1, n2 = s0, s1, s2
         out[9], out[10], out[11], out[12] = x0, x1, x2, 1.0
@@ -241,42 +241,42 @@ def condition_row(  # type: ignore[no-untyped-def]
 
 @kernel()
 def _linearise_kernel(  # type: ignore[no-untyped-def]
-    first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
+    first, last, xyz, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
     values, rotation, derivatives, turn, shapes, rows, by_lidar,
 ):  # fmt: skip
     for i in range(first, last):
         at = point_pose(i, position, turns)
         condition_row(
-            i, target[i], seen[i, 0], seen[i, 1], seen[i, 2], at, rate, spheres, values, rotation,
+            i, target[i], xyz[i, 0], xyz[i, 1], xyz[i, 2], at, rate, spheres, values, rotation,
             derivatives, turn, shapes, rows[i], by_lidar[i],
         )  # fmt: skip
 
 
 @kernel()
 def _evaluate_columns_kernel(  # type: ignore[no-untyped-def]
-    first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
+    first, last, xyz, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, begin, wanted,
+    values, rotation, derivatives, turn, shapes, begin, selected,
 ):  # fmt: skip
     out, lidar = np.empty(20), np.empty(3)
     for i in range(first, last):
         at = point_pose(i, position, turns)
         condition_row(
-            i, target[i], seen[i, 0], seen[i, 1], seen[i, 2], at, rate, spheres, values, rotation,
+            i, target[i], xyz[i, 0], xyz[i, 1], xyz[i, 2], at, rate, spheres, values, rotation,
             derivatives, turn, shapes, out, lidar,
         )  # fmt: skip
-        for k in range(wanted.shape[1]):
-            wanted[i, k] = out[begin + k]
+        for k in range(selected.shape[1]):
+            selected[i, k] = out[begin + k]
 
 
 @kernel(inline="always")
-def adjusted_observation(i, seen, sigma, beam, lidar, pull):  # type: ignore[no-untyped-def]
+def adjusted_observation(i, xyz, sigma, beam, lidar, pull):  # type: ignore[no-untyped-def]
     """Adjusted observation of point ``i``: its LiDAR noise share of the misclosure removed.
 
     ``pull`` is the misclosure over its variance; the correction is ``Q B'`` times it.
     """
-    x, y, z = seen[i, 0], seen[i, 1], seen[i, 2]
+    x, y, z = xyz[i, 0], xyz[i, 1], xyz[i, 2]
     if not beam:
         return (
             x - pull * lidar[0] * sigma[i, 0] ** 2,
@@ -294,7 +294,7 @@ def adjusted_observation(i, seen, sigma, beam, lidar, pull):  # type: ignore[no-
 
 
 @kernel(inline="always")
-def lidar_variance(i, seen, sigma, beam, lidar):  # type: ignore[no-untyped-def]
+def lidar_variance(i, xyz, sigma, beam, lidar):  # type: ignore[no-untyped-def]
     """Variance of the condition of point ``i`` from the LiDAR noise, square metres."""
     if not beam:
         return (
@@ -302,7 +302,7 @@ def lidar_variance(i, seen, sigma, beam, lidar):  # type: ignore[no-untyped-def]
             + (lidar[1] * sigma[i, 1]) ** 2
             + (lidar[2] * sigma[i, 2]) ** 2
         )
-    x, y, z = seen[i, 0], seen[i, 1], seen[i, 2]
+    x, y, z = xyz[i, 0], xyz[i, 1], xyz[i, 2]
     along = lidar[0] * x + lidar[1] * y + lidar[2] * z
     along = along * along / (x * x + y * y + z * z)
     across = lidar[0] ** 2 + lidar[1] ** 2 + lidar[2] ** 2 - along

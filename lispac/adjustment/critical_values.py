@@ -6,7 +6,7 @@ and scipy.stats a whole one.
 
 import numpy as np
 
-from lispac.adjustment.blunders import FAMILY
+from lispac.adjustment.blunders import FAMILY_WISE_LEVEL
 from lispac.adjustment.result import AdjustmentResult
 
 
@@ -20,7 +20,7 @@ def critical_test_value(result: AdjustmentResult) -> float | None:
 
     if not result.reliability:
         return None
-    return float(-ndtri(FAMILY / 2 / len(result.reliability)))
+    return float(-ndtri(FAMILY_WISE_LEVEL / 2 / len(result.reliability)))
 
 
 def exceedance_limit(points: int, chance: float) -> int:

@@ -17,7 +17,7 @@ from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
-WORTH = 1 / 6
+MIN_SIGMA_SHARE = 1 / 6
 """Share of the whole's sigma that a difference is measured against at least: one below half
 a sigma is of no consequence, however surprising."""
 
@@ -92,15 +92,15 @@ def _fix_undetermined_parameters(
     The given sigma of such a value goes into those of the angles, of every part alike: the parts
     could differ by far more than the data allow and still seem to agree.
     """
-    unseen = {each.name for each in result.parameters if each.value is None}
-    seen = tuple(each for each in parameters if each.name not in unseen)
-    if not any(each.name in unseen and each.prior_sigma is not None for each in result.parameters):
-        return result, seen
+    fixed = {each.name for each in result.parameters if each.value is None}
+    free = tuple(each for each in parameters if each.name not in fixed)
+    if not any(each.name in fixed and each.prior_sigma is not None for each in result.parameters):
+        return result, free
     whole = adjust(
-        observations, start, result.model, parameters=seen, noise=result.noise_factors,
+        observations, start, result.model, parameters=free, noise=result.noise_factors,
         accept_single_orientation=True, diagnostics=False,
     )  # fmt: skip
-    return replace(result, covariance_all=whole.covariance_all, estimated=whole.estimated), seen
+    return replace(result, covariance_all=whole.covariance_all, estimated=whole.estimated), free
 
 
 def _leave_one_out_parts(observations: Observations) -> Iterator[Part]:
@@ -142,7 +142,7 @@ def _cross_check_part(
     difference = part.boresight - result.boresight
     # A part of the data has the larger variance, by that of the difference (Hausman 1978).
     spread = np.sqrt(np.maximum(np.diag(part.covariance - result.covariance), 0))
-    floor = WORTH * result.sigma
+    floor = MIN_SIGMA_SHARE * result.sigma
     return CrossCheck(
         kind, name, part.boresight, part.sigma, difference, difference / np.maximum(spread, floor)
     )
@@ -174,10 +174,10 @@ def _compare_halves(found: list[CrossCheck]) -> Iterator[CrossCheck]:
         )
 
 
-def _jackknife_sigma(answers: list[Array | None]) -> Array | None:
+def _jackknife_sigma(angles: list[Array | None]) -> Array | None:
     """Standard deviation of the whole by the jackknife over the parts (Tukey 1958)."""
-    known = np.array([answer for answer in answers if answer is not None])
-    if len(known) < 3 or len(known) < len(answers):
+    known = np.array([values for values in angles if values is not None])
+    if len(known) < 3 or len(known) < len(angles):
         return None
     count = len(known)
     return np.asarray(

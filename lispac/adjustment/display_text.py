@@ -36,13 +36,13 @@ QUANTITIES: Mapping[str, ParameterDisplay] = {
     "latency": ParameterDisplay("Latency", 1e3, "ms", 2),
 }
 
-STATED: Mapping[str, tuple[float, str]] = {
+OUTPUT_UNITS: Mapping[str, tuple[float, str]] = {
     name: (1.0, "s") if name == "latency" else (each.factor, each.unit)
     for name, each in QUANTITIES.items()
 }
 """Factor from what is stored to what is typed in a terminal and written as JSON, and its unit."""
 
-UNCHECKED = 1.0
+UNCHECKED_SHIFT = 1.0
 """Metres: a shift that has to be larger to be found is not checked by anything."""
 
 
@@ -51,7 +51,7 @@ def number_with_noun(number: int, what: str) -> str:
     return f"{number:,} {what}" if number == 1 else f"{number:,} {what}s"
 
 
-VAGUE = 10.0
+MAX_INTERVAL_RATIO = 10.0
 """Ratio of the ends of a variance component's interval beyond which it is not determined."""
 
 
@@ -59,7 +59,7 @@ def variance_component_finding(component: VarianceComponent) -> Message:
     """Whether a variance component changed the standard deviations, and why."""
     if component.applied:
         return note("component.larger" if component.factor > 1 else "component.smaller")
-    if component.upper > VAGUE * component.lower:
+    if component.upper > MAX_INTERVAL_RATIO * component.lower:
         return note("component.not_determined")
     if component.lower <= 1 <= component.upper:
         return note("component.as_given")
@@ -85,23 +85,23 @@ def join_names(names: Sequence[str]) -> str:
     return f"{', '.join(head)} and {last}" if head else last
 
 
-PLAIN = {"\u2212": "-", "\u00a0": " ", "\u00b1": "+/-", "\u00b2": "2", "\u00b0": " deg"}
+ASCII_CHARACTERS = {"\u2212": "-", "\u00a0": " ", "\u00b1": "+/-", "\u00b2": "2", "\u00b0": " deg"}
 
 
 def to_plain_text(text: str) -> str:
     """Text without signs and fixed spaces that some terminals cannot show."""
-    for sign, words in PLAIN.items():
+    for sign, words in ASCII_CHARACTERS.items():
         text = text.replace(sign, words)
     return text
 
 
-Standing = Literal["left out", "not checked", "disagrees", "agrees"]
+SightingStatus = Literal["left out", "not checked", "disagrees", "agrees"]
 
 
-def sighting_status(item: SightingReliability, critical: float) -> Standing:
+def sighting_status(item: SightingReliability, critical: float) -> SightingStatus:
     """Status of a sighting; ``critical`` is the critical test value."""
     if item.rejected:
         return "left out"
-    if not item.detectable < UNCHECKED:
+    if not item.detectable < UNCHECKED_SHIFT:
         return "not checked"
     return "disagrees" if abs(item.w) > critical else "agrees"

@@ -34,22 +34,22 @@ from lispac.progress import Progress, no_progress
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-PLACES = 12
-"""Parts of the scene along its greatest length, a surface each where there are no more."""
-STRETCHES = 4
+SCENE_PARTS = 12
+"""Largest number of parts of the scene along its greatest length, of one surface at least."""
+LINE_PARTS = 4
 """Parts of each line, of as many groups of points each."""
-FEWEST = 3
+MIN_PARTS = 3
 """Smallest number of parts for an estimate of their scatter."""
-CHANCE = 0.15
+TEST_LEVEL = 0.15
 """Significance level of the test that raises sigmas. Sigmas that an undetected effect leaves too
 small are worse than some that are too large, so that a preliminary test of this kind has a level of
 0.1 to 0.25 (Bancroft 1964)."""
-LEVERAGE = 3.0
-"""Largest variance of the difference without a part, over that of the whole, at which the answer
+MAX_LEVERAGE = 3.0
+"""Largest variance of the difference without a part, over that of the whole, at which the result
 without it says something of the whole; a part with more carries the angle alone."""
-DRAWS = 500
+SIMULATED_SETS = 500
 """Simulated sets of differences for the expected excess; its standard error is a few percent."""
-LOOSE = 10.0
+FREE_SHAPE_SIGMA = 10.0
 """Metres and radians: sigma of a shape that no point may be left of."""
 
 
@@ -66,8 +66,8 @@ def raise_sigmas_by_scatter(
     ----------
     here, origins : as in `lispac.adjustment.solved_equations.SolvedEquations`
     """
-    more = excess_variance(here, origins, progress=progress)
-    return with_raised_sigmas(result, np.sqrt(1.0 + more / np.diag(result.covariance)))
+    added = excess_variance(here, origins, progress=progress)
+    return with_raised_sigmas(result, np.sqrt(1.0 + added / np.diag(result.covariance)))
 
 
 def with_raised_sigmas(result: AdjustmentResult, factors: Array) -> AdjustmentResult:
@@ -92,22 +92,22 @@ def excess_variance(
     ----------
     here, origins : as in `lispac.adjustment.solved_equations.SolvedEquations`
     """
-    more, tangent = np.zeros(3), here.tangent
+    added, tangent = np.zeros(3), here.tangent
     with single_blas_thread():
         try:
             whole = _change_without_groups(tangent, np.zeros(len(here.sums), dtype=bool))
         except (AdjustmentError, np.linalg.LinAlgError):
-            return more  # without a whole to compare with, nothing is known
+            return added  # without a whole to compare with, nothing is known
         for parts in _place_and_stretch_groups(here, origins):
             differences, predicted = _leave_out_differences(tangent, whole, parts, progress)
-            more += _variance_beyond_prediction(differences, predicted)
-    return more
+            added += _variance_beyond_prediction(differences, predicted)
+    return added
 
 
 def leave_out_sigma_factors(here: LinearisedProblem) -> Array:
     """Factors on the sigmas of the angles from leaving out lines and targets, (3,), no unit.
 
-    Each is 1 where chance explains how the answers without one line, or one target, scatter.
+    Each is 1 where chance explains how the results without one line, or one target, scatter.
 
     Parameters
     ----------
@@ -120,18 +120,18 @@ def leave_out_sigma_factors(here: LinearisedProblem) -> Array:
             whole = _change_without_groups(tangent, np.zeros(len(here.sums), dtype=bool))
         except (AdjustmentError, np.linalg.LinAlgError):
             return np.ones(3)
-        more = np.zeros(3)
+        added = np.zeros(3)
         for parts in _line_and_target_groups(here):
             differences, predicted = _leave_out_differences(tangent, whole, parts, no_progress)
-            checked = predicted <= LEVERAGE * whole[1]
+            checked = predicted <= MAX_LEVERAGE * whole[1]
             differences, predicted = differences * checked, predicted * checked
-            enough = checked.sum(axis=0) >= FEWEST
-            more += (
+            enough = checked.sum(axis=0) >= MIN_PARTS
+            added += (
                 enough
                 * _is_scatter_significant(differences, predicted)
                 * _variance_beyond_prediction(differences, predicted)
             )
-    return np.asarray(np.sqrt(1.0 + more / whole[1]))
+    return np.asarray(np.sqrt(1.0 + added / whole[1]))
 
 
 def expected_sigma_factors(here: LinearisedProblem, omitted: Flags) -> Array:
@@ -148,7 +148,7 @@ def expected_sigma_factors(here: LinearisedProblem, omitted: Flags) -> Array:
         Groups of points that do not take part.
     """
     chance = np.random.default_rng(0)
-    more = np.zeros(3)
+    added = np.zeros(3)
     with single_blas_thread():
         try:
             whole = _change_without_groups(here, omitted)
@@ -157,16 +157,16 @@ def expected_sigma_factors(here: LinearisedProblem, omitted: Flags) -> Array:
         for parts in _line_and_target_groups(here):
             left = [part | omitted for part in parts if (part & ~omitted).any()]
             _, predicted = _leave_out_differences(here, whole, left, no_progress)
-            checked = predicted <= LEVERAGE * whole[1]
+            checked = predicted <= MAX_LEVERAGE * whole[1]
             predicted = predicted * checked
-            drawn = chance.normal(size=(DRAWS, *predicted.shape)) * np.sqrt(predicted)
+            drawn = chance.normal(size=(SIMULATED_SETS, *predicted.shape)) * np.sqrt(predicted)
             excess = [
                 _is_scatter_significant(each, predicted)
                 * _variance_beyond_prediction(each, predicted)
                 for each in drawn
             ]
-            more += (checked.sum(axis=0) >= FEWEST) * np.mean(excess, axis=0)
-    return np.asarray(np.sqrt(1.0 + more / whole[1]))
+            added += (checked.sum(axis=0) >= MIN_PARTS) * np.mean(excess, axis=0)
+    return np.asarray(np.sqrt(1.0 + added / whole[1]))
 
 
 def _line_and_target_groups(here: LinearisedProblem) -> Iterator[list[Flags]]:
@@ -187,13 +187,13 @@ def _is_scatter_significant(differences: Array, predicted: Array) -> NDArray[np.
     """
     from scipy.special import chdtri
 
-    if len(differences) < FEWEST:
+    if len(differences) < MIN_PARTS:
         return np.zeros(3, dtype=bool)
     total = predicted.sum(axis=0)
-    worth = total**2 / np.maximum((predicted**2).sum(axis=0), np.finfo(float).tiny)
-    freedom = np.maximum(worth - 1.0, 1.0)
-    together = (differences**2).sum(axis=0) > total * chdtri(freedom, CHANCE) / freedom
-    largest = (differences**2 > predicted * chdtri(1.0, CHANCE / len(differences))).any(axis=0)
+    effective = total**2 / np.maximum((predicted**2).sum(axis=0), np.finfo(float).tiny)
+    freedom = np.maximum(effective - 1.0, 1.0)
+    together = (differences**2).sum(axis=0) > total * chdtri(freedom, TEST_LEVEL) / freedom
+    largest = (differences**2 > predicted * chdtri(1.0, TEST_LEVEL / len(differences))).any(axis=0)
     return np.asarray(together | largest)
 
 
@@ -204,15 +204,15 @@ def _place_and_stretch_groups(here: LinearisedProblem, origins: Array) -> Iterat
     assert groups.knots is not None
     target = observations.target_of_sighting[groups.sighting]
     along = np.linalg.svd(origins - origins.mean(axis=0), full_matrices=False)[2][0]
-    places = np.array_split(np.argsort(origins @ along), min(PLACES, len(origins)))
+    places = np.array_split(np.argsort(origins @ along), min(SCENE_PARTS, len(origins)))
     yield [np.isin(target, place) for place in places]
     names = np.array([observations.lines.index(each.line) for each in observations.sightings])
     line, time = names[groups.sighting], groups.knots.time[groups.knot]
     for k in range(len(observations.lines)):
         own = line == k
-        ends = np.quantile(time[own], np.arange(1, STRETCHES) / STRETCHES)
+        ends = np.quantile(time[own], np.arange(1, LINE_PARTS) / LINE_PARTS)
         stretch = np.searchsorted(ends, time, side="right")
-        yield [own & (stretch == part) for part in range(STRETCHES)]
+        yield [own & (stretch == part) for part in range(LINE_PARTS)]
 
 
 def _leave_out_differences(
@@ -227,14 +227,14 @@ def _leave_out_differences(
         progress(0.9, gettext_lazy("Repeating the adjustment with subsets of the data"))
         with suppress(AdjustmentError, np.linalg.LinAlgError):
             found.append(_change_without_groups(here, part))
-    differences = np.array([answer - whole[0] for answer, _ in found]).reshape(-1, 3)
+    differences = np.array([angles - whole[0] for angles, _ in found]).reshape(-1, 3)
     predicted = np.array([np.maximum(variance - whole[1], 0.0) for _, variance in found])
     return differences, predicted.reshape(-1, 3)
 
 
 def _variance_beyond_prediction(differences: Array, predicted: Array) -> Array:
     """Variance of the parts beyond the prediction, shape (3,), square radians."""
-    if len(differences) < FEWEST:
+    if len(differences) < MIN_PARTS:
         return np.zeros(3)
     share = (len(differences) - 1) / len(differences)
     return np.asarray(share * np.maximum((differences**2 - predicted).sum(axis=0), 0.0))
@@ -261,7 +261,7 @@ def _change_without_groups(here: LinearisedProblem, part: Flags) -> tuple[Array,
     normal = here.normal_without_groups(part).eliminate_surfaces
     shapes = np.arange(len(normal.layout.active), len(normal.matrix))
     matrix = normal.matrix.copy()
-    matrix[shapes, shapes] += LOOSE**-2
+    matrix[shapes, shapes] += FREE_SHAPE_SIGMA**-2
     normal = replace(normal, matrix=matrix)
     covariance = scaled_inverse(normal.reduced_matrix)
     return (covariance @ normal.reduced_right_side)[:3], np.diag(covariance)[:3].copy()

@@ -25,13 +25,13 @@ from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.survey.georeferencing import Mounting
 
-SIGNS = {
+SIGN_CONVENTIONS = {
     "cause.wrong_roll_sign": (-1.0, 1.0, 1.0),
     "cause.wrong_pitch_sign": (1.0, -1.0, 1.0),
     "cause.wrong_roll_pitch_signs": (-1.0, -1.0, 1.0),
 }
 """Code of each wrong sign convention, and factors on roll, pitch and heading."""
-ESTIMATED = ("latency", "range_offset")
+ESTIMATED_PARAMETERS = ("latency", "range_offset")
 """Values of the mounting that are estimated if they are not already."""
 
 
@@ -102,9 +102,9 @@ def _candidates(
     observations: Observations, parameters: tuple[Parameter, ...]
 ) -> Iterator[tuple[str, Observations, tuple[Parameter, ...]]]:
     """Code, corrected observations and further parameters of each candidate."""
-    for code, signs in SIGNS.items():
+    for code, signs in SIGN_CONVENTIONS.items():
         yield code, _with_attitude_signs(observations, np.array(signs)), ()
-    for name in ESTIMATED:
+    for name in ESTIMATED_PARAMETERS:
         if name == "latency" and observations.pose_rate is None:
             continue
         if all(each.name != name for each in parameters):

@@ -40,7 +40,7 @@ class PointGroups:
     sighting, knot : ndarray of shape (groups,), int
         Sighting, and the knot of the POS error at the beginning of the stretch.
     knots : PosErrorKnots or None
-        None in thesis mode, where the POS error is in each point's variance instead.
+        None with independent POS errors, which are in the variance of each point.
     """
 
     start: NDArray[np.int64]
@@ -170,7 +170,7 @@ class EffectArrays(NamedTuple):
 
     start: NDArray[np.int64]
     knot: NDArray[np.int64]
-    fraction: Array  # of no length in thesis mode
+    fraction: Array  # empty with independent POS errors
     outlying: Array
     bridge: Array
     surface: Array
@@ -203,17 +203,17 @@ class WeightArrays(NamedTuple):
 
 @kernel(inline="always")
 def point_misclosure(  # type: ignore[no-untyped-def]
-    i, t, s, g, at, seen, rate, spheres, sigma_lidar, beam, sigma_position, sigma_attitude,
+    i, t, s, g, at, xyz, rate, spheres, sigma_lidar, beam, sigma_position, sigma_attitude,
     values, rotation, derivatives, turn, shapes, knot, fraction, outlying, bridge, surface,
     pos,
     out, lidar,
 ):  # fmt: skip
     """Misclosure of point ``i`` with the effects applied, and the variance of its noise."""
     condition_row(
-        i, t, seen[i, 0], seen[i, 1], seen[i, 2], at, rate, spheres, values, rotation, derivatives,
+        i, t, xyz[i, 0], xyz[i, 1], xyz[i, 2], at, rate, spheres, values, rotation, derivatives,
         turn, shapes, out, lidar,
     )  # fmt: skip
-    variance = lidar_variance(i, seen, sigma_lidar, beam, lidar)
+    variance = lidar_variance(i, xyz, sigma_lidar, beam, lidar)
     misclosure = out[19]
     for k in range(4):
         misclosure += out[9 + k] * surface[s, k]
@@ -255,7 +255,7 @@ BLOCK = 64
 
 @kernel()
 def _accumulate_sums(  # type: ignore[no-untyped-def]
-    first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
+    first, last, xyz, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
     values, rotation, derivatives, turn, shapes, start, knot, fraction, outlying, bridge, surface,
     pos,
@@ -273,7 +273,7 @@ def _accumulate_sums(  # type: ignore[no-untyped-def]
                 t = target[i]
                 at = point_pose(i, position, turns)
                 misclosure, variance = point_misclosure(
-                    i, t, sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
+                    i, t, sighting[i], g, at, xyz, rate, spheres, sigma_lidar, beam,
                     sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
                     knot, fraction, outlying, bridge, surface, pos, out, lidar,
                 )  # fmt: skip
@@ -281,7 +281,7 @@ def _accumulate_sums(  # type: ignore[no-untyped-def]
                     # At the observed point the derivatives share its noise with the misclosure,
                     # which biases what is seen weakly; at the adjusted one they do not (Pope 1972).
                     x, y, z = adjusted_observation(
-                        i, seen, sigma_lidar, beam, lidar, misclosure / variance
+                        i, xyz, sigma_lidar, beam, lidar, misclosure / variance
                     )
                     condition_row(
                         i, t, x, y, z, at, rate, spheres, values, rotation, derivatives, turn,
@@ -328,7 +328,7 @@ def compute_residuals(
 
 @kernel()
 def _residuals_kernel(  # type: ignore[no-untyped-def]
-    first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
+    first, last, xyz, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
     values, rotation, derivatives, turn, shapes, start, knot, fraction, outlying, bridge, surface,
     pos,
@@ -339,7 +339,7 @@ def _residuals_kernel(  # type: ignore[no-untyped-def]
         for i in range(start[g], start[g + 1]):
             at = point_pose(i, position, turns)
             misclosure, variance = point_misclosure(
-                i, target[i], sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
+                i, target[i], sighting[i], g, at, xyz, rate, spheres, sigma_lidar, beam,
                 sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
                 knot, fraction, outlying, bridge, surface, pos, out, lidar,
             )  # fmt: skip

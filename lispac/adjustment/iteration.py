@@ -21,26 +21,26 @@ from lispac.progress import Progress
 Array = NDArray[np.float64]
 
 MAX_ITERATIONS = 200
-ANGLES_SETTLED, OTHERS_SETTLED = 1e-11, 1e-8
+ANGLE_TOLERANCE, OTHER_TOLERANCE = 1e-11, 1e-8
 """Limits of the expected remaining change: of an angle (rad), of another unknown (rad, m, s)."""
 
-NEAR = 1e-5
+NEAR_SOLUTION = 1e-5
 """Change of an angle (rad) below which noise, form errors and outliers can be separated."""
 
-PATIENCE, SLACK = 60, np.array([1e3, 1e5])
+STRICT_ITERATIONS, RELAXATION = 60, np.array([1e3, 1e5])
 """Iterations after which the limits are relaxed by these factors: to 1e-6 deg, and to 1 mm for a
 sighting whose points alternate between a small weight and none."""
 
-NEARLY = 100
+IRLS_TOLERANCE_RATIO = 100
 """Multiple of the limits below which plain IRLS steps are used; the sigmas come from these."""
 
-FORESEEN = 10
+MAX_GAUSS_NEWTON_STEPS = 10
 """Gauss-Newton steps with updated weights, after which plain IRLS steps are used."""
 
-FREELY = 10
+EARLY_ITERATIONS = 10
 """Iterations far from the solution in which the estimated noise may decrease."""
 
-ADAPTATIONS = 12
+MAX_ADAPTATIONS = 12
 """Times that noise and surfaces are taken from the data; a limit between two of their values would
 be crossed for ever."""
 
@@ -91,7 +91,7 @@ def iterate(
     weighted = final.name != "none"
     loss_final = noise_known or not (problem.model.correlated or weighted)
     adaptations, steps, nearly = 0, 0, False
-    limits = np.array([ANGLES_SETTLED, OTHERS_SETTLED])
+    limits = np.array([ANGLE_TOLERANCE, OTHER_TOLERANCE])
     last = np.zeros(2)
     path = [] if earlier is None else list(earlier)
     for iteration in range(1, MAX_ITERATIONS + 1):
@@ -100,36 +100,36 @@ def iterate(
             gettext_lazy("Adjusting: iteration {number:n}", number=iteration),
         )
         # IRLS converges slowly unless the linearisation includes the change of the weights.
-        predicted_step = loss_final and weighted and not nearly and (noise_known or steps > 0)
-        predicted_step = predicted_step and steps <= FORESEEN
+        gauss_newton = loss_final and weighted and not nearly and (noise_known or steps > 0)
+        gauss_newton = gauss_newton and steps <= MAX_GAUSS_NEWTON_STEPS
         try:
-            linearised = problem.linearised(state, loss, tangent=predicted_step)
+            linearised = problem.linearised(state, loss, tangent=gauss_newton)
             state, correction = linearised.next_state()
         except (RankDeficient, np.linalg.LinAlgError):
-            if not predicted_step:
+            if not gauss_newton:
                 raise
-            steps = FORESEEN + 1  # too far off for that
+            steps = MAX_GAUSS_NEWTON_STEPS + 1  # too far off for that
             continue
         path.append(state.mounting.boresight)
         change = np.array([np.abs(correction[:3]).max(), np.abs(correction[3:]).max()])
-        if change[0] > NEAR:
-            if not loss_final:  # far from the answer all points are noisy
-                problem = reestimate_noise(problem, state, falling=iteration <= FREELY)
+        if change[0] > NEAR_SOLUTION:
+            if not loss_final:  # far from the solution all points are noisy
+                problem = reestimate_noise(problem, state, falling=iteration <= EARLY_ITERATIONS)
         elif not loss_final:
             adapted = reestimate_surface_sigma(reestimate_noise(problem, state), linearised)
             adaptations += 1
-            same = adaptations >= ADAPTATIONS or not have_sigmas_changed(problem, adapted)
+            same = adaptations >= MAX_ADAPTATIONS or not have_sigmas_changed(problem, adapted)
             loss_final = loss == final and same
             problem, loss = adapted, final
         else:
             steps += 1
-            ease = np.array([1.0, 1.0]) if iteration <= PATIENCE else SLACK
+            relaxation = np.array([1.0, 1.0]) if iteration <= STRICT_ITERATIONS else RELAXATION
             # An iteration over many points is costly: the last change is predicted, not computed.
             to_come = _remaining_change(change, last)
             left = to_come if noise_known else change
-            nearly = bool((to_come < NEARLY * limits).all())
-            if (left < ease * limits).all():
-                if predicted_step:  # the sigmas come from the weights as they are
+            nearly = bool((to_come < IRLS_TOLERANCE_RATIO * limits).all())
+            if (left < relaxation * limits).all():
+                if gauss_newton:  # the sigmas come from the weights as they are
                     linearised = problem.linearised(state, loss)
                 return IterationResult(linearised, state, np.array(path))
         last = change

@@ -18,10 +18,10 @@ from lispac.adjustment.banded_cholesky import forward_substitution
 
 Array = NDArray[np.float64]
 
-LEVEL = 0.001
+TEST_LEVEL = 0.001
 """Chance that a line is named where nothing is shifted, as in the tests of points and sightings
 (Baarda 1968): positions that are two sigmas off by themselves are no jump."""
-TOLD = 0.05
+MIN_DATA_SHARE = 0.05
 """Smallest share of the information on a shift that must come from the data, not the prior, for a
 direction to be tested."""
 AXES = 3
@@ -103,14 +103,14 @@ class LineShiftScores:
     def shifted_lines(self) -> tuple[str, ...]:
         """Find the lines whose position is shifted.
 
-        Only differences of lines are seen: of two that do not agree both are named, and of more
+        Only differences of lines are observed: of two that do not agree both are named, and of more
         less than half.
         """
         count, scores, found = len(self.lines), self, set[int]()
         while len(found) < max(1, (count - 1) // 2):
             chances = {k: scores.p_value_of_shift(k) for k in range(count) if k not in found}
             worst = min(chances, key=chances.__getitem__)
-            if chances[worst] >= LEVEL:
+            if chances[worst] >= TEST_LEVEL:
                 break
             found.add(worst)
             scores = scores.without_line_shift(worst)
@@ -125,5 +125,5 @@ class LineShiftScores:
         """Eigenvalues and directions of the information on the shift of a line."""
         own = self._columns_of_line(k)
         shares, directions = np.linalg.eigh(self.variance[own, own])
-        enough = shares > TOLD
+        enough = shares > MIN_DATA_SHARE
         return shares[enough], directions[:, enough]

@@ -17,16 +17,16 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-SIDE = 4
+BLOCKS_PER_SIDE = 4
 """Blocks along each side of a sighting: few points each would show nothing, few blocks neither."""
 
-FAR = 3.0
+OUTLIER_LIMIT = 3.0
 """Standardised residual beyond which a point is an outlier and does not affect the noise."""
 
-CERTAIN = 2.0
+COVARIANCE_SIGMAS = 2.0
 """Standard deviations by which a covariance between lines is more than chance explains."""
 
-ASTRAY = 3.0
+DISPLACED_SPREADS = 3.0
 """Spreads of a target's residuals by which only another surface, or a gross error of the position,
 sets a sighting off; a prior boresight that is wrong by degrees sets all of them off."""
 
@@ -41,9 +41,9 @@ def assign_surface_blocks(observations: Observations, mounting: Mounting) -> NDA
         variances, directions = np.linalg.eigh(np.cov(centred.T))
         # A uniform surface reaches to the square root of three standard deviations.
         reach = np.sqrt(3 * np.maximum(variances[1:], np.finfo(float).tiny))
-        place = (centred @ directions[:, 1:] / reach + 1) / 2 * SIDE
-        row, column = np.clip(np.floor(place), 0, SIDE - 1).astype(np.int64).T
-        block[own] = SIDE**2 * s + SIDE * row + column
+        place = (centred @ directions[:, 1:] / reach + 1) / 2 * BLOCKS_PER_SIDE
+        row, column = np.clip(np.floor(place), 0, BLOCKS_PER_SIDE - 1).astype(np.int64).T
+        block[own] = BLOCKS_PER_SIDE**2 * s + BLOCKS_PER_SIDE * row + column
     return block
 
 
@@ -89,7 +89,7 @@ def target_noise_factors(
         mine = target == k if near is None else near & (target == k)
         own = residuals[mine]
         size = max(1.0, float(np.sqrt(np.mean(own**2)))) if near is None else robust_scale(own)
-        clipped = own / size if near is None else np.clip(own / size, -FAR, FAR)
+        clipped = own / size if near is None else np.clip(own / size, -OUTLIER_LIMIT, OUTLIER_LIMIT)
         effect = 1 + denser * (_design_effect(clipped, blocks[mine]) - 1)
         factors[k] = size * np.sqrt(effect)
     return factors
@@ -101,7 +101,7 @@ def form_error_noise(
     """Ratio of the noise explained by form errors of planes to the given one, at least 1.
 
     A form error is the same in every line; a POS error that the adjustment left in the residuals,
-    where it may look like one, is not. Its variance is therefore the covariance between lines of
+    where it may resemble one, is not. Its variance is therefore the covariance between lines of
     the mean residuals in blocks of the surface, with a plane of its own removed from each line.
 
     Parameters
@@ -129,12 +129,12 @@ def form_error_noise(
         place = points[rows] @ plane_axes(fit_plane(points[rows]).normal).T
         size = robust_scale(residuals[rows])
         line = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
-        own = np.clip(residuals[rows], -FAR * size, FAR * size)
+        own = np.clip(residuals[rows], -OUTLIER_LIMIT * size, OUTLIER_LIMIT * size)
         for each in range(len(parts)):
             own[line == each] = _remove_plane_trend(place[line == each], own[line == each])
         size = robust_scale(own)
-        shape = len(parts), SIDE**2
-        index = line * SIDE**2 + _plane_blocks(place)
+        shape = len(parts), BLOCKS_PER_SIDE**2
+        index = line * BLOCKS_PER_SIDE**2 + _plane_blocks(place)
         counts = np.bincount(index, minlength=shape[0] * shape[1]).reshape(shape)
         sums = np.bincount(index, own, shape[0] * shape[1]).astype(float).reshape(shape)
         factors[k] = _form_noise_factor(counts, sums, size)
@@ -150,8 +150,10 @@ def _remove_plane_trend(place: Array, residuals: Array) -> Array:
 def _plane_blocks(place: Array) -> NDArray[np.int64]:
     """Block number of each point (n,) of one plane, the same blocks for all lines."""
     lowest, highest = np.percentile(place, [1, 99], axis=0)
-    row, column = np.clip(SIDE * (place - lowest) / (highest - lowest), 0, SIDE - 1).T.astype(int)
-    return np.asarray(SIDE * row + column, dtype=np.int64)
+    row, column = np.clip(
+        BLOCKS_PER_SIDE * (place - lowest) / (highest - lowest), 0, BLOCKS_PER_SIDE - 1
+    ).T.astype(int)
+    return np.asarray(BLOCKS_PER_SIDE * row + column, dtype=np.int64)
 
 
 def _form_noise_factor(counts: NDArray[np.int64], sums: Array, size: float) -> float:
@@ -169,7 +171,7 @@ def _form_noise_factor(counts: NDArray[np.int64], sums: Array, size: float) -> f
     first, second = np.triu_indices(len(counts), 1)
     products = sums[first] * sums[second]
     pairs = float((counts[first] * counts[second]).sum())
-    if not pairs or products.sum() <= CERTAIN * np.sqrt((products**2).sum()):
+    if not pairs or products.sum() <= COVARIANCE_SIGMAS * np.sqrt((products**2).sum()):
         return size
     points_of_block = float((counts**2).sum() / counts.sum())
     return float(np.sqrt(size**2 + points_of_block * products.sum() / pairs))
@@ -190,7 +192,7 @@ def find_displaced_sightings(observations: Observations, residuals: Array) -> ND
     found = []
     for k in range(len(observations.targets)):
         off = _relative_sighting_offsets(observations, residuals, k)
-        found += [s for s, size in off.items() if size > ASTRAY]
+        found += [s for s, size in off.items() if size > DISPLACED_SPREADS]
     return np.array(found, dtype=np.int64)
 
 
@@ -207,7 +209,7 @@ def is_point_on_target(observations: Observations, residuals: Array) -> NDArray[
     near = np.zeros(len(observations.sightings), dtype=bool)
     for k in range(len(observations.targets)):
         off = _relative_sighting_offsets(observations, residuals, k)
-        near[[s for s, size in off.items() if size <= FAR]] = True
+        near[[s for s, size in off.items() if size <= OUTLIER_LIMIT]] = True
     return near[observations.sighting]
 
 

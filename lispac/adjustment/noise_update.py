@@ -13,8 +13,8 @@ from lispac.adjustment.noise_estimation import (
 )
 from lispac.adjustment.variance_components import OFFSETS, TILTS, most_likely_surface_sigma
 
-SCALE_SETTLED = 0.01
-"""Relative change of a sigma that is taken from the data."""
+SIGMA_TOLERANCE = 0.01
+"""Relative change of an estimated sigma below which it has converged."""
 
 
 def reestimate_noise(
@@ -22,7 +22,7 @@ def reestimate_noise(
 ) -> AdjustmentProblem:
     """Return the problem with the noise re-estimated from its residuals.
 
-    Without ``falling`` it keeps what it has where that is larger: noise and answer may chase each
+    Without ``falling`` it keeps what it has where that is larger: noise and solution may chase each
     other for ever.
     """
     updated = _noise_from_residuals(problem, state)
@@ -63,4 +63,4 @@ def have_sigmas_changed(one: AdjustmentProblem, other: AdjustmentProblem) -> boo
     """Whether a sigma estimated from the data has changed enough to justify an iteration."""
     pairs = ((one.noise, other.noise), (one.scale, other.scale),
              (one.surface_sigma, other.surface_sigma))  # fmt: skip
-    return any(bool((np.abs(a - b) > SCALE_SETTLED * b).any()) for a, b in pairs)
+    return any(bool((np.abs(a - b) > SIGMA_TOLERANCE * b).any()) for a, b in pairs)

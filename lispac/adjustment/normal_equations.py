@@ -3,8 +3,8 @@
 Unknowns are the estimated values of the mounting, the shapes of the targets, with the correlated
 model how each sighting's surface departs from its shape, and the POS error at its knots. The
 POS error is eliminated first: its normal matrix is banded, for a group of points couples two
-neighbouring knots and so does the Gauss-Markov prior. In thesis mode there are neither surfaces
-nor knots, and what is left is thesis equation B.8; the covariance is B.12.
+neighbouring knots and so does the Gauss-Markov prior. With independent POS errors there are neither
+surfaces nor knots, and what is left is thesis equation B.8; the covariance is B.12.
 """
 
 from contextlib import suppress
@@ -41,7 +41,7 @@ class UnknownLayout:
     shapes : tuple of slice
         Unknowns of each target.
     surfaces : tuple of slice
-        Unknowns of each sighting; empty in thesis mode.
+        Unknowns of each sighting; empty with independent POS errors.
     size : int
     index : ndarray of shape (sightings, a + 7), int
         Unknowns behind the columns of a sighting's points: mounting, shape (4), surface (3).
@@ -85,7 +85,7 @@ class UnknownLayout:
         return cls(active, shapes, tuple(slices), size, index)
 
 
-FEW_SURFACES = 24
+MAX_SURFACES = 24
 """Sightings up to which it is quicker to eliminate the POS error before the surfaces."""
 
 
@@ -173,7 +173,7 @@ class NormalEquations:
         stays banded, as wide as the longest sighting; otherwise each is solved for against all.
         """
         layout = self.layout
-        if len(layout.surfaces) <= FEW_SURFACES:
+        if len(layout.surfaces) <= MAX_SURFACES:
             return self
         knots = [_nonzero_span(self.mixed[place]) for place in layout.surfaces]
         wide = max([len(self.band), *(own.stop - own.start for own in knots)])
@@ -186,8 +186,8 @@ class NormalEquations:
         band[: len(self.band)] = self.band
         for place, own in zip(layout.surfaces, knots, strict=True):
             rest, crossed = self.matrix[:first, place], self.mixed[place, own]
-            wanted = np.column_stack([rest.T, crossed, self.right[place]])
-            solved = np.linalg.solve(self.matrix[place, place], wanted)
+            right_sides = np.column_stack([rest.T, crossed, self.right[place]])
+            solved = np.linalg.solve(self.matrix[place, place], right_sides)
             by_rest, by_knots, alone = solved[:, :first], solved[:, first:-1], solved[:, -1]
             matrix -= rest @ by_rest
             mixed[:, own] -= rest @ by_knots

@@ -20,20 +20,20 @@ from lispac.survey.georeferencing import CALIBRATION
 Array = NDArray[np.float64]
 
 WORST_SIGMA = np.radians(1.0)
-"""An angle that the geometry cannot tell to better than this is not determined by it: a look at
-the mounting knows it as well."""
+"""Radians: an angle that the geometry determines no better is undetermined; an inspection of the
+mounting gives as much."""
 
-PARALLEL = np.radians(10.0)
+PARALLEL_LIMIT = np.radians(10.0)
 """Lines, or normals, that differ by less count as one direction."""
 
-CARRIED = 4.0
+MAX_SIGMA_RATIO = 4.0
 """Factor by which a sigma grows without a sighting that carries the angle alone."""
-CLUSTERED = 0.05
+CLUSTER_RATIO = 0.05
 """Distance of targets, over that from the scanner, below which they act as one: POS errors, the
 direction of the beams and what is wrong with a line are the same for all of them."""
-MOST_SIGHTINGS = 100
+MAX_SIGHTINGS = 100
 """Of more, none carries an angle."""
-MATTERS = 1.25
+MIN_RATIO = 1.25
 """Factor of increase of a sigma without a line, from which the line is reported."""
 
 ANGLE_CODES = {
@@ -181,7 +181,7 @@ def require_two_orientations(linearised: LinearisedProblem) -> None:
 
 
 def have_one_orientation(normals: Array, spheres: NDArray[np.bool_]) -> bool:
-    """Whether all targets are planes with the same normal, up to `PARALLEL`.
+    """Whether all targets are planes with the same normal, up to `PARALLEL_LIMIT`.
 
     Parameters
     ----------
@@ -189,7 +189,7 @@ def have_one_orientation(normals: Array, spheres: NDArray[np.bool_]) -> bool:
     spheres : ndarray of shape (targets,), bool
         Which of them are spheres.
     """
-    return not spheres.any() and bool((np.abs(normals @ normals.T) > np.cos(PARALLEL)).all())
+    return not spheres.any() and bool((np.abs(normals @ normals.T) > np.cos(PARALLEL_LIMIT)).all())
 
 
 def line_headings(linearised: LinearisedProblem) -> dict[str, float]:
@@ -208,15 +208,15 @@ def _is_single_heading(linearised: LinearisedProblem) -> bool:
     """Whether all points were measured on one heading; a line may hold several."""
     heading = linearised.problem.observations.attitude[:, 2]
     middle = np.angle(np.exp(1j * heading).mean())
-    return bool((np.abs(np.angle(np.exp(1j * (heading - middle)))) < 2 * PARALLEL).all())
+    return bool((np.abs(np.angle(np.exp(1j * (heading - middle)))) < 2 * PARALLEL_LIMIT).all())
 
 
 def _are_lines_parallel(linearised: LinearisedProblem) -> bool:
     doubled = 2 * np.array(
         list(line_headings(linearised).values())
     )  # 0 and 180 deg are one direction
-    apart = np.angle(np.exp(1j * (doubled - doubled[0]))) / 2
-    return bool((np.abs(apart) < PARALLEL).all())
+    differences = np.angle(np.exp(1j * (doubled - doubled[0]))) / 2
+    return bool((np.abs(differences) < PARALLEL_LIMIT).all())
 
 
 def _have_targets_one_orientation(linearised: LinearisedProblem) -> bool:
@@ -240,7 +240,7 @@ def assess_observability(
     angle_sigma_factors : ndarray of shape (3,), no unit, optional
         Factors by which the sigmas of the angles are raised.
     covariance : ndarray of shape (3, 3), radians squared, optional
-        Covariance of the angles as stated, if it is not that of ``linearised`` with the factors.
+        Covariance of the estimated angles, if it is not that of ``linearised`` with the factors.
     origins : ndarray of shape (targets, 3), metres, local, optional
         Where the targets are.
     """
@@ -254,10 +254,10 @@ def assess_observability(
     without = {}
     for k, line in enumerate(observations.lines):
         progress(k / len(observations.lines))
-        gone = np.array([sighting.line == line for sighting in observations.sightings])
-        own = _sigmas_without_groups(linearised, gone)
+        omitted = np.array([sighting.line == line for sighting in observations.sightings])
+        own = _sigmas_without_groups(linearised, omitted)
         without[line] = None if own is None else factors * own
-    remarks = (
+    notes = (
         _extreme_directions_note(eigenvalues, directions), *_main_lines_by_angle(sigma, without),
         *_one_orientation_notes(linearised),
     )  # fmt: skip
@@ -267,7 +267,7 @@ def assess_observability(
         if linearised.problem.model.correlated
         else ()
     )
-    return Observability(eigenvalues, directions, condition, without, remarks, unchecked)
+    return Observability(eigenvalues, directions, condition, without, notes, unchecked)
 
 
 def _find_unchecked_parts(
@@ -285,26 +285,26 @@ def _find_unchecked_parts(
                 yield UncheckedPart("target", target)
         if (
             origins is not None
-            and (reach := _relative_target_spacing(linearised, origins)) < CLUSTERED
+            and (reach := _relative_target_spacing(linearised, origins)) < CLUSTER_RATIO
         ):
             yield UncheckedPart("clustered", size=reach)
-    if needed or len(observations.sightings) > MOST_SIGHTINGS:
+    if needed or len(observations.sightings) > MAX_SIGHTINGS:
         return
     whole = sigmas_without(linearised, np.zeros(len(observations.sightings), dtype=bool))
     for k, sighting in enumerate(observations.sightings):
         own = sigmas_without(linearised, np.arange(len(observations.sightings)) == k)
         if whole is None or own is None:
             continue
-        carried = tuple(np.array(ANGLES)[own > CARRIED * whole].tolist())
+        carried = tuple(np.array(ANGLES)[own > MAX_SIGMA_RATIO * whole].tolist())
         if carried:
             yield UncheckedPart("sighting", sighting.target, sighting.line, carried)
 
 
 def _relative_target_spacing(linearised: LinearisedProblem, origins: Array) -> float:
     """Largest distance between targets over their mean distance from the scanner."""
-    apart = np.linalg.norm(origins[:, None] - origins[None], axis=-1).max()
+    largest = np.linalg.norm(origins[:, None] - origins[None], axis=-1).max()
     points = linearised.problem.observations.points_lidar
-    return float(apart / np.linalg.norm(points, axis=1).mean())
+    return float(largest / np.linalg.norm(points, axis=1).mean())
 
 
 def _one_orientation_notes(linearised: LinearisedProblem) -> Iterator[Message]:
@@ -320,11 +320,11 @@ def _one_orientation_notes(linearised: LinearisedProblem) -> Iterator[Message]:
         yield note("adjustment.one_facing")
 
 
-def _sigmas_without_groups(linearised: LinearisedProblem, gone: NDArray[np.bool_]) -> Array | None:
-    if len({s.line for s, g in zip(linearised.problem.observations.sightings, gone, strict=True)
+def _sigmas_without_groups(linearised: LinearisedProblem, mask: NDArray[np.bool_]) -> Array | None:
+    if len({s.line for s, g in zip(linearised.problem.observations.sightings, mask, strict=True)
             if not g}) < 2:  # fmt: skip
         return None
-    information = linearised.normal_without_sightings(gone).information(3)
+    information = linearised.normal_without_sightings(mask).information(3)
     if np.linalg.eigvalsh(information)[0] < WORST_SIGMA**-2:
         return None
     return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
@@ -357,7 +357,7 @@ def _main_lines_by_angle(sigma: Array, without: dict[str, Array | None]) -> Iter
     for k, angle in enumerate(ANGLES):
         name = note(ANGLE_CODES[angle])
         grown = {line: value[k] / sigma[k] for line, value in without.items() if value is not None}
-        lines = sorted((line for line in grown if grown[line] > MATTERS), key=lambda x: -grown[x])
+        lines = sorted((line for line in grown if grown[line] > MIN_RATIO), key=lambda x: -grown[x])
         if lines:
             now = float(sigma[k])
             yield note(

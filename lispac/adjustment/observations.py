@@ -15,7 +15,7 @@ from lispac.messages import error
 Array = NDArray[np.float64]
 
 
-SCARCE = 200  # points of a sighting that are all wanted in a sample
+MIN_SAMPLE = 200  # points of a sighting that are all wanted in a sample
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Observations:
     radii : mapping of str to float or None
         The targets that are spheres, with their radius in metres, or None where it is unknown;
         all others are planes.
-    apart : ndarray of shape (n,) or None, seconds
+    time_separation : ndarray of shape (n,) or None, seconds
         Mean time between two of the points that an average stands for; None for single points.
     excluded_outliers : int
         Points that stood out from their sighting and went into no average.
@@ -71,7 +71,7 @@ class Observations:
     latency: float = 0.0
     radii: Mapping[str, float | None] = field(default_factory=dict)
     excluded_outliers: int = 0
-    apart: Array | None = None
+    time_separation: Array | None = None
 
     def __len__(self) -> int:
         return len(self.time)
@@ -133,7 +133,7 @@ class Observations:
         mixed = (mixed ^ (mixed >> np.uint64(32))) * np.uint64(0x94D049BB133111EB)
         chosen = (mixed >> np.uint64(40)).astype(np.float64) < share * 2**24
         # A sighting of few points keeps them all.
-        scarce = np.bincount(self.sighting[chosen], minlength=len(self.sightings)) < SCARCE
+        scarce = np.bincount(self.sighting[chosen], minlength=len(self.sightings)) < MIN_SAMPLE
         return np.asarray(chosen | scarce[self.sighting])
 
     def where(self, keep: NDArray[np.bool_]) -> "Observations":

@@ -15,31 +15,31 @@ from numpy.typing import NDArray
 from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.noise_update import reestimate_surface_sigma
 from lispac.adjustment.observability import find_undetermined_parameters
-from lispac.adjustment.parameters import SWITCHED, Parameter
+from lispac.adjustment.parameters import OPTIONAL_NAMES, Parameter
 from lispac.adjustment.result import ContradictedParameter
 from lispac.adjustment.variance_components import SMALLEST_SURFACE
 
 Array = NDArray[np.float64]
 
-FAMILY = 0.01
+FAMILY_WISE_LEVEL = 0.01
 """Family-wise probability of a false alarm."""
 
-CRITICAL = -NormalDist().inv_cdf(FAMILY / 2 / len(SWITCHED))
+CRITICAL_VALUE = -NormalDist().inv_cdf(FAMILY_WISE_LEVEL / 2 / len(OPTIONAL_NAMES))
 """Test value beyond which a parameter is contradicted (Bonferroni)."""
 
-OF_CONSEQUENCE = 0.5
+MIN_ANGLE_CHANGE = 0.5
 """Smallest change of an angle, in sigmas, for an error that is reported."""
 
-PLAIN = 6.0
+REPORT_VALUE = 6.0
 """Test value beyond which an error is always reported, since it has increased the sigmas."""
 
 
 def find_contradicted_parameters(
-    linearised: LinearisedProblem, *, least: float = OF_CONSEQUENCE
+    linearised: LinearisedProblem, *, least: float = MIN_ANGLE_CHANGE
 ) -> tuple[ContradictedParameter, ...]:
     """Find values that the data contradict, the most significant first (correlated model).
 
-    What the geometry does not see is left alone.
+    Parameters that the geometry does not determine are not tested.
 
     Parameters
     ----------
@@ -48,54 +48,54 @@ def find_contradicted_parameters(
     """
     problem = linearised.problem
     estimated = {parameter.name for parameter in problem.parameters}
-    omitted = [Parameter(name) for name in SWITCHED if name not in estimated]
+    omitted = [Parameter(name) for name in OPTIONAL_NAMES if name not in estimated]
     if problem.observations.pose_rate is None:
         omitted = [parameter for parameter in omitted if parameter.name != "latency"]
     if not omitted:
         return ()
     every = problem.with_parameters((*problem.parameters, *omitted))
-    all_let_go = every.linearised(linearised.state, linearised.loss)
+    all_freed = every.linearised(linearised.state, linearised.loss)
     sigma_now = np.sqrt(np.diag(linearised.normal.covariance)[:3])
     found: list[ContradictedParameter] = []
-    gone, moved = problem.parameters, np.zeros(3)
+    others, moved = problem.parameters, np.zeros(3)
     while True:  # the parameter freed first may explain the contradictions of the others
         tests = [
             test
             for each in omitted
-            if (test := _test_omitted_parameter(all_let_go, gone, each, moved)) is not None
+            if (test := _test_omitted_parameter(all_freed, others, each, moved)) is not None
         ]
         worst = max(tests, key=lambda test: abs(test.w), default=None)
-        if worst is None or abs(worst.w) <= CRITICAL:
+        if worst is None or abs(worst.w) <= CRITICAL_VALUE:
             break
-        if abs(worst.w) > PLAIN or (np.abs(worst.angle_change) >= least * sigma_now).any():
+        if abs(worst.w) > REPORT_VALUE or (np.abs(worst.angle_change) >= least * sigma_now).any():
             found.append(worst)
-        gone, moved = (*gone, Parameter(worst.name)), moved + worst.angle_change
+        others, moved = (*others, Parameter(worst.name)), moved + worst.angle_change
         omitted = [each for each in omitted if each.name != worst.name]
     return tuple(found)
 
 
 def _test_omitted_parameter(
-    all_let_go: LinearisedProblem, gone: tuple[Parameter, ...], parameter: Parameter, before: Array
+    all_freed: LinearisedProblem, others: tuple[Parameter, ...], parameter: Parameter, before: Array
 ) -> ContradictedParameter | None:
-    """Test one more value besides those in ``gone``; None where the geometry hides it.
+    """Test one more value besides those in ``others``; None if it is undetermined.
 
     Parameters
     ----------
     before : ndarray of shape (3,), radians
-        What letting go of the others has moved the angles by.
+        Change of the angles by the parameters freed before.
     """
-    let_go = _restrict_parameters(all_let_go, (*gone, parameter))
-    if any(hidden.name == parameter.name for hidden in find_undetermined_parameters(let_go)):
+    freed = _restrict_parameters(all_freed, (*others, parameter))
+    if any(hidden.name == parameter.name for hidden in find_undetermined_parameters(freed)):
         return None
-    problem = let_go.problem
-    # Where the surfaces' sigma is nothing already, it has swallowed nothing.
+    problem = freed.problem
+    # Where the surfaces' sigma is zero already, it has absorbed nothing.
     if problem.layout.surfaces and not _are_surfaces_exact(problem):
-        let_go = let_go.of(reestimate_surface_sigma(problem, let_go))
-    correction, _ = let_go.normal.solve()
+        freed = freed.of(reestimate_surface_sigma(problem, freed))
+    correction, _ = freed.normal.solve()
     k = int(np.searchsorted(problem.active, parameter.index))
-    sigma = float(np.sqrt(let_go.normal.covariance[k, k]))
+    sigma = float(np.sqrt(freed.normal.covariance[k, k]))
     moved = correction[:3] - before
-    surface = float(let_go.problem.default_surface_sigmas.max())
+    surface = float(freed.problem.default_surface_sigmas.max())
     return ContradictedParameter(parameter.name, float(correction[k]), sigma, moved, surface)
 
 
@@ -109,6 +109,6 @@ def _restrict_parameters(
     """Normal equations of some of the parameters, from sums with all of them."""
     problem = every.problem.with_parameters(parameters)
     columns = np.arange(every.sums.shape[1])
-    wanted = np.isin(every.problem.active, problem.active)
-    kept = np.r_[columns[: len(wanted)][wanted], columns[len(wanted) :]]
+    is_kept = np.isin(every.problem.active, problem.active)
+    kept = np.r_[columns[: len(is_kept)][is_kept], columns[len(is_kept) :]]
     return replace(every, problem=problem, sums=every.sums[:, kept[:, None], kept])

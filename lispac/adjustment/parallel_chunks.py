@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from numpy.typing import NDArray
 
-FEW = 20_000  # points that are dealt with before the threads have started
+MIN_PARALLEL_POINTS = 20_000  # points that are dealt with before the threads have started
 CHUNKS = 16  # tasks for the threads: enough that they end together
 
 
@@ -25,7 +25,7 @@ def run_in_chunks(run: Callable[[int, int], object], ends: NDArray[np.int64]) ->
     if not len(ends):
         return
     points = int(ends[-1])
-    if points < FEW:
+    if points < MIN_PARALLEL_POINTS:
         run(0, len(ends))
         return
     bounds = np.linspace(0, points, CHUNKS + 1)[1:-1]

@@ -11,7 +11,7 @@ from lispac.survey.georeferencing import CALIBRATION
 Array = NDArray[np.float64]
 
 BORESIGHT = CALIBRATION[:3]
-SWITCHED = CALIBRATION[3:]
+OPTIONAL_NAMES = CALIBRATION[3:]
 """Parameters that are estimated only on request."""
 
 LIMITS = np.array([*np.radians([5.0] * 3), 0.1, 0.1, 0.1, 0.1, np.radians(1.0), 0.02])
@@ -32,7 +32,7 @@ class Parameter:
     Attributes
     ----------
     name : str
-        One of `SWITCHED`.
+        One of `OPTIONAL_NAMES`.
     sigma : float or None, radians, metres or seconds
         How well the value in the mounting is known; None where it is not to be relied on.
     """
@@ -59,7 +59,7 @@ class ParameterEstimate:
         What went in.
     significance : float or None
         How far off the prior the data alone want the value, in standard deviations of theirs; None
-        where there is no value, and in thesis mode, whose standard deviations are too small.
+        where there is no value, and with independent POS errors, whose sigmas are too small.
     reason : Message or None
         Why there is no value; None where there is one.
     """

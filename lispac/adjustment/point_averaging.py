@@ -20,7 +20,7 @@ from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
 
-BEYOND = Loss("tukey").tuning
+OUTLIER_LIMIT = Loss("tukey").tuning
 """Standard deviations from a sighting's plane at which a point stands out."""
 
 
@@ -30,7 +30,7 @@ def average_points_in_cells(
     distance: float,
     *,
     longest: float = KNOT_INTERVAL,
-    strays_apart: bool = False,
+    no_outliers: bool = False,
 ) -> Observations:
     """Average the points of each sighting of a plane over squares of side ``distance``.
 
@@ -48,7 +48,7 @@ def average_points_in_cells(
         0 leaves all points as they are.
     longest : float, seconds
         Over which points are averaged: the knot interval of the POS error.
-    strays_apart : bool
+    no_outliers : bool
         Whether outliers from the sighting's plane are excluded: a loss function cannot detect
         an outlier within an average.
 
@@ -61,7 +61,7 @@ def average_points_in_cells(
         return observations
     points = points_local(observations, mounting)
     planes = _sighting_planes(observations, points, distance)
-    if strays_apart:
+    if no_outliers:
         standing = _find_outliers(observations, planes)
         if standing.any():
             fewer = observations.reordered(np.flatnonzero(~standing))
@@ -103,7 +103,7 @@ def average_points_in_cells(
         sigma_attitude=mean(observations.sigma_attitude),
         time=mean(observations.time),
         sighting=observations.sighting[order[start]],
-        apart=_mean_time_separation(observations.time[order], start, counts),
+        time_separation=_mean_time_separation(observations.time[order], start, counts),
     )
 
 
@@ -114,8 +114,8 @@ def _mean_time_separation(time: Array, start: NDArray[np.intp], counts: NDArray[
     """
     since = time - np.repeat(time[start], counts)
     place = np.arange(len(time)) - np.repeat(start, counts)
-    more = 2 * place + 1 - np.repeat(counts, counts)
-    return 2 * np.add.reduceat(more * since, start) / counts**2
+    factor = 2 * place + 1 - np.repeat(counts, counts)
+    return 2 * np.add.reduceat(factor * since, start) / counts**2
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,9 +136,9 @@ def _sighting_planes(
         try:
             plane = fit_plane_robustly(points[own], _given_lidar_sigma(observations, own))
         except PlaneNotFound:  # two points, or all on one straight line: nothing to average
-            apart = np.zeros((len(own), 2))
-            apart[:, 0] = 2 * distance * np.arange(len(own))
-            found.append(_SightingPlane(own, apart, np.zeros(len(own))))
+            coordinates = np.zeros((len(own), 2))
+            coordinates[:, 0] = 2 * distance * np.arange(len(own))
+            found.append(_SightingPlane(own, coordinates, np.zeros(len(own))))
             continue
         along = points[own] @ plane_axes(plane.normal).T
         found.append(_SightingPlane(own, along, plane.distances(points[own])))
@@ -160,7 +160,7 @@ def _find_outliers(observations: Observations, planes: list[_SightingPlane]) -> 
         if observations.is_sphere[observations.target_of_sighting[s]]:
             continue
         spread = max(_robust_sigma(plane.off), _given_lidar_sigma(observations, plane.own))
-        standing[plane.own] = np.abs(plane.off) > BEYOND * spread
+        standing[plane.own] = np.abs(plane.off) > OUTLIER_LIMIT * spread
     return standing
 
 

@@ -1,7 +1,7 @@
 """Derivatives of a georeferenced point by all quantities that it depends on.
 
 The derivatives are those of the adjustment: a plane through the point, whose normal is the
-direction asked for, has the point's move along it as its misclosure.
+given direction, has the point's move along it as its misclosure.
 """
 
 from dataclasses import dataclass
@@ -56,7 +56,7 @@ def sensitivity(
     poses : Poses
         Of the POS when they were measured, n of them.
     directions_local : ndarray of shape (n, 3), unit vectors, local frame
-        Along which the move of each point is wanted.
+        Along which the move of each point is computed.
     pose_rate : ndarray of shape (n, 6), metres and radians per second, optional
     """
     n = len(points_lidar)

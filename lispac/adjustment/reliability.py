@@ -22,13 +22,13 @@ from lispac.compiled_code import kernel
 
 Array = NDArray[np.float64]
 
-CRITICAL = 3.29
+CRITICAL_VALUE = 3.29
 """Test value that one point in a thousand exceeds by chance."""
 
-POWER = 4.13
+NONCENTRALITY = 4.13
 """Standard deviations that the test at 0.1 % finds with a power of 80 %."""
 
-WEIGHTLESS = 0.2
+MIN_MEAN_WEIGHT = 0.2
 """Mean weight of a sighting below which its points are outliers: it is another surface."""
 
 
@@ -90,7 +90,7 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
         "iu,uv,iv->i", normal.pos_error_by_unknowns, normal.covariance, normal.pos_error_by_unknowns
     ).reshape(-1, 6)
     prior = np.hstack([mean(observations.sigma_position), mean(observations.sigma_attitude)])
-    outliers = np.bincount(observations.sighting, np.abs(w) > CRITICAL)
+    outliers = np.bincount(observations.sighting, np.abs(w) > CRITICAL_VALUE)
     mean_redundancy, mean_weight = mean(redundancy), mean(weights)
     found = []
     for s, sighting in enumerate(observations.sightings):
@@ -104,15 +104,15 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
                 pos_sigma_after=np.sqrt(variance[nearest[s]]),
                 shift=float(tests.shift[s]),
                 w=float(tests.w[s]),
-                detectable=float(POWER * tests.sigma[s]),
-                effect=tests.effect[s] * POWER * tests.sigma[s],
+                detectable=float(NONCENTRALITY * tests.sigma[s]),
+                effect=tests.effect[s] * NONCENTRALITY * tests.sigma[s],
                 redundancy=float(mean_redundancy[s]),
                 outliers=int(outliers[s]),
                 largest_w=float(abs(w[worst])),
                 largest_at=float(observations.time[worst]),
                 point_detectable=float(np.median(detectable[own])),
                 weight=float(mean_weight[s]),
-                rejected=bool(not problem.is_sighting_tied[s] or mean_weight[s] < WEIGHTLESS),
+                rejected=bool(not problem.is_sighting_tied[s] or mean_weight[s] < MIN_MEAN_WEIGHT),
             )
         )
     return tuple(found)
@@ -199,7 +199,7 @@ def _point_reliability(
 
 @kernel()
 def _point_tests_kernel(  # type: ignore[no-untyped-def]
-    first, last, seen, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
+    first, last, xyz, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
     sigma_position, sigma_attitude,
     values, rotation, derivatives, turn, shapes, start, knot, fraction, outlying, bridge, surface,
     pos,
@@ -213,7 +213,7 @@ def _point_tests_kernel(  # type: ignore[no-untyped-def]
             t = target[i]
             at = point_pose(i, position, turns)
             misclosure, variance = point_misclosure(
-                i, t, sighting[i], g, at, seen, rate, spheres, sigma_lidar, beam,
+                i, t, sighting[i], g, at, xyz, rate, spheres, sigma_lidar, beam,
                 sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
                 knot, fraction, outlying, bridge, surface, pos, out, lidar,
             )  # fmt: skip
@@ -232,5 +232,5 @@ def _point_tests_kernel(  # type: ignore[no-untyped-def]
             sigma = np.sqrt(variance * max(redundancy, 1e-12))
             found[0, i] = redundancy
             found[1, i] = misclosure / sigma
-            found[2, i] = POWER * variance / sigma
+            found[2, i] = NONCENTRALITY * variance / sigma
             found[3, i] = weighted

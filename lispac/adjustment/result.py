@@ -270,7 +270,7 @@ class CandidateCause:
     Attributes
     ----------
     kind : str
-        A value of the mounting other than its angles (`SWITCHED`), ``line_position``,
+        A value of the mounting other than its angles (`OPTIONAL_NAMES`), ``line_position``,
         ``line_boresight``, ``line_time``, ``sighting_shift`` or ``sighting_surface``.
     target, line : str
         Where it is; empty where it is everywhere.
@@ -336,16 +336,17 @@ class AdjustmentResult:
         the residuals.
     rms_before, rms_after : float, metres
     surface : float, metres
-        Sigma of how the sightings depart from their target's shape; 0 in thesis mode.
+        Sigma of how the sightings depart from their target's shape; 0 with
+        independent POS errors.
     reliability : tuple of SightingReliability
-        Empty in thesis mode.
+        Empty with independent POS errors.
     components : tuple of VarianceComponent
         Empty if they were not requested.
     elapsed : float, seconds
     excluded_outliers : int
         Points that stood out from their sighting and went into no average.
     contradictions : tuple of ContradictedParameter
-        Given values that the data contradict; empty in thesis mode.
+        Given values that the data contradict; empty with independent POS errors.
     causes : tuple of tuple of CandidateCause, or None
         Errors behind residuals that contradict the model, from `candidate_causes`; None in results
         of earlier versions.
@@ -530,7 +531,7 @@ class CrossChecks:
     spread_lines, spread_targets : ndarray of shape (3,) or None, radians
         Jackknife standard deviation from omitting one line, or one target, at a time.
     sigma : ndarray of shape (3,), radians
-        Formal, of the answer of all points.
+        Formal, of the result of all points.
     """
 
     parts: tuple[CrossCheck, ...]

@@ -36,7 +36,7 @@ def assemble_result(
     origins: Array,
     *,
     path: Array,
-    held: tuple[ParameterEstimate, ...],
+    fixed: tuple[ParameterEstimate, ...],
     components: tuple[VarianceComponent, ...],
     diagnostics: bool,
     raise_sigmas: bool,
@@ -72,7 +72,7 @@ def assemble_result(
         shapes_relative_to(state.shapes, -origins, observations.is_sphere),
         problem.noise, _form_error_noise(problem, state, standardised),
     )  # fmt: skip
-    estimates = _parameter_estimates(problem, state, normal.covariance, held)
+    estimates = _parameter_estimates(problem, state, normal.covariance, fixed)
     shown = [0, 1, 2, *(CALIBRATION.index(e.name) for e in estimates if e.value is not None)]
     places = np.searchsorted(layout.active, sorted(shown))
     correlated = problem.model.correlated
@@ -138,12 +138,12 @@ def _parameter_estimates(
     problem: AdjustmentProblem,
     state: AdjustmentState,
     covariance: Array,
-    held: tuple[ParameterEstimate, ...],
+    fixed: tuple[ParameterEstimate, ...],
 ) -> tuple[ParameterEstimate, ...]:
-    unseen = {estimate.name for estimate in held}
-    found = list(held)
+    undetermined = {estimate.name for estimate in fixed}
+    found = list(fixed)
     for parameter in problem.parameters:
-        if parameter.name in unseen:
+        if parameter.name in undetermined:
             continue
         k = int(np.searchsorted(problem.active, parameter.index))
         prior = float(problem.prior.values[parameter.index])

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 
 from lispac.adjustment.critical_values import critical_test_value, exceedance_limit
-from lispac.adjustment.display_text import UNCHECKED, sighting_status
+from lispac.adjustment.display_text import UNCHECKED_SHIFT, sighting_status
 from lispac.adjustment.message_parts import sighting_item
 from lispac.adjustment.observations import Sighting
 from lispac.adjustment.result import (
@@ -15,25 +15,25 @@ from lispac.adjustment.result import (
 from lispac.messages import Message, note, shortened_list, warning
 from lispac.warning_causes import Cause
 
-MUCH_NOISE = 2.0
+NOISE_FACTOR_LIMIT = 2.0
 """Factor on the given LiDAR noise from which the excess exceeds a few tenths of a millimetre."""
 
-FORM_AS_NOISE = 2**0.5
+FORM_FACTOR_LIMIT = 2**0.5
 """Factor from which form errors have a larger variance than the LiDAR noise."""
 
-ANOTHER_SURFACE = 30.0
+OTHER_SURFACE_FACTOR = 30.0
 """Factor on the noise that rough ground never reaches; it reaches at most half of it."""
 
-STRAY_CHANCE = 0.001
+OUTLIER_PROBABILITY = 0.001
 """Share of points beyond the test's critical value by chance."""
 
-FEW_STRAYS = 0.005
+USUAL_OUTLIER_SHARE = 0.005
 """Usual share of outliers; no warning is given below it."""
 
-MOST_JUMPED = 0.2
+MAX_REJECTED_SHARE = 0.2
 """Share of lines rejected as a whole from which the other lines are questionable too."""
 
-SHIFTED = 2.0
+MIN_SHIFT_TEST_VALUE = 2.0
 """Test value below which a rejected sighting is not explained by a shift."""
 
 
@@ -53,13 +53,13 @@ def contradicted_sighting_warnings(
             sightings=_sorted_sighting_items(rejected),
             subject=_worst_sighting_subject(rejected),
         )
-    doubtful = [item for finding, item in found if finding == "disagrees"]
-    if doubtful:
+    disagreeing = [item for finding, item in found if finding == "disagrees"]
+    if disagreeing:
         yield note(
             "adjustment.sighting_disagrees",
-            count=len(doubtful),
-            sightings=_sorted_sighting_items(doubtful),
-            subject=_worst_sighting_subject(doubtful),
+            count=len(disagreeing),
+            sightings=_sorted_sighting_items(disagreeing),
+            subject=_worst_sighting_subject(disagreeing),
         )
 
 
@@ -79,7 +79,7 @@ def _sighting_subject(sighting: Sighting) -> Cause:
 
 
 def _tested_sighting_item(item: SightingReliability) -> Message:
-    if not item.detectable < UNCHECKED or abs(item.w) < SHIFTED:
+    if not item.detectable < UNCHECKED_SHIFT or abs(item.w) < MIN_SHIFT_TEST_VALUE:
         return sighting_item(item.sighting)  # not checked, or turned rather than shifted
     return note(
         "item.sighting_shifted",
@@ -88,7 +88,7 @@ def _tested_sighting_item(item: SightingReliability) -> Message:
     )  # fmt: skip
 
 
-STRAY_CODES = {
+OUTLIER_CODES = {
     "none": "adjustment.strays_full_weight",
     "huber": "adjustment.strays_reduced_weight",
     "tukey": "adjustment.strays_no_weight",
@@ -104,13 +104,13 @@ def outlier_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterato
         for item in result.reliability
     ]
     many, points = sum(each[1] for each in tested), sum(each[2] for each in tested)
-    most = exceedance_limit(points, STRAY_CHANCE)
-    if many <= max(float(most), FEW_STRAYS * points):
+    limit = exceedance_limit(points, OUTLIER_PROBABILITY)
+    if many <= max(float(limit), USUAL_OUTLIER_SHARE * points):
         return
     worst, here, of = max(tested, key=lambda each: each[1] / each[2])
     yield note(
-        STRAY_CODES[result.model.loss],
-        count=many, points=points, expected=max(1, round(STRAY_CHANCE * points)),
+        OUTLIER_CODES[result.model.loss],
+        count=many, points=points, expected=max(1, round(OUTLIER_PROBABILITY * points)),
         target=worst.target, line=worst.line, here=here, sighting_points=of,
         subject=_sighting_subject(worst),
     )  # fmt: skip
@@ -119,20 +119,20 @@ def outlier_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterato
 def noise_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     """Warning about targets whose points scatter more than the LiDAR noise explains."""
     worst_first = sorted(result.targets, key=lambda target: -target.noise)
-    other = [t for t in worst_first if t.noise > ANOTHER_SURFACE]
+    other = [t for t in worst_first if t.noise > OTHER_SURFACE_FACTOR]
     if other:
         yield note(
             "adjustment.another_surface",
             count=len(other), targets=shortened_list([t.target for t in other]),
             factor=float(other[0].noise), subject=Cause.of_target(other[0].target),
         )  # fmt: skip
-    rough = [t for t in worst_first if MUCH_NOISE < t.noise <= ANOTHER_SURFACE]
+    rough = [t for t in worst_first if NOISE_FACTOR_LIMIT < t.noise <= OTHER_SURFACE_FACTOR]
     if not rough:
         return
-    seen = result.observability
+    geometry = result.observability
     # With such lines the cross-checks, which enlarge the sigmas elsewhere, show nothing of it.
-    too_few = seen is not None and any(each.kind == "line" for each in seen.unchecked)
-    bent = [t for t in rough if too_few and form_error_factor(t) > FORM_AS_NOISE]
+    too_few = geometry is not None and any(each.kind == "line" for each in geometry.unchecked)
+    bent = [t for t in rough if too_few and form_error_factor(t) > FORM_FACTOR_LIMIT]
     if bent:
         yield _noise_message(warning, "adjustment.not_flat", bent, form_error_factor)
     if others := [t for t in rough if t not in bent]:

@@ -61,10 +61,10 @@ class SolvedEquations:
         observations, result = apply_rejections_and_surfaces(observations, result)
         own = tuple(each for each in parameters if each.name in result.estimated)
         origins = target_centroids(observations, result.mounting)
-        few = relative_to_origins(observations, origins)
-        problem = AdjustmentProblem.of(few, mounting, result.model, own)
+        relative = relative_to_origins(observations, origins)
+        problem = AdjustmentProblem.of(relative, mounting, result.model, own)
         problem = problem.with_known_noise(result.noise_factors)
-        start = problem.start(result.mounting, fit_shapes(few, result.mounting))
+        start = problem.start(result.mounting, fit_shapes(relative, result.mounting))
         try:
             with single_blas_thread():
                 end = iterate(problem, start, progress).linearised

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adjustment_problem import RELEASED, AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.adjustment_problem import FREE_SIGMA, AdjustmentProblem, LinearisedProblem
 from lispac.adjustment.blas_threads import single_blas_thread
 from lispac.adjustment.blunders import (
     Blunder,
@@ -24,7 +24,7 @@ from lispac.adjustment.noise_estimation import (
     is_point_on_target,
     target_noise_factors,
 )
-from lispac.adjustment.noise_update import SCALE_SETTLED
+from lispac.adjustment.noise_update import SIGMA_TOLERANCE
 from lispac.adjustment.observability import (
     find_undetermined_parameters,
     require_determined,
@@ -32,7 +32,7 @@ from lispac.adjustment.observability import (
 )
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.omitted_parameters import find_contradicted_parameters
-from lispac.adjustment.parameters import SWITCHED, Parameter, ParameterEstimate
+from lispac.adjustment.parameters import OPTIONAL_NAMES, Parameter, ParameterEstimate
 from lispac.adjustment.result import AdjustmentResult, ContradictedParameter, VarianceComponent
 from lispac.adjustment.result_assembly import assemble_result
 from lispac.adjustment.sphere_radii import find_radius_discrepancies
@@ -46,7 +46,7 @@ from lispac.adjustment.target_shapes import (
     with_median_radii,
 )
 from lispac.adjustment.variance_components import (
-    FACTORS,
+    FACTOR_LIMITS,
     estimate_variance_components,
     need_own_offset_sigma,
 )
@@ -57,12 +57,12 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-MANY = 50_000
-"""Points that lead near the answer; where there are more, all of them take the last steps only."""
+SAMPLE_SIZE = 50_000
+"""Points for the approximate solution; if there are more, only the last iterations use all."""
 
 COMPONENT_ROUNDS = 5
 
-RAISED = 1.05
+MIN_INCREASE = 1.05
 """Factor on a given sigma below which an increase has no relevant effect."""
 
 SHORTER_TIMES = (0.3, 0.1, 0.03)
@@ -71,14 +71,14 @@ SHORTER_TIMES = (0.3, 0.1, 0.03)
 REJECTION_LEVEL = 1e-4
 """Probability that correlation times are shortened though the given ones are right."""
 
-CONTRADICTED = {
+CONTRADICTION_CODES = {
     "range_offset": "adjustment.contradicts_range_offset",
     "scan_angle_offset": "adjustment.contradicts_scan_angle_offset",
     "latency": "adjustment.contradicts_latency",
 }
 """Code of the message that the data contradict a given value."""
 
-MOST_RELEASED = 3
+SIGHTINGS_PER_REJECTION = 3
 """At most one in this number of sightings is rejected."""
 
 
@@ -118,13 +118,13 @@ def adjust(
     components : bool
         Whether to take the sigmas of LiDAR and POS from the data (correlated model).
     accept_single_orientation : bool
-        Whether to answer where all targets are planes that face one way.
+        Whether to accept that all targets are planes that face one way.
     diagnostics : bool
         Whether to work out observability and reliability too.
     test_model : bool
         Whether, with diagnostics, the model of the errors follows the data where these contradict
         it: shorter correlation times where the chi-square test asks for them, and sigmas raised
-        where answers without single lines or targets scatter too much (`leave_out_sigma_factors`).
+        where results without single lines or targets scatter too much (`leave_out_sigma_factors`).
 
     Raises
     ------
@@ -204,10 +204,10 @@ def _adjust_all_targets(
                 )  # fmt: skip
                 with suppress(AdjustmentError, np.linalg.LinAlgError):
                     if not is_model_rejected(adjusted(shorter, diagnostics=False)):
-                        stated = model.position_time, model.attitude_time
+                        given = model.position_time, model.attitude_time
                         return replace(
                             adjusted(shorter, diagnostics=True),
-                            given_correlation_times=stated,
+                            given_correlation_times=given,
                             radius_discrepancies=radii,
                         )
             return found
@@ -240,8 +240,8 @@ def _passes_without_cause(
     Correlation times as short as a second or two explain nearly everything, a late line as well.
     """
     causes = [group[0] for group in found.causes or () if len(group) == 1]
-    values = [Parameter(each.kind) for each in causes if each.kind in SWITCHED]
-    lines = {each.line for each in causes if each.kind not in SWITCHED and not each.target}
+    values = [Parameter(each.kind) for each in causes if each.kind in OPTIONAL_NAMES]
+    lines = {each.line for each in causes if each.kind not in OPTIONAL_NAMES and not each.target}
     places = {(each.target, each.line) for each in causes if each.target}
     if not causes:
         return False
@@ -270,11 +270,11 @@ def _solve_adjustment(
     progress: Progress,
     started: float,
 ) -> AdjustmentResult:
-    few = _sample_points(observations)
-    origins = target_centroids(few, mounting)
-    few = relative_to_origins(few, origins)
+    sampled = _sample_points(observations)
+    origins = target_centroids(sampled, mounting)
+    sampled = relative_to_origins(sampled, origins)
     # The radii of the balls are estimated once the boresight is near the solution.
-    first = with_median_radii(few, mounting)
+    first = with_median_radii(sampled, mounting)
     fitted = fit_shapes(first, mounting)
     if shapes is not None:
         start = shapes_relative_to(shapes, origins, first.is_sphere)
@@ -284,13 +284,13 @@ def _solve_adjustment(
         start = fitted
     problem = AdjustmentProblem.of(first, mounting, model, parameters).with_known_noise(noise)
     state = problem.start(mounting, start)
-    kept, held = _determined_parameters(problem, state)
+    kept, fixed = _determined_parameters(problem, state)
     problem = problem.with_parameters(kept)
-    if first is not few:
+    if first is not sampled:
         state = iterate(problem, state, progress).state
-        problem = AdjustmentProblem.of(few, mounting, model, kept).with_known_noise(noise)
+        problem = AdjustmentProblem.of(sampled, mounting, model, kept).with_known_noise(noise)
         state = problem.start(state.mounting, state.shapes)
-    solution, gone = _iterate_with_majority(problem, state, progress)
+    solution, rejected = _iterate_with_majority(problem, state, progress)
     if not accept_single_orientation:
         require_two_orientations(solution.linearised)
     found: tuple[VarianceComponent, ...] = ()
@@ -299,16 +299,16 @@ def _solve_adjustment(
         # Sigmas that are too small would make blunders of sightings that are none.
         solution, _, factors = _iterate_variance_components(solution, factors, progress)
     if _may_reject_sightings(model):
-        solution = _reject_disagreeing_sightings(solution, gone, progress)
+        solution = _reject_disagreeing_sightings(solution, rejected, progress)
     if components and model.correlated:
         solution, found, factors = _iterate_variance_components(solution, factors, progress)
-    if len(few) < len(observations):
+    if len(sampled) < len(observations):
         observations = relative_to_origins(observations.with_sigmas(*factors), origins)
         solution = _continue_with_all_points(solution, observations, progress)
     _require_still_determined(solution.linearised)
     return assemble_result(
         solution.linearised, solution.state, fitted, origins,
-        path=solution.path, held=held, components=found, diagnostics=diagnostics,
+        path=solution.path, fixed=fixed, components=found, diagnostics=diagnostics,
         raise_sigmas=test_model, started=started,
     )  # fmt: skip
 
@@ -321,12 +321,12 @@ def _determined_parameters(
     hidden = (
         find_undetermined_parameters(linearised)
         if problem.model.correlated
-        else _fixed_in_thesis_mode(problem)
+        else _fixed_if_uncorrelated(problem)
     )
     correlated = problem.model.correlated
-    held = {e.name for e in hidden if e.prior_sigma is None or not correlated}
-    kept = tuple(p for p in problem.parameters if p.name not in held)
-    if held:
+    fixed = {e.name for e in hidden if e.prior_sigma is None or not correlated}
+    kept = tuple(p for p in problem.parameters if p.name not in fixed)
+    if fixed:
         linearised = problem.with_parameters(kept).linearised(state)
     require_determined(linearised)
     return kept, hidden
@@ -357,11 +357,11 @@ def _contradicted_value_error(wrong: ContradictedParameter) -> Message:
     if wrong.name.startswith("lever_"):
         axis = wrong.name.removeprefix("lever_").upper()
         return error("adjustment.contradicts_lever_arm", axis=axis, change=wrong.change)
-    return error(CONTRADICTED[wrong.name], change=wrong.change)
+    return error(CONTRADICTION_CODES[wrong.name], change=wrong.change)
 
 
-def _fixed_in_thesis_mode(problem: AdjustmentProblem) -> tuple[ParameterEstimate, ...]:
-    """Fixed parameters in thesis mode, where independent POS errors would bias them."""
+def _fixed_if_uncorrelated(problem: AdjustmentProblem) -> tuple[ParameterEstimate, ...]:
+    """Parameters that independent POS errors would bias, fixed at their given values."""
     return tuple(
         ParameterEstimate(
             each.name, float(problem.prior.values[each.index]), each.sigma,
@@ -373,9 +373,9 @@ def _fixed_in_thesis_mode(problem: AdjustmentProblem) -> tuple[ParameterEstimate
 
 def _sample_points(observations: Observations) -> Observations:
     """Sample of many points for approximate solution, noise, surfaces and blunders."""
-    if len(observations) <= MANY:
+    if len(observations) <= SAMPLE_SIZE:
         return observations
-    return observations.where(observations.sample(MANY / len(observations)))
+    return observations.where(observations.sample(SAMPLE_SIZE / len(observations)))
 
 
 def _continue_with_all_points(
@@ -395,10 +395,10 @@ def _continue_with_all_points(
         known_noise=sample.known_noise,
     )
     if problem.model.correlated and not problem.known_noise:
-        few, residuals = sample.observations, sample.residuals(near.state)[1]
-        mine = None if problem.model.loss == "none" else is_point_on_target(few, residuals)
-        denser = len(observations) / len(few)
-        noise = target_noise_factors(few, residuals, sample.blocks, mine, denser=denser)
+        sampled, residuals = sample.observations, sample.residuals(near.state)[1]
+        mine = None if problem.model.loss == "none" else is_point_on_target(sampled, residuals)
+        denser = len(observations) / len(sampled)
+        noise = target_noise_factors(sampled, residuals, sample.blocks, mine, denser=denser)
         problem = replace(problem, noise=noise)
     state = problem.resume_state(near.state, sample)
     return iterate(problem, state, progress, earlier=near.path, noise_known=True)
@@ -413,24 +413,24 @@ def _iterate_with_majority(
 ) -> tuple[IterationResult, list[Blunder]]:
     """Iterate without sightings that are metres off; they may be restored later.
 
-    Held to their targets they would pull the whole of all others along: a shared POS error yields.
+    Tied to their targets they would displace all others, through the POS error that they share.
     """
     observations, off = problem.observations, np.zeros(0, dtype=np.int64)
     if _may_reject_sightings(problem.model):
         off = find_displaced_sightings(observations, problem.residuals(start)[1])
     balls = observations.is_sphere[observations.target_of_sighting]
-    gone = [Blunder("shift" if balls[s] else "surface", (int(s),)) for s in off]
-    if 0 < len(gone) <= len(observations.sightings) // MOST_RELEASED:
+    rejected = [Blunder("shift" if balls[s] else "surface", (int(s),)) for s in off]
+    if 0 < len(rejected) <= len(observations.sightings) // SIGHTINGS_PER_REJECTION:
         without = problem
-        for found in gone:
+        for found in rejected:
             without = found.reject_in(without)
         with suppress(RankDeficient, NotConverged):  # then they are needed after all
             solution = iterate(without, start, progress)
-            plain = find_confirmed_blunders(solution.linearised, gone)
-            if plain == gone:
-                return solution, gone
+            plain = find_confirmed_blunders(solution.linearised, rejected)
+            if plain == rejected:
+                return solution, rejected
             problem = solution.linearised.problem
-            for found in gone:
+            for found in rejected:
                 problem = found.restore_in(problem)
             for found in plain:
                 problem = found.reject_in(problem)
@@ -444,14 +444,14 @@ def _count_rejected_sightings(solution: IterationResult) -> int:
 
 
 def _reject_disagreeing_sightings(
-    start: IterationResult, gone: list[Blunder], progress: Progress
+    start: IterationResult, rejected: list[Blunder], progress: Progress
 ) -> IterationResult:
     """Reject disagreeing sightings, with a sigma of the offsets of their own where needed.
 
     Boards that are displaced between lines, but not warped, would be rejected one after the other;
     so would boards displaced by a wrong mounting parameter.
     """
-    solution = _reject_unexplained_sightings(start, gone, progress)
+    solution = _reject_unexplained_sightings(start, rejected, progress)
     here = solution.linearised
     if here.problem.model.surface is not None or not need_own_offset_sigma(here):
         return solution
@@ -460,13 +460,13 @@ def _reject_disagreeing_sightings(
     problem = replace(start.linearised.problem, own_offsets=True)
     try:
         other = iterate(problem, start.state, progress, earlier=solution.path)
-        return _reject_unexplained_sightings(other, gone, progress)
+        return _reject_unexplained_sightings(other, rejected, progress)
     except (RankDeficient, NotConverged):
         return solution
 
 
 def _reject_unexplained_sightings(
-    solution: IterationResult, gone: list[Blunder], progress: Progress
+    solution: IterationResult, rejected: list[Blunder], progress: Progress
 ) -> IterationResult:
     """Reject disagreeing sightings unless a wrong value of the mounting explains them.
 
@@ -474,14 +474,14 @@ def _reject_unexplained_sightings(
     parameters saves more rejections than there are parameters, only the other sightings are
     rejected. The parameters are not estimated; the result lists the contradictions.
     """
-    released = _reject_blunders(solution, gone, progress)
+    after = _reject_blunders(solution, rejected, progress)
     problem = solution.linearised.problem
-    count = _count_rejected_sightings(released)
+    count = _count_rejected_sightings(after)
     if count <= _count_rejected_sightings(solution):
-        return released
+        return after
     fewest, surfaces = count, None
     tried: list[tuple[str, ...]] = [()]
-    for judged in (solution, released):
+    for judged in (solution, after):
         # In the order they were found: what explains most comes first.
         names = tuple(
             each.name for each in find_contradicted_parameters(judged.linearised, least=0.0)
@@ -491,42 +491,42 @@ def _reject_unexplained_sightings(
         tried.append(names)
         wider = problem.with_parameters((*problem.parameters, *map(Parameter, names)))
         try:
-            let_go = iterate(wider, solution.state, progress, earlier=solution.path)
-            explained = _reject_blunders(let_go, gone, progress)
+            freed = iterate(wider, solution.state, progress, earlier=solution.path)
+            explained = _reject_blunders(freed, rejected, progress)
         except (RankDeficient, NotConverged):
             continue
         if _count_rejected_sightings(explained) + len(names) < fewest:
             fewest = _count_rejected_sightings(explained) + len(names)
             surfaces = explained.linearised.problem.surface_sigma
     if surfaces is None:
-        return released
-    surfaces = np.where(surfaces >= RELEASED, RELEASED, problem.default_surface_sigmas)
+        return after
+    surfaces = np.where(surfaces >= FREE_SIGMA, FREE_SIGMA, problem.default_surface_sigmas)
     problem = replace(problem, surface_sigma=surfaces)
     return iterate(problem, solution.state, progress, earlier=solution.path)
 
 
 def _reject_blunders(
-    solution: IterationResult, gone: list[Blunder], progress: Progress
+    solution: IterationResult, rejected: list[Blunder], progress: Progress
 ) -> IterationResult:
     """Reject the sightings that agree least and iterate until all agree.
 
     A blunder may make other sightings appear as blunders: these are restored if they agree without
-    it; this includes the sightings in ``gone``.
+    it; this includes the sightings in ``rejected``.
     """
-    most = len(solution.linearised.problem.observations.sightings) // MOST_RELEASED
-    gone = list(gone)
+    limit = len(solution.linearised.problem.observations.sightings) // SIGHTINGS_PER_REJECTION
+    rejected = list(rejected)
     spared: set[Blunder] = set()
     while True:
         here = solution.linearised
-        if (back := find_restorable_blunder(here, gone)) is not None:
-            gone.remove(back)
+        if (back := find_restorable_blunder(here, rejected)) is not None:
+            rejected.remove(back)
             spared.add(back)
             problem = back.restore_in(here.problem)
         else:
             worst = worst_blunder(here, spared)
-            if worst is None or sum(len(b.sightings) for b in [*gone, worst]) > most:
+            if worst is None or sum(len(b.sightings) for b in [*rejected, worst]) > limit:
                 return solution
-            gone.append(worst)
+            rejected.append(worst)
             problem = worst.reject_in(here.problem)
         solution = iterate(problem, solution.state, progress, earlier=solution.path)
 
@@ -543,13 +543,13 @@ def _iterate_variance_components(
         # A sigma is raised on suspicion, lowered on evidence: too large a one costs little.
         news = np.array(
             [
-                c.factor if (determined and c.factor > RAISED) or c.upper < 1 else 1.0
+                c.factor if (determined and c.factor > MIN_INCREASE) or c.upper < 1 else 1.0
                 for c, determined in zip(found.components, found.determined, strict=True)
             ]
         )
-        factors = np.clip(total * news, *FACTORS) / total
+        factors = np.clip(total * news, *FACTOR_LIMITS) / total
         total = total * factors
-        if np.abs(np.log(factors)).max() < SCALE_SETTLED:
+        if np.abs(np.log(factors)).max() < SIGMA_TOLERANCE:
             break
         problem = solution.linearised.problem.with_sigmas(*factors)
         problem = problem.with_surface_sigma(found.rough * problem.default_surface_sigmas)
@@ -560,7 +560,7 @@ def _iterate_variance_components(
         tuple(
             VarianceComponent(
                 c.name,
-                float(t if t in FACTORS else t * c.factor),
+                float(t if t in FACTOR_LIMITS else t * c.factor),
                 float(t * c.lower),
                 float(t * c.upper),
                 bool(t != 1),

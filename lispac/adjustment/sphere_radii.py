@@ -20,11 +20,11 @@ from lispac.survey.trajectory import Poses
 
 Array = NDArray[np.float64]
 
-FEWEST = 20
+MIN_POINTS = 20
 """Smallest number of points of a sighting that determines a radius."""
-CHANCE = 1e-3
+TEST_LEVEL = 1e-3
 """Probability that radii which agree seem to differ."""
-LEAST = 0.003
+MIN_DIFFERENCE = 0.003
 """Metres: differences below it are of no consequence."""
 LATENCIES = np.linspace(-0.3, 0.3, 61)
 """Seconds that are tried."""
@@ -74,7 +74,7 @@ def _radius_by_line(observations: Observations, mounting: Mounting) -> tuple[Arr
     radii, sigmas = [], []
     for s in range(len(observations.sightings)):
         own = points[observations.sighting == s]
-        if len(own) < FEWEST:
+        if len(own) < MIN_POINTS:
             continue
         try:
             sphere = fit_sphere(own)
@@ -90,7 +90,7 @@ def _radius_by_line(observations: Observations, mounting: Mounting) -> tuple[Arr
 
 def _radius_chi_square(radii: Array, sigmas: Array) -> float:
     """Weighted sum of squares about the mean radius, dimensionless."""
-    weights = 1.0 / (sigmas**2 + LEAST**2)
+    weights = 1.0 / (sigmas**2 + MIN_DIFFERENCE**2)
     mean = weights @ radii / weights.sum()
     return float(weights @ (radii - mean) ** 2)
 
@@ -98,7 +98,7 @@ def _radius_chi_square(radii: Array, sigmas: Array) -> float:
 def _do_radii_differ(radii: Array, sigmas: Array) -> bool:
     from scipy.special import chdtri
 
-    return _radius_chi_square(radii, sigmas) > chdtri(len(radii) - 1, CHANCE)
+    return _radius_chi_square(radii, sigmas) > chdtri(len(radii) - 1, TEST_LEVEL)
 
 
 def _candidate_corrections(
@@ -118,6 +118,6 @@ def _candidate_corrections(
                 attitude=observations.attitude + off[:, 3:],
             )  # fmt: skip
             yield "latency", float(late), moved, mounting
-    for more in RANGE_OFFSETS:
-        longer = replace(mounting, range_offset=mounting.range_offset + float(more))
-        yield "range_offset", float(more), observations, longer
+    for offset in RANGE_OFFSETS:
+        longer = replace(mounting, range_offset=mounting.range_offset + float(offset))
+        yield "range_offset", float(offset), observations, longer

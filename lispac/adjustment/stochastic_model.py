@@ -28,7 +28,7 @@ class StochasticModel:
     """Stochastic model with its correlation times and sigmas.
 
     The position of a post-processed GNSS/INS solution drifts over minutes (multipath, satellite
-    geometry); its attitude more slowly. Where the processing report states correlation times, use
+    geometry); its attitude more slowly. Where the processing report gives correlation times, use
     them; too short a time is safer than too long a one.
 
     Attributes
@@ -89,13 +89,13 @@ class PosErrorKnots:
     fraction : ndarray of shape (n,), in [0, 1)
         Where each point is between its two knots.
     outlying : ndarray of shape (n,)
-        ``u (1 - u)`` of a point at the fraction u. A mean of points at several times strays less:
-        they stray to both sides.
+        ``u (1 - u)`` of a point at the fraction u. A mean of points at several times deviates
+        less: they deviate to both sides.
     precision_diagonal : ndarray of shape (k, 6), per square metre and square radian
     precision_beside : ndarray of shape (k - 1, 6)
         Between each knot and the next.
     bridge : ndarray of shape (6,)
-        Variance, over that of the process, by which it strays from the chord between two knots,
+        Variance, over that of the process, by which it deviates from the chord between two knots,
         over ``outlying``.
     """
 
@@ -135,9 +135,9 @@ class PosErrorKnots:
         fresh = -np.expm1(-2 * step)  # 1 - kept**2, exact for short steps
         fraction = scaled - cell
         outlying = fraction * (1 - fraction)
-        if observations.apart is not None:
+        if observations.time_separation is not None:
             # Of a Brownian bridge over (0, 1), E min(u, v) - E u E v
-            outlying = np.maximum(outlying - observations.apart / (2 * interval), 0.0)
+            outlying = np.maximum(outlying - observations.time_separation / (2 * interval), 0.0)
         diagonal = np.ones((len(time), 6))
         diagonal[1:] = 1 / fresh
         diagonal[:-1] += kept**2 / fresh

@@ -19,7 +19,7 @@ from lispac.survey.georeferencing import Mounting
 
 Array = NDArray[np.float64]
 
-FEWEST_FOR_MOST = 3
+MIN_FOR_MAJORITY = 3
 """Sightings of a target among which there is a majority."""
 
 SMALLEST_EXTENT = 1e-3
@@ -157,10 +157,10 @@ def fit_majority_shapes(observations: Observations, mounting: Mounting, fitted: 
     points = points_local(observations, mounting)
     shapes = fitted.copy()
     for k in range(len(shapes)):
-        seen = np.flatnonzero(observations.target_of_sighting == k)
-        if observations.is_sphere[k] or len(seen) < FEWEST_FOR_MOST:
+        indices = np.flatnonzero(observations.target_of_sighting == k)
+        if observations.is_sphere[k] or len(indices) < MIN_FOR_MAJORITY:
             continue
-        clouds = [points[observations.sighting == s] for s in seen]
+        clouds = [points[observations.sighting == s] for s in indices]
         agreed = np.inf
         for cloud in clouds:
             try:

@@ -2,7 +2,7 @@
 
 The restricted likelihood (REML: Patterson and Thompson 1971) is that of the residuals alone,
 whatever the unknowns are. The sums the adjustment has made anyway give it for any sigmas, without
-another look at the points.
+another pass over the points.
 """
 
 from collections.abc import Callable
@@ -12,7 +12,7 @@ import numpy as np
 import scipy.linalg
 from numpy.typing import NDArray
 
-from lispac.adjustment.adjustment_problem import RELEASED, LinearisedProblem
+from lispac.adjustment.adjustment_problem import FREE_SIGMA, LinearisedProblem
 from lispac.adjustment.banded_cholesky import cholesky_factor, forward_substitution
 from lispac.adjustment.result import VarianceComponent
 
@@ -23,9 +23,9 @@ SMALLEST_SURFACE, LARGEST_SURFACE = 1e-5, 0.3  # metres
 
 EVERY, TILTS, OFFSETS = slice(0, 3), slice(0, 2), slice(2, 3)
 
-INSIST = 10.0
+MIN_GAIN = 10.0
 """Gain of twice the log likelihood by a sigma of the offsets' own: by chance once in 1000."""
-COMMONER = 5.0
+REJECTION_GAIN = 5.0
 """Additional gain if sightings were rejected: jumps are a dozen times commoner, exp(5 / 2)."""
 
 
@@ -40,7 +40,7 @@ def most_likely_surface_sigma(linearised: LinearisedProblem, directions: slice =
     alike = np.zeros_like(linearised.problem.surface_sigma, dtype=bool)
     alike[:, directions] = True
     return _maximise_surface_likelihood(
-        linearised, alike & (linearised.problem.surface_sigma < RELEASED)
+        linearised, alike & (linearised.problem.surface_sigma < FREE_SIGMA)
     )[0]
 
 
@@ -52,11 +52,11 @@ def need_own_offset_sigma(linearised: LinearisedProblem) -> bool:
     must be clearly larger than with the rejection, since a single jump is more common, and larger
     than that with the common sigma.
     """
-    every = np.repeat(linearised.problem.surface_sigma[:, :1] < RELEASED, 3, axis=1)
+    every = np.repeat(linearised.problem.surface_sigma[:, :1] < FREE_SIGMA, 3, axis=1)
     own = every & (np.arange(3) == 2)
     gain = _maximise_surface_likelihood(linearised, own)[1]
-    least = INSIST if linearised.problem.is_sighting_tied.all() else INSIST + COMMONER
-    return gain > least and gain - _maximise_surface_likelihood(linearised, every)[1] > INSIST
+    least = MIN_GAIN if linearised.problem.is_sighting_tied.all() else MIN_GAIN + REJECTION_GAIN
+    return gain > least and gain - _maximise_surface_likelihood(linearised, every)[1] > MIN_GAIN
 
 
 def _maximise_surface_likelihood(
@@ -112,18 +112,18 @@ def _surface_likelihood(linearised: LinearisedProblem) -> Callable[[Array], floa
     return unlikeliness
 
 
-NAMES = ("LiDAR", "POS position", "POS attitude")
-FACTORS = (0.1, 10.0)
+COMPONENT_NAMES = ("LiDAR", "POS position", "POS attitude")
+FACTOR_LIMITS = (0.1, 10.0)
 """Smallest and largest factor on a given sigma that is believed."""
 
 
-NOISY = 1.1
+MIN_NOISE_FACTOR = 1.1
 """Noise of a target over the given one beyond which the residuals replace the LiDAR sigma."""
 
-FEWEST_LINES = 3
+MIN_LINES = 3
 """On two lines an error of the position and a form error cannot be separated."""
 
-TELLING = 0.6
+MAX_LOG_SIGMA = 0.6
 """Standard deviation of a factor's logarithm, others fixed, below which it is determined."""
 
 
@@ -158,12 +158,12 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
 
     problem, likelihood = linearised.problem, _RestrictedLikelihood(linearised)
     free = np.ones(4, dtype=bool)
-    free[0] = bool(problem.noise.max() < NOISY)
+    free[0] = bool(problem.noise.max() < MIN_NOISE_FACTOR)
     free[3] = problem.model.surface is None
-    enough = len(problem.observations.lines) >= FEWEST_LINES
+    enough = len(problem.observations.lines) >= MIN_LINES
     usual = float(problem.default_surface_sigmas.max()) if free[3] else 1.0
     bounds = [
-        *[(np.log(FACTORS[0]), np.log(FACTORS[1]))] * len(NAMES),
+        *[(np.log(FACTOR_LIMITS[0]), np.log(FACTOR_LIMITS[1]))] * len(COMPONENT_NAMES),
         (np.log(SMALLEST_SURFACE / usual), np.log(LARGEST_SURFACE / usual)),
     ]
 
@@ -178,7 +178,7 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
         (
             scipy.optimize.minimize(
                 unlikeliness, start[free], method="Nelder-Mead",
-                bounds=[bound for bound, wanted in zip(bounds, free, strict=True) if wanted],
+                bounds=[bound for bound, is_free in zip(bounds, free, strict=True) if is_free],
                 options={"xatol": 0.01, "fatol": 0.01, "maxfev": 600},
             )
             for start in (starts if free[3] else starts[:1])
@@ -196,9 +196,9 @@ def estimate_variance_components(linearised: LinearisedProblem) -> MaximumLikeli
             VarianceComponent(
                 name, *np.exp(np.clip([x, x - 1.96 * s, x + 1.96 * s], -reach, reach)).tolist()
             )
-            for name, x, s in zip(NAMES, found[:3], spread[:3], strict=True)
+            for name, x, s in zip(COMPONENT_NAMES, found[:3], spread[:3], strict=True)
         ),
-        tuple((alone[:3] < TELLING).tolist()) if enough else (False,) * 3,
+        tuple((alone[:3] < MAX_LOG_SIGMA).tolist()) if enough else (False,) * 3,
         float(np.exp(found[3])),
     )
 
@@ -249,18 +249,18 @@ class _RestrictedLikelihood:
         self.prior_right = np.zeros(len(self.normal.matrix))
         self.fixed_quadratic = self.surface_quadratic = 0.0
         self.surfaces = np.zeros(len(self.normal.matrix))
-        self.held = 0
+        self.tied = 0
         if problem.layout.surfaces:
             places = np.arange(problem.layout.surfaces[0].start, problem.layout.size)
-            held = problem.surface_sigma.reshape(-1) < RELEASED
-            self.surfaces[places] = held
-            self.held = int(held.sum())
+            tied = problem.surface_sigma.reshape(-1) < FREE_SIGMA
+            self.surfaces[places] = tied
+            self.tied = int(tied.sum())
             self.diagonal[places] = problem.surface_sigma.reshape(-1) ** -2.0
             departures = linearised.departures.reshape(-1)
             self.prior_right[places] = -departures * self.diagonal[places]
             squares = departures**2 * self.diagonal[places]
-            self.surface_quadratic = float(squares[held].sum())
-            self.fixed_quadratic += float(squares[~held].sum())
+            self.surface_quadratic = float(squares[tied].sum())
+            self.fixed_quadratic += float(squares[~tied].sum())
         off = linearised.state.mounting.values - problem.prior.values
         for parameter in problem.parameters:
             if parameter.sigma is not None:
@@ -305,4 +305,4 @@ class _RestrictedLikelihood:
         )
         determinants = 2 * np.log(factor[0]).sum() + 2 * np.log(np.diag(lower) / scale).sum()
         counts = np.array([self.points, 3 * self.knots, 3 * self.knots])
-        return float(2 * counts @ log_factors + 2 * self.held * rough + determinants + quadratic)
+        return float(2 * counts @ log_factors + 2 * self.tied * rough + determinants + quadratic)

@@ -27,13 +27,13 @@ from lispac.warning_causes import RESULT, Cause
 LARGE_SIGMA_DEG = 0.1
 """An angle known no better puts a point at 100 m off by 17 cm: no boresight to work with."""
 
-RAISED = 1.05
+MIN_INCREASE = 1.05
 """Factor on a sigma from which a warning reports that it was raised."""
 
 HIGH_CORRELATION = 0.9
 """Correlation beyond which mostly the sum or difference of two angles is determined."""
 
-FLAT = 0.005
+MAX_FLAT_SIGMA = 0.005
 """Metres: sigma of the surfaces that no flat board has."""
 
 
@@ -48,7 +48,7 @@ def result_warnings(
     )
 
 
-def _thesis_mode_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
+def _uncorrelated_warning(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
     if not result.model.correlated:
         yield warning("adjustment.independent_pos_errors", subject=Cause.of_field("pos_errors"))
 
@@ -59,15 +59,15 @@ def _steep_pitch_note(result: AdjustmentResult, _: CrossChecks | None) -> Iterat
 
 
 def _surface_notes(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
-    most = float(result.surfaces.max())
-    if result.model.surface is not None or most <= FLAT:
+    largest = float(result.surfaces.max())
+    if result.model.surface is not None or largest <= MAX_FLAT_SIGMA:
         return
     page = Cause.of_page("Sightings")
-    if result.offset == most:
+    if result.offset == largest:
         tilt = float(result.surface)
-        yield note("adjustment.surfaces_displaced", offset=most, tilt=tilt, subject=page)
+        yield note("adjustment.surfaces_displaced", offset=largest, tilt=tilt, subject=page)
     else:
-        yield note("adjustment.surfaces_differ", sigma=most, subject=page)
+        yield note("adjustment.surfaces_differ", sigma=largest, subject=page)
 
 
 def _large_sigma_warnings(result: AdjustmentResult, _: CrossChecks | None) -> Iterator[Message]:
@@ -133,13 +133,13 @@ def _exact_surface_note(result: AdjustmentResult, _: CrossChecks | None) -> Iter
 def _cross_check_notes(_: AdjustmentResult, checks: CrossChecks | None) -> Iterator[Message]:
     parts = [part for part in checks.parts if part.disagrees] if checks else []
     halves = [part for part in parts if part.kind == "half"]
-    apart = [_disagreeing_part_item(part) for part in parts if part.kind != "half"]
+    disagreeing = [_disagreeing_part_item(part) for part in parts if part.kind != "half"]
     # Two halves differ from each other: the first one gives the same message.
-    apart += [_disagreeing_part_item(part) for part in halves[-1:]]
-    if apart:
+    disagreeing += [_disagreeing_part_item(part) for part in halves[-1:]]
+    if disagreeing:
         yield note(
             "adjustment.cross_check",
-            parts=shortened_list(apart), subject=Cause.of_page("Cross-checks"),
+            parts=shortened_list(disagreeing), subject=Cause.of_page("Cross-checks"),
         )  # fmt: skip
 
 
@@ -275,7 +275,7 @@ def _raised_sigma_note(result: AdjustmentResult, _: CrossChecks | None) -> Itera
             result.angle_sigma_factors,
             strict=True,
         )
-        if factor > RAISED
+        if factor > MIN_INCREASE
     ]
     if raised:
         page = Cause.of_page("Cross-checks")
@@ -287,7 +287,7 @@ def _method_messages(result: AdjustmentResult, _: CrossChecks | None) -> Iterato
 
 
 RULES: tuple[Callable[[AdjustmentResult, CrossChecks | None], Iterator[Message]], ...] = (
-    _thesis_mode_warning,
+    _uncorrelated_warning,
     _large_sigma_warnings,
     _one_orientation_warning,
     _correlation_notes,

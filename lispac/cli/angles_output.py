@@ -65,7 +65,7 @@ def print_conversion(
     conversion_input: ConversionInput, new: ReplacementSettings, *, matrices: bool
 ) -> None:
     """Print the given angles, and the angles to enter in the other program."""
-    convention = new.stated.setup.convention
+    convention = new.in_system.setup.convention
     _print_input(conversion_input)
     print()
     if (
@@ -159,7 +159,7 @@ def _print_input(conversion_input: ConversionInput) -> None:
 
 
 def _print_converted(conversion_input: ConversionInput, new: ReplacementSettings) -> None:
-    mounting, correction = new.stated, new.correction
+    mounting, correction = new.in_system, new.correction
     setup = mounting.setup
     convention = setup.convention
     _print_labelled("TO", f"{convention.name}: {STATUS_WORDS[setup.status]}")
@@ -184,12 +184,12 @@ def _print_converted(conversion_input: ConversionInput, new: ReplacementSettings
 def _print_lever_arm(new: ReplacementSettings) -> None:
     if not new.has_lever_arm:
         return
-    axes = new.stated.setup.axes
+    axes = new.in_system.setup.axes
     if new.present is not None and new.present.lever_arm is not None:
         _print_labelled("lever arm", f"now {_lever_arm_text(axes, new.present.lever_arm)}")
-        _print_labelled("", f"new {_lever_arm_text(axes, new.stated.lever_arm)}")
+        _print_labelled("", f"new {_lever_arm_text(axes, new.in_system.lever_arm)}")
     else:
-        _print_labelled("lever arm", _lever_arm_text(axes, new.stated.lever_arm))
+        _print_labelled("lever arm", _lever_arm_text(axes, new.in_system.lever_arm))
     if new.lever_arm_note is not None:
         _print_labelled("", message_text(new.lever_arm_note))
     _print_labelled(
@@ -237,7 +237,7 @@ def _print_correction(correction: BoresightCorrection, label: str, decimals: int
 
 
 def _print_matrices(new: ReplacementSettings) -> None:
-    mounting, correction = new.stated, new.correction
+    mounting, correction = new.in_system, new.correction
     setup = mounting.setup
     print()
     if mounting.angles is not None:
@@ -307,7 +307,7 @@ def conversion_values(
     own = convert_to_system(
         conversion_input.mounting, conversion_input.setup, conversion_input.covariance
     )
-    mounting, correction = new.stated, new.correction
+    mounting, correction = new.in_system, new.correction
     content: dict[str, Any] = {
         "from": _mounting_values(own, conversion_input.has_lever_arm),
         "to": _mounting_values(mounting, new.has_lever_arm),

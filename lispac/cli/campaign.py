@@ -32,7 +32,7 @@ def campaign(arguments: Namespace) -> None:
                 "seed": arguments.seed,
                 "failed": found.failed,
                 "scatter_deg": np.degrees(found.empirical_sigma).tolist(),
-                "formal_sigma_deg": np.degrees(found.mean_stated_sigma).tolist(),
+                "formal_sigma_deg": np.degrees(found.mean_formal_sigma).tolist(),
                 "predicted_sigma_deg": np.degrees(found.predicted).tolist(),
                 "coverage_95": found.interval_coverage.tolist(),
                 "bias_deg": np.degrees(found.bias).tolist(),

@@ -48,7 +48,7 @@ def design(arguments: Namespace) -> None:
             sigma = np.degrees(prediction.sigma)
             text = ", ".join(f"{a} {v:.4f}" for a, v in zip(ANGLES, sigma, strict=True)) + " deg"
         print(f"{name:12s}{text}")
-    plans = f"{found.looked_at:,} survey plans evaluated"
+    plans = f"{found.evaluated:,} survey plans evaluated"
     print(f"{plans}, all that are possible" if found.exact else f"{plans}, out of many more")
     for message in observability_messages(found.plan):
         print(message_text(message))
@@ -62,7 +62,7 @@ def design(arguments: Namespace) -> None:
     for k, line in enumerate(found.plan.lines, start=1):
         print(f"line {k}      {line.name}, {line.speed:g} m/s")
     print(f"{'without':12s}{'deg':>16s}")
-    for each in found.worth:
+    for each in found.gains:
         print(f"{each.name:12s}{sigma_text(each.without):>16s}")
     print(f"{'minutes':12s}{'deg':>10s}  targets x lines")
     for step in found.front:
@@ -80,13 +80,13 @@ def _design_values(title: str, site: Site, result: DesignResult, usual: Plan) ->
         "value_deg": float(np.degrees(result.value)),
         "thesis_sigma_deg": np.degrees(thesis.sigma).tolist() if thesis.determined else None,
         "exact": result.exact,
-        "plans_evaluated": result.looked_at,
+        "plans_evaluated": result.evaluated,
         "targets": [
             {"name": t.name, "along_off_up_m": list(site.wall.wall_coordinates(t.centre))}
             for t in result.plan.targets
         ],
         "lines": [vars(line) for line in result.plan.lines],
-        "without_deg": {each.name: sigma_degrees(each.without) for each in result.worth},
+        "without_deg": {each.name: sigma_degrees(each.without) for each in result.gains},
         "pareto_front": [
             {
                 "minutes": step.minutes,

@@ -9,13 +9,13 @@ import numpy as np
 
 from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.display_text import (
+    OUTPUT_UNITS,
     QUANTITIES,
-    STATED,
     number_with_noun,
     to_plain_text,
     variance_component_finding,
 )
-from lispac.adjustment.parameters import SWITCHED, Parameter, ParameterEstimate
+from lispac.adjustment.parameters import OPTIONAL_NAMES, Parameter, ParameterEstimate
 from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
@@ -133,11 +133,11 @@ def parse_parameters(named: Iterable[str] | None) -> tuple[Parameter, ...] | Non
             continue
         name, _, sigma = text.partition("=")
         name = name.replace("-", "_")
-        if name not in SWITCHED:
-            choices = ", ".join(each.replace("_", "-") for each in SWITCHED)
+        if name not in OPTIONAL_NAMES:
+            choices = ", ".join(each.replace("_", "-") for each in OPTIONAL_NAMES)
             raise UsageError(f"estimate: there is no parameter {name}; give one of {choices}.")
         try:
-            parameter = Parameter(name, float(sigma) / STATED[name][0] if sigma else None)
+            parameter = Parameter(name, float(sigma) / OUTPUT_UNITS[name][0] if sigma else None)
         except ValueError:
             raise UsageError(f"estimate: {sigma!r} in {text} is not a number.") from None
         if parameter.sigma is None or parameter.sigma > 0:
@@ -257,7 +257,7 @@ def result_values(
 
 
 def _parameter_values(estimate: ParameterEstimate) -> dict[str, Any]:
-    factor, unit = STATED[estimate.name]
+    factor, unit = OUTPUT_UNITS[estimate.name]
 
     def shown(value: float | None) -> float | None:
         return None if value is None else factor * value
@@ -275,7 +275,7 @@ def _parameter_values(estimate: ParameterEstimate) -> dict[str, Any]:
 
 
 def _contradiction_values(parameter: ContradictedParameter) -> dict[str, Any]:
-    factor, unit = STATED[parameter.name]
+    factor, unit = OUTPUT_UNITS[parameter.name]
     return {
         "name": parameter.name,
         "unit": unit,
@@ -288,9 +288,9 @@ def _contradiction_values(parameter: ContradictedParameter) -> dict[str, Any]:
 
 
 def _cause_values(cause: CandidateCause) -> dict[str, Any]:
-    factor, unit = STATED.get(cause.kind, (1.0, "m"))
+    factor, unit = OUTPUT_UNITS.get(cause.kind, (1.0, "m"))
     if cause.kind == "line_time":
-        factor, unit = STATED["latency"]
+        factor, unit = OUTPUT_UNITS["latency"]
     elif cause.kind == "line_boresight":
         factor, unit = float(np.degrees(1.0)), "deg"
     return {

@@ -12,7 +12,7 @@ from lispac.message_texts import english_text, message_text
 from lispac.patchtest.line_pairs import Kind, LinePair
 from lispac.patchtest.mismatch_minimisation import ANGLES
 from lispac.patchtest.object_boxes import ObjectBox, PatchObject, object_of_box
-from lispac.patchtest.object_proposal import COUNT
+from lispac.patchtest.object_proposal import OBJECT_COUNT
 from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.progress import sub_progress
 from lispac.workflow import patch_test as workflow
@@ -37,7 +37,7 @@ def patchtest(arguments: Namespace) -> None:
     given_objects = [_parse_object(name, text) for name, text in arguments.object or ()]
     if len({each.name for each in given_objects}) < len(given_objects):
         raise UsageError("patchtest: two objects have the same name.")
-    count = arguments.count if arguments.count is not None else 0 if given_objects else COUNT
+    count = arguments.count if arguments.count is not None else 0 if given_objects else OBJECT_COUNT
     if not given_objects and not count:
         raise UsageError("patchtest: give objects with --object, or detect some with --count.")
     with opened_project(arguments.project, change=arguments.save) as project:
@@ -84,7 +84,7 @@ def print_patch_test(result: PatchTestResult) -> None:
             f"  {angle:>10}{np.degrees(each.off):>+11.4f}"
             f"{np.degrees(each.allowed):>13.4f}{mark}"
         )
-    for message in result.remarks:
+    for message in result.messages:
         print(message_text(message))
 
 
@@ -118,8 +118,8 @@ def patch_test_values(result: PatchTestResult) -> dict[str, Any]:
             }
             for each in result.objects
         ],
-        "objects_without_pairs": list(result.unmet),
-        "messages": [english_text(each) for each in result.remarks],
+        "objects_without_pairs": list(result.without_pairs),
+        "messages": [english_text(each) for each in result.messages],
     }
 
 

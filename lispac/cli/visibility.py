@@ -72,7 +72,7 @@ def _best_values(best: BestConfiguration) -> dict[str, Any]:
 def _thesis_values(each: ThesisComparison) -> dict[str, Any]:
     return {
         "error": each.best.error,
-        **asdict(each.stated),
+        **asdict(each.thesis),
         "lines_agree": each.lines_agree,
         "inclination_agrees": each.inclination_agrees,
         "reason": "" if each.reason is None else message_text(each.reason),

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.adjustment_problem import RELEASED, AdjustmentProblem
+from lispac.adjustment.adjustment_problem import FREE_SIGMA, AdjustmentProblem
 from lispac.adjustment.blas_threads import single_blas_thread
 from lispac.adjustment.message_parts import mounting_value_name, mounting_value_names
 from lispac.adjustment.observations import Observations, Sighting
@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 
 HEADINGS = np.radians(np.arange(0, 360, 15))
 SPEED = 1.0  # metres per second
-WORTH_IT = 0.85
+MAX_SIGMA_RATIO = 0.85
 """Share of the sigma: a line that does not reduce it below this share is not recommended."""
 
 
@@ -83,11 +83,11 @@ def _predicted_sigmas(
     """Sigmas (radians) of roll, pitch, yaw that the observations would give, shape (3,)."""
     shapes = np.stack([target.plane for target in result.targets])
     suspects = set(result.rejected_sightings)
-    released = [k for k, s in enumerate(observations.sightings) if s in suspects]
+    rejected = [k for k, s in enumerate(observations.sightings) if s in suspects]
     problem = AdjustmentProblem.of(observations, result.mounting, result.model, parameters)
     noise = np.array([target.noise for target in result.targets])
     problem = replace(problem, noise=noise).with_surface_sigma(np.maximum(result.surfaces, 1e-5))
-    problem = problem.with_sighting_surface_sigma(released, slice(0, 3), RELEASED)
+    problem = problem.with_sighting_surface_sigma(rejected, slice(0, 3), FREE_SIGMA)
     state = problem.start(result.mounting, shapes)
     information = problem.linearised(state).normal.information(3)
     return np.asarray(np.sqrt(np.diag(np.linalg.inv(information))))
@@ -108,7 +108,7 @@ def further_line_advice(
     found = []
     for k in np.argsort(-result.sigma, kind="stable"):
         best = min(lines, key=lambda line: float(line.sigma[k]))
-        helps = best.sigma[k] <= WORTH_IT * result.sigma[k]
+        helps = best.sigma[k] <= MAX_SIGMA_RATIO * result.sigma[k]
         if not helps and ruled[k]:
             parameters = mounting_value_names(ruled[k])
             found.append(
@@ -132,7 +132,7 @@ def _advice_for_angle(
         "angle": mounting_value_name(ANGLES[angle]), "distance": best.distance, "now": now,
     }  # fmt: skip
     if not helps:
-        return note("further_line.insufficient", limit=WORTH_IT * now, **common)
+        return note("further_line.insufficient", limit=MAX_SIGMA_RATIO * now, **common)
     common |= {"heading": best.heading, "then": then}
     if (face := _angle_to_upright_plane(result, best)) is None:
         code = "further_line.starboard" if best.to_starboard else "further_line.port"
@@ -151,8 +151,8 @@ def _limiting_parameters(
     """
     everything = _parameters_with_sigmas(result)
     values = {each.name: each.value for each in result.parameters}
-    held = [each.name for each in everything if values[each.name] is None]
-    if not held:
+    undetermined = [each.name for each in everything if values[each.name] is None]
+    if not undetermined:
         return [], [], []
 
     def exactly(names: Collection[str]) -> Array:
@@ -160,16 +160,16 @@ def _limiting_parameters(
         return _predicted_sigmas(observations, result, others)
 
     with single_blas_thread():
-        now, known = exactly(()), exactly(held)
-        alone = {name: exactly([name]) for name in held}
+        now, known = exactly(()), exactly(undetermined)
+        alone = {name: exactly([name]) for name in undetermined}
     floor = np.sqrt(np.maximum(now**2 - known**2, 0.0))
     found: list[list[str]] = [[], [], []]
-    for k in np.flatnonzero(floor > WORTH_IT * now):
+    for k in np.flatnonzero(floor > MAX_SIGMA_RATIO * now):
         least = min(sigma[k] for sigma in alone.values())
         found[k] = [
             name
             for name, sigma in alone.items()
-            if sigma[k] == least or sigma[k] < WORTH_IT * now[k]
+            if sigma[k] == least or sigma[k] < MAX_SIGMA_RATIO * now[k]
         ]
     return found[0], found[1], found[2]
 
@@ -194,22 +194,22 @@ def _add_simulated_line(
     """Observations with a line added, distance to the targets, and whether to starboard."""
     places = points_local(observations, result.mounting)
     suspects = set(result.rejected_sightings)
-    seen = [_best_sighting(observations, k, suspects) for k in range(len(observations.targets))]
-    vessel = np.stack([observations.position[own].mean(axis=0) for own in seen])
-    centres = np.stack([places[own].mean(axis=0) for own in seen])
+    best = [_best_sighting(observations, k, suspects) for k in range(len(observations.targets))]
+    vessel = np.stack([observations.position[own].mean(axis=0) for own in best])
+    centres = np.stack([places[own].mean(axis=0) for own in best])
     reach = float(np.median(np.linalg.norm((vessel - centres)[:, :2], axis=1)))
     course = np.array([np.cos(heading), -np.sin(heading), 0.0])
-    aside = np.array([-course[1], course[0], 0.0])
+    abeam = np.array([-course[1], course[0], 0.0])
     middle = centres.mean(axis=0)
-    to_starboard = bool((vessel.mean(axis=0) - middle) @ aside >= 0)
+    to_starboard = bool((vessel.mean(axis=0) - middle) @ abeam >= 0)
     if not to_starboard:
-        aside = -aside
-    start = middle + reach * aside
+        abeam = -abeam
+    start = middle + reach * abeam
     start[2] = float(vessel[:, 2].mean())
     parts: list[Observations] = []
     sightings: list[Sighting] = []
     begin = float(observations.time.max()) + _usual_time_between_lines(observations)
-    for k, (own, target) in enumerate(zip(seen, result.targets, strict=True)):
+    for k, (own, target) in enumerate(zip(best, result.targets, strict=True)):
         points = places[own]
         along = (points - start) @ course
         position = start + along[:, None] * course
@@ -259,8 +259,8 @@ def _best_sighting(
     own = np.flatnonzero(observations.target_of_sighting == target)
     good = [k for k in own if observations.sightings[k] not in suspects]
     own = np.array(good) if good else own
-    most = own[int(np.argmax(observations.counts[own]))]
-    return np.flatnonzero(observations.sighting == most)
+    densest = own[int(np.argmax(observations.counts[own]))]
+    return np.flatnonzero(observations.sighting == densest)
 
 
 def _usual_time_between_lines(observations: Observations) -> float:

@@ -21,10 +21,10 @@ Array = NDArray[np.float64]
 
 ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
 
-SURE = 3.0
+CHANCE_SIGMAS = 3.0
 """Standard deviations of chance beyond which a share of intervals is not by chance."""
 
-ENOUGH = 20
+MIN_SURVEYS = 20
 """Surveys that determine a standard deviation to a sixth; fewer give no result."""
 
 
@@ -56,7 +56,7 @@ class MonteCarloResult:
         return np.asarray(np.sqrt((self.errors**2).mean(axis=0)))
 
     @property
-    def mean_stated_sigma(self) -> Array:
+    def mean_formal_sigma(self) -> Array:
         """Mean sigma of the adjustments, shape (3,), radians."""
         return np.asarray(self.sigmas.mean(axis=0))
 
@@ -113,7 +113,7 @@ class MonteCarloResult:
                 ),
                 (
                     gettext("σ from the adjustment (deg)"),
-                    np.degrees(self.mean_stated_sigma),
+                    np.degrees(self.mean_formal_sigma),
                     4,
                     False,
                 ),
@@ -138,7 +138,7 @@ class MonteCarloResult:
                 angle=angle, share=share,
             )
             for angle, share in zip(names, self.interval_coverage, strict=True)
-            if share < 0.95 - SURE * chance
+            if share < 0.95 - CHANCE_SIGMAS * chance
         ]  # fmt: skip
         if not found:
             found = [
@@ -154,7 +154,7 @@ class MonteCarloResult:
                 angle=angle, mean=mean,
             )
             for angle, mean, sigma in zip(names, self.bias, self.sigma_bias, strict=True)
-            if abs(mean) > SURE * sigma
+            if abs(mean) > CHANCE_SIGMAS * sigma
         ]  # fmt: skip
         low, high = self.chi_square_bounds
         verdict = N_(
@@ -204,7 +204,7 @@ def run_monte_carlo(
     flatness_known : bool
         Whether the flatness of the targets is given to the adjustment, not estimated.
     enough : int, optional
-        Surveys that are an answer where ``progress`` cancels the rest.
+        Surveys that suffice for a result where ``progress`` cancels the rest.
     mapper : callable
         As of `lispac.design.plan_search.search`.
 
@@ -225,8 +225,8 @@ def run_monte_carlo(
     trial = _SurveyTrial(plan, plan.flatness if flatness_known else None, seed)
     found = []
     try:
-        for answer in mapper(trial, range(surveys)):
-            found.append(answer)
+        for one_result in mapper(trial, range(surveys)):
+            found.append(one_result)
             progress(
                 len(found) / surveys,
                 gettext_lazy(

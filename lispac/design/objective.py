@@ -26,12 +26,12 @@ CRITERIA: dict[Criterion, str] = {
     "D": N_("mean radius of the confidence ellipsoid (D-optimality)"),
 }
 
-BY_EYE = np.radians(10.0)
-"""A mounting is known so well before anything is measured: what keeps the number of a plan finite
-that determines nothing, so that a search can compare them."""
+PRIOR_SIGMA = np.radians(10.0)
+"""Radians: sigma of the angles before anything is measured. It keeps the value of a plan finite
+that determines nothing, so that a search can compare plans."""
 
 
-_OF: dict[Criterion, Callable[[Array], float]] = {
+VALUE_OF: dict[Criterion, Callable[[Array], float]] = {
     "largest": lambda covariance: float(np.sqrt(np.diag(covariance).max())),
     "roll": lambda covariance: float(np.sqrt(covariance[0, 0])),
     "pitch": lambda covariance: float(np.sqrt(covariance[1, 1])),
@@ -65,10 +65,10 @@ class PlanObjective:
         found = predict(plan)
         return self._mean_over_pos_factors(plan, found) if found.determined else float("inf")
 
-    def _mean_over_pos_factors(self, plan: Plan, as_stated: Prediction | None) -> float:
+    def _mean_over_pos_factors(self, plan: Plan, nominal: Prediction | None) -> float:
         found = [
-            as_stated
-            if as_stated is not None and factor == 1.0
+            nominal
+            if nominal is not None and factor == 1.0
             else predict(_scale_pos_errors(plan, factor))
             for factor in self.pos_factors
         ]
@@ -76,8 +76,8 @@ class PlanObjective:
 
     def value_of_prediction(self, prediction: Prediction) -> float:
         """Value of the criterion, radians; that of the worst angle if one is undetermined."""
-        covariance = np.linalg.inv(prediction.information + np.eye(3) / BY_EYE**2)
-        return _OF[self.criterion if prediction.determined else "largest"](covariance)
+        covariance = np.linalg.inv(prediction.information + np.eye(3) / PRIOR_SIGMA**2)
+        return VALUE_OF[self.criterion if prediction.determined else "largest"](covariance)
 
 
 def _scale_pos_errors(plan: Plan, factor: float) -> Plan:

@@ -10,14 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.observability import have_one_orientation
-from lispac.design.objective import BY_EYE, PlanObjective
+from lispac.design.objective import PRIOR_SIGMA, PlanObjective
 from lispac.design.plan import SIX, Line, Plan, line_pattern
-from lispac.design.site import Site, are_boards_apart
+from lispac.design.site import Site, are_boards_separate
 from lispac.simulation.closed_form_survey import Ball, Board
 
 Array = NDArray[np.float64]
 
-NO_PLAN = 2 * BY_EYE
+INVALID_PLAN_VALUE = 2 * PRIOR_SIGMA
 """Number of a plan whose boards hang over each other, whose lines come too near the wall, or whose
 targets all face one way, which the adjustment refuses: worse than any."""
 
@@ -89,11 +89,11 @@ class DesignSpace:
         plan = self.plan(choice)
         boards = [target for target in plan.targets if isinstance(target, Board)]
         if (
-            not are_boards_apart(boards)
+            not are_boards_separate(boards)
             or have_targets_one_orientation(plan)
             or not self.site.keeps_clear_of_wall(plan)
         ):
-            return NO_PLAN
+            return INVALID_PLAN_VALUE
         return float(f"{self.objective.of(plan):.{DIGITS}g}")
 
     @cached_property

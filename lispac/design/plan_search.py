@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from lispac.design.objective import PlanObjective
 from lispac.design.plan import Plan
 from lispac.design.plan_choices import (
-    NO_PLAN,
+    INVALID_PLAN_VALUE,
     DesignSpace,
     PlanChoice,
     have_targets_one_orientation,
@@ -30,26 +30,26 @@ from lispac.progress import Progress, no_progress
 
 Array = NDArray[np.float64]
 Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
-"""Calls a function on each of many values, in whatever process; the answers in order."""
+"""Calls a function on each of many values, in whatever process; the results in order."""
 
-EXACTLY = 20_000
+MAX_EVALUATED = 20_000
 """Number of plans up to which all are evaluated."""
 
 POPULATION = 8
 """Plans a generation for each choice that is open."""
 
-IMPROVED = 2
+IMPROVED_PLANS = 2
 """Plans of the last generation that are improved: each leads to the best one near it."""
 
-HARDLY = 1e-3
+MIN_GAIN = 1e-3
 """Smallest relative gain for an exchange."""
 
 
 @dataclass(frozen=True)
 class InformationGain:
-    """Information gain of a target or line: objective value of the plan without it, radians.
+    """Information gain of a target or line, as the objective value of the plan without it.
 
-    Infinite where an angle would be left open.
+    ``without`` is in radians; infinite where an angle would be undetermined.
     """
 
     name: str
@@ -84,9 +84,9 @@ class DesignResult:
         Of the objective.
     exact : bool
         Whether all plans were evaluated, so that none is better.
-    looked_at : int
-        Plans.
-    worth : tuple of InformationGain
+    evaluated : int
+        Plans evaluated.
+    gains : tuple of InformationGain
         Of each target and each line, the most valuable first.
     front : tuple of ReductionStep
         The best plans found for less and less time; the first is the plan.
@@ -96,8 +96,8 @@ class DesignResult:
     prediction: Prediction
     value: float
     exact: bool
-    looked_at: int
-    worth: tuple[InformationGain, ...]
+    evaluated: int
+    gains: tuple[InformationGain, ...]
     front: tuple[ReductionStep, ...]
 
 
@@ -131,7 +131,7 @@ def search(
     """
     space = DesignSpace(site, objective or PlanObjective())
     counted = _CountingMapper(mapper, progress, min(plans, space.size))
-    exact = space.size <= EXACTLY
+    exact = space.size <= MAX_EVALUATED
     if exact:
         chosen = _best_of_all_choices(space, counted)
     else:
@@ -141,7 +141,7 @@ def search(
         )
     plan = space.plan(chosen)
     prediction = predict(plan)
-    if not prediction.determined or space.value(chosen) >= NO_PLAN:
+    if not prediction.determined or space.value(chosen) >= INVALID_PLAN_VALUE:
         raise RankDeficient(error("design.no_plan"))
     progress(0.95, gettext_lazy("Computing the information gain"))
     return DesignResult(
@@ -238,7 +238,7 @@ def _evolve_choices(
     )
     best_first = np.argsort(result.population_energies, kind="stable")
     choices = dict.fromkeys(space.choice(result.population[k]) for k in best_first)
-    return list(choices)[:IMPROVED]
+    return list(choices)[:IMPROVED_PLANS]
 
 
 def _improve_by_exchange(space: DesignSpace, choice: PlanChoice, mapper: Mapper) -> PlanChoice:
@@ -256,7 +256,7 @@ def _improve_by_exchange(space: DesignSpace, choice: PlanChoice, mapper: Mapper)
                 ]
                 values = list(mapper(space.value, others))
                 best = int(np.argmin(values))
-                if values[best] < (1 - HARDLY) * value:
+                if values[best] < (1 - MIN_GAIN) * value:
                     choice, value, improved = others[best], values[best], True
     return choice
 

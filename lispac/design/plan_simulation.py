@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.design.plan import Plan
-from lispac.design.prediction import FEWEST, UNSEEN, expected_point_count
+from lispac.design.prediction import MIN_POINTS, UNSEEN, expected_point_count
 from lispac.errors import RankDeficient
 from lispac.simulation.closed_form_survey import (
     Ball,
@@ -42,7 +42,7 @@ def simulate_plan(
     Raises
     ------
     RankDeficient
-        No target is seen on any line.
+        No target is visible on any line.
     """
     system, rows, sightings = plan.system, [], []
     sea = SeaMotion.draw(generator)
@@ -53,7 +53,7 @@ def simulate_plan(
         for course in plan.courses:
             scanner = scanner_position_abeam(system.mounting, target, course)
             count = expected_point_count(system, target, course, scanner)
-            if count < FEWEST:
+            if count < MIN_POINTS:
                 continue
             off = (0.0 if perfect else flatness) * generator.standard_normal(3)
             points = _simulate_target_points(target, count, off, generator, scanner)
@@ -85,7 +85,7 @@ def _simulate_target_points(
     -------
     ndarray of shape (about ``count``, 3), metres, local
     """
-    # What is seen of a ball is the disc in the square that the grid covers.
+    # The visible part of a ball is the disc in the square that the grid covers.
     side = round(np.sqrt(count * 4 / np.pi if isinstance(target, Ball) else count))
     fields = np.stack(np.divmod(np.arange(side**2), side))
     u, v = 2 * (fields + generator.uniform(0, 1, fields.shape)) / side - 1

@@ -38,7 +38,7 @@ of them change no sigma by a percent."""
 FLATTEST = 1e-6
 """Metres: flatness of a target specified as perfectly flat."""
 
-FEWEST = 20
+MIN_POINTS = 20
 """Points below which a sighting is too few to be picked."""
 
 
@@ -88,15 +88,15 @@ class Prediction:
 
 def predict(plan: Plan) -> Prediction:
     """Predict the sigmas of roll, pitch and yaw of a survey."""
-    seen = _PlanSightings.of(plan)
-    if not seen.sightings:
+    found = _PlanSightings.of(plan)
+    if not found.sightings:
         return Prediction(np.zeros((3, 3)), {})
     with single_blas_thread():
         try:
-            information = seen.linearised().normal.information(3)
+            information = found.linearised().normal.information(3)
         except (RankDeficient, np.linalg.LinAlgError):
             information = np.zeros((3, 3))
-    return Prediction(information, seen.points)
+    return Prediction(information, found.points)
 
 
 def predicted_equations(plan: Plan) -> LinearisedProblem:
@@ -105,13 +105,13 @@ def predicted_equations(plan: Plan) -> LinearisedProblem:
     Raises
     ------
     RankDeficient
-        No target is seen on any line.
+        No target is visible on any line.
     """
-    seen = _PlanSightings.of(plan)
-    if not seen.sightings:
+    found = _PlanSightings.of(plan)
+    if not found.sightings:
         raise RankDeficient(UNSEEN)
     with single_blas_thread():
-        return seen.linearised()
+        return found.linearised()
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,24 +126,24 @@ class _PlanSightings:
 
     @classmethod
     def of(cls, plan: Plan) -> "_PlanSightings":
-        seen = cls(plan, [], {}, [], [])
+        found = cls(plan, [], {}, [], [])
         courses = plan.courses
         for target in plan.targets:
             places = target.grid(GRID) if isinstance(target, Board) else None
             for course in courses:
                 scanner = scanner_position_abeam(plan.system.mounting, target, course)
                 count = expected_point_count(plan.system, target, course, scanner)
-                if count < FEWEST:
+                if count < MIN_POINTS:
                     continue
                 sighting = Sighting(target.name, course.name)
-                seen.sightings.append(sighting)
-                seen.points[target.name, course.name] = count
+                found.sightings.append(sighting)
+                found.points[target.name, course.name] = count
                 if isinstance(target, Ball):
                     places = target.grid(2 * GRID, scanner)
                 assert places is not None
-                seen.places.append(places)
-                seen.on_course.append(course)
-        return seen
+                found.places.append(places)
+                found.on_course.append(course)
+        return found
 
     def observations(self) -> Observations:
         """The representative points, from a level vessel."""
@@ -159,7 +159,7 @@ class _PlanSightings:
                 strict=True,
             )
         )
-        # The profile stands across the course and meets a point when the scanner is abeam.
+        # The profile stands across the course and reaches a point when the scanner is abeam.
         along = np.einsum("ni,ni->n", places - at_abeam, direction)
         along -= system.mounting.lever_arm[0]
         position = at_abeam + along[:, None] * direction

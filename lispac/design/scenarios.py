@@ -38,7 +38,7 @@ COMBINATIONS: dict[str, tuple[int, ...]] = {
 
 INCLINATIONS = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0)
 """Degrees from level. The boards hang above the vessel and face it: they lean forward, for one that
-leans back by as much would hardly be seen."""
+leans back by as much would hardly be visible."""
 SIZES = (0.25, 0.50, 0.75, 1.00)
 CLUSTERED: tuple[tuple[float, ...], ...] = (
     (90.0,), (90.0, 60.0), (90.0, 45.0), (90.0, 30.0), (60.0, 30.0), (90.0, 60.0, 30.0),
@@ -189,7 +189,7 @@ SCENARIOS: dict[str, Callable[[Plan], list[Case]]] = {
 OF_THE_THESIS = ("lines", "inclination", "size", "targets")
 """Scenarios that have the thesis's own boards and lines, whatever the plan's are."""
 
-STATED: Sequence[PosErrors] = ("independent", "correlated")
+ERROR_MODELS: Sequence[PosErrors] = ("independent", "correlated")
 
 
 @dataclass(frozen=True, eq=False)
@@ -244,7 +244,7 @@ def predict_scenarios(
         if scenario in OF_THE_THESIS:
             base = replace(thesis_setting(), system=plan.system, flatness=plan.flatness)
         for label, changed in SCENARIOS[scenario](base):
-            for errors in STATED:
+            for errors in ERROR_MODELS:
                 predicted = predict(
                     replace(changed, system=replace(changed.system, pos_errors=errors))
                 )

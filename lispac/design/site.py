@@ -14,7 +14,7 @@ from lispac.simulation.closed_form_survey import Ball, Board
 
 Array = NDArray[np.float64]
 
-LARGER = 3.0
+MIN_WIDTH_RATIO = 3.0
 """A plane so many times as wide as a board carries it, as a quay's face does."""
 
 
@@ -41,7 +41,7 @@ class Wall:
 
     @property
     def rightward(self) -> Array:
-        """Unit vector to the right of one who looks at the wall, north and west, shape (2,)."""
+        """Unit vector to the right when facing the wall, north and west, shape (2,)."""
         out = self.outward
         return np.array([-out[1], out[0]])
 
@@ -221,12 +221,12 @@ def overlapping_targets(targets: Sequence[Board | Ball]) -> tuple[tuple[str, str
     return tuple(
         (one.name, other.name)
         for one, other in combinations(boards, 2)
-        if max(one.width, other.width) < LARGER * min(one.width, other.width)
-        and not are_boards_apart((one, other))
+        if max(one.width, other.width) < MIN_WIDTH_RATIO * min(one.width, other.width)
+        and not are_boards_separate((one, other))
     )
 
 
-def are_boards_apart(boards: Sequence[Board]) -> bool:
+def are_boards_separate(boards: Sequence[Board]) -> bool:
     """Whether no two boards overlap."""
     centres = np.array([board.centre for board in boards]).reshape(-1, 3)
     half = np.array([(board.width / 2, board.height / 2) for board in boards]).reshape(-1, 2)

@@ -2,7 +2,7 @@
 
 SciPy's k-d tree does the search. Two habits make it three times as fast on a million points as a
 plain call: cells are split at their middle instead of at the median point, and the questions are
-asked in spatial order, so that one after the other walks through the same leaves of the tree.
+queried in spatial order, so that one after the other walks through the same leaves of the tree.
 """
 
 from typing import TYPE_CHECKING
@@ -112,10 +112,10 @@ def local_planes_kernel(
     points: Points, neighbours: Indices, counts: Indices
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:  # pragma: no cover - compiled
     """Compiled version of the search, as `local_planes`."""
-    n, most = neighbours.shape
+    n, width = neighbours.shape
     centroids = np.empty((n, 3))
     normals = np.empty((n, 3))
-    local = np.empty((most, 3))
+    local = np.empty((width, 3))
     covariance = np.empty((3, 3))
     vectors = np.empty((3, 3))
     for row in range(n):

@@ -121,7 +121,7 @@ def _fit_quadrics(
 
 @njit(nogil=True, cache=True)
 def _solve_symmetric(system: Array) -> bool:  # pragma: no cover - compiled
-    """Gauss-Jordan on a symmetric positive system (k, k + 1); the answer is its last column."""
+    """Gauss-Jordan on a symmetric positive system (k, k + 1); the solution is its last column."""
     size = system.shape[0]
     for k in range(size):
         # What is left of a diagonal element says how much this term adds to those before it.

@@ -1,6 +1,6 @@
 """Fast search for the points of a cloud inside a sphere.
 
-Two ways, the same answer: `points_within` reads the whole cloud and needs no preparation (a
+Two ways, the same result: `points_within` reads the whole cloud and needs no preparation (a
 million points cost about two milliseconds); `PointGrid` sorts the cloud into cells once and then
 reads only the cells the sphere touches, which pays from some millions of points.
 """

@@ -13,10 +13,10 @@ from lispac.messages import error
 Array = NDArray[np.float64]
 
 # Steps of the geometric fit; a well-determined cap converges in four to ten.
-MOST_STEPS = 100
+MAX_STEPS = 100
 # A step this small beside the size of the cap ends the fit, and so does a radius so many times the
 # size of the cap: that is a plane.
-SETTLED, FLAT = 1e-12, 1e5
+STEP_TOLERANCE, MAX_RADIUS = 1e-12, 1e5
 LEAST_DAMPING = 1e-10
 # The radius must be known to a third of itself (three sigma above nothing), and a known radius must
 # fit on one side of the points better than on the other by three sigma.
@@ -133,14 +133,14 @@ def rms_from_sphere(sphere: Sphere, points: Array) -> float:
 
 
 def cap_axis(directions: Array) -> Array:
-    """Middle (3,) of directions (n, 3) in which a sphere was seen: unit vectors in one frame."""
+    """Middle (3,) of the directions (n, 3) to a sphere: unit vectors in one frame."""
     total = directions.sum(axis=0)
     length = float(np.linalg.norm(total))
     axis: Array = total / length if length > 0.0 else np.array([0.0, 0.0, 1.0])
     return axis
 
 
-def seen_surface_share(sphere: Sphere, points: Array) -> float:
+def visible_share(sphere: Sphere, points: Array) -> float:
     """Share of the whole surface that points (n, 3) in its frame span, 0.5 for a full half.
 
     It is the area inside their outline, drawn in Lambert's equal-area projection about the middle
@@ -168,7 +168,7 @@ def _fit_free_radius(points: Array, weights: Array, start: Sphere) -> Sphere:
         Where the noise is too large to determine the radius.
     """
     sphere, square, normal = _refine_sphere(points, weights, start, free=True)
-    flat = not sphere.radius < FLAT or np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points)
+    flat = not sphere.radius < MAX_RADIUS or np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points)
     if not flat:
         variance = square / max(1, len(points) - 4) * float(np.linalg.inv(normal)[3, 3])
         flat = SIGNIFICANT * float(np.sqrt(variance)) > sphere.radius
@@ -181,9 +181,9 @@ def _fit_algebraically(points: Array, weights: Array) -> Sphere:
     """Algebraic fit ``|X|^2 = 2 c.X + k``: approximate, in one step."""
     root = np.sqrt(weights)
     rows = np.column_stack([2.0 * points, np.ones(len(points))]) * root[:, None]
-    answer = np.linalg.lstsq(rows, (points**2).sum(axis=1) * root, rcond=None)[0]
-    centre = answer[:3]
-    return Sphere(centre, float(np.sqrt(max(answer[3] + centre @ centre, 1e-6))))
+    solution = np.linalg.lstsq(rows, (points**2).sum(axis=1) * root, rcond=None)[0]
+    centre = solution[:3]
+    return Sphere(centre, float(np.sqrt(max(solution[3] + centre @ centre, 1e-6))))
 
 
 def _fit_known_radius(points: Array, weights: Array, starts: list[Sphere]) -> Sphere:
@@ -195,7 +195,7 @@ def _fit_known_radius(points: Array, weights: Array, starts: list[Sphere]) -> Sp
         Where the points leave the centre open, or its side of them.
     """
     converged = [_refine_sphere(points, weights, start, free=False) for start in starts]
-    converged.sort(key=lambda answer: answer[1])
+    converged.sort(key=lambda fit: fit[1])
     best, square, normal = converged[0]
     if np.linalg.eigvalsh(normal)[0] <= SINGULAR * len(points):
         raise SphereNotFound(error("target.sphere_small_part"))
@@ -226,7 +226,7 @@ def _minimise_distances(
     damping = 1e-3
     total = weights.sum()
     normal, pull, square = _sphere_normal_equations(points, weights, centre, radius, size)
-    for _ in range(MOST_STEPS):
+    for _ in range(MAX_STEPS):
         damped = normal + damping * total * np.eye(size)
         step = np.linalg.solve(damped, pull)
         there = centre + step[:3]
@@ -238,7 +238,7 @@ def _minimise_distances(
             damping = max(0.1 * damping, LEAST_DAMPING)
         else:
             damping *= 10.0
-        if np.sqrt((step * step).sum()) <= SETTLED * max(1.0, radius) or radius > FLAT:
+        if np.sqrt((step * step).sum()) <= STEP_TOLERANCE * max(1.0, radius) or radius > MAX_RADIUS:
             break
     return centre, radius, square, normal
 

@@ -129,7 +129,7 @@ class PatchObjects(QObject):
                 )
             except LispacError as error:
                 return str(error)
-            if not found.sample.seen:
+            if not found.sample.observed:
                 return gettext(
                     "Fewer than two lines have points in the box. Place it around an object "
                     "that is visible in two lines."

@@ -144,7 +144,7 @@ class PatchTestController(QObject):
             [each.name], self._ticked_line_pairs()))  # fmt: skip
         self._curve_at = None
         self.panel.curve.show_curve("", np.empty(0), np.empty(0))
-        if self._dense is None or self._dense.seen[0].object is not each:
+        if self._dense is None or self._dense.observed[0].object is not each:
             self._dense = None
             self._extract_dense_points(each, self._laid, survey)
         self._draw_lines()
@@ -153,7 +153,7 @@ class PatchTestController(QObject):
         """Extract the points to draw in the worker; the picture stays until they are there."""
 
         def work(_progress: Progress) -> ObjectSample:
-            return ObjectSample.of([each], placed_lines(laid, survey), survey.scans, most=DENSE)
+            return ObjectSample.of([each], placed_lines(laid, survey), survey.scans, limit=DENSE)
 
         def done(dense: ObjectSample) -> None:
             if self._find_object(self.panel.shown) is each:
@@ -189,7 +189,7 @@ class PatchTestController(QObject):
         placed = self._dense.placed_points(boresight) - each.box.centre
         points = {
             seen.line: placed[seen.points] @ np.column_stack([across, up])
-            for seen in self._dense.seen
+            for seen in self._dense.observed
         }
         colours = theme.line_colours(self._survey.lines)
         self.panel.picture.show_points(points, colours, size)
@@ -306,9 +306,9 @@ class PatchTestController(QObject):
             panel.angles.start_at(result.boresight, NEAR)
             panel.angles.show_found(result.boresight, result.sigma, result.curvature)
             panel.message_label.setText(
-                units.convert_unit_signs("\n".join(map(message_text, result.remarks)), "°", "mm")
+                units.convert_unit_signs("\n".join(map(message_text, result.messages)), "°", "mm")
             )
-            panel.mark_objects({each.name: each.disagreement_remark for each in result.disagreeing})
+            panel.mark_objects({each.name: each.disagreement for each in result.disagreeing})
             self._draw_lines()
             self._enable_controls()
 

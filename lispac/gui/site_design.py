@@ -236,7 +236,7 @@ class SiteDesign(QObject):
             best = TitledPlan(title, result.plan, site.wall)
             self.workspace.edit(gettext_lazy("best survey design"), best)
             value = float(np.degrees(result.value))
-            panel.show_found(SearchResult(value, objective, result.looked_at, result.exact))
+            panel.show_found(SearchResult(value, objective, result.evaluated, result.exact))
             window.pictures.show_front(result.front, CRITERIA[objective.criterion])
 
         panel.show_found(None)

@@ -18,21 +18,21 @@ from lispac.survey.cloud import Cloud
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-LOOKED_AT = 300_000
+LINE_POINTS = 300_000
 """Points of a line that are examined: enough to find its planes."""
-FEWEST = 20
+MIN_POINTS = 20
 """Points of a line that a region must hold."""
-FAR, TIGHT = 2.5, 2.0
+OUTLIER_SIGMAS, LIDAR_SIGMAS = 2.5, 2.0
 """Standard deviations of its plane's points, and LiDAR sigmas, that a point without weight lies
 off: the larger of both."""
-LOOKS = 8
+ITERATIONS = 8
 SHRUNK = 0.75
-"""Standard deviation of normal noise seen with these weights, over the true one."""
+"""Standard deviation of normal noise estimated with these weights, over the true one."""
 
 
 @dataclass(frozen=True, eq=False)
 class LinePlanes:
-    """Planes of regions as single lines see them, one row each, sorted by region.
+    """Planes fitted to the points of single lines in each region, one row each, sorted by region.
 
     Attributes
     ----------
@@ -109,13 +109,13 @@ def find_line_planes(
     numbers : ndarray of shape (m,), int
         Places of the points in the samples of their lines.
     """
-    taken = [
-        np.arange(0, len(c.sample), -(-len(c.sample) // LOOKED_AT) or 1) for c in clouds.values()
+    chosen = [
+        np.arange(0, len(c.sample), -(-len(c.sample) // LINE_POINTS) or 1) for c in clouds.values()
     ]
-    points = np.concatenate([c.sample[k] for c, k in zip(clouds.values(), taken, strict=True)])
-    time = np.concatenate([c.sample_time[k] for c, k in zip(clouds.values(), taken, strict=True)])
-    line = np.repeat(np.arange(len(taken)), [len(k) for k in taken])
-    sampled = np.concatenate(taken)
+    points = np.concatenate([c.sample[k] for c, k in zip(clouds.values(), chosen, strict=True)])
+    time = np.concatenate([c.sample_time[k] for c, k in zip(clouds.values(), chosen, strict=True)])
+    line = np.repeat(np.arange(len(chosen)), [len(k) for k in chosen])
+    sampled = np.concatenate(chosen)
     finite = np.isfinite(points).all(axis=1)
     points, time, line, sampled = points[finite], time[finite], line[finite], sampled[finite]
     progress(0.1)
@@ -123,11 +123,11 @@ def find_line_planes(
     progress(0.5)
     region = regions.at(points)
     on = np.flatnonzero(region >= 0)
-    both = region[on] * len(taken) + line[on]
+    both = region[on] * len(chosen) + line[on]
     order = np.argsort(both, kind="stable")
     start = np.flatnonzero(np.diff(both[order], prepend=-1))
     counts = np.diff(np.append(start, len(order)))
-    enough = counts >= FEWEST
+    enough = counts >= MIN_POINTS
     order, keys = order[np.repeat(enough, counts)], both[order][start[enough]]
     counts = counts[enough]
     owner = np.repeat(np.arange(len(counts)), counts)
@@ -139,26 +139,26 @@ def find_line_planes(
     # With the biweight (Beaton and Tukey 1974) a plane converges to the densest layer.
     centre, normal = np.zeros((len(counts), 3)), np.zeros((len(counts), 3))
     far = np.full(len(counts), np.inf)
-    for look in range(LOOKS):
-        progress(0.6 + 0.4 * look / LOOKS)
+    for iteration in range(ITERATIONS):
+        progress(0.6 + 0.4 * iteration / ITERATIONS)
         centre, variances, axes = fit_weighted_planes(local, np.cumsum(counts), centre, normal, far)
         normal = np.ascontiguousarray(axes[:, :, 0])
         rough = np.sqrt(np.maximum(variances[:, 0], 1e-12)) / np.where(np.isinf(far), 1.0, SHRUNK)
-        far = np.minimum(far, np.maximum(FAR * rough, TIGHT * noise))
-    apart = local - centre[owner]
-    off = (apart * normal[owner]).sum(axis=1)
+        far = np.minimum(far, np.maximum(OUTLIER_SIGMAS * rough, LIDAR_SIGMAS * noise))
+    relative = local - centre[owner]
+    off = (relative * normal[owner]).sum(axis=1)
     kept = np.abs(off) < far[owner]
     number = np.bincount(owner[kept], minlength=len(counts))
     some = np.maximum(number, 1)
     rough = np.sqrt(np.maximum(np.bincount(owner[kept], off[kept] ** 2, len(counts)) / some, 1e-12))
     fourth = np.bincount(owner[kept], off[kept] ** 4, len(counts)) / some
     reach = np.zeros(len(counts))
-    np.maximum.at(reach, owner[kept], np.linalg.norm(apart[kept], axis=1))
+    np.maximum.at(reach, owner[kept], np.linalg.norm(relative[kept], axis=1))
     ahead = np.take_along_axis(normal, np.abs(normal).argmax(axis=1)[:, None], axis=1)
     ends = np.cumsum(number)
     planes = LinePlanes(
-        region=keys // len(taken),
-        line=keys % len(taken),
+        region=keys // len(chosen),
+        line=keys % len(chosen),
         begin=ends - number,
         end=ends,
         count=number,

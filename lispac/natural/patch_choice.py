@@ -20,17 +20,17 @@ from lispac.survey.trajectory import Poses, TrajectoryAccuracy
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-COUNT = 30
+PATCH_COUNT = 30
 """Patches that are chosen where there are so many: ten more lower the sigmas by an eighth at most,
 as what is left is the POS error, and take half as long again."""
-MOST_LINES = 4
+MAX_LINES = 4
 """Sightings of a patch, on the most informative lines; a fifth would be redundant."""
-LOOKED_AT = 2_500
+MAX_CANDIDATES = 2_500
 """Patches that are judged, spread evenly over all there are."""
-UNKNOWN = np.radians(3.0)
+PRIOR_SIGMA = np.radians(3.0)
 """Sigma of the angles before the first patch."""
 STEP = 1e-4
-"""Radians by which angles are turned to see how a point moves."""
+"""Radians by which angles are turned to compute how a point moves."""
 FLOOR, ROUGHNESS = 0.003, 0.3
 """What a sighting of a patch is off by as a whole: metres, and a share of its roughness."""
 DIRECTION_CAP, TIME_CAP = 3.0, 3.0
@@ -76,7 +76,7 @@ def choose_patches(
     patches: Patches,
     clouds: Mapping[str, Cloud],
     accuracy: TrajectoryAccuracy,
-    count: int = COUNT,
+    count: int = PATCH_COUNT,
 ) -> PatchChoice:
     """Choose patches.
 
@@ -89,23 +89,23 @@ def choose_patches(
         Most of them.
     """
     if not len(patches):
-        return PatchChoice([], np.full(3, UNKNOWN))
-    number = np.unique(np.linspace(0, len(patches) - 1, LOOKED_AT).astype(np.int64))
+        return PatchChoice([], np.full(3, PRIOR_SIGMA))
+    number = np.unique(np.linspace(0, len(patches) - 1, MAX_CANDIDATES).astype(np.int64))
     information = _patch_information(patches, number, clouds, accuracy)
     facing = _nearest_direction(patches.normal[number])
     moment = np.floor(patches.planes.time / MOMENT).astype(np.int64) * len(clouds)
     moment = np.unique(moment + patches.planes.line, return_inverse=True)[1].reshape(-1)
     of_direction = np.zeros(int(facing.max()) + 1, dtype=np.int64)
     of_moment = np.zeros(int(moment.max()) + 1, dtype=np.int64)
-    most_facing = max(4.0, DIRECTION_CAP * count / len(np.unique(facing)))
-    most_then = max(4.0, TIME_CAP * count * 3 / len(of_moment))
+    max_facing = max(4.0, DIRECTION_CAP * count / len(np.unique(facing)))
+    max_at_once = max(4.0, TIME_CAP * count * 3 / len(of_moment))
     moments = np.where(information.sighting >= 0, moment[information.sighting], -1)
     open_ = np.ones(len(number), dtype=bool)
     covariance = np.eye(information.rows.shape[2])
     picked: list[Indices] = []
     while len(picked) < count:
-        full = np.append(of_moment >= most_then, False)
-        free = open_ & (of_direction[facing] < most_facing) & ~full[moments].any(axis=1)
+        full = np.append(of_moment >= max_at_once, False)
+        free = open_ & (of_direction[facing] < max_facing) & ~full[moments].any(axis=1)
         # First one of each direction: where the greedy way alone has a single one in mind, nothing
         # would separate an error of the position from one of the angles.
         unserved = free & (of_direction[facing] == 0)
@@ -122,7 +122,7 @@ def choose_patches(
         inner = np.eye(len(rows)) + crossed @ rows.T
         covariance = covariance - crossed.T @ np.linalg.solve(inner, crossed)
         picked.append(np.sort(own))
-    return PatchChoice(picked, UNKNOWN * np.sqrt(np.diag(covariance)[:3]))
+    return PatchChoice(picked, PRIOR_SIGMA * np.sqrt(np.diag(covariance)[:3]))
 
 
 def _information_gain(rows: Array, covariance: Array) -> Array:
@@ -147,14 +147,14 @@ def _patch_information(
     # Of many lines, the most displaced are the most informative: farthest from the mean first.
     lines, total = len(clouds), np.bincount(owner, minlength=len(number))
     mean = np.stack([np.bincount(owner, c, len(number)) for c in derivative[:, :3].T], axis=1)
-    apart = np.linalg.norm(derivative[:, :3] - (mean / total[:, None])[owner], axis=1) / off
-    order = np.lexsort((-apart, owner))
+    displacement = np.linalg.norm(derivative[:, :3] - (mean / total[:, None])[owner], axis=1) / off
+    order = np.lexsort((-displacement, owner))
     rank = np.arange(len(order)) - (np.cumsum(total) - total)[owner[order]]
-    order, rank = order[rank < MOST_LINES], rank[rank < MOST_LINES]
+    order, rank = order[rank < MAX_LINES], rank[rank < MAX_LINES]
     wide = 3 + 6 * lines
-    table = np.zeros((len(number), MOST_LINES, wide))
-    weight = np.zeros((len(number), MOST_LINES))
-    sighting = np.full((len(number), MOST_LINES), -1, dtype=np.int64)
+    table = np.zeros((len(number), MAX_LINES, wide))
+    weight = np.zeros((len(number), MAX_LINES))
+    sighting = np.full((len(number), MAX_LINES), -1, dtype=np.int64)
     table[owner[order], rank, :3] = derivative[order, :3]
     columns = 3 + 6 * planes.line[rows[order]][:, None] + np.arange(6)
     table[owner[order][:, None], rank[:, None], columns] = derivative[order, 3:]
@@ -173,15 +173,15 @@ def _sighting_derivatives(
     time, centre = planes.time[rows], planes.centre[rows]
     normal = patches.normal[patches.patch[rows]]
     poses = where.trajectory.at(time + mounting.latency)
-    seen = to_lidar(centre, poses, mounting)
+    lidar = to_lidar(centre, poses, mounting)
     position, attitude = accuracy.at(time)
     found = np.empty((len(rows), 9))
     for k, axis in enumerate(np.eye(3)):
         turned = place_points(
-            seen, poses, mounting.with_boresight(mounting.boresight + STEP * axis)
+            lidar, poses, mounting.with_boresight(mounting.boresight + STEP * axis)
         )
-        found[:, k] = ((turned - centre) * normal).sum(axis=1) / STEP * UNKNOWN
-        swayed = place_points(seen, Poses(poses.position, poses.attitude + STEP * axis), mounting)
+        found[:, k] = ((turned - centre) * normal).sum(axis=1) / STEP * PRIOR_SIGMA
+        swayed = place_points(lidar, Poses(poses.position, poses.attitude + STEP * axis), mounting)
         moved = ((swayed - centre) * normal).sum(axis=1) / STEP
         found[:, 6 + k] = moved * attitude[:, k]
     found[:, 3:6] = normal * position

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.natural.flat_regions import Regions
-from lispac.natural.line_planes import LOOKED_AT, LinePlanes, find_line_planes
+from lispac.natural.line_planes import LINE_POINTS, LinePlanes, find_line_planes
 from lispac.natural.surface_filter import is_solid_surface, is_water
 from lispac.progress import Progress, no_progress
 from lispac.survey.cloud import Cloud, CloudInMemory
@@ -15,10 +15,10 @@ from lispac.survey.cloud import Cloud, CloudInMemory
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-TURNED = np.cos(np.radians(6.0))
+COSINE = np.cos(np.radians(6.0))
 """Least cosine between normals of one plane: what a boresight off by a tenth of a degree and the
 noise of half a metre leave."""
-MOST_POINTS = 3_000
+MAX_POINTS = 3_000
 """Points of a sighting: a fair sample of where there are more."""
 BESIDE = 0.35
 """Farthest that the middles of two lines' points may be apart, of their reach: two halves of a
@@ -63,14 +63,14 @@ class Patches:
         planes = self.planes
         if isinstance(cloud, CloudInMemory):  # the sample is the line
             own = self.numbers[planes.begin[row] : planes.end[row]]
-            one_in = max(1, -(-len(cloud) // LOOKED_AT))
+            one_in = max(1, -(-len(cloud) // LINE_POINTS))
         else:
             centre = planes.centre[row]
-            near = cloud.within(centre, planes.reach[row], most=LOOKED_AT)
+            near = cloud.within(centre, planes.reach[row], limit=LINE_POINTS)
             off = np.abs((near.points - centre) @ planes.normal[row])
             mine = self.regions.at(near.points) == planes.region[row]
             own, one_in = near.numbers[mine & (off <= planes.far[row])], near.one_in
-        step = -(-len(own) // MOST_POINTS) or 1
+        step = -(-len(own) // MAX_POINTS) or 1
         return own[::step], step * one_in
 
 
@@ -109,19 +109,19 @@ def _agrees_with_largest_line(
     last = np.append(np.flatnonzero(np.diff(owner[order])), len(order) - 1) if len(order) else order
     lead = order[last][owner] if len(order) else order
     along = (planes.normal * planes.normal[lead]).sum(axis=1)
-    apart = planes.centre - planes.centre[lead]
-    off = np.abs((apart * planes.normal[lead]).sum(axis=1))
-    beside = np.linalg.norm(apart, axis=1)
+    relative = planes.centre - planes.centre[lead]
+    off = np.abs((relative * planes.normal[lead]).sum(axis=1))
+    beside = np.linalg.norm(relative, axis=1)
     alike = (
-        (np.abs(along) >= TURNED) & (off <= 2 * threshold) & (beside <= BESIDE * planes.reach[lead])
+        (np.abs(along) >= COSINE) & (off <= 2 * threshold) & (beside <= BESIDE * planes.reach[lead])
     )
-    seen = np.bincount(owner[alike], minlength=len(cells)) >= 2
-    keep = alike & seen[owner]
+    shared = np.bincount(owner[alike], minlength=len(cells)) >= 2
+    keep = alike & shared[owner]
     facing = planes.normal * np.sign(along)[:, None]
-    number = np.cumsum(seen) - 1
+    number = np.cumsum(shared) - 1
     patch = number[owner[keep]]
     kept = planes.where(keep)
-    count, weights = int(seen.sum()), kept.count.astype(float)
+    count, weights = int(shared.sum()), kept.count.astype(float)
 
     def mean(values: Array) -> Array:
         sums = [np.bincount(patch, weights * c, count).astype(float) for c in values.T]

@@ -1,7 +1,7 @@
 """Exclude surfaces that are not reliable: leaves, edges, double layers, water.
 
-Leaves fill a volume; water moves between two lines. Neither rule knows more than the points of one
-plane tell: what is left over the agreement of lines and the adjustment's own tests have to find.
+Leaves fill a volume; water moves between two lines. Both rules use only the points of one plane:
+the rest is left to the agreement of lines and the adjustment's own tests.
 """
 
 import numpy as np
@@ -18,9 +18,9 @@ FLATTEST = 4.0
 """Least width over roughness: below, points fill a volume, or are a straight row."""
 NARROWEST = 0.1
 """Least width, metres: of an even strip 0.35 m wide."""
-WHOLE = 0.85
+MIN_SHARE = 0.85
 """Share of the region's points that must lie on the plane: in a bush, along an edge, fewer do."""
-LAYERS, STRAYS = 1.5, 8.0
+MIN_KURTOSIS, MAX_KURTOSIS = 1.5, 8.0
 """Kurtosis of the distances below which there are two layers, and above which outliers dominate."""
 
 LEVEL = np.cos(np.radians(10.0))
@@ -28,8 +28,8 @@ LEVEL = np.cos(np.radians(10.0))
 LOWEST, BAND = 0.01, 1.0
 """Water lies at the height that this share of all planes is below, and in a band of so many metres
 above it."""
-UNQUIET = 2.0
-"""Times rougher than the surfaces that are not level: waves, and answers from below the surface."""
+ROUGHNESS_RATIO = 2.0
+"""Times rougher than the surfaces that are not level: waves, and echoes from below the surface."""
 
 
 def is_solid_surface(planes: LinePlanes, noise: float) -> Flags:
@@ -44,9 +44,9 @@ def is_solid_surface(planes: LinePlanes, noise: float) -> Flags:
         (planes.rough <= max(NOISY * noise, ROUGHEST))
         & (planes.width >= FLATTEST * planes.rough)
         & (planes.width >= NARROWEST)
-        & (planes.share >= WHOLE)
-        & (planes.peaked >= LAYERS)
-        & (planes.peaked <= STRAYS)
+        & (planes.share >= MIN_SHARE)
+        & (planes.peaked >= MIN_KURTOSIS)
+        & (planes.peaked <= MAX_KURTOSIS)
     )
 
 
@@ -61,4 +61,4 @@ def is_water(planes: LinePlanes) -> Flags:
     level = np.abs(planes.normal[:, 2]) >= LEVEL
     low = planes.centre[:, 2] <= np.quantile(planes.centre[:, 2], LOWEST) + BAND
     quiet = np.median(planes.rough[~level]) if (~level).any() else np.median(planes.rough)
-    return np.asarray(level & low & (planes.rough > UNQUIET * quiet))
+    return np.asarray(level & low & (planes.rough > ROUGHNESS_RATIO * quiet))

@@ -19,21 +19,21 @@ from lispac.adjustment.message_parts import mounting_value_name
 from lispac.messages import Message, note
 from lispac.patchtest.block_equations import BlockEquations, linearise_blocks
 from lispac.patchtest.line_mismatch import Mismatch
-from lispac.patchtest.mismatch_minimisation import ANGLES, LEVERAGE, require_determined_angles
+from lispac.patchtest.mismatch_minimisation import ANGLES, MIN_LEVERAGE, require_determined_angles
 from lispac.patchtest.object_sample import ObjectPoints
 from lispac.survey.trajectory import TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
-FEWEST = 5
+MIN_OBJECTS = 5
 """Objects below which no sigma is given: resampling so few is not meaningful."""
-DRAWN = 1_000
+DRAWINGS = 1_000
 """Times that objects and POS errors are drawn."""
 SEED = 1
 """Of the chance they are drawn with: the same objects give the same sigmas."""
-ALLOWED, WIDE = 3.5, 0.5
+MAX_DEVIATION, WIDE_SCALE = 3.5, 0.5
 """Sigmas that the minimum of one object may be off that of all: three angles of thirty objects are
-looked at. And metres up to which distances are squared for that, so that a line far off shows."""
+tested. And metres up to which distances are squared for that, so that a line far off shows."""
 ROUGH = 0.01
 """Metres that two lines may be apart at an object for other reasons: rough surfaces, edges."""
 
@@ -71,8 +71,8 @@ class ObjectAgreement:
         return self.angle is not None and abs(self.off) > self.allowed
 
     @property
-    def disagreement_remark(self) -> Message:
-        """Remark that the object disagrees, with the amount."""
+    def disagreement(self) -> Message:
+        """Message that the object disagrees, with the amount."""
         assert self.angle is not None
         return note(
             "patch_test.object_disagrees",
@@ -120,20 +120,20 @@ def bootstrap_precision(
         Where the objects leave an angle open.
     """
     found = linearise_blocks(mismatch, boresight, pos_errors=True)
-    weight = mismatch.weights * found.meets
+    weight = mismatch.weights * found.overlaps
     parts = _equations_by_object(mismatch, found, weight)
     total = np.sum([part.normal for part in parts], axis=0)
     require_determined_angles(total, float(weight.sum()), (0, 1, 2))
-    seen, roots = _pos_covariance_roots(mismatch, accuracy, position_time, attitude_time)
+    row_of, roots = _pos_covariance_roots(mismatch, accuracy, position_time, attitude_time)
     squares = mismatch.mean_squares(boresight)
-    wide = linearise_blocks(mismatch.with_scale(WIDE), boresight, pos_errors=True)
+    wide = linearise_blocks(mismatch.with_scale(WIDE_SCALE), boresight, pos_errors=True)
     objects = tuple(
-        _object_agreement(part, mismatch, seen, roots, squares, weight)
+        _object_agreement(part, mismatch, row_of, roots, squares, weight)
         for part in _equations_by_object(mismatch, wide, weight)
     )
     covariance = None
-    if len(parts) >= FEWEST:
-        covariance = _bootstrap_covariance(parts, seen, roots)
+    if len(parts) >= MIN_OBJECTS:
+        covariance = _bootstrap_covariance(parts, row_of, roots)
     return BootstrapPrecision(covariance, np.sqrt(np.diag(total) / weight.sum()), objects)
 
 
@@ -145,7 +145,7 @@ class _ObjectEquations:
     blocks: list[int]
     normal: Array
     gradient: Array
-    sways: dict[int, Array]
+    pos_derivatives: dict[int, Array]
     rough: Array
 
 
@@ -164,9 +164,9 @@ def _equations_by_object(
         part.normal[:] += weight[k] * equations.normal[k]
         part.rough[:] += (weight[k] * ROUGH) ** 2 * np.diag(equations.normal[k])
         part.gradient[:] += weight[k] * equations.gradient[k]
-        for side, seen in enumerate((block.first, block.second)):
-            swayed = part.sways.setdefault(id(seen), np.zeros((3, 6)))
-            swayed += weight[k] * equations.sways[k, side]
+        for side, points in enumerate((block.first, block.second)):
+            by_pos = part.pos_derivatives.setdefault(id(points), np.zeros((3, 6)))
+            by_pos += weight[k] * equations.pos_derivatives[k, side]
     return list(parts.values())
 
 
@@ -174,65 +174,65 @@ def _pos_covariance_roots(
     mismatch: Mismatch, accuracy: TrajectoryAccuracy, position_time: float, attitude_time: float
 ) -> tuple[dict[int, int], Array]:
     """The row of each sighting, and roots of the covariance of their POS errors, (6, s, s)."""
-    seen: dict[int, ObjectPoints] = {
+    observed: dict[int, ObjectPoints] = {
         id(each): each for block in mismatch.blocks for each in (block.first, block.second)
     }
-    time = np.array([each.time for each in seen.values()])
+    time = np.array([each.time for each in observed.values()])
     sigma = np.hstack(accuracy.at(time))
-    apart = np.abs(time[:, None] - time)
+    separation = np.abs(time[:, None] - time)
     roots = np.empty((6, len(time), len(time)))
     for k in range(6):
-        shared = np.exp(-apart / (position_time if k < 3 else attitude_time))
+        shared = np.exp(-separation / (position_time if k < 3 else attitude_time))
         values, axes = np.linalg.eigh(shared * np.outer(sigma[:, k], sigma[:, k]))
         roots[k] = axes * np.sqrt(np.maximum(values, 0.0))
-    return {key: row for row, key in enumerate(seen)}, roots
+    return {key: row for row, key in enumerate(observed)}, roots
 
 
-def _pos_error_gradients(part: _ObjectEquations, seen: dict[int, int], roots: Array) -> Array:
+def _pos_error_gradients(part: _ObjectEquations, row_of: dict[int, int], roots: Array) -> Array:
     """What POS errors, one by one of unit variance, do to a gradient: shape (3, 6 s)."""
-    rows = [seen[key] for key in part.sways]
-    by = np.stack(list(part.sways.values()))  # (m, 3, 6)
+    rows = [row_of[key] for key in part.pos_derivatives]
+    by = np.stack(list(part.pos_derivatives.values()))  # (m, 3, 6)
     return np.einsum("mak,kms->aks", by, roots[:, rows]).reshape(3, -1)
 
 
 def _object_agreement(
-    part: _ObjectEquations, mismatch: Mismatch, seen: dict[int, int], roots: Array, squares: Array,
-    weight: Array,
+    part: _ObjectEquations, mismatch: Mismatch, row_of: dict[int, int], roots: Array,
+    squares: Array, weight: Array,
 ) -> ObjectAgreement:  # fmt: skip
     own = weight[part.blocks]
     stiff = np.diag(part.normal)
-    swayed = _pos_error_gradients(part, seen, roots)
-    spread = np.sqrt((swayed**2).sum(axis=1) + part.rough)
-    determined = stiff >= LEVERAGE**2 * own.sum()
+    by_pos = _pos_error_gradients(part, row_of, roots)
+    spread = np.sqrt((by_pos**2).sum(axis=1) + part.rough)
+    determined = stiff >= MIN_LEVERAGE**2 * own.sum()
     pairs = tuple(mismatch.blocks[k].pair.name for k in part.blocks)
-    apart = float(np.sqrt((own * squares[part.blocks]).sum() / own.sum()))
+    rms = float(np.sqrt((own * squares[part.blocks]).sum() / own.sum()))
     if not determined.any():
-        return ObjectAgreement(part.name, pairs, apart, None, 0.0, 0.0)
+        return ObjectAgreement(part.name, pairs, rms, None, 0.0, 0.0)
     surprise = np.where(determined, np.abs(part.gradient) / np.maximum(spread, 1e-12), -1.0)
     angle = int(surprise.argmax())
     return ObjectAgreement(
         part.name,
         pairs,
-        apart,
+        rms,
         angle,
         float(-part.gradient[angle] / stiff[angle]),
-        float(ALLOWED * spread[angle] / stiff[angle]),
+        float(MAX_DEVIATION * spread[angle] / stiff[angle]),
     )
 
 
 def _bootstrap_covariance(
-    parts: Sequence[_ObjectEquations], seen: dict[int, int], roots: Array
+    parts: Sequence[_ObjectEquations], row_of: dict[int, int], roots: Array
 ) -> Array:
     generator = np.random.default_rng(SEED)
     normal = np.stack([part.normal for part in parts])
     gradient = np.stack([part.gradient for part in parts])
-    swayed = np.stack([_pos_error_gradients(part, seen, roots) for part in parts])
+    by_pos = np.stack([_pos_error_gradients(part, row_of, roots) for part in parts])
     many = len(parts)
-    times = generator.multinomial(many, np.full(many, 1.0 / many), DRAWN).astype(float)
-    chance = generator.standard_normal((swayed.shape[2], DRAWN))
-    errors = gradient[:, :, None] + np.einsum("oas,sd->oad", swayed, chance)
+    times = generator.multinomial(many, np.full(many, 1.0 / many), DRAWINGS).astype(float)
+    chance = generator.standard_normal((by_pos.shape[2], DRAWINGS))
+    errors = gradient[:, :, None] + np.einsum("oas,sd->oad", by_pos, chance)
     drawn = np.einsum("do,oij->dij", times, normal)
     # A drawing of few different objects may leave an angle open; a little of all holds it.
     drawn += 1e-3 * normal.sum(axis=0)
-    answers = -np.linalg.solve(drawn, np.einsum("do,oad->da", times, errors)[..., None])[..., 0]
-    return np.asarray(np.cov(answers.T))
+    angles = -np.linalg.solve(drawn, np.einsum("do,oad->da", times, errors)[..., None])[..., 0]
+    return np.asarray(np.cov(angles.T))

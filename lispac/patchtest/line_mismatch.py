@@ -37,14 +37,14 @@ BESIDE = 2.0
 """Farthest beside the nearest point that a point may lie, of the spacing."""
 LONG, SLICE = 0.5, 4
 """Slices of a pole: metres along it, and points of either line that one needs."""
-ALIKE = np.cos(np.radians(25.0))
+VIEW_COSINE = np.cos(np.radians(25.0))
 """Least cosine between the views of lines that see the same side of a pole."""
-FACING = np.cos(np.radians(30.0))
+MIN_COSINE = np.cos(np.radians(30.0))
 """Least cosine between the normals of points that belong together."""
 DIP = 1.05
 """By so much a curve rises to both sides of a minimum; a ripple of its level part rises by less."""
-FEWEST, SHARE = 20, 0.1
-"""Points that must meet the other line, and their share: below, two lines see different things."""
+MIN_POINTS, MIN_SHARE = 20, 0.1
+"""Points that must match the other line, and their share: below, two lines see different things."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +58,7 @@ class ObjectSurface:
     flat : ndarray of shape (n,), bool
         Whether they lie on one.
     inside : ndarray of shape (n,), bool
-        Whether the point is in the object's box; what is beside it is there to be met alone.
+        Whether the point is in the object's box; points beside it are only matched by others.
     """
 
     points: Array
@@ -75,7 +75,7 @@ def neighbour_indices(tree: "cKDTree") -> Neighbours:
 
 
 def fit_object_surface(
-    seen: ObjectPoints, placed: Array, near: Neighbours | None = None
+    observed: ObjectPoints, placed: Array, near: Neighbours | None = None
 ) -> ObjectSurface:
     """The planes about the points of a line.
 
@@ -91,8 +91,8 @@ def fit_object_surface(
     off = np.einsum("nkj,nj->nk", placed[near] - centre[:, None], normal)
     rough = np.sqrt((off**2).mean(axis=1))
     with np.errstate(invalid="ignore"):
-        flat = rough <= ROUGH * seen.spacing
-    return ObjectSurface(placed, centre, normal, flat, seen.inside, tree)
+        flat = rough <= ROUGH * observed.spacing
+    return ObjectSurface(placed, centre, normal, flat, observed.inside, tree)
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,8 +101,8 @@ class SurfaceDistances:
 
     Attributes
     ----------
-    point, met : ndarray of shape (m,), int
-        Points of the first line that meet the second, and which of its points they meet.
+    point, matched : ndarray of shape (m,), int
+        Points of the first line that match the second, and the points of that which they match.
     off : ndarray of shape (m,), metres
         Along ``normal``.
     normal : ndarray of shape (m, 3), unit vectors, local frame
@@ -113,7 +113,7 @@ class SurfaceDistances:
     """
 
     point: Indices
-    met: Indices
+    matched: Indices
     off: Array
     normal: Array
     compared: int
@@ -125,7 +125,7 @@ class SurfaceDistances:
         return float(self.weight.sum())
 
 
-NOTHING = SurfaceDistances(
+NO_DISTANCES = SurfaceDistances(
     np.empty(0, np.int64), np.empty(0, np.int64), np.empty(0), np.empty((0, 3)), 0, np.empty(0)
 )
 
@@ -141,36 +141,36 @@ def distances_to_surface(
         Of the points.
     """
     point = np.flatnonzero(first.inside)
-    _, met = second.tree.query(first.points[point])
-    normal = second.normal[met]
-    off = ((first.points[point] - second.centre[met]) * normal).sum(axis=1)
-    apart = first.points[point] - second.points[met]
-    beside = apart - (apart * normal).sum(axis=1)[:, None] * normal
+    _, matched = second.tree.query(first.points[point])
+    normal = second.normal[matched]
+    off = ((first.points[point] - second.centre[matched]) * normal).sum(axis=1)
+    difference = first.points[point] - second.points[matched]
+    beside = difference - (difference * normal).sum(axis=1)[:, None] * normal
     with np.errstate(invalid="ignore"):
-        alike = np.abs((first.normal[point] * normal).sum(axis=1)) >= FACING
+        alike = np.abs((first.normal[point] * normal).sum(axis=1)) >= MIN_COSINE
         near = (beside**2).sum(axis=1) <= (BESIDE * spacing) ** 2
-        good = second.flat[met] & first.flat[point] & alike & near
+        good = second.flat[matched] & first.flat[point] & alike & near
     return SurfaceDistances(
-        point[good], met[good], off[good], normal[good], len(point), np.ones(len(off[good]))
+        point[good], matched[good], off[good], normal[good], len(point), np.ones(len(off[good]))
     )
 
 
 def pole_distances(
-    first: ObjectSurface, second: ObjectSurface, seen: ObjectPoints, other: ObjectPoints
+    first: ObjectSurface, second: ObjectSurface, one: ObjectPoints, other: ObjectPoints
 ) -> SurfaceDistances:
     """Distances across the beams between the middles of a pole, in slices along it.
 
-    Its front, which both lines see, tells little of where it is along their courses; what a yaw
+    Its front, which both lines see, shows little of where it is along their courses; what a yaw
     moves is its outline. The middle of the front is nearer to the vessel than the pole's axis, so
-    it is compared across the beams alone, and between lines that look the same way.
+    it is compared across the beams alone, and between lines that view the same side.
     """
-    assert seen.axis is not None
-    across = np.cross(seen.view + other.view, seen.axis)
+    assert one.axis is not None
+    across = np.cross(one.view + other.view, one.axis)
     across /= max(float(np.linalg.norm(across)), 1e-9)
-    if seen.view @ other.view < ALIKE or np.linalg.norm(across) < 0.5:
-        return NOTHING
+    if one.view @ other.view < VIEW_COSINE or np.linalg.norm(across) < 0.5:
+        return NO_DISTANCES
     rows = []
-    sides = [_pole_slices(surface, each) for surface, each in ((first, seen), (second, other))]
+    sides = [_pole_slices(surface, each) for surface, each in ((first, one), (second, other))]
     for k in sorted(set(sides[0]) & set(sides[1])):
         a, b = sides[0][k], sides[1][k]
         if min(len(a), len(b)) < SLICE:
@@ -182,26 +182,26 @@ def pole_distances(
         ]
         rows.append((*nearest, (middles[0] - middles[1]) @ across, min(len(a), len(b))))
     if not rows:
-        return NOTHING
-    point, met, off, weight = (np.array(column) for column in zip(*rows, strict=True))
+        return NO_DISTANCES
+    point, matched, off, weight = (np.array(column) for column in zip(*rows, strict=True))
     return SurfaceDistances(
-        point, met, off, np.repeat(across[None], len(off), axis=0), 0, weight.astype(float)
+        point, matched, off, np.repeat(across[None], len(off), axis=0), 0, weight.astype(float)
     )
 
 
-def _pole_slices(surface: ObjectSurface, seen: ObjectPoints) -> dict[int, Indices]:
+def _pole_slices(surface: ObjectSurface, pole: ObjectPoints) -> dict[int, Indices]:
     """The points of a pole in each slice along it."""
-    assert seen.axis is not None
+    assert pole.axis is not None
     rows = np.flatnonzero(surface.inside)
-    along = (surface.points[rows] - seen.object.box.centre) @ seen.axis
+    along = (surface.points[rows] - pole.object.box.centre) @ pole.axis
     number = np.floor(along / LONG).astype(np.int64)
     return {int(k): rows[number == k] for k in np.unique(number)}
 
 
 def has_enough_overlap(both: Sequence[SurfaceDistances]) -> bool:
     """Whether two lines overlap enough to be compared."""
-    met = sum(each.matched_points for each in both)
-    return met >= max(FEWEST, SHARE * sum(each.compared for each in both))
+    matched = sum(each.matched_points for each in both)
+    return matched >= max(MIN_POINTS, MIN_SHARE * sum(each.compared for each in both))
 
 
 def robust_mean_square(both: Sequence[SurfaceDistances], scale: float) -> float:
@@ -231,8 +231,8 @@ def pair_blocks(sample: ObjectSample, pairs: Sequence[LinePair]) -> list[PairBlo
     """All pairs of lines that see the same object, by object."""
     chosen = {frozenset(pair.lines): pair for pair in pairs}
     found = []
-    for k, first in enumerate(sample.seen):
-        for second in sample.seen[k + 1 :]:
+    for k, first in enumerate(sample.observed):
+        for second in sample.observed[k + 1 :]:
             if second.object is not first.object:
                 break
             pair = chosen.get(frozenset((first.line, second.line)))
@@ -250,11 +250,11 @@ def block_weights(blocks: Sequence[PairBlock]) -> Array:
     many: dict[str, int] = {}
     for block in blocks:
         name, lines = block.first.object.name, {block.first.line, block.second.line}
-        apart = groups.setdefault(name, [])
-        joined = [group for group in apart if group & lines]
-        groups[name] = [g for g in apart if not g & lines] + [lines.union(*joined)]
+        separate = groups.setdefault(name, [])
+        joined = [group for group in separate if group & lines]
+        groups[name] = [g for g in separate if not g & lines] + [lines.union(*joined)]
         many[name] = many.get(name, 0) + 1
-    rated = {name: sum(len(group) - 1 for group in apart) for name, apart in groups.items()}
+    rated = {name: sum(len(group) - 1 for group in separate) for name, separate in groups.items()}
     return np.array([rated[n] / many[n] for n in (b.first.object.name for b in blocks)])
 
 

@@ -37,11 +37,11 @@ SCALES = (0.5, 0.2, SCALE)
 """Metres, from stage to stage."""
 STEPS, ROUNDS = 6, 12
 """Most steps of a stage, and most rounds of one angle after another."""
-SETTLED = np.radians(2e-4)
+STEP_TOLERANCE = np.radians(2e-4)
 """Radians that the last step moves at most."""
-LONGEST = np.radians(1.0)
+MAX_STEP = np.radians(1.0)
 """Longest step, radians."""
-LEVERAGE = 2.0
+MIN_LEVERAGE = 2.0
 """Metres that surfaces move along their normals for a radian, in the root mean square, below which
 an angle counts as open, as `lispac.targets.rough_alignment` has it."""
 
@@ -95,7 +95,7 @@ def minimise_mismatch(
             progress((stage + number / STEPS) / len(SCALES), gettext_lazy("Optimising the angles"))
             step = _angle_step(mismatch, boresight, turned)
             boresight[turned] += step
-            converged = bool(np.abs(step).max() <= SETTLED)
+            converged = bool(np.abs(step).max() <= STEP_TOLERANCE)
             if converged:
                 break
     return MismatchMinimum(boresight, 1, converged)
@@ -127,7 +127,7 @@ def minimise_angle_by_angle(
             progress((rounds - 1 + angle / 3) / ROUNDS, gettext_lazy(OPTIMISING[angle]))
             boresight[angle] += _angle_step(mismatch, boresight, [angle])[0]
         change = float(np.abs(boresight - before).max())
-        if rounds >= len(SCALES) and change <= SETTLED:
+        if rounds >= len(SCALES) and change <= STEP_TOLERANCE:
             return MismatchMinimum(boresight, rounds, True)
     return MismatchMinimum(boresight, ROUNDS, False)
 
@@ -138,9 +138,9 @@ def _angle_step(mismatch: Mismatch, boresight: Array, turned: Sequence[int]) -> 
     weight = mismatch.weights
     some = np.ix_(list(turned), list(turned))
     normal = np.einsum("b,bij->ij", weight, found.normal)[some]
-    require_determined_angles(normal, float(weight[found.meets].sum()), turned)
+    require_determined_angles(normal, float(weight[found.overlaps].sum()), turned)
     step = -np.linalg.solve(normal, (weight @ found.gradient)[list(turned)])
-    return np.asarray(np.clip(step, -LONGEST, LONGEST))
+    return np.asarray(np.clip(step, -MAX_STEP, MAX_STEP))
 
 
 def require_determined_angles(
@@ -164,6 +164,6 @@ def require_determined_angles(
     if weight <= 0:
         raise AdjustmentError(error("patch_test.no_pairs"))
     values, axes = np.linalg.eigh(normal_equations / weight)
-    if values[0] < LEVERAGE**2:
+    if values[0] < MIN_LEVERAGE**2:
         angle = turned[int(np.abs(axes[:, 0]).argmax())]
         raise AdjustmentError(error(UNDETERMINED[angle]))

@@ -53,8 +53,8 @@ class ObjectBox:
         margin : float, metres
             By which the box is larger on every side.
         """
-        seen = np.abs((points - self.centre) @ self.axes.T)
-        return np.asarray((seen <= 0.5 * self.size + margin).all(axis=1))
+        placed = np.abs((points - self.centre) @ self.axes.T)
+        return np.asarray((placed <= 0.5 * self.size + margin).all(axis=1))
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,7 +1,7 @@
 """Proposed objects: places where lines see the same surface.
 
-A surveyor looks for a pole, a pillar, the corner of a wall. What counts of them is what moves apart
-when an angle is wrong, so natural surfaces are taken that tell most of the three angles, upright
+A surveyor selects a pole, a pillar, the corner of a wall. What counts of them is what moves apart
+when an angle is wrong, so natural surfaces are taken that determine the angles best, upright
 and level ones (`lispac.natural`), and a box is laid about each.
 """
 
@@ -19,7 +19,7 @@ from lispac.survey.trajectory import TrajectoryAccuracy
 
 Array = NDArray[np.float64]
 
-COUNT = 30
+OBJECT_COUNT = 30
 """Objects that are proposed where there are so many."""
 LARGEST, DEEP = 4.0, 1.0
 """Sides of a box about a surface, metres: along it at most, and across it."""
@@ -27,7 +27,7 @@ SMALLEST = 0.6
 """Least side, metres."""
 UPRIGHT = 0.7
 """Upward part of a normal from which on a surface is level rather than upright."""
-OFF = 0.06
+MAX_DISTANCE = 0.06
 """Farthest that a line may be off the surface, metres."""
 
 
@@ -36,7 +36,7 @@ def find_objects(
     accuracy: TrajectoryAccuracy,
     noise: float,
     *,
-    count: int = COUNT,
+    count: int = OBJECT_COUNT,
     progress: Progress = no_progress,
 ) -> tuple[PatchObject, ...]:
     """Propose objects that lines share.
@@ -52,7 +52,7 @@ def find_objects(
         Most of them.
     """
     patches = find_patches(
-        clouds, noise, max(OFF, 3 * noise), progress=sub_progress(progress, 0.0, 0.8)
+        clouds, noise, max(MAX_DISTANCE, 3 * noise), progress=sub_progress(progress, 0.0, 0.8)
     )
     found: list[PatchObject] = []
     progress(0.8)

@@ -21,11 +21,11 @@ from lispac.targets.thinning import thin_points
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-MOST_POINTS = 400
+MAX_POINTS = 400
 """Approximate points of a line on an object: more add little, since they share one POS error."""
 FINEST = 0.03
 """Least spacing of these points, metres."""
-FEWEST = 30
+MIN_POINTS = 30
 """Points below which a line does not see an object."""
 MARGIN = 0.3
 """Metres beside a box that are examined, too."""
@@ -34,10 +34,10 @@ EVEN = 2.2
 close along its lines and far from one to the next, and no plane follows from a row of them."""
 SLENDER, THICK = 0.15, 0.4
 """Most that a pole's points deviate across it: a share of what they do along it, and metres."""
-READ = 30
-"""Points of a line near an object that are examined, for each of which one may be taken."""
+EXAMINED_RATIO = 30
+"""Points of a line near an object that are examined for each one that is used."""
 STEP = 1e-4
-"""Radians by which angles are turned to see how points move."""
+"""Radians by which angles are turned to compute how points move."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +53,7 @@ class ObjectPoints:
     spacing : float, metres
         Of the points.
     inside : ndarray of shape (end - begin,), bool
-        Which of them are in the object's box; the others are there to be met alone.
+        Which of them are in the object's box; the others are only matched by others.
     time : float, seconds
         When it was passed, in the mean.
     heading : float, radians
@@ -87,7 +87,7 @@ class ObjectSample:
 
     Attributes
     ----------
-    seen : tuple of ObjectPoints
+    observed : tuple of ObjectPoints
         Sorted by object.
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
     poses : Poses of n points
@@ -95,7 +95,7 @@ class ObjectSample:
         Lever arm and offsets; the boresight is that with which points were taken.
     """
 
-    seen: tuple[ObjectPoints, ...]
+    observed: tuple[ObjectPoints, ...]
     points_lidar: Array
     poses: Poses
     mounting: Mounting
@@ -108,7 +108,7 @@ class ObjectSample:
         lines: Mapping[str, Line],
         *,
         margin: float = MARGIN,
-        most: int = MOST_POINTS,
+        limit: int = MAX_POINTS,
         progress: Progress = no_progress,
     ) -> "ObjectSample":
         """Take the points about objects.
@@ -123,11 +123,11 @@ class ObjectSample:
         lines : mapping of line name to Line
             Their readings.
         margin : float, metres
-            How far beside a box points are taken that others may meet.
-        most : int
+            How far beside a box points are taken that others may match.
+        limit : int
             Points of a line about an object, about.
         """
-        seen: list[ObjectPoints] = []
+        observed: list[ObjectPoints] = []
         lidar: list[Array] = []
         position: list[Array] = []
         attitude: list[Array] = []
@@ -136,15 +136,15 @@ class ObjectSample:
             progress(k / len(objects))
             near, radius = {}, each.box.reach + 2 * margin
             for line, cloud in clouds.items():
-                region = cloud.within(each.box.centre, radius, most=READ * most)
+                region = cloud.within(each.box.centre, radius, limit=EXAMINED_RATIO * limit)
                 own = each.box.inside(region.points, margin)
-                if np.count_nonzero(own) >= FEWEST:
+                if np.count_nonzero(own) >= MIN_POINTS:
                     near[line] = (region.numbers[own], region.points[own])
             if len(near) < 2:
                 continue
             groups = [points for _, points in near.values()]
             axis = _pole_axis([points[each.box.inside(points)] for points in groups])
-            spacing = _choose_point_spacing(groups, most, even=axis is None)
+            spacing = _choose_point_spacing(groups, limit, even=axis is None)
             for line, (numbers, points) in near.items():
                 rows = thin_points(points, spacing)
                 kept, inside = numbers[rows], each.box.inside(points[rows])
@@ -156,7 +156,7 @@ class ObjectSample:
                 end = begin + len(kept)
                 view = each.box.centre - poses.position.mean(axis=0)
                 view /= np.linalg.norm(view)
-                seen.append(
+                observed.append(
                     ObjectPoints(
                         each, line, begin, end, spacing, inside, middle, heading, view, axis
                     )
@@ -167,7 +167,7 @@ class ObjectSample:
                 begin = end
         nothing = np.empty((0, 3))
         return cls(
-            tuple(seen),
+            tuple(observed),
             np.concatenate([nothing, *lidar]),
             Poses(np.concatenate([nothing, *position]), np.concatenate([nothing, *attitude])),
             next(iter(clouds.values())).place.mounting,
@@ -221,17 +221,17 @@ class ObjectSample:
     def joined_with(self, other: "ObjectSample") -> "ObjectSample":
         """Join with the points of other objects."""
         begin = len(self.points_lidar)
-        shifted = [replace(e, begin=e.begin + begin, end=e.end + begin) for e in other.seen]
+        shifted = [replace(e, begin=e.begin + begin, end=e.end + begin) for e in other.observed]
         poses = Poses(
             np.concatenate([self.poses.position, other.poses.position]),
             np.concatenate([self.poses.attitude, other.poses.attitude]),
         )
         points = np.concatenate([self.points_lidar, other.points_lidar])
-        return ObjectSample((*self.seen, *shifted), points, poses, self.mounting)
+        return ObjectSample((*self.observed, *shifted), points, poses, self.mounting)
 
     def of_objects(self, names: Collection[str]) -> "ObjectSample":
         """The part of some objects alone."""
-        kept = [each for each in self.seen if each.object.name in names]
+        kept = [each for each in self.observed if each.object.name in names]
         rows = np.concatenate([np.arange(e.begin, e.end) for e in kept] or [np.empty(0, int)])
         shifted, begin = [], 0
         for each in kept:
@@ -246,7 +246,7 @@ def _pole_axis(groups: Sequence[Array]) -> Array | None:
     """Axis of a pole as most lines show it; None for any other object."""
     axes = []
     for points in groups:
-        if len(points) < FEWEST:
+        if len(points) < MIN_POINTS:
             continue
         variances, directions = np.linalg.eigh(np.cov(points.T))
         long, wide = np.sqrt(variances[2]), np.sqrt(max(variances[1], 0.0))
@@ -258,8 +258,8 @@ def _pole_axis(groups: Sequence[Array]) -> Array | None:
     return np.asarray(directions[:, 2])
 
 
-def _choose_point_spacing(groups: Sequence[Array], most: int, *, even: bool) -> float:
-    """Point spacing that is even in all directions and leaves about ``most`` points.
+def _choose_point_spacing(groups: Sequence[Array], limit: int, *, even: bool) -> float:
+    """Point spacing that is even in all directions and leaves about ``limit`` points.
 
     Never so wide that a line keeps too few, and on a pole not to make it even.
     """
@@ -268,11 +268,11 @@ def _choose_point_spacing(groups: Sequence[Array], most: int, *, even: bool) -> 
     while True:
         many = max(len(points) for points in kept)
         uneven = even and max(_sixth_neighbour_distance(points) for points in kept) > EVEN * spacing
-        wider = spacing * max(1.25 if uneven else 1.1, np.sqrt(many / most))
-        if many <= most and not uneven:
+        wider = spacing * max(1.25 if uneven else 1.1, np.sqrt(many / limit))
+        if many <= limit and not uneven:
             return float(spacing)
         thinned = [points[thin_points(points, wider)] for points in groups]
-        if min(len(points) for points in thinned) < FEWEST:
+        if min(len(points) for points in thinned) < MIN_POINTS:
             return float(spacing)
         spacing, kept = wider, thinned
 

@@ -7,14 +7,14 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.message_parts import mounting_value_name
 from lispac.messages import Message, note
-from lispac.patchtest.bootstrap_precision import FEWEST, ObjectAgreement
+from lispac.patchtest.bootstrap_precision import MIN_OBJECTS, ObjectAgreement
 from lispac.patchtest.line_mismatch import SCALE
 from lispac.patchtest.mismatch_minimisation import ANGLES
 
 Array = NDArray[np.float64]
 
-FAR = np.radians(0.01)
-"""By how much the two ways of turning the angles may differ without a word, radians."""
+MAX_DIFFERENCE = np.radians(0.01)
+"""By how much the two ways of turning the angles may differ without a message, radians."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class PatchTestResult:
     curvature : ndarray of shape (3,), metres per radian
         By how much lines part when each angle is turned, in the root mean square.
     mismatch_before, mismatch : float, metres
-        Robust RMS distance between the lines, with the prior boresight and with the answer; NaN
+        Robust RMS distance between the lines, with the prior boresight and with the result; NaN
         before where the lines do not meet at the objects.
     lines : tuple of str
     objects : tuple of ObjectAgreement
@@ -40,8 +40,8 @@ class PatchTestResult:
         Of turning one angle after another.
     converged : bool
         Whether angles stayed where they were in the end, both ways.
-    unmet : tuple of str
-        Objects that were asked for and at which no pair of lines meets.
+    without_pairs : tuple of str
+        Requested objects at which no pair of lines overlaps.
     """
 
     boresight: Array
@@ -54,7 +54,7 @@ class PatchTestResult:
     objects: tuple[ObjectAgreement, ...]
     rounds: int
     converged: bool
-    unmet: tuple[str, ...] = ()
+    without_pairs: tuple[str, ...] = ()
 
     @property
     def sigma(self) -> Array | None:
@@ -67,29 +67,29 @@ class PatchTestResult:
         return tuple(each for each in self.objects if each.disagrees)
 
     @property
-    def remarks(self) -> tuple[Message, ...]:
-        """Remarks on the data and the limits of the result."""
+    def messages(self) -> tuple[Message, ...]:
+        """Messages on the data and the limits of the result."""
         count = len(self.objects)
         found = [
             note("patch_test.basis", count=count, lines=len(self.lines)),
-            self._mismatch_remark,
+            self._mismatch_message,
         ]
         if self.covariance is None:
-            found.append(note("patch_test.no_sigma", count=count, needed=FEWEST))
+            found.append(note("patch_test.no_sigma", count=count, needed=MIN_OBJECTS))
         if not self.converged:
             found.append(note("patch_test.not_converged"))
-        apart = np.abs(self.one_by_one - self.boresight)
-        if apart.max() > FAR:
-            k = int(apart.argmax())
+        differences = np.abs(self.one_by_one - self.boresight)
+        if differences.max() > MAX_DIFFERENCE:
+            k = int(differences.argmax())
             angle = mounting_value_name(ANGLES[k])
-            found.append(note("patch_test.order_matters", angle=angle, difference=apart[k]))
-        found.extend(each.disagreement_remark for each in self.disagreeing)
-        if self.unmet:
-            found.append(note("patch_test.not_met", objects=self.unmet))
+            found.append(note("patch_test.order_matters", angle=angle, difference=differences[k]))
+        found.extend(each.disagreement for each in self.disagreeing)
+        if self.without_pairs:
+            found.append(note("patch_test.not_met", objects=self.without_pairs))
         return tuple(found)
 
     @property
-    def _mismatch_remark(self) -> Message:
+    def _mismatch_message(self) -> Message:
         if not np.isfinite(self.mismatch_before):
             return note("patch_test.mismatch", limit=SCALE, after=self.mismatch)
         return note(

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from lispac.messages import Message
 from lispac.report.validation_values import DistanceValues, SignedDistances
 from lispac.validation.absolute_check import AbsoluteCheck, AbsoluteState, LineCheck, SigmaSources
-from lispac.validation.absolute_remarks import absolute_check_remarks
+from lispac.validation.absolute_messages import absolute_check_messages
 
 
 @dataclass(frozen=True)
@@ -123,5 +123,5 @@ class AbsoluteCheckValues:
             bin_edges_m=check.bin_edges,
             counts_before=check.counts_before,
             counts_after=check.counts_after,
-            messages=absolute_check_remarks(check),
+            messages=absolute_check_messages(check),
         )

@@ -5,7 +5,7 @@ from statistics import NormalDist
 
 from lispac.messages import Message, note, warning
 from lispac.report.absolute_values import AbsoluteCheckValues
-from lispac.validation.absolute_remarks import Off, list_items_with_means
+from lispac.validation.absolute_messages import Off, list_items_with_means
 from lispac.warning_causes import Cause
 
 NORMAL_95 = NormalDist().inv_cdf(0.975)

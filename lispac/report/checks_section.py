@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from lispac.adjustment.reliability import CRITICAL
+from lispac.adjustment.reliability import CRITICAL_VALUE
 from lispac.language import N_, gettext
 from lispac.report.document_blocks import (
     Block,
@@ -96,7 +96,7 @@ def reliability_blocks(content: ReportContent) -> list[Block]:
         ),
         _test_table(found),
         *_sighting_notes(found),
-        Paragraph(gettext(POINT_TEST, limit=fixed_number(CRITICAL, 2))),
+        Paragraph(gettext(POINT_TEST, limit=fixed_number(CRITICAL_VALUE, 2))),
         _point_table(found),
         *_pos_error_blocks(adjustment),
     ]

@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike
 
 from lispac.adjustment.critical_values import critical_test_value
 from lispac.adjustment.display_text import (
-    STATED,
-    UNCHECKED,
+    OUTPUT_UNITS,
+    UNCHECKED_SHIFT,
     sighting_status,
     variance_component_finding,
 )
@@ -39,7 +39,7 @@ def parameter_values(result: AdjustmentResult) -> tuple[AdditionalParameterValue
     """Results of the values selected for estimation besides the boresight."""
     found = []
     for estimate in result.parameters:
-        factor, unit = STATED[estimate.name]
+        factor, unit = OUTPUT_UNITS[estimate.name]
         significance = estimate.significance
         found.append(
             AdditionalParameterValues(
@@ -98,7 +98,7 @@ def reliability_values(result: AdjustmentResult) -> tuple[SightingCheck, ...]:
 
 
 def _sighting_check(item: SightingReliability, points: int, critical: float) -> SightingCheck:
-    checked = bool(item.detectable < UNCHECKED)
+    checked = bool(item.detectable < UNCHECKED_SHIFT)
     return SightingCheck(
         target=item.sighting.target,
         line=item.sighting.line,

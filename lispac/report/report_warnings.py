@@ -6,7 +6,7 @@ content only. There is one function for each rule.
 
 from collections.abc import Iterator, Sequence
 
-from lispac.adjustment.display_text import STATED
+from lispac.adjustment.display_text import OUTPUT_UNITS
 from lispac.adjustment.message_parts import mounting_value_name, mounting_value_names, signed_change
 from lispac.messages import Message, Value, note, sort_by_level, warning
 from lispac.report.absolute_warnings import absolute_check_warnings
@@ -97,7 +97,7 @@ def _single_parameter_warnings(parameter: AdditionalParameterValues) -> Iterator
             parameter=name, reason=parameter.reason, subject=field,
         )  # fmt: skip
     elif parameter.significant is False:
-        factor, _ = STATED[parameter.name]
+        factor, _ = OUTPUT_UNITS[parameter.name]
         yield note(
             "report.parameter_not_significant",
             parameter=name,

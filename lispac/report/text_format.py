@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime
 
-from lispac.adjustment.display_text import QUANTITIES, STATED
+from lispac.adjustment.display_text import OUTPUT_UNITS, QUANTITIES
 from lispac.adjustment.message_parts import mounting_value_name as quantity_name
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
@@ -183,7 +183,7 @@ def _part_name(part: CrossCheckPart) -> str:
 
 def quantity_text(name: str, value: float, *, sign: bool = False) -> str:
     """A value of the mounting, in metres, degrees or seconds, with the unit it is shown in."""
-    shown, (shown_factor, _) = QUANTITIES[name], STATED[name]
+    shown, (shown_factor, _) = QUANTITIES[name], OUTPUT_UNITS[name]
     number = fixed_number(shown.factor / shown_factor * value, shown.decimals, sign=sign)
     # French writes the sign of degrees without a space before it.
     if shown.unit == "deg":

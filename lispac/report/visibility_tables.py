@@ -138,7 +138,7 @@ def all_errors_text(study: VisibilityStudy) -> str:
 
 
 def _comparison_row(each: ThesisComparison) -> tuple[str, ...]:
-    best, thesis_value = each.best, each.stated
+    best, thesis_value = each.best, each.thesis
     accepted = gettext("none")
     if best.kept:
         accepted = _range_text(

@@ -45,7 +45,7 @@ def range_to_plane(plane: Array, beams_lidar: Array, poses: Poses, mounting: Mou
 def range_to_sphere(
     centre: Array, radius: float, beams_lidar: Array, poses: Poses, mounting: Mounting
 ) -> Array:
-    """Range that the scanner reads on a sphere: to the nearer of the two points that it meets.
+    """Range that the scanner reads on a sphere: to the nearer of the two intersections.
 
     Parameters
     ----------
@@ -62,12 +62,12 @@ def range_to_sphere(
     origins, directions = beam_rays(beams_lidar, poses, mounting)
     offset = origins - centre
     along = _row_products(offset, directions)
-    aside = np.linalg.norm(np.cross(offset, directions), axis=-1)
-    half = np.sqrt(np.maximum(radius**2 - aside**2, 0.0))
+    offset_abeam = np.linalg.norm(np.cross(offset, directions), axis=-1)
+    half = np.sqrt(np.maximum(radius**2 - offset_abeam**2, 0.0))
     near, far = -along - half, -along + half
     distance = np.where(near > 0, near, far)
-    met = (aside < radius) & (distance > 0)
-    return np.where(met, distance - mounting.range_offset, np.inf)
+    is_hit = (offset_abeam < radius) & (distance > 0)
+    return np.where(is_hit, distance - mounting.range_offset, np.inf)
 
 
 def beam_rays(beams_lidar: Array, poses: Poses, mounting: Mounting) -> tuple[Array, Array]:

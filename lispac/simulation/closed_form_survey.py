@@ -1,7 +1,7 @@
 """Surveys of boards and balls in closed form, computed in a few milliseconds.
 
 No beam is traced: the points lie on a grid over each target, and each gets the instant at which the
-profile of the passing vessel meets it. That is all an adjustment sees of a survey, so thousands of
+profile of the passing vessel meets it. That is all an adjustment uses of a survey, so thousands of
 them can be made where the port scene takes a minute for one.
 """
 
@@ -26,7 +26,7 @@ class Board:
 
     Attributes
     ----------
-    centre, normal : tuple of float, metres, local; the normal looks to the vessel
+    centre, normal : tuple of float, metres, local; the normal points to the vessel
     width, height : float, metres
     flatness : float or None, metres
         How far a line may see it off its plane, where that is not as the others of a plan.
@@ -168,8 +168,8 @@ class Ball:
         across = np.cross([0.0, 0.0, 1.0], towards)
         across /= np.linalg.norm(across)
         up = np.cross(towards, across)
-        seen = u**2 + v**2 <= self.visible_radius**2
-        u, v = u[seen, None], v[seen, None]
+        visible = u**2 + v**2 <= self.visible_radius**2
+        u, v = u[visible, None], v[visible, None]
         depth = np.sqrt(self.radius**2 - u**2 - v**2)
         return np.asarray(np.array(self.centre) + u * across + v * up + depth * towards)
 
@@ -313,7 +313,7 @@ def observations_of_records(
 ) -> Observations:
     """The sightings of `error_free_record` as observations; arguments as of `error_free_survey`."""
     table = np.concatenate(rows)
-    count, seen = len(table), {sighting.target for sighting in sightings}
+    count, sighted = len(table), {sighting.target for sighting in sightings}
     return Observations(
         points_lidar=np.ascontiguousarray(table[:, :3]),
         position=np.ascontiguousarray(table[:, 3:6]),
@@ -328,7 +328,7 @@ def observations_of_records(
         radii={
             target.name: target.radius if target.radius_known else None
             for target in targets
-            if isinstance(target, Ball) and target.name in seen
+            if isinstance(target, Ball) and target.name in sighted
         },
     )
 
@@ -337,9 +337,9 @@ def scanner_position_abeam(mounting: Mounting, target: Board | Ball, course: Cou
     """Scanner with a target's middle abeam on a calm sea, shape (3,), metres, local frame."""
     foot, centre = np.array([*course.abeam, 0.0]), np.array(target.centre)
     left = np.array([np.sin(course.heading), np.cos(course.heading), 0.0])
-    _, aside, above = mounting.lever_arm
+    _, lateral, above = mounting.lever_arm
     along = ((centre - foot) @ course.direction) * course.direction
-    return np.asarray(foot + along + aside * left + [0.0, 0.0, above])
+    return np.asarray(foot + along + lateral * left + [0.0, 0.0, above])
 
 
 def _vessel_poses(course: Course, sea: SeaMotion, time: Array) -> Poses:
@@ -369,9 +369,9 @@ def _lidar_noise(exact: Observations, generator: np.random.Generator) -> Array:
         return np.asarray(draws * exact.sigma_lidar)
     beam = exact.points_lidar / np.linalg.norm(exact.points_lidar, axis=1)[:, None]
     noise = draws * exact.sigma_lidar[:, 1:2]
-    wanted = generator.standard_normal((len(beam), 1)) * exact.sigma_lidar[:, :1]
+    range_noise = generator.standard_normal((len(beam), 1)) * exact.sigma_lidar[:, :1]
     along = np.einsum("ni,ni->n", noise, beam)[:, None]
-    return np.asarray(noise + (wanted - along) * beam)
+    return np.asarray(noise + (range_noise - along) * beam)
 
 
 def gauss_markov_drift(

@@ -1,7 +1,7 @@
 """Meshes as parts of a scene: found by Open3D in single precision, ranged in double.
 
 Open3D's ray casting keeps 24 bits: at 20 m a range is known to 1e-6 m, at 100 m to 1e-5 m. It is
-therefore only asked which triangle a ray meets; where, follows from the plane of that triangle.
+therefore only queried for the triangle that a ray hits; the point follows from its plane.
 """
 
 from collections.abc import Sequence
@@ -100,9 +100,9 @@ class MeshCaster:
 
         Returns
         -------
-        ranges : ndarray of shape (n,), metres; infinite where nothing is met
+        ranges : ndarray of shape (n,), metres; infinite where nothing is hit
         numbers : ndarray of shape (n,)
-            Of the mesh; -1 where nothing is met.
+            Of the mesh; -1 where nothing is hit.
         cosines : ndarray of shape (n,)
             Cosine of the angle of incidence.
         """
@@ -115,7 +115,7 @@ class MeshCaster:
         slope = np.sum(directions[hit] * normal, axis=1)
         with np.errstate(divide="ignore", invalid="ignore"):
             distance = np.sum((self.corners[triangle] - near[hit]) * normal, axis=1) / slope
-        # Along a triangle its plane gives no range; single precision may still have met it.
+        # Along a triangle its plane gives no range; single precision may still have hit it.
         good = (distance > 0) & (distance < max_range)
         ranges = np.full(len(origins), np.inf)
         numbers = np.full(len(origins), -1)

@@ -86,7 +86,7 @@ def _tower_surfaces() -> list[Surface]:
 
 
 def _warehouse_door() -> list[Rectangle]:
-    """V5, a warehouse door at the vessel's height, aside of the pier and set back."""
+    """V5, a warehouse door at the vessel's height, beside the pier and set back."""
     return [
         *box_faces("south quay", (-60, -20), (-80, -29), -1, 2.6, CONCRETE),
         *box_faces("warehouse", (-46, -27), (-55, -33), 2.6, 9.5, STEEL),

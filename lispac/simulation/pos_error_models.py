@@ -32,7 +32,7 @@ class PosErrors(Protocol):
         """
 
     def variance(self, count: int, interval: float) -> Array:
-        """What the POS takes its errors for, shape (count, 6), metres and radians squared.
+        """Variances of the errors as the POS reports them, (count, 6), metres and radians squared.
 
         North, east, up, roll, pitch, heading.
         """
@@ -103,12 +103,14 @@ class GnssOutage:
                 np.sqrt(steps)[:, None] * generator.standard_normal((len(steps), 3)), 0
             )
             if self.smoothed:
-                position, walk = self._held(position, velocity, walk, np.cumsum(steps))
+                position, walk = self._smooth(position, velocity, walk, np.cumsum(steps))
             drift[inside, :3] = position[:-1] * np.sqrt(3 / self.duration**3) * self.sigma_position
             drift[inside, 3:] = walk[:-1] / np.sqrt(self.duration) * self.sigma_attitude
         return drift[:, :3] * TO_LOCAL, drift[:, 3:]
 
-    def _held(self, position: Array, velocity: Array, walk: Array, t: Array) -> tuple[Array, Array]:
+    def _smooth(
+        self, position: Array, velocity: Array, walk: Array, t: Array
+    ) -> tuple[Array, Array]:
         """The same given that position, velocity and attitude are without error at the end."""
         whole = self.duration
         at_end = np.array([[whole**3 / 3, whole**2 / 2], [whole**2 / 2, whole]])
@@ -169,8 +171,8 @@ class StepErrors:
     ) -> tuple[Array, Array]:
         """As `PosErrors.draw`."""
         span = count * interval
-        more = generator.poisson(self.per_hour * span / 3600)
-        times = np.sort(np.concatenate([self.at, generator.uniform(0, span, more)]))
+        extra = generator.poisson(self.per_hour * span / 3600)
+        times = np.sort(np.concatenate([self.at, generator.uniform(0, span, extra)]))
         sigma = np.array([*self.sigma_position, *self.sigma_attitude])
         levels = np.vstack([np.zeros(6), sigma * generator.standard_normal((len(times), 6))])
         errors = levels[np.searchsorted(times, np.arange(count) * interval, side="right")]
@@ -199,9 +201,9 @@ class CombinedModel:
         streams = generator.spawn(len(self.parts))
         position, attitude = np.zeros((count, 3)), np.zeros((count, 3))
         for part, stream in zip(self.parts, streams, strict=True):
-            more_position, more_attitude = part.draw(count, interval, stream)
-            position += more_position
-            attitude += more_attitude
+            part_position, part_attitude = part.draw(count, interval, stream)
+            position += part_position
+            attitude += part_attitude
         return position, attitude
 
     def variance(self, count: int, interval: float) -> Array:

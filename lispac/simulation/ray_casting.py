@@ -32,8 +32,8 @@ def _nearest_hit(ox, oy, oz, dx, dy, dz, max_range, rectangles, cylinders, spher
             + rectangles[i, 4] * (rectangles[i, 1] - oy)
             + rectangles[i, 5] * (rectangles[i, 2] - oz)
         )
-        # Most are behind the ray or farther than what was met: a product tells it, a quotient takes
-        # ten times as long. What is near the limit is left to the quotient.
+        # Most are behind the ray or farther than the nearest hit: a product shows it, a quotient
+        # takes ten times as long. What is near the limit is left to the quotient.
         height = above if slope > 0.0 else -above
         if height <= 0.0 or height > 1.001 * best * abs(slope):
             continue

@@ -36,7 +36,7 @@ class Scanner:
     where the axis is x, and along ``(cos e cos a, cos e sin a, sin e)`` where it is z. A profiler
     has the one elevation 0 and the axis x, so that ``x_lidar = 0`` for every point.
 
-    A beam goes astray both ways across itself: along the turn what is read of the angle is wrong,
+    A beam deviates both ways across itself: along the turn what is read of the angle is wrong,
     and across it the beam leaves at another elevation than the one that is written down.
 
     Attributes
@@ -86,7 +86,7 @@ class Scanner:
         ----------
         start, stop : float, seconds
         starboard : bool
-            Which side the window looks to.
+            Which side the window faces.
 
         Returns
         -------
@@ -124,9 +124,9 @@ class Scanner:
         elevation : float or ndarray of shape (n,), radians
         """
         level = np.cos(elevation)
-        aside = np.sin(elevation) * np.ones(len(angle))
+        lateral = np.sin(elevation) * np.ones(len(angle))
         first, second = level * np.cos(angle), level * np.sin(angle)
-        parts = (aside, first, second) if self.axis == "x" else (first, second, aside)
+        parts = (lateral, first, second) if self.axis == "x" else (first, second, lateral)
         return np.stack(parts, axis=1)
 
 
@@ -139,10 +139,10 @@ class Echoes:
     time : ndarray of shape (n,), seconds
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame, with the scanner's errors
     true_points_local : ndarray of shape (n, 3), metres, local
-        Where the middle of the beam met the surface.
+        Where the middle of the beam hit the surface.
     intensity : ndarray of shape (n,)
     label : ndarray of shape (n,)
-        Index of the surface; -1 where the beam met an edge and the range is of neither.
+        Index of the surface; -1 where the beam hit an edge and the range is of neither.
     """
 
     time: Array
@@ -194,13 +194,13 @@ class _RayIntersections(NamedTuple):
 
     def filled_from(self, other: "_RayIntersections") -> "_RayIntersections":
         """The other's rays where these meet nothing, beside a rim."""
-        meets = self.label >= 0
+        is_hit = self.label >= 0
         return _RayIntersections(
-            np.where(meets[:, None], self.origins, other.origins),
-            np.where(meets[:, None], self.directions, other.directions),
-            np.where(meets, self.distance, other.distance),
-            np.where(meets, self.label, other.label),
-            np.where(meets, self.cosine, other.cosine),
+            np.where(is_hit[:, None], self.origins, other.origins),
+            np.where(is_hit[:, None], self.directions, other.directions),
+            np.where(is_hit, self.distance, other.distance),
+            np.where(is_hit, self.label, other.label),
+            np.where(is_hit, self.cosine, other.cosine),
         )
 
 
@@ -262,7 +262,7 @@ def _intersect_pulses(
     mounting: Mounting,
     astray: np.random.Generator | None,
 ) -> _PulseHits:
-    """What the pulses meet; where beams go ``astray``, what they and their rims meet there."""
+    """Intersections of the pulses; with ``astray``, of the deviated beams and their rims."""
     elevations = np.array(scanner.elevations)
     rotation_body_lidar = mounting.rotation_body_lidar
     if mounting.scan_angle_offset:
@@ -271,8 +271,8 @@ def _intersect_pulses(
     knots, position, attitude = states
     poses = np.hstack([position, attitude])
 
-    def met(time: Array, angle: Array, elevation: Array) -> _RayIntersections:
-        """Where these pulses go, and what they meet."""
+    def intersect(time: Array, angle: Array, elevation: Array) -> _RayIntersections:
+        """Rays of these pulses and their intersections."""
         at = time + mounting.latency
         # Only the samples around: the kernel walks through them pulse by pulse.
         first = max(int(np.searchsorted(knots, at[0])) - 1, 0)
@@ -295,19 +295,19 @@ def _intersect_pulses(
         turns = np.arange(begin, min(begin + together, count))
         time = (recorded[0] + turns[:, None] / scanner.turns_per_second + delay).ravel()
         angle, beam = np.tile(angles, len(turns)), np.tile(beams, len(turns))
-        found = met(time, angle, elevations[beam])
+        found = intersect(time, angle, elevations[beam])
         hit = np.flatnonzero((found.label >= 0) & (found.cosine >= np.cos(scanner.grazing)))
         found = found.of(hit)
         elevation, edge_distance = elevations[beam[hit]], found.distance
         if astray is not None and len(hit):
             elevation = elevation + scanner.angle_sigma * astray.standard_normal(len(hit))
-            found = met(time[hit], angle[hit], elevation).filled_from(found)
+            found = intersect(time[hit], angle[hit], elevation).filled_from(found)
             edge_distance = found.distance
         if astray is not None and scanner.divergence > 0 and len(hit):
             # One more ray on the rim of the beam, on either side in turn
             half = scanner.divergence / 2
             side = np.where((begin * len(angles) + hit) % 2 == 0, half, -half)
-            rim = met(time[hit], angle[hit] + side, elevation)
+            rim = intersect(time[hit], angle[hit] + side, elevation)
             other = (rim.label >= 0) & (rim.label != found.label)
             edge_distance = np.where(other, rim.distance, found.distance)
         parts.append(

@@ -194,7 +194,7 @@ def box_faces(
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """Surfaces; the nearest one a ray meets hides those behind it."""
+    """Surfaces; the nearest one a ray hits hides those behind it."""
 
     surfaces: tuple[Surface, ...]
 
@@ -254,8 +254,8 @@ class Scene:
 
         Returns
         -------
-        ranges : ndarray of shape (n,), metres; infinite where nothing is met
-        labels : ndarray of shape (n,); -1 where nothing is met
+        ranges : ndarray of shape (n,), metres; infinite where nothing is hit
+        labels : ndarray of shape (n,); -1 where nothing is hit
         cosines : ndarray of shape (n,)
             Cosine of the angle of incidence.
         """

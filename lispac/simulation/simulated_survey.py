@@ -44,7 +44,7 @@ class SimulatedLine:
     label : ndarray of shape (n,)
         Index into the survey's surface names; -1 for an echo mixed from two surfaces.
     true_points_local : ndarray of shape (n, 3), metres, local
-        Where the beam met the surface.
+        Where the beam hit the surface.
     """
 
     name: str

@@ -24,7 +24,7 @@ class ThesisValue:
     Attributes
     ----------
     lines : tuple of int, degrees
-        Headings; none where it finds the error not to be seen.
+        Headings; none where it finds the error invisible.
     inclination_deg : tuple of int
         Lowest and highest.
     suitable_inclinations_deg : tuple of int
@@ -36,7 +36,7 @@ class ThesisValue:
     suitable_inclinations_deg: tuple[int, int]
 
 
-STATED: Mapping[str, Mapping[str, ThesisValue]] = {
+THESIS_VALUES: Mapping[str, Mapping[str, ThesisValue]] = {
     "terrestrial": {
         "roll": ThesisValue((0, 180, 45, 225), (-40, -40), (-60, 30)),
         "pitch": ThesisValue((0, 45, 225), (0, 0), (-90, 20)),
@@ -80,7 +80,7 @@ class ThesisComparison:
     """
 
     best: BestConfiguration
-    stated: ThesisValue
+    thesis: ThesisValue
     lines_agree: bool
     inclination_agrees: bool
     reason: Message | None
@@ -90,17 +90,17 @@ def compare_with_thesis(study: VisibilityStudy) -> tuple[ThesisComparison, ...]:
     """Every error of a site beside what the thesis chose for it."""
     rows = []
     for error in study.site.errors:
-        best, stated = study.best_configuration(error), STATED[study.site.name][error]
-        if stated.inclination_deg is None or best.inclination is None:
-            lines = inclination = stated.inclination_deg is None and best.inclination is None
+        best, thesis = study.best_configuration(error), THESIS_VALUES[study.site.name][error]
+        if thesis.inclination_deg is None or best.inclination is None:
+            lines = inclination = thesis.inclination_deg is None and best.inclination is None
         else:
-            met = [sum(heading in group for heading in stated.lines) for group in best.groups]
+            matched = [sum(heading in group for heading in thesis.lines) for group in best.groups]
             pair = study.site.name == "marine"
-            lines = max(met) == 1 and (pair or min(met) == 1)
-            low, high = stated.inclination_deg
+            lines = max(matched) == 1 and (pair or min(matched) == 1)
+            low, high = thesis.inclination_deg
             inclination = low <= round(float(np.degrees(best.inclination))) <= high
-        reason = None if lines and inclination else _disagreement_reason(study, best, stated)
-        rows.append(ThesisComparison(best, stated, lines, inclination, reason))
+        reason = None if lines and inclination else _disagreement_reason(study, best, thesis)
+        rows.append(ThesisComparison(best, thesis, lines, inclination, reason))
     return tuple(rows)
 
 
@@ -111,20 +111,20 @@ def do_fewest_lines_agree(study: VisibilityStudy) -> bool:
 
 
 def _disagreement_reason(
-    study: VisibilityStudy, best: BestConfiguration, stated: ThesisValue
+    study: VisibilityStudy, best: BestConfiguration, thesis: ThesisValue
 ) -> Message:
     """What there is to see at both inclinations, and why they differ where that is known."""
     degrees = np.round(np.degrees(study.site.inclinations)).astype(int)
     places = []
     if best.inclination is not None:
         places.append(int(np.round(np.degrees(best.inclination))))
-    if stated.inclination_deg is not None:
-        places.append(int(np.mean(stated.inclination_deg)))
+    if thesis.inclination_deg is not None:
+        places.append(int(np.mean(thesis.inclination_deg)))
     rows = [int(np.argmax(degrees == place)) for place in places]
-    apart = [spread[rows] for spread in study.visibility_spread(best.error)]
+    spreads = [spread[rows] for spread in study.visibility_spread(best.error)]
     differences = tuple(
         note("item.apart", distance=float(metres), angle=float(turn), inclination=np.radians(place))
-        for place, metres, turn in zip(places, *apart, strict=True)
+        for place, metres, turn in zip(places, *spreads, strict=True)
     )
     code = REASONS.get((study.site.name, best.error), "visibility.unknown_reason")
     return note("visibility.differs", reason=note(code), differences=differences)

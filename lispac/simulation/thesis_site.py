@@ -1,7 +1,7 @@
 """The two sites of the thesis on which errors are made visible (sections 3.5 and 3.9).
 
 A profiler passes one board on six straight lines, level and steadily, without noise. One of eight
-systematic errors is put into the measurement: the range is where the beam with the error meets the
+systematic errors is put into the measurement: the range is where the beam with the error hits the
 board's plane (3.4.2). The points are then placed by someone who does not know the error.
 
 Decided here, because the thesis shows it in figures only or not at all:
@@ -150,18 +150,18 @@ def simulate_board(
     Returns
     -------
     ndarray of shape (n, 3), metres, local
-        None where the board is only seen from behind.
+        None where the board is only visible from behind.
     """
     board = site.board(inclination)
     directions, poses = _beams_and_poses(site, board, course, MARGIN[beams])
     ranges, hits = _intersect_board(directions, poses, error, board)
-    seen = np.isfinite(ranges)
+    is_hit = np.isfinite(ranges)
     if beams == "aimed":
         meant, hits = _intersect_board(directions, poses, NO_ERROR, board)
-        seen &= np.isfinite(meant)
-    seen[seen] = is_on_board(hits[seen], board)
-    measured = directions[seen] * ranges[seen, None]
-    return place_points(measured, Poses(poses.position[seen], poses.attitude[seen]), NO_ERROR)
+        is_hit &= np.isfinite(meant)
+    is_hit[is_hit] = is_on_board(hits[is_hit], board)
+    measured = directions[is_hit] * ranges[is_hit, None]
+    return place_points(measured, Poses(poses.position[is_hit], poses.attitude[is_hit]), NO_ERROR)
 
 
 def _beams_and_poses(
@@ -178,12 +178,12 @@ def _beams_and_poses(
     edge = float(np.array([0.0, site.distance, 0.0]) @ ahead)
     angles = np.arctan2(corners[:, 2], corners @ left)
     middle = float(np.angle(np.exp(1j * angles).mean()))
-    aside = np.angle(np.exp(1j * (angles - middle)))
+    offsets = np.angle(np.exp(1j * (angles - middle)))
     reach = margin * float(np.linalg.norm(corners, axis=1).max())
     step = site.angle_step
     scan = step * np.arange(
-        np.floor((middle + aside.min() - margin) / step),
-        np.ceil((middle + aside.max() + margin) / step) + 1,
+        np.floor((middle + offsets.min() - margin) / step),
+        np.ceil((middle + offsets.max() + margin) / step) + 1,
     )
     far = float(np.abs(corners @ ahead - edge).max()) + reach
     count = int(np.ceil(far / site.profile_spacing))

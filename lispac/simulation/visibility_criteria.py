@@ -2,7 +2,7 @@
 
 Type I, planarity and centroidal distance, shows whether the points still form a board near its
 place: a first selection. Type II, angular deviation and signed orthogonal distance, shows how far
-their plane is turned and shifted: what can be seen of the error.
+their plane is turned and shifted: what is visible of the error.
 
 Where the thesis leaves something open or is misprinted:
 

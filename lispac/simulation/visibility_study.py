@@ -149,7 +149,7 @@ class BestConfiguration:
     kept : tuple of float, radians
         Inclinations that Type I accepts.
     inclination : float, radians
-        None where no lines differ at any of them: the error is not seen.
+        None where no lines differ at any of them: the error is invisible.
     groups : tuple of tuple of int, degrees
         Headings of lines that show the same; one line of each is needed.
     """
@@ -161,7 +161,7 @@ class BestConfiguration:
 
     @property
     def lines(self) -> tuple[int, ...]:
-        """Headings (deg) of the first line of each group; none where the error is not seen."""
+        """Headings (deg) of the first line of each group; none where the error is invisible."""
         return () if self.inclination is None else tuple(group[0] for group in self.groups)
 
     def is_seen_by(self, lines: Sequence[int]) -> bool:

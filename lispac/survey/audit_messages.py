@@ -16,16 +16,16 @@ from lispac.survey.time_base import DAY, HOUR, WEEK
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.warning_causes import Cause
 
-MANY_TOO_FAR = 0.001
+FAR_POINT_SHARE = 0.001
 """Share of points beyond the reach of the scanner from which the file is suspect: its unit, or the
 scanner that was given."""
 COARSE_STEP = 0.9e-3
 """Seconds: steps of the point times from here on are reported."""
-FEWEST_OF_GROUP = 0.01
+MIN_GROUP_SHARE = 0.01
 """Share of the points that a scanner or a pass has at least."""
-MOST_SCANNERS = 8
+MAX_SCANNERS = 8
 """Values of an attribute up to which it is taken to number scanners or passes."""
-SHARED = 0.01
+MIN_REPEATED = 0.01
 """Share of its points from which a line repeats another one."""
 SIMULTANEOUS = 0.05
 """Share of the time of the shorter line from which two lines are of the same time."""
@@ -35,10 +35,10 @@ NEAR_RESTART = 1.5
 """Seconds from a time rollover within which a line crosses it."""
 LONG_PAUSE = 60.0
 """Seconds without points that separate two passes in any case."""
-TURN = np.radians(30.0)
+MIN_TURN = np.radians(30.0)
 """Change of heading over a pause that makes two passes of it."""
 HALFWAY = 0.5
-"""Share of the way at its speed that a vessel makes over a pause when it goes on."""
+"""Share of the way at its speed that a vessel makes over a pause without stopping."""
 QUANTILE = 0.95
 """Of the speeds and angular rates on a line, for the effect of an error of time."""
 SCANNERS = ("scanner_channel", "scanner", "scanner_id", "head", "head_id", "device", "device_id",
@@ -82,7 +82,7 @@ def shared_messages(audits: Mapping[str, LineAudit]) -> tuple[Message, ...]:
     found = []
     for (one, first), (other, second) in combinations(audits.items(), 2):
         share = shared_point_fraction(first, second)
-        if share >= SHARED:
+        if share >= MIN_REPEATED:
             smaller = one if first.read < second.read else other
             found.append(
                 Message(
@@ -125,7 +125,7 @@ def simultaneous_messages(
         shorter = min(sum(end - start for start, end in each) for each in (own, others))
         if common < SIMULTANEOUS * shorter or common == 0:
             continue
-        if shared_point_fraction(audits[one], audits[other]) < SHARED:
+        if shared_point_fraction(audits[one], audits[other]) < MIN_REPEATED:
             params: dict[str, Value] = {"line": other, "other": one, "seconds": common}
             found.append(
                 Message(
@@ -188,7 +188,7 @@ def _excluded_point_notes(name: str, audit: LineAudit) -> Iterator[Message]:
     if audit.no_range:
         yield excluded("no_range", audit.no_range)
     if audit.too_far:
-        many = audit.too_far > MANY_TOO_FAR * audit.read
+        many = audit.too_far > FAR_POINT_SHARE * audit.read
         yield excluded("too_far", audit.too_far, level=Level.WARNING if many else Level.NOTE)
     if audit.duplicates:
         yield excluded("duplicates", audit.duplicates)
@@ -236,8 +236,8 @@ def _find_large_groups(audit: LineAudit) -> Iterator[tuple[str, list[str]]]:
     """Attributes that divide the points into a few large groups, and their values."""
     for attribute, counts in audit.groups.items():
         used = sum(counts.values())
-        large = [value for value, count in counts.items() if count >= FEWEST_OF_GROUP * used]
-        if 1 < len(large) <= MOST_SCANNERS:
+        large = [value for value, count in counts.items() if count >= MIN_GROUP_SHARE * used]
+        if 1 < len(large) <= MAX_SCANNERS:
             yield attribute, large
 
 
@@ -273,9 +273,9 @@ def _has_vessel_turned(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -
     """Whether the vessel turned between two times, shape (2,), seconds."""
     inside = (trajectory.time > ends[0]) & (trajectory.time < ends[1])
     heading = np.interp(ends, trajectory.time, trajectory.attitude[:, 2])
-    apart = (heading[1] - heading[0] + np.pi) % (2 * np.pi) - np.pi
+    turned = (heading[1] - heading[0] + np.pi) % (2 * np.pi) - np.pi
     within = trajectory.attitude[inside, 2]
-    return bool(abs(apart) > TURN or (len(within) and np.ptp(within) > TURN))
+    return bool(abs(turned) > MIN_TURN or (len(within) and np.ptp(within) > MIN_TURN))
 
 
 def _has_vessel_continued(trajectory: LocalTrajectory, ends: NDArray[np.float64]) -> bool:

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-KEPT = 0.9
-"""Share of the points, those with the smallest misfits, used in the fit."""
+KEPT_SHARE = 0.9
+"""Share of the points, those with the smallest residuals, used in the fit."""
 ROUNDS = 3
 """Fits, each to the points kept by the one before."""
 NORMAL = 1.4826
@@ -31,13 +31,13 @@ class BeamCone:
     axis : ndarray of shape (3,), no unit, LiDAR frame
     cosines : ndarray of shape (rings,), no unit
         Of the angle between axis and beams; one for a plane or a single cone.
-    misfit : float, metres
+    residual : float, metres
         Robust standard deviation of the points from the plane or their cone.
     """
 
     axis: Array
     cosines: Array
-    misfit: float
+    residual: float
 
 
 def fit_plane(points_lidar: Array) -> BeamCone:
@@ -92,7 +92,7 @@ def beam_direction_spread(points_lidar: Array) -> float:
 def _fit_beams(points_lidar: Array, ring: NDArray[np.int64] | None) -> BeamCone:
     ranges = np.linalg.norm(points_lidar, axis=1)
     kept = np.ones(len(points_lidar), dtype=bool)
-    axis, cosines, misfits = np.zeros(3), np.zeros(1), ranges
+    axis, cosines, residuals = np.zeros(3), np.zeros(1), ranges
     own = np.zeros(len(points_lidar), dtype=np.int64) if ring is None else ring
     rings = int(own.max()) + 1
     for _ in range(ROUNDS):
@@ -107,6 +107,6 @@ def _fit_beams(points_lidar: Array, ring: NDArray[np.int64] | None) -> BeamCone:
         off = points - r[:, None] * means[laser]
         axis = np.linalg.eigh(off.T @ off)[1][:, 0]
         cosines = means @ axis
-        misfits = np.abs(points_lidar @ axis - cosines[own] * ranges)
-        kept = misfits <= np.quantile(misfits, KEPT)
-    return BeamCone(axis, cosines, float(NORMAL * np.median(misfits)))
+        residuals = np.abs(points_lidar @ axis - cosines[own] * ranges)
+        kept = residuals <= np.quantile(residuals, KEPT_SHARE)
+    return BeamCone(axis, cosines, float(NORMAL * np.median(residuals)))

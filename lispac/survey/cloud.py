@@ -15,21 +15,21 @@ from numpy.typing import NDArray
 from lispac.geometry.radius_search import points_within
 from lispac.survey.georeferencing import Georeferencer, Mounting
 from lispac.survey.scan import Scan
-from lispac.survey.store.spatial_cells import MOST_HALVINGS, is_number_in_sample
+from lispac.survey.store.spatial_cells import MAX_HALVINGS, is_number_in_sample
 from lispac.survey.store.stored_line import StoredLine
 from lispac.survey.trajectory import LocalTrajectory
 
 Array = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 
-MOST = 4_000_000
+MAX_POINTS = 4_000_000
 """Points of a region; where a line has more of them there, a fair sample stands for all: a half, a
 quarter and so on of its points, the same ones for a line in memory and on disk."""
 
 PROBES, FEWEST_PROBES, BESIDE = 50_000, 50, 1.0
-"""Points of a line that tell how far another mounting moves it, how many of them must lie near a
+"""Points of a line that show how far another mounting moves it, how many of them must lie near a
 place or within so many metres beside it."""
-SPARE, MARGIN_LEAST = 1.25, 0.05
+MARGIN_FACTOR, MIN_MARGIN = 1.25, 0.05
 """By which their farthest move is enlarged: a factor, and metres."""
 
 
@@ -42,7 +42,7 @@ class SphereRegion:
     numbers : ndarray of shape (n,), ascending
     points : ndarray of shape (n, 3), metres, local frame
     one_in : int
-        1 where these are all points; where there are more than `MOST`, one in so many is here.
+        1 where these are all points; of more than `MAX_POINTS`, one in so many is here.
     """
 
     numbers: Numbers
@@ -84,15 +84,15 @@ class Cloud(Protocol):
     def __getitem__(self, numbers: Numbers) -> Array:
         """Points by their numbers, shape (n, 3), metres."""
 
-    def within(self, centre: Array, radius: float, *, most: int | None = None) -> SphereRegion:
-        """The points within a sphere; a fair sample where there are more than ``most``.
+    def within(self, centre: Array, radius: float, *, limit: int | None = None) -> SphereRegion:
+        """The points within a sphere; a fair sample where there are more than ``limit``.
 
         Parameters
         ----------
         centre : ndarray of shape (3,), metres, local frame
         radius : float, metres
-        most : int or None
-            `MOST` where it is not given.
+        limit : int or None
+            `MAX_POINTS` where it is not given.
         """
 
     @property
@@ -152,7 +152,7 @@ class CloudInMemory:
             return self.ordered[numbers]
         return self.place(*self.scan.take(numbers))
 
-    def within(self, centre: Array, radius: float, *, most: int | None = None) -> SphereRegion:
+    def within(self, centre: Array, radius: float, *, limit: int | None = None) -> SphereRegion:
         """See `Cloud`."""
         margin = self._largest_move and _largest_move_near(
             *self._probe_positions, centre, radius, self._largest_move
@@ -163,7 +163,7 @@ class CloudInMemory:
             inside = points_within(points, centre, radius)
             numbers, points = numbers[inside], points[inside]
         halvings = 0
-        while len(numbers) > (most or MOST) and halvings < MOST_HALVINGS:
+        while len(numbers) > (limit or MAX_POINTS) and halvings < MAX_HALVINGS:
             halvings += 1
             kept = is_number_in_sample(numbers, halvings)
             numbers, points = numbers[kept], points[kept]
@@ -230,13 +230,13 @@ class CloudOnDisk:
     def __getitem__(self, numbers: Numbers) -> Array:
         return self.place(*self.stored.take(numbers))
 
-    def within(self, centre: Array, radius: float, *, most: int | None = None) -> SphereRegion:
+    def within(self, centre: Array, radius: float, *, limit: int | None = None) -> SphereRegion:
         """See `Cloud`."""
         margin = self._largest_move and _largest_move_near(
             *self._probe_positions, centre, radius, self._largest_move
         )
         rows, points, halvings = self.stored.sampled_within(
-            centre, radius, self.place, margin=margin, most=most or MOST
+            centre, radius, self.place, margin=margin, limit=limit or MAX_POINTS
         )
         numbers = self.stored.numbers(rows)
         order = np.argsort(numbers)
@@ -291,18 +291,18 @@ class CloudOnDisk:
 
 
 def _largest_move_near(
-    before: Array, after: Array, centre: Array, radius: float, most: float
+    before: Array, after: Array, centre: Array, radius: float, max_shift: float
 ) -> float:
     """Largest displacement of points near a place, metres.
 
-    Less by far than ``most``, which the farthest point of the line may have: those about the place
-    are told by some of the line's points, shape (n, 3), as they were placed and as they are.
+    Far below ``max_shift``, the shift of the farthest point of the line: that of points about the
+    place is estimated from points of the line, shape (n, 3), placed before and after.
     """
     near = ((after - centre) ** 2).sum(axis=1) <= (radius + BESIDE) ** 2
     if np.count_nonzero(near) < FEWEST_PROBES:
-        return most
+        return max_shift
     moved = float(np.sqrt(((after[near] - before[near]) ** 2).sum(axis=1).max()))
-    return min(most, SPARE * moved + MARGIN_LEAST)
+    return min(max_shift, MARGIN_FACTOR * moved + MIN_MARGIN)
 
 
 def place_clouds(clouds: Mapping[str, Cloud], mounting: Mounting) -> dict[str, Cloud]:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from pyproj import CRS
 
-BEYOND = 3.0
+AREA_MARGIN_DEG = 3.0
 """Degrees beyond the area of a coordinate system that a survey may lie: half a UTM zone."""
 
 
@@ -15,7 +15,7 @@ def area_of_use_elsewhere(crs: "CRS", latitude_deg: float, longitude_deg: float)
     if area is None:
         return ""
     width = (area.east - area.west) % 360 or 360.0
-    inside = (longitude_deg - area.west + BEYOND) % 360 <= width + 2 * BEYOND
-    if inside and area.south - BEYOND <= latitude_deg <= area.north + BEYOND:
+    inside = (longitude_deg - area.west + AREA_MARGIN_DEG) % 360 <= width + 2 * AREA_MARGIN_DEG
+    if inside and area.south - AREA_MARGIN_DEG <= latitude_deg <= area.north + AREA_MARGIN_DEG:
         return ""
     return str(area.name.split(".")[0])

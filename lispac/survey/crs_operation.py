@@ -13,7 +13,7 @@ from pyproj.transformer import Transformer, TransformerGroup
 from lispac.errors import InputError
 from lispac.messages import Message, error
 
-MOST_NAMED = 2
+MAX_NAMED = 2
 """Systems that a sentence names, those on the latest realizations."""
 
 
@@ -82,7 +82,7 @@ def realizations(system: CRS, target: CRS) -> list[tuple[str, str]]:
             code = projected.get(name) or _projection_on_base(system, base)
         if code and not _has_no_operation(CRS.from_user_input(code).to_3d(), target):
             found.append((code, name))
-        if len(found) == MOST_NAMED:
+        if len(found) == MAX_NAMED:
             break
     return found
 
@@ -106,7 +106,7 @@ def _has_no_operation(source: CRS, target: CRS) -> bool:
 def _projection_on_base(system: CRS, base: str) -> str:
     """What PROJ reads as the projection of ``system`` on another base; empty where it cannot.
 
-    EPSG has a code for a projection on each realization only where somebody asked for one.
+    EPSG has a code for a projection on each realization only where one was requested.
     """
     operation = system.coordinate_operation
     known = {} if operation is None else operation.to_json_dict().get("id", {})

@@ -62,7 +62,7 @@ class Mounting:
     Attributes
     ----------
     lever_arm : ndarray of shape (3,), metres, body
-        Optical centre of the LiDAR seen from the POS.
+        Position of the optical centre of the LiDAR relative to the POS.
     boresight : ndarray of shape (3,), radians
         Roll, pitch, yaw of the LiDAR frame in the body frame; where ``axes`` is given, of the
         LiDAR frame once its axes are turned so.

@@ -17,7 +17,7 @@ from lispac.survey.time_base import (
 
 Array = NDArray[np.float64]
 
-CLEARLY_MORE = 0.05
+MIN_SHARE_GAIN = 0.05
 """Part of a line's points that a shift has to bring inside besides those that are, before it is
 offered."""
 
@@ -182,7 +182,7 @@ def no_overlap_error(
 
 def clearly_better_match(matches: tuple[TimeMatch, ...], share: float) -> TimeMatch | None:
     """Best of ``matches`` if clearly more points lie inside than the part ``share``."""
-    return matches[0] if matches and matches[0].share >= share + CLEARLY_MORE else None
+    return matches[0] if matches and matches[0].share >= share + MIN_SHARE_GAIN else None
 
 
 def shift_note(matches: tuple[TimeMatch, ...], share: float, file: str) -> Message | None:

@@ -85,7 +85,7 @@ def shared_point_fraction(one: LineAudit, other: LineAudit) -> float:
 
 
 SKETCH = 2048
-"""Hashes of a sketch: a share of points is estimated to 2 %, one from 0.2 % is seen."""
+"""Hashes of a sketch: a share of points is estimated to 2 %, one from 0.2 % is detected."""
 
 
 def _sketch_limit(sketch: list[int]) -> int:

@@ -2,7 +2,7 @@
 
 PROJ is used once, to fit and check a `SmoothMap` about the trajectory; where that does not hold
 (beyond the scanner's reach, in the folds of a geoid grid) points go through PROJ one by one. Both
-ways agree with PROJ within `PROMISED` everywhere.
+ways agree with PROJ within `ACCURACY` everywhere.
 """
 
 import os
@@ -173,7 +173,7 @@ class _FittedMaps:
     def to_map(self, reach: float) -> SmoothMap:
         """Local frame to map, within ``reach`` metres of the trajectory."""
         with self._lock:
-            known = [stated for stated in self._forward if stated >= min(reach, FARTHEST_REACH)]
+            known = [each for each in self._forward if each >= min(reach, FARTHEST_REACH)]
             if known:
                 return self._forward[min(known)]
             needed_reach = _next_standard_reach(reach)
@@ -190,9 +190,9 @@ class _FittedMaps:
         """Map to local frame, about the trajectory and these points."""
         low, high, _ = kernels.bounds_and_reach(points_map)
         with self._lock:
-            for stated in sorted(self._backward):
-                if self._backward[stated].covers(low, high) or stated >= FARTHEST_REACH:
-                    return self._backward[stated]
+            for known_reach in sorted(self._backward):
+                if self._backward[known_reach].covers(low, high) or known_reach >= FARTHEST_REACH:
+                    return self._backward[known_reach]
             reach = 2 * max(self._backward) if self._backward else NEAREST_REACH
             while True:
                 self._backward[reach] = fit = self._fit_map_to_local(reach)
@@ -218,10 +218,10 @@ class _FittedMaps:
 
 
 def _next_standard_reach(reach: float) -> float:
-    stated = NEAREST_REACH
-    while stated < min(reach, FARTHEST_REACH):
-        stated *= 2
-    return stated
+    standard = NEAREST_REACH
+    while standard < min(reach, FARTHEST_REACH):
+        standard *= 2
+    return standard
 
 
 def _run_in_parallel(run: Callable[[int], Any], count: int, threads: int | None) -> None:

@@ -24,7 +24,7 @@ LARGEST, LARGEST_TIME = 1e9, 1e11
 """No coordinate on earth in any unit, and no time in seconds, is larger."""
 NEAREST = 0.001
 """Metres: a return nearer to the optical centre is a shot without an echo."""
-MOST_RANGE = 10_000.0
+MAX_RANGE = 10_000.0
 """Metres: no scanner measures farther."""
 NOISE_CLASSES = (7, 18)
 """Low and high noise (ASPRS LAS 1.4 R15, table 17)."""
@@ -33,9 +33,9 @@ GROUPS = (
     "device", "device_id", "sensor_id", "lidar_id",
 )  # fmt: skip
 """Attributes that distinguish the scanners or passes of one file."""
-MOST_VALUES = 64
+MAX_VALUES = 64
 """Values of such an attribute that are counted; one with more is something else."""
-TIMES_OF_CHUNK, MOST_CHUNKS_OF_TIMES = 1000, 20
+TIMES_PER_CHUNK, MAX_TIME_CHUNKS = 1000, 20
 """Times of a chunk, and chunks, used to detect a grid of times."""
 RANGE_STEP = 101
 """One point in this number is used for the mean range."""
@@ -74,14 +74,14 @@ class PointSelection:
     excluded_classes : tuple of int
     only : tuple of AttributeCondition
         Points that meet all of them are used.
-    most_range : float, metres
+    max_range : float, metres
         Largest distance from the scanner.
     """
 
     keep_withheld: bool = False
     excluded_classes: tuple[int, ...] = ()
     only: tuple[AttributeCondition, ...] = ()
-    most_range: float = MOST_RANGE
+    max_range: float = MAX_RANGE
 
     @classmethod
     def of(cls, choice: Mapping[str, Any]) -> "PointSelection":
@@ -137,7 +137,7 @@ def parse_largest_range(text: str) -> float:
     InputError
     """
     try:
-        value = float(text) if text.strip() else MOST_RANGE
+        value = float(text) if text.strip() else MAX_RANGE
     except ValueError:
         value = 0.0
     if not 0 < value <= LARGEST:
@@ -202,7 +202,7 @@ class PointScreen:
         time = np.ascontiguousarray(time, dtype=np.float64)
         xyz = np.ascontiguousarray(xyz, dtype=np.float64)
         status = self._selected(time, extra)
-        farthest = self.selection.most_range if self.ranged else -1.0
+        farthest = self.selection.max_range if self.ranged else -1.0
         self._counts += kernels.screen_values(
             time, xyz, NEAREST, farthest, LARGEST, LARGEST_TIME, status
         )
@@ -221,7 +221,7 @@ class PointScreen:
         ----------
         points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
         """
-        status, counts = _status_by_range(points_lidar, self.selection.most_range)
+        status, counts = _status_by_range(points_lidar, self.selection.max_range)
         self._counts += counts
         used = status == kernels.KEPT
         self.add_ranges(points_lidar[::RANGE_STEP][used[::RANGE_STEP]])
@@ -252,7 +252,7 @@ class PointScreen:
             groups={
                 name: {str(value): count for value, count in sorted(found.items())}
                 for name, found in self._groups.items()
-                if 1 < len(found) <= MOST_VALUES
+                if 1 < len(found) <= MAX_VALUES
             },
             spans=time_spans(self._seconds),
             mean_range=self._range_sum / max(self._range_count, 1),
@@ -285,11 +285,11 @@ class PointScreen:
                 status, np.isin(extra["classification"], self.selection.excluded_classes), 1
             )
         if self.selection.only:
-            met = np.ones(len(time), dtype=bool)
+            is_selected = np.ones(len(time), dtype=bool)
             for condition in self.selection.only:
                 values = _attribute_values(condition.name, time, extra)
-                met &= (values >= condition.low) & (values <= condition.high)
-            self._exclude(status, ~met, 2)
+                is_selected &= (values >= condition.low) & (values <= condition.high)
+            self._exclude(status, ~is_selected, 2)
         return status
 
     def _exclude(self, status: NDArray[np.uint8], chosen: Mask, reason: int) -> None:
@@ -333,11 +333,11 @@ class PointScreen:
         self._first_returns += points
         self._changes += changes
         self._seconds = np.union1d(self._seconds, seconds[:entries])
-        if len(self._some_times) < MOST_CHUNKS_OF_TIMES:
-            self._some_times.append(time[first][:: 1 + len(time) // TIMES_OF_CHUNK])
+        if len(self._some_times) < MAX_TIME_CHUNKS:
+            self._some_times.append(time[first][:: 1 + len(time) // TIMES_PER_CHUNK])
         all_used = bool(used.all())
         for name in GROUPS:
-            if name in extra and len(self._groups.setdefault(name, {})) <= MOST_VALUES:
+            if name in extra and len(self._groups.setdefault(name, {})) <= MAX_VALUES:
                 values = np.asarray(extra[name])
                 _add_value_counts(self._groups[name], values if all_used else values[used])
         if "classification" in extra:
@@ -351,34 +351,34 @@ class PointScreen:
 
 def _smallest_hashes(hashes: NDArray[np.uint64]) -> tuple[NDArray[np.uint64], NDArray[np.int64]]:
     """The smallest different hashes, `SKETCH` of them at least if there are, and their numbers."""
-    few = 2 * SKETCH
-    if len(hashes) > 4 * few:  # sorting all takes longer than everything else together
+    enough = 2 * SKETCH
+    if len(hashes) > 4 * enough:  # sorting all takes longer than everything else together
         values, times = np.unique(
-            hashes[hashes <= np.partition(hashes, few)[few]], return_counts=True
+            hashes[hashes <= np.partition(hashes, enough)[enough]], return_counts=True
         )
         if len(values) >= SKETCH:
             return values, times
     return np.unique(hashes, return_counts=True)
 
 
-def is_within_range(points_lidar: Array, most_range: float) -> Mask:
+def is_within_range(points_lidar: Array, max_range: float) -> Mask:
     """Which points have a range up to the largest one, shape (n,).
 
     Parameters
     ----------
     points_lidar : ndarray of shape (n, 3), metres, LiDAR frame
-    most_range : float, metres
+    max_range : float, metres
     """
-    return np.asarray(_status_by_range(points_lidar, most_range)[0] == kernels.KEPT)
+    return np.asarray(_status_by_range(points_lidar, max_range)[0] == kernels.KEPT)
 
 
 def _status_by_range(
-    points_lidar: Array, most_range: float
+    points_lidar: Array, max_range: float
 ) -> tuple[NDArray[np.uint8], NDArray[np.int64]]:
     """Status of each point by its range, and the number of points by status."""
     status = np.zeros(len(points_lidar), np.uint8)
     counts = kernels.screen_values(
-        np.zeros(len(points_lidar)), np.ascontiguousarray(points_lidar), NEAREST, most_range,
+        np.zeros(len(points_lidar)), np.ascontiguousarray(points_lidar), NEAREST, max_range,
         LARGEST, LARGEST_TIME, status,
     )  # fmt: skip
     return status, counts
@@ -414,5 +414,5 @@ def _add_value_counts(value_counts: dict[int, int], values: NDArray[Any]) -> Non
     else:
         different, counts = np.unique(values, return_counts=True)
         pairs = list(zip(different.tolist(), counts.tolist(), strict=True))
-    for value, count in pairs[: MOST_VALUES + 1]:
+    for value, count in pairs[: MAX_VALUES + 1]:
         value_counts[value] = value_counts.get(value, 0) + count

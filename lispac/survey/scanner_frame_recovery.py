@@ -1,6 +1,6 @@
 """Scanner-frame points recovered from a georeferenced cloud.
 
-Most software gives out points on the map, not as the scanner saw them. With the trajectory, lever
+Most software exports points on the map, not in the scanner frame. With the trajectory, lever
 arm and boresight that made the cloud, the exact inverse of `lispac.survey.georeferencing` brings
 the scanner's vectors back; a calibration then starts as from raw lines. What the cloud's making
 left out or added (its stored resolution, a strip adjustment, a smoothed or another trajectory)
@@ -25,7 +25,7 @@ from lispac.survey.trajectory import LocalTrajectory
 
 Array = NDArray[np.float64]
 
-FARTHEST = 5000.0
+MAX_DISTANCE = 5000.0
 """Metres from the scanner beyond which a point is not believed."""
 
 
@@ -153,28 +153,28 @@ def require_within_reach(points_lidar: Array, recovery: RecoverySetup) -> None:
     """
     if not len(points_lidar):
         return
-    near = np.einsum("ij,ij->i", points_lidar, points_lidar) <= FARTHEST**2
+    near = np.einsum("ij,ij->i", points_lidar, points_lidar) <= MAX_DISTANCE**2
     if 2 * np.count_nonzero(near) < len(near):
         if recovery.path is None:
             raise InputError(
-                error("survey.points_too_far", limit=FARTHEST, system=recovery.system.name)
+                error("survey.points_too_far", limit=MAX_DISTANCE, system=recovery.system.name)
             )
         raise InputError(
             error(
                 "survey.points_of_file_too_far",
                 file=str(recovery.path),
-                limit=FARTHEST,
+                limit=MAX_DISTANCE,
                 system=recovery.system.name,
             )
         )
 
 
-LOOKED_AT = 10_000
+EXAMINED_POINTS = 10_000
 """Points of a chunk that stand for it."""
 
 
 def require_scanner_frame(points_lidar: Array, path: Path) -> None:
-    """Refuse points, taken to be in the LiDAR frame, of which half are farther than a scanner sees.
+    """Refuse points, assumed in the LiDAR frame, of which half are beyond any scanner's range.
 
     Parameters
     ----------
@@ -186,14 +186,14 @@ def require_scanner_frame(points_lidar: Array, path: Path) -> None:
     ------
     InputError
     """
-    some = points_lidar[:: max(1, len(points_lidar) // LOOKED_AT)]
-    near = np.einsum("ij,ij->i", some, some) <= FARTHEST**2
+    some = points_lidar[:: max(1, len(points_lidar) // EXAMINED_POINTS)]
+    near = np.einsum("ij,ij->i", some, some) <= MAX_DISTANCE**2
     if 2 * np.count_nonzero(near) < len(near):
         raise InputError(
             error(
                 "survey.not_scanner_frame",
                 file=str(path),
-                limit=FARTHEST,
+                limit=MAX_DISTANCE,
                 farthest=float(np.sqrt((some**2).sum(axis=1).max())),
             )
         )

@@ -27,26 +27,26 @@ from lispac.warning_causes import Cause
 
 Array = NDArray[np.float64]
 
-MOST_POINTS = 4000
+MAX_POINTS = 4000
 """Points of the sample that a cause is tried with."""
-FEWEST_POINTS = 200
+MIN_POINTS = 200
 """Smallest number of points for a result."""
-MISFIT_ALLOWED = 0.005
+MAX_RESIDUAL = 0.005
 """Metres: smoothing of the trajectory, rounding and jitter of the times leave as much."""
-MISFIT_ANGLE = 0.0005
+MAX_ANGULAR = 0.0005
 """Radians of beam direction, allowed besides."""
 SMALLEST_ARC = 0.35
 """Radians: beams of a smaller arc do not distinguish a cone from a wrong recovery."""
-PROFILER = 0.1
-"""Misfit over range up to which a scanner may be a profiler although no cause explains it."""
+PROFILER_RATIO = 0.1
+"""Residual over range up to which a scanner may be a profiler although no cause explains it."""
 LARGEST_TURN = np.radians(2.0)
 """Between the scan plane and the axes of the scanner, which a profiler has along it."""
-TURN_MISFIT = 0.01
-"""Misfit over the extent of the points up to which the direction of the plane is certain."""
-BETTER = 3.0
-"""Factor by which a cause has to reduce the misfit to explain it."""
-CLEARLY = 1.5
-"""Factor between the misfits of the best cause and the next from which only the best is named."""
+TURN_RATIO = 0.01
+"""Residual over the extent of the points up to which the direction of the plane is certain."""
+MIN_REDUCTION = 3.0
+"""Factor by which a cause has to reduce the residual to explain it."""
+RIVAL_RATIO = 1.5
+"""Factor between the residuals of the best cause and the next from which only the best is named."""
 HEIGHTS = np.arange(-120.0, 121.0, 2.0)
 """Metres: the geoid lies between 107 m below and 86 m above the ellipsoid."""
 TIMES = (-37.0, -19.0, -18.0, -2.0, -1.0, -0.5, -0.2, -0.1, -0.05, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0,
@@ -56,7 +56,7 @@ LEVERS = np.linspace(-3.0, 3.0, 25)
 """Metres: errors of a lever arm that are tried."""
 RINGS = ("ring", "ring_number", "laser_id", "laser_number", "laser", "beam_id", "channel")
 """Attributes that number the lasers of a spinning scanner."""
-MOST_RINGS = 256
+MAX_RINGS = 256
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +84,7 @@ class LineSample:
         if len(rings) < len(parts):
             return cls(points, time)
         values, ring = np.unique(np.concatenate(rings), return_inverse=True)
-        if not 1 < len(values) <= MOST_RINGS:
+        if not 1 < len(values) <= MAX_RINGS:
             return cls(points, time)
         return cls(points, time, ring.astype(np.int64))
 
@@ -98,9 +98,9 @@ class LineSample:
         ring = None if self.ring is None else self.ring[chosen]
         return LineSample(self.points_map[chosen], self.time[chosen], ring)
 
-    def thinned(self, most: int) -> "LineSample":
-        """At most ``most`` of the points, spread evenly."""
-        return self.where(slice(None, None, max(1, -(-len(self.time) // most))))
+    def thinned(self, limit: int) -> "LineSample":
+        """At most ``limit`` of the points, spread evenly."""
+        return self.where(slice(None, None, max(1, -(-len(self.time) // limit))))
 
 
 def ring_numbers(attributes: Mapping[str, NDArray[Any]]) -> NDArray[np.int64] | None:
@@ -112,7 +112,7 @@ def ring_numbers(attributes: Mapping[str, NDArray[Any]]) -> NDArray[np.int64] | 
 
 
 @dataclass(frozen=True)
-class MisfitExplanation:
+class ResidualCause:
     """A cause with the value that fits best.
 
     Attributes
@@ -120,13 +120,13 @@ class MisfitExplanation:
     cause : str
     value : float
         Metres or seconds to be added; 0 where the cause has none.
-    misfit : float, metres
-        That is left with it.
+    residual : float, metres
+        With this cause corrected.
     """
 
     cause: str
     value: float
-    misfit: float
+    residual: float
 
 
 def recovery_messages(
@@ -143,8 +143,8 @@ def recovery_messages(
     recovery : RecoverySetup
         As the line is recovered.
     """
-    sample = sample.thinned(MOST_POINTS)
-    if len(sample.time) < FEWEST_POINTS:
+    sample = sample.thinned(MAX_POINTS)
+    if len(sample.time) < MIN_POINTS:
         return ()
     found = _recover_sample(sample, recovery)
     if found is None:
@@ -153,13 +153,13 @@ def recovery_messages(
     shapes = tuple(_possible_beam_shapes(found))
     fitted = [shape(found) for shape in shapes]
     distance = float(np.median(np.linalg.norm(points, axis=1)))
-    allowed = MISFIT_ALLOWED + MISFIT_ANGLE * distance
+    allowed = MAX_RESIDUAL + MAX_ANGULAR * distance
     first = fitted[0]
-    if found.ring is None and first.misfit <= allowed:
+    if found.ring is None and first.residual <= allowed:
         turn = float(np.arccos(min(1.0, np.abs(first.axis).max())))
         if (
             turn < LARGEST_TURN
-            or first.misfit > TURN_MISFIT * beam_direction_spread(points) * distance
+            or first.residual > TURN_RATIO * beam_direction_spread(points) * distance
         ):
             return ()
         return (
@@ -168,40 +168,40 @@ def recovery_messages(
                 Cause.of_line(name),
             ),
         )  # fmt: skip
-    if any(each.misfit <= allowed for each in fitted):
+    if any(each.residual <= allowed for each in fitted):
         return ()
     tried = [
-        sorted(_evaluate_causes(sample, recovery, found, shape), key=lambda each: each.misfit)
+        sorted(_evaluate_causes(sample, recovery, found, shape), key=lambda each: each.residual)
         for shape in shapes
     ]
     for cone, explanations in zip(fitted, tried, strict=True):
         if fitting := _sufficient_explanations(cone, explanations, allowed):
-            return (_causes_message(name, cone if np.isfinite(cone.misfit) else first, fitting),)
+            return (_causes_message(name, cone if np.isfinite(cone.residual) else first, fitting),)
     # Two errors at once, or a rough trajectory, leave more; but not so for a scanner of any shape.
-    if len(shapes) == 1 or first.misfit <= PROFILER * distance:
-        most = max(allowed, CLEARLY * tried[0][0].misfit)
-        if fitting := _sufficient_explanations(first, tried[0], most):
+    if len(shapes) == 1 or first.residual <= PROFILER_RATIO * distance:
+        limit = max(allowed, RIVAL_RATIO * tried[0][0].residual)
+        if fitting := _sufficient_explanations(first, tried[0], limit):
             return (_causes_message(name, first, fitting),)
-    if found.ring is None and first.misfit > PROFILER * distance:
+    if found.ring is None and first.residual > PROFILER_RATIO * distance:
         return ()  # a scanner of another kind
-    return (_misfit_warning(name, "recovery.unexplained", first, None),)
+    return (_residual_warning(name, "recovery.unexplained", first, None),)
 
 
 def _sufficient_explanations(
-    cone: BeamCone, tried: list[MisfitExplanation], most: float
-) -> list[MisfitExplanation]:
-    """Explanations that reduce the misfit enough, and to at most ``most``."""
-    return [each for each in tried if each.misfit <= min(cone.misfit / BETTER, most)]
+    cone: BeamCone, tried: list[ResidualCause], limit: float
+) -> list[ResidualCause]:
+    """Explanations that reduce the residual enough, and to at most ``limit``."""
+    return [each for each in tried if each.residual <= min(cone.residual / MIN_REDUCTION, limit)]
 
 
-def _causes_message(name: str, cone: BeamCone, fitting: list[MisfitExplanation]) -> Message:
+def _causes_message(name: str, cone: BeamCone, fitting: list[ResidualCause]) -> Message:
     """The message that names the causes that fit, the best first."""
     best = fitting[0]
-    rivals = [each for each in fitting[1:] if each.misfit < CLEARLY * best.misfit]
+    rivals = [each for each in fitting[1:] if each.residual < RIVAL_RATIO * best.residual]
     if rivals:
         causes = tuple(TITLES[each.cause] for each in (best, *rivals))
-        return _misfit_warning(name, "recovery.several_causes", cone, best, {"causes": causes})
-    return _misfit_warning(name, f"recovery.{best.cause}", cone, best)
+        return _residual_warning(name, "recovery.several_causes", cone, best, {"causes": causes})
+    return _residual_warning(name, f"recovery.{best.cause}", cone, best)
 
 
 @dataclass(frozen=True, eq=False)
@@ -231,7 +231,7 @@ def _fit_beam_cone(points: _RecoveredPoints) -> BeamCone:
     return (
         cone
         if beam_direction_spread(points.points) > SMALLEST_ARC
-        else replace(cone, misfit=np.inf)
+        else replace(cone, residual=np.inf)
     )
 
 
@@ -262,14 +262,14 @@ TITLES = {
 """Names of the causes, as parts of messages."""
 
 
-def _misfit_warning(
-    name: str, code: str, cone: BeamCone, best: MisfitExplanation | None,
-    more: dict[str, Value] | None = None,
+def _residual_warning(
+    name: str, code: str, cone: BeamCone, best: ResidualCause | None,
+    extra: dict[str, Value] | None = None,
 ) -> Message:  # fmt: skip
-    params: dict[str, Value] = {"line": name, "misfit": cone.misfit, **(more or {})}
+    params: dict[str, Value] = {"line": name, "misfit": cone.residual, **(extra or {})}
     actions: tuple[Action, ...] = ()
     if best is not None:
-        params |= {"value": best.value, "left": best.misfit}
+        params |= {"value": best.value, "left": best.residual}
     if best is not None and code == "recovery.height_offset":
         params["offset"] = -best.value
         value = f"{best.value:+.1f}"
@@ -279,7 +279,7 @@ def _misfit_warning(
 
 def _evaluate_causes(
     sample: LineSample, recovery: RecoverySetup, recovered: _RecoveredPoints, shape: Shape
-) -> Iterator[MisfitExplanation]:
+) -> Iterator[ResidualCause]:
     """Each cause with its best value."""
     points = recovered.points
     metre = recovery.system.metres[2]
@@ -310,7 +310,7 @@ def _evaluate_causes(
         other = replace(recovery, trajectory=turned)
         moved = _recover_sample(sample, other)
         if moved is not None:
-            yield MisfitExplanation(cause, 0.0, shape(moved).misfit)
+            yield ResidualCause(cause, 0.0, shape(moved).residual)
 
 
 def _shift_points(points: _RecoveredPoints, along: Array, value: float) -> _RecoveredPoints:
@@ -322,26 +322,26 @@ def _best_explanation(
     values: Array,
     points_with_value: Callable[[float], _RecoveredPoints | None],
     shape: Shape,
-) -> MisfitExplanation:
-    """The value with the smallest misfit, refined about the best of some."""
+) -> ResidualCause:
+    """The value with the smallest residual, refined about the best of some."""
 
-    def misfit(value: float) -> float:
+    def residual(value: float) -> float:
         found = points_with_value(value)
-        return np.inf if found is None else shape(found).misfit
+        return np.inf if found is None else shape(found).residual
 
-    found = np.array([misfit(float(value)) for value in values])
+    found = np.array([residual(float(value)) for value in values])
     k = int(found.argmin())
     low = float(values[max(0, k - 1)])
     high = float(values[min(len(values) - 1, k + 1)])
     value, least = float(values[k]), float(found[k])
     for _ in range(REFINEMENTS):
         third = (high - low) / 3
-        left, right = misfit(low + third), misfit(high - third)
+        left, right = residual(low + third), residual(high - third)
         low, high = (low, high - third) if left < right else (low + third, high)
         nearest = low + third if left < right else high - third
         if min(left, right) < least:
             value, least = nearest, min(left, right)
-    return MisfitExplanation(cause, value, least)
+    return ResidualCause(cause, value, least)
 
 
 REFINEMENTS = 16
@@ -349,9 +349,9 @@ REFINEMENTS = 16
 
 
 def _recover_sample(sample: LineSample, recovery: RecoverySetup) -> _RecoveredPoints | None:
-    """Points with a pose in the LiDAR frame; None where there are few."""
+    """Points with a pose in the LiDAR frame; None where there are not enough."""
     usable = recovery.usable(sample.time)
-    if np.count_nonzero(usable) < FEWEST_POINTS:
+    if np.count_nonzero(usable) < MIN_POINTS:
         return None
     sample = sample.where(usable)
     try:

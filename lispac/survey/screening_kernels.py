@@ -19,10 +19,10 @@ WINDOW_SLOTS = 1 << 17
 LONGEST_RUN = 64
 """Points of one time that are compared one by one."""
 GAP_BINS = 200
-"""Bins of gaps between distinct times, eight to an octave from `GAP_LEAST`."""
-GAP_LEAST = 1e-4
+"""Bins of gaps between distinct times, eight to an octave from `MIN_GAP`."""
+MIN_GAP = 1e-4
 """Seconds; shorter gaps between distinct times are fine in any case."""
-GAP_MOST = 10.0
+MAX_GAP = 10.0
 """Seconds; longer gaps are pauses, not steps."""
 
 # Numba has no types mypy could check, hence the marks.
@@ -99,7 +99,7 @@ def _table_contains(table, h):  # type: ignore[no-untyped-def]
 
 @njit(nogil=True, cache=True)
 def _table_insert(table, h):  # type: ignore[no-untyped-def]
-    """Put a hash into an open-addressing table that has room."""
+    """Put a hash into an open-addressing table that has free slots."""
     mask = np.uint64(len(table) - 1)
     k = h & mask
     while table[k] != 0:
@@ -148,12 +148,12 @@ def mark_duplicates(  # type: ignore[no-untyped-def]
     Copies have the same time. While times do not run backward, only the points of the same time
     just before can be equal; ``tail`` (m, 4) are the last points of the chunk before. Otherwise, or
     where many points share a time, hashes of recent points are kept in ``tables`` (2, m), the
-    current and the former half. ``fill`` (3,) counts the current one, tells which it is, and
+    current and the former half. ``fill`` (3,) counts the current one, holds which it is, and
     whether tables are in use; ``latest`` (1,) is the latest time before. Hashes up to ``threshold``
     are written to ``sampled``. Returns the numbers of duplicates and of these hashes.
     """
     count = found = 0
-    room = tables.shape[1] // 2
+    capacity = tables.shape[1] // 2
     run, newest = 0, latest[0]
     for i in range(len(status)):
         if status[i] != KEPT:
@@ -164,7 +164,7 @@ def mark_duplicates(  # type: ignore[no-untyped-def]
                 run, newest = i, t
             elif t < newest or i - run > LONGEST_RUN:
                 fill[2] = 1
-                for j in range(max(0, i - room + 1), i):
+                for j in range(max(0, i - capacity + 1), i):
                     if status[j] == KEPT:
                         before = xyz_bits[j]
                         _table_insert(
@@ -182,7 +182,7 @@ def mark_duplicates(  # type: ignore[no-untyped-def]
                 status[i] = DUPLICATE
                 found += 1
                 continue
-            if fill[0] >= room:
+            if fill[0] >= capacity:
                 fill[0], fill[1] = 0, 1 - fill[1]
                 tables[fill[1]] = 0
             _table_insert(tables[fill[1]], h)
@@ -198,7 +198,7 @@ def mark_duplicates(  # type: ignore[no-untyped-def]
 def time_steps(time, used, last, gaps, sums, seconds):  # type: ignore[no-untyped-def]
     """Count distinct times, gaps between them by length, and whole seconds that hold points.
 
-    ``used`` (n,) tells which points count; ``last`` (1,) is the last time before. Gaps go to
+    ``used`` (n,) marks the points that count; ``last`` (1,) is the last time before. Gaps go to
     ``gaps`` and their lengths to ``sums``, both (GAP_BINS,). Returns the numbers of points used, of
     changes of the time, and of entries of ``seconds``.
     """
@@ -213,8 +213,8 @@ def time_steps(time, used, last, gaps, sums, seconds):  # type: ignore[no-untype
             continue
         changes += 1
         gap = t - previous
-        if GAP_LEAST <= gap < GAP_MOST:
-            k = int(8 * np.log2(gap / GAP_LEAST))
+        if MIN_GAP <= gap < MAX_GAP:
+            k = int(8 * np.log2(gap / MIN_GAP))
             gaps[k] += 1
             sums[k] += gap
         previous = t

@@ -21,11 +21,11 @@ Array = NDArray[np.float64]
 
 RESIDUAL = 1e-6
 """Metres that a polynomial may be off at its check points; a tenth of the guaranteed accuracy."""
-PROMISED = 1e-5
+ACCURACY = 1e-5
 """Metres that a mapped point is off at most."""
-SMALLEST = 30.0
+MIN_CELL = 30.0
 """Metres: cells are not quartered below."""
-MOST = 40_000
+MAX_CELLS = 40_000
 """Cells; above them the rest goes the exact way."""
 POWERS = np.array([(i, j, k) for i in range(4) for j in range(4 - i) for k in range(4 - i - j)])
 """Exponents of x, y, z in the order of the coefficients of `evaluate_cubic`."""
@@ -109,7 +109,7 @@ def fit_smooth_map(
     Parameters
     ----------
     exact : callable
-        Points of shape (n, 3) to points of shape (n, 3); not finite where it has no answer.
+        Points of shape (n, 3) to points of shape (n, 3); not finite where it has no result.
     low, high : ndarray of shape (3,)
         Corners of the box.
     metres_in, metres_out : ndarray of shape (3,)
@@ -118,7 +118,7 @@ def fit_smooth_map(
     middle, half = (low + high) / 2, (high - low) / 2
     side = 2 * float(half[:2].max()) * (1 + 1e-9)
     corner = middle[:2] - side / 2
-    smallest = SMALLEST / float(np.max(metres_in[:2]))
+    smallest = MIN_CELL / float(np.max(metres_in[:2]))
     children, leaf_of = [[-1] * 4], [-1]
     boxes: list[Array] = []
     coefficients: list[Array] = []
@@ -135,7 +135,7 @@ def fit_smooth_map(
             coefficients.append(found[k])
         residual = max(residual, float(off[good].max(initial=0.0)))
         bad = ~good
-        if side / 2 < smallest or len(children) + 4 * int(bad.sum()) > MOST:
+        if side / 2 < smallest or len(children) + 4 * int(bad.sum()) > MAX_CELLS:
             left += float(bad.sum()) * side**2
             break
         side /= 2

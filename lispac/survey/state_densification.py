@@ -16,11 +16,11 @@ Array = NDArray[np.float64]
 
 LIMIT = np.array([1e-4] * 3 + [float(np.radians(1e-4))] * 3)
 """Metres and radians that straight lines between the inserted states may be off by."""
-MOST_PARTS = 20
+MAX_PARTS = 20
 """Parts that an interval is divided into at most."""
-BETTER = 0.5
+MAX_ERROR_RATIO = 0.5
 """Error of the cubic over that of a straight line, at states left out, up to which it is used."""
-FEWEST = 20
+MIN_STATES = 20
 """States that can be excluded, below which nothing is inserted."""
 QUANTILE = 0.995
 """Of the intervals, for the number of parts."""
@@ -71,7 +71,7 @@ def insert_states(
     steps = np.diff(time)
     bridged = steps <= longest_gap
     inner = np.flatnonzero(bridged[1:] & bridged[:-1]) + 1
-    if len(inner) < FEWEST:
+    if len(inner) < MIN_STATES:
         return DenseStates(time, states)
     # Prediction of each inner state from its neighbours, over twice the interval.
     span = time[inner + 1] - time[inner - 1]
@@ -81,13 +81,13 @@ def insert_states(
     straight = states[inner] - (ends[0] + u * (ends[1] - ends[0]))
     left_out = states[inner] - hermite_cubic(u, span[:, None], ends, slopes)
     error_straight = np.abs(straight).mean(axis=0)
-    used = np.abs(left_out).mean(axis=0) < BETTER * error_straight
+    used = np.abs(left_out).mean(axis=0) < MAX_ERROR_RATIO * error_straight
     # Of a parabola, the error over one interval is a quarter of that over two.
     needed = np.quantile(np.abs(straight), QUANTILE, axis=0) / 4
     coarse = needed > LIMIT
     unused = tuple(np.flatnonzero(coarse & ~used & derivatives.any(axis=0)).tolist())
     parts = int(np.ceil(np.sqrt(np.max(needed / LIMIT, where=used, initial=0.0))))
-    parts = min(parts, MOST_PARTS)
+    parts = min(parts, MAX_PARTS)
     if parts <= 1:
         return DenseStates(time, states, unused=unused)
     # Of a polynomial of fourth degree, a sixteenth: the states left out measure the error.

@@ -168,7 +168,7 @@ def assess_coverage(
 
 
 SHORT = 2.0
-"""Seconds that accuracies may miss at the ends of the trajectory without a word."""
+"""Seconds that accuracies may miss at the ends of the trajectory without a message."""
 
 
 def accuracy_coverage_warning(accuracy_times: Array, track: Array, file: str) -> Message | None:

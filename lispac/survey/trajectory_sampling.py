@@ -11,7 +11,7 @@ from lispac.warning_causes import Cause
 
 Array = NDArray[np.float64]
 
-ALLOWED = 0.1
+MAX_ERROR_SHARE = 0.1
 """Share of the given accuracy that the error of the interpolation may reach."""
 WINDOW = 0.25
 """Seconds over which errors of one sign add up; waves are longer, vibration is shorter."""
@@ -76,7 +76,7 @@ def interpolation_messages(
         own, of_line = own[bridged], of_line[bridged]
         if len(of_line) < 2:
             continue
-        # The bound is met in the middle of an interval; at a state there is no error.
+        # The bound is reached in the middle of an interval; at a state there is no error.
         u = (own - trajectory.time[of_line]) / steps[of_line]
         error = np.quantile(errors[of_line] * (4 * u * (1 - u))[:, None], QUANTILE, axis=0)
         position_sigma, attitude_sigma = (
@@ -87,7 +87,7 @@ def interpolation_messages(
             float(np.max(error[:3] / np.maximum(position_sigma, 1e-6))),
             float(np.max(error[3:] / np.maximum(attitude_sigma, 1e-9))),
         )
-        if share > ALLOWED:
+        if share > MAX_ERROR_SHARE:
             found.append(
                 Message(
                     "trajectory.rate_too_low",

@@ -64,7 +64,7 @@ def beam_intersections(
         Of the plane.
     """
     ahead = beams @ normal
-    # Seen edge on a beam meets the plane anywhere: there points are taken as they are.
+    # A grazing beam intersects the plane anywhere: there points are left as they are.
     clear = np.abs(off) < 0.1 * np.abs(ahead)
     along = np.where(clear, off, 0.0) / np.where(clear, ahead, 1.0)
     return points - along[:, None] * beams, turns * (1.0 - along)[None, :, None]

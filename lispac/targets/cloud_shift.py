@@ -18,8 +18,8 @@ Indices = NDArray[np.int64]
 # Coarse to fine: side of a voxel at each level, metres; the kernel reaches two voxels.
 LEVELS = (0.2, 0.1, 0.05)
 # Candidates carried from one level to the next, and how different they must be, in voxels.
-CARRIED = 24
-APART = 1.5
+MAX_CANDIDATES = 24
+MIN_SEPARATION = 1.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,11 +39,11 @@ class CloudShift:
 
 
 def find_shifts(
-    first: Array, weights: Array, second: Array, most: float, *, prefer_small: float = 0.02
+    first: Array, weights: Array, second: Array, max_shift: float, *, prefer_small: float = 0.02
 ) -> list[CloudShift]:
     """Translations that lay the first cloud onto the second, the best first.
 
-    All translations up to ``most`` along each axis are tried on coarse voxels; the best of them
+    All translations up to ``max_shift`` on each axis are tried on coarse voxels; the best of them
     are refined on finer ones.
 
     Parameters
@@ -51,22 +51,22 @@ def find_shifts(
     first : ndarray of shape (n, 3), metres, local frame
     weights : ndarray of shape (n,)
     second : ndarray of shape (m, 3), metres, local frame
-        Must reach farther than the first by ``most`` on every side.
-    most : float, metres
+        Must reach farther than the first by ``max_shift`` on every side.
+    max_shift : float, metres
     prefer_small : float
         What a translation of one metre costs of the score. Along a wall nothing else decides.
 
     Returns
     -------
     list of Shift
-        Distinct ones; empty when nothing meets.
+        Distinct ones; empty where nothing matches.
     """
     origin = first.mean(axis=0)
     first, second = first - origin, second - origin
-    steps = int(np.ceil(most / LEVELS[0]))
+    steps = int(np.ceil(max_shift / LEVELS[0]))
     axis = np.arange(-steps, steps + 1) * LEVELS[0]
     tried: Array = np.stack(np.meshgrid(axis, axis, axis, indexing="ij"), axis=-1).reshape(-1, 3)
-    tried = tried[np.linalg.norm(tried, axis=1) <= most + 0.5 * LEVELS[0]]
+    tried = tried[np.linalg.norm(tried, axis=1) <= max_shift + 0.5 * LEVELS[0]]
     found: list[CloudShift] = []
     for level, voxel in enumerate(LEVELS):
         if level > 0:
@@ -77,7 +77,7 @@ def find_shifts(
         scores = _shift_scores(first, weights, second, tried, voxel)
         scores -= prefer_small * np.linalg.norm(tried, axis=1)
         found = _distinct_best_shifts(
-            tried, scores, APART * voxel if level < 2 else 2.0 * LEVELS[0]
+            tried, scores, MIN_SEPARATION * voxel if level < 2 else 2.0 * LEVELS[0]
         )
         if not found:
             return []
@@ -133,15 +133,15 @@ def _voxel_means(points: Array, weights: Array, voxel: float) -> tuple[Array, Ar
     return mean, mass
 
 
-def _distinct_best_shifts(tried: Array, scores: Array, apart: float) -> list[CloudShift]:
+def _distinct_best_shifts(tried: Array, scores: Array, min_distance: float) -> list[CloudShift]:
     kept: list[CloudShift] = []
     free = scores > 0.0
     for i in np.argsort(-scores, kind="stable"):
-        if scores[i] <= 0.0 or len(kept) == CARRIED:
+        if scores[i] <= 0.0 or len(kept) == MAX_CANDIDATES:
             break
         if free[i]:
             kept.append(CloudShift(tried[i], float(scores[i])))
-            free &= ((tried - tried[i]) ** 2).sum(axis=1) > apart * apart
+            free &= ((tried - tried[i]) ** 2).sum(axis=1) > min_distance * min_distance
     return kept
 
 

@@ -1,7 +1,7 @@
 """Sections: a thin strip of all lines, laid flat at true scale.
 
-Where lines disagree is seen nowhere better: across a board each line draws its own stroke, and the
-strokes stand apart, or lean, as the lines do.
+A section shows best where lines disagree: across a board each line draws its own stroke, and the
+strokes are offset, or lean, as the lines are.
 """
 
 from collections.abc import Iterable
@@ -58,10 +58,10 @@ class Section:
         -------
         ndarray of shape (m, 2), metres, to the right and upwards of the centre
         """
-        seen = (points - self.centre) @ np.column_stack([self.right, self.up, self.across])
+        placed = (points - self.centre) @ np.column_stack([self.right, self.up, self.across])
         half = 0.5 * np.array([self.width, self.height, self.thickness])
-        inside = np.all(np.abs(seen) <= half, axis=1)
-        return np.asarray(seen[inside, :2])
+        inside = np.all(np.abs(placed) <= half, axis=1)
+        return np.asarray(placed[inside, :2])
 
     def cut_points(self, cloud: Cloud) -> Array:
         """`to_section_axes` of a line, shape (k, 2), of which only the surroundings are read."""
@@ -82,7 +82,7 @@ class Section:
 def common_normal(groups: Iterable[Array]) -> Array:
     """The direction several groups of points (n, 3) face, each by itself; a unit vector (3,).
 
-    All in the local frame. Lines that are apart would give the plane through all their points
+    All in the local frame. Lines that are offset would give the plane through all their points
     another direction.
     """
     normals = np.array([fit_plane(points).normal for points in groups])
@@ -108,7 +108,7 @@ def section_across_target(
     eye : ndarray of shape (3,), metres, local frame
         From where the target was scanned: that side is on the left, and below in a level section.
     level : bool
-        Lay the strip level and look down on it, instead of upright and look along the target.
+        Lay the strip level and view it from above, instead of upright and along the target.
     size : float, metres
         Of the picture, each way.
     thickness : float, metres

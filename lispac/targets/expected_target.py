@@ -12,9 +12,9 @@ from lispac.messages import Message, error, note
 Array = NDArray[np.float64]
 
 # The outline is true to about one spacing of the points on each side.
-TOLERANCE, SHARE = 0.10, 0.08
+TOLERANCE, RELATIVE_TOLERANCE = 0.10, 0.08
 # The prior boresight may be off by two degrees on each axis.
-TILT = radians(5.0)
+TILT_TOLERANCE = radians(5.0)
 
 
 @dataclass(frozen=True)
@@ -61,15 +61,15 @@ def deviations_from_expected(
         ("quality.wider", "quality.narrower", expected.width, float(extent[0])),
         ("quality.higher", "quality.lower", expected.height, float(extent[1])),
     )
-    for more, less, wanted, size in sides:
-        off = size - wanted
-        if abs(off) > max(TOLERANCE, SHARE * wanted):
-            code = more if off > 0 else less
-            found.append(note(code, size=size, off=abs(off), expected=wanted))
+    for too_large, too_small, expected_size, size in sides:
+        off = size - expected_size
+        if abs(off) > max(TOLERANCE, RELATIVE_TOLERANCE * expected_size):
+            code = too_large if off > 0 else too_small
+            found.append(note(code, size=size, off=abs(off), expected=expected_size))
     if expected.inclination is not None:
         tilt = plane_inclination(normal)
         off = tilt - expected.inclination
-        if abs(off) > TILT:
+        if abs(off) > TILT_TOLERANCE:
             code = "quality.steeper" if off > 0 else "quality.less_steep"
             found.append(note(code, tilt=tilt, off=abs(off), expected=expected.inclination))
     return tuple(found)

@@ -1,8 +1,8 @@
 """All the flat patches of a cloud: local planes grown into each other's neighbourhood.
 
-A coarse search for planes. Each point's plane through its neighbours tells its
+A coarse search for planes. Each point's plane through its neighbours gives its
 direction; regions grow from the flattest points over neighbours that lie on the region's plane and
-face as it does (Rabbani, van den Heuvel and Vosselman 2006). Where a patch is wanted to the last
+face as it does (Rabbani, van den Heuvel and Vosselman 2006). Where a patch is needed to the last
 point, `lispac.targets.plane_finder` takes it from there.
 """
 

@@ -2,8 +2,8 @@
 
 The boresight is not yet known, so the target stands up to a metre and more from the seed in the
 other lines. A reference is found in one line; for each other line the translation that lays the
-reference's surroundings onto that line's predicts where the target is. What is sought there, and
-how it is compared with the reference, is the shape's own affair.
+reference's surroundings onto that line's predicts where the target is. The search there, and the
+comparison with the reference, depend on the shape.
 """
 
 import os
@@ -31,11 +31,11 @@ Patch = TypeVar("Patch")
 PATCH_SHARE = 0.5
 # A seed this near to a point of a line, metres, was taken from that line: coordinates are often
 # written with three decimals.
-CLICK = 0.002
+CLICK_GAP = 0.002
 # Translations tested, and the score difference of another patch below which it is ambiguous.
-CANDIDATES, DOUBT = 6, 0.97
+MAX_CANDIDATES, MIN_SCORE_RATIO = 6, 0.97
 # A match that scores less than this share of its translation is little like the reference.
-ALIKE = 0.9
+MIN_MATCH = 0.9
 
 
 @dataclass(frozen=True)
@@ -206,7 +206,7 @@ def find_shifts_into_line(
     shifts = find_shifts(reference.points, reference.weights, around, settings.max_shift)
     if not shifts:
         raise TargetNotFound(error("finder.not_alike"))
-    return shifts[:CANDIDATES]
+    return shifts[:MAX_CANDIDATES]
 
 
 def best_match(
@@ -229,7 +229,7 @@ def best_match(
     further : callable
         More translations, the best first, for where these lead to nothing like the reference.
     closer : callable of translations, optional
-        Scores by a closer look, where several matches are about equally good.
+        Scores by a finer comparison, where several matches are about equally good.
     same : callable of the best patch and another
         Whether these are one and the same, so that nothing is to be decided.
 
@@ -240,7 +240,7 @@ def best_match(
     """
     refused: list[TargetNotFound] = []
     matches = _match_shifts(shifts, match, refused)
-    if max((score for _, score, _ in matches), default=0.0) < ALIKE * shifts[0].score:
+    if max((score for _, score, _ in matches), default=0.0) < MIN_MATCH * shifts[0].score:
         matches += _match_shifts(further(), match, refused)
     if not matches:
         raise TargetNotFound(refused[0].reason)
@@ -264,7 +264,7 @@ def _rivals_of_best(
 ) -> list[tuple[Patch, float, CloudShift]]:
     """Those that could be meant as well as the best, this first."""
     ranked = sorted(matches, key=lambda scored: -scored[1])
-    return [scored for scored in ranked if scored[1] > DOUBT * ranked[0][1]]
+    return [scored for scored in ranked if scored[1] > MIN_SCORE_RATIO * ranked[0][1]]
 
 
 def _match_shifts(
@@ -274,7 +274,7 @@ def _match_shifts(
 ) -> list[tuple[Patch, float, CloudShift]]:
     found: list[tuple[Patch, float, CloudShift]] = []
     for shift in shifts:
-        if found and shift.score < DOUBT * max(score for _, score, _ in found):
+        if found and shift.score < MIN_SCORE_RATIO * max(score for _, score, _ in found):
             break  # a match never scores above its translation: no better one can follow
         try:
             found.append((*match(shift), shift))
@@ -285,27 +285,27 @@ def _match_shifts(
 
 def _search_each_line(
     clouds: Mapping[str, Array],
-    look: Callable[[str], Patch],
+    search: Callable[[str], Patch],
     done: Callable[[int, str], None] = lambda count, name: None,
 ) -> tuple[dict[str, Patch], dict[str, TargetNotFound]]:
-    """What ``look`` finds in each line, and why it does not in others, on all cores."""
+    """What ``search`` finds in each line, and why it does not in others, on all cores."""
     found: dict[str, Patch] = {}
     missing: dict[str, TargetNotFound] = {}
 
     def attempt(name: str) -> Patch | TargetNotFound:
         try:
-            return look(name)
+            return search(name)
         except TargetNotFound as reason:
             return reason
 
     pool = ThreadPoolExecutor(max(1, min(os.cpu_count() or 1, len(clouds))))
     try:
-        answers = pool.map(attempt, clouds)
-        for count, (name, answer) in enumerate(zip(clouds, answers, strict=True), start=1):
-            if isinstance(answer, TargetNotFound):
-                missing[name] = answer
+        results = pool.map(attempt, clouds)
+        for count, (name, result) in enumerate(zip(clouds, results, strict=True), start=1):
+            if isinstance(result, TargetNotFound):
+                missing[name] = result
             else:
-                found[name] = answer
+                found[name] = result
             done(count, name)
     finally:  # cancelled from inside progress: what has not begun need not begin
         pool.shutdown(cancel_futures=True)
@@ -337,7 +337,7 @@ def _clicked_line(
     """The line with the point nearest to the seed, where that is as near as a click."""
     nearest: tuple[float, str] | None = None
     for name, cloud in clouds.items():
-        at_seed = indices_near(cloud, grids.get(name), seed, CLICK)
+        at_seed = indices_near(cloud, grids.get(name), seed, CLICK_GAP)
         if len(at_seed):
             off = float(np.linalg.norm(cloud[at_seed] - seed, axis=1).min())
             nearest = min(nearest, (off, name)) if nearest else (off, name)

@@ -15,12 +15,12 @@ from lispac.messages import Message, note
 
 Array = NDArray[np.float64]
 
-WHOLE = 1.5
+MAX_EXTENT_RATIO = 1.5
 """Times the search radius: a plane with a larger extent is cut by the radius, here and there."""
-HIDDEN = (0.7, 0.5)
+EXTENT_LIMITS = (0.7, 0.5)
 """Share of the extent on other lines: doubtful below the first, poor below the second, as where
 points are missing inside the outline."""
-VOTES = 3
+MIN_LINES = 3
 """Other lines from which one alone that shows far more than all of them is not believed."""
 
 
@@ -66,11 +66,11 @@ class ObservedExtent:
 
 def does_plane_end_within(radius: float, extents: Sequence[Array]) -> bool:
     """Whether a plane ends within the search radius, by its extents on the lines, in metres."""
-    return max(float(extent.max()) for extent in extents) < WHOLE * radius
+    return max(float(extent.max()) for extent in extents) < MAX_EXTENT_RATIO * radius
 
 
 def compare_observed_extents(
-    sightings: Sequence[Array], believed: Sequence[bool], apart: float
+    sightings: Sequence[Array], believed: Sequence[bool], separation: float
 ) -> tuple[ObservedExtent | None, ...]:
     """Compare what each line shows of a plane with what the others do.
 
@@ -80,12 +80,12 @@ def compare_observed_extents(
         Points of the plane on each line, in lines that nearly meet.
     believed : sequence of bool
         Which of them the others are compared with.
-    apart : float, metres
+    separation : float, metres
         How far one line may still lie beside another.
 
     Returns
     -------
-    tuple of Shown or None
+    tuple of ObservedExtent or None
         None where there is no other line to compare with.
 
     Raises
@@ -108,14 +108,14 @@ def compare_observed_extents(
             found.append(None)
             continue
         areas = size[others].prod(axis=1)
-        most = float(areas.max())
-        alone = len(others) >= VOTES and most < HIDDEN[0] * float(size[k].prod())
+        largest, enough = float(areas.max()), len(others) >= MIN_LINES
+        alone = enough and largest < EXTENT_LIMITS[0] * float(size[k].prod())
         without = np.delete(others, areas.argmax())
-        if len(others) >= VOTES and float(size[without].prod(axis=1).max()) < HIDDEN[0] * most:
+        if enough and float(size[without].prod(axis=1).max()) < EXTENT_LIMITS[0] * largest:
             others = without
-        # Each line may have seen another part of it; where they do not quite meet, together they
+        # Each line may show another part of it; where they do not quite meet, together they
         # seem to show more than there is.
-        together = high[others].max(axis=0) - low[others].min(axis=0) - 2.0 * apart
+        together = high[others].max(axis=0) - low[others].min(axis=0) - 2.0 * separation
         elsewhere = np.maximum(size[others].max(axis=0), together)
         share = np.minimum(size[k] / np.maximum(elsewhere, 1e-9), 1.0).prod()
         found.append(ObservedExtent(size[k], elsewhere, float(share), alone))

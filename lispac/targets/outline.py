@@ -11,7 +11,7 @@ Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
 # A raster never has more cells a side than this; the cells grow instead.
-MOST_CELLS = 1500
+MAX_CELLS = 1500
 
 
 def outline_cell_size(placed: Array, votes: Array) -> float:
@@ -24,17 +24,17 @@ def outline_cell_size(placed: Array, votes: Array) -> float:
     ----------
     placed : ndarray of shape (n, 2), metres in the plane
     votes : ndarray of shape (n,)
-        Weight of each point in deciding where to look.
+        Weight of each point in choosing the patch.
 
     Returns
     -------
     float, metres
     """
     middle = np.average(placed, axis=0, weights=votes)
-    few = min(len(placed), max(30, len(placed) // 4)) - 1
-    from_middle = np.partition(np.hypot(*(placed - middle).T), few)
-    area = np.pi * max(float(from_middle[few]), 1e-3) ** 2
-    return float(np.clip(3.0 * np.sqrt(area / (few + 1)), 0.02, 0.5))
+    nearest = min(len(placed), max(30, len(placed) // 4)) - 1
+    from_middle = np.partition(np.hypot(*(placed - middle).T), nearest)
+    area = np.pi * max(float(from_middle[nearest]), 1e-3) ** 2
+    return float(np.clip(3.0 * np.sqrt(area / (nearest + 1)), 0.02, 0.5))
 
 
 def is_connected(placed: Array, votes: Array, cell: float) -> Flags:
@@ -105,7 +105,7 @@ def filled_area(placed: Array, cell: float) -> float:
 
 
 def _limit_cell_count(cell: float, low: Array, high: Array) -> float:
-    return max(cell, float((high - low).max()) / MOST_CELLS)
+    return max(cell, float((high - low).max()) / MAX_CELLS)
 
 
 @njit(nogil=True, cache=True)

@@ -34,18 +34,18 @@ class IndexedPoints(Protocol):
     def __getitem__(self, indices: NDArray[np.int64], /) -> Array: ...
 
 
-# Side of the voxels of the first look, metres: a board of half a metre still has 25 of them.
+# Side of the voxels of the coarse search, metres: a board of half a metre still has 25 of them.
 VOXEL = 0.1
 # Smallest area (square metres) and mean width (metres) of a candidate: posts and rails
 # are narrow strips.
-LEAST_AREA, LEAST_WIDTH = 0.4, 0.3
+MIN_AREA, MIN_WIDTH = 0.4, 0.3
 # Surfaces followed through the lines. A smeared or rough one comes in pieces, other ones in each
 # line: pieces of what has been followed already do not count.
-MOST = 12
+MAX_SURFACES = 12
 # Larger planes are cut at the search radius all alike: their area beyond counts no more.
 LARGE_AREA = 12.0
 # Share of points in common from which two found planes are one.
-SHARED = 0.2
+MIN_SHARED = 0.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +82,7 @@ def detect_planes(
     *,
     lines: Mapping[str, IndexedPoints] | None = None,
     find: Find | None = None,
-    most: int = MOST,
+    max_surfaces: int = MAX_SURFACES,
     progress: Progress = no_progress,
 ) -> tuple[DetectedPlane, ...]:
     """Planes that two lines or more show, those on the most lines first.
@@ -97,7 +97,7 @@ def detect_planes(
     find : callable, optional
         Searches for the plane at a seed, shape (3,), in all lines, in the named one first;
         `planes_across_lines.find_in_lines` in ``clouds`` where not given.
-    most : int
+    max_surfaces : int
         Surfaces to follow through the lines.
     """
     lines = clouds if lines is None else lines
@@ -109,19 +109,19 @@ def detect_planes(
     voxel = voxel_side(settings.threshold, VOXEL)
     progress(0.0, gettext_lazy("Detecting planes in every line"))
     with ThreadPoolExecutor(max(1, min(os.cpu_count() or 1, len(clouds)))) as pool:
-        looked = pool.map(
+        planes = pool.map(
             lambda cloud: find_flat_patches(cloud, settings.threshold, voxel=voxel).patches,
             clouds.values(),
         )
         patches = {
-            name: [patch for patch in found if _worth_following(patch)]
-            for name, found in zip(clouds, looked, strict=True)
+            name: [patch for patch in found if _is_large_enough(patch)]
+            for name, found in zip(clouds, planes, strict=True)
         }
     detected: list[DetectedPlane] = []
     surfaces = _distinct_surfaces(patches, settings)
-    followed, most = 0, min(most, len(surfaces))
+    followed, max_surfaces = 0, min(max_surfaces, len(surfaces))
     for line, patch in surfaces:
-        if followed == most:
+        if followed == max_surfaces:
             break
         # The middle of a surface may be a hole; a point of it is not.
         seed = patch.points[np.argmin(np.linalg.norm(patch.points - patch.centre, axis=1))]
@@ -130,7 +130,7 @@ def detect_planes(
         ):
             continue
         step = sub_progress(
-            progress, 0.4 + 0.6 * followed / most, 0.4 + 0.6 * (followed + 1) / most
+            progress, 0.4 + 0.6 * followed / max_surfaces, 0.4 + 0.6 * (followed + 1) / max_surfaces
         )
         followed += 1
         try:
@@ -143,8 +143,8 @@ def detect_planes(
     return tuple(sorted(detected, key=lambda plane: (-len(plane.found), -plane.area)))
 
 
-def _worth_following(patch: FlatPatch) -> bool:
-    return patch.area >= LEAST_AREA and patch.area / patch.extent.max() >= LEAST_WIDTH
+def _is_large_enough(patch: FlatPatch) -> bool:
+    return patch.area >= MIN_AREA and patch.area / patch.extent.max() >= MIN_WIDTH
 
 
 def _distinct_surfaces(
@@ -175,10 +175,10 @@ def _are_likely_one_surface(patch: FlatPatch, other: FlatPatch, same_line: bool)
     """Whether two patches are likely to be one surface, the lines a metre apart."""
     if same_line:
         return patch is other
-    apart = float(np.linalg.norm(patch.centre - other.centre))
+    distance = float(np.linalg.norm(patch.centre - other.centre))
     # Three degrees of tilt and a metre of shift between lines are usual.
     return (
-        apart <= max(1.2, 0.25 * float(other.extent.max()))
+        distance <= max(1.2, 0.25 * float(other.extent.max()))
         and 0.4 <= patch.area / other.area <= 2.5
         and np.degrees(patch.plane.tilt_to(other.plane)) <= 8.0
     )
@@ -199,4 +199,4 @@ def _are_planes_equal(first: Mapping[str, PlanePatch], second: Mapping[str, Plan
         for line in first
         if line in second
     ]
-    return bool(shared) and float(np.median(shared)) >= SHARED
+    return bool(shared) and float(np.median(shared)) >= MIN_SHARED

@@ -27,9 +27,9 @@ Indices = NDArray[np.int64]
 __all__ = ["FinderSettings", "PlanePatch", "find_plane"]
 
 # The distance from the seed within which a point counts fully when planes compete for it, metres.
-NEAR = 0.25
+FULL_VOTE_DISTANCE = 0.25
 # Points whose middle is the place that was clicked.
-CLICKED = 15
+CLICKED_POINTS = 15
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +102,7 @@ def find_plane(
     # The seed itself may float before the surface; the nearest point is on something real.
     reach = np.linalg.norm(points - about[0], axis=1)
     # The far field still votes, but its many points cannot outvote the few around the seed.
-    votes = 1.0 / (1.0 + (reach / NEAR) ** 2) ** 2
+    votes = 1.0 / (1.0 + (reach / FULL_VOTE_DISTANCE) ** 2) ** 2
     # A seed on a point is a click on a surface, and only a plane through it is meant.
     clicked = float(np.linalg.norm(about[0] - seed)) <= settings.threshold
     return extract_patch(
@@ -121,9 +121,9 @@ def _surface_point_at_seed(points: Array) -> Array:
 
     Of a board that stands three sigma before a wall the outermost points would also suit the wall.
     """
-    nearest = points[:CLICKED]
-    nearest = nearest[np.linalg.norm(nearest - points[0], axis=1) <= NEAR]
-    return points[0] if len(nearest) < CLICKED // 2 else np.median(nearest, axis=0)
+    nearest = points[:CLICKED_POINTS]
+    nearest = nearest[np.linalg.norm(nearest - points[0], axis=1) <= FULL_VOTE_DISTANCE]
+    return points[0] if len(nearest) < CLICKED_POINTS // 2 else np.median(nearest, axis=0)
 
 
 def require_seed(seed: Array) -> Array:
@@ -231,15 +231,14 @@ def extract_patch(
     """
     origin = points[0]
     local = points - origin
-    held = None if through is None else through - origin
-    contenders = draw_planes(local, votes, settings, expected_normal, held)
+    fixed = None if through is None else through - origin
+    contenders = draw_planes(local, votes, settings, expected_normal, fixed)
     if not contenders:
         raise PlaneNotFound(
             error("finder.no_plane", threshold=settings.threshold, place=seed_text(seed))
         )
-    on = grow_plane(
-        local, votes, grow_best_contender(local, votes, contenders, settings, held), settings, held
-    )
+    best = grow_best_contender(local, votes, contenders, settings, fixed)
+    on = grow_plane(local, votes, best, settings, fixed)
     on = trim_outliers(local, on, settings)
     if len(on) < settings.min_points:
         raise PlaneNotFound(

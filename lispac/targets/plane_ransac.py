@@ -15,7 +15,7 @@ Indices = NDArray[np.int64]
 # Hypotheses are judged on at most this many points.
 SAMPLE = 4000
 # A batch of hypotheses, after which the stop criterion is examined, and the most batches.
-BATCH, MOST_BATCHES = 128, 12
+BATCH, MAX_BATCHES = 128, 12
 # The widest triangle, as a share of the search radius, from which a hypothesis is drawn.
 LOCAL = 0.5
 # Points beside the plane, up to so many thresholds off, speak against it: a plane that cuts across
@@ -25,7 +25,7 @@ BESIDE, AGAINST = 3.0, 0.3
 LEAN = radians(10.0)
 # Hypotheses to grow: how many, how good relative to the best by votes, and how much they must
 # differ in tilt (radians).
-CONTENDERS, WORTH, APART = 6, 0.7, radians(2.0)
+MAX_CONTENDERS, MIN_SCORE_RATIO, MIN_TILT = 6, 0.7, radians(2.0)
 
 
 def draw_planes(
@@ -52,17 +52,17 @@ def draw_planes(
     sample, weights = points[::step], votes[::step]
     chance = np.cumsum(weights / weights.sum())
     normal = np.zeros(3) if expected_normal is None else np.asarray(expected_normal, np.float64)
-    most = settings.max_tilt if expected_normal is not None else -1.0
-    held = np.full(3, np.nan) if through is None else through
+    tilt_limit = settings.max_tilt if expected_normal is not None else -1.0
+    fixed = np.full(3, np.nan) if through is None else through
     hypotheses = np.empty((0, 6))
-    for batch in range(1, MOST_BATCHES + 1):
+    for batch in range(1, MAX_BATCHES + 1):
         first = np.minimum(np.searchsorted(chance, rng.random(BATCH)), len(sample) - 1)
         # From the spacing of points up to the size of a board: small faces need small triangles,
         # noisy ones wide triangles, and which it is nobody knows beforehand.
         reach = settings.radius * LOCAL * 2.0 ** -rng.uniform(0.0, 4.0, BATCH)
         picks = rng.random((BATCH, 2))
         drawn = _score_triangles(
-            sample, weights, first, reach, picks, settings.threshold, normal, most, held
+            sample, weights, first, reach, picks, settings.threshold, normal, tilt_limit, fixed
         )
         scored = drawn[drawn[:, 0] > 0.0]
         hypotheses = np.concatenate([hypotheses, scored])
@@ -80,15 +80,15 @@ def _distinct_best_planes(hypotheses: Array, threshold: float) -> list[Plane]:
     if len(hypotheses) == 0:
         return kept
     ranked = hypotheses[np.argsort(-hypotheses[:, 0], kind="stable")]
-    for row in ranked[ranked[:, 0] >= WORTH * ranked[0, 0]]:
+    for row in ranked[ranked[:, 0] >= MIN_SCORE_RATIO * ranked[0, 0]]:
         plane = Plane(row[2:5].copy(), float(row[5]))
         if all(
-            plane.tilt_to(other) > APART
+            plane.tilt_to(other) > MIN_TILT
             or abs(plane.facing(other.normal).d - other.d) > 0.5 * threshold
             for other in kept
         ):
             kept.append(plane)
-            if len(kept) == CONTENDERS:
+            if len(kept) == MAX_CONTENDERS:
                 break
     return kept
 

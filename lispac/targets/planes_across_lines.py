@@ -1,8 +1,8 @@
 """Search for one plane in every line from one seed.
 
 In the other lines the target stands up to a metre and more from the seed, and a few degrees askew.
-Where the surroundings predict it, the plane is sought with the reference's normal, and compared
-with it by outline and tilt.
+Where the surroundings predict it, a plane with the reference's normal is searched for, and
+compared with it by outline and tilt.
 """
 
 from collections.abc import Callable, Mapping
@@ -21,7 +21,7 @@ from lispac.targets import outline
 from lispac.targets.cloud_shift import CloudShift, rate_shifts
 from lispac.targets.flat_patches import find_flat_patches
 from lispac.targets.line_search import (
-    CANDIDATES,
+    MAX_CANDIDATES,
     ShapeSearch,
     WeightedSurroundings,
     best_match,
@@ -46,7 +46,7 @@ OFFSET = 0.3
 # A patch that reaches farther than this share of the radius goes on beyond it. Beside a seed that
 # was not clicked it counts as so much farther off, metres: the wrong boresight lays the wall behind
 # a target on the seed in one line and the target beside it in the next, and the target is meant.
-WHOLE, BACKDROP = 0.97, 1.0
+UNCUT_SHARE, BACKDROP = 0.97, 1.0
 # Flat patches larger than this, square metres, speak with less than their area.
 LARGE = 0.25
 # A patch cut out of a surface that crosses the plane goes on beyond the threshold: twice as many
@@ -54,7 +54,7 @@ LARGE = 0.25
 # this ratio exceeds that of the reference, which the wrong boresight may smear as well.
 BEYOND, CROSSING = 3.0, 0.8
 # Least part of the reference's outline that the patch must cover, and the most it may be larger.
-LEAST_COVERED, MOST_LARGER = 0.3, 3.0
+MIN_COVERED, MAX_AREA_RATIO = 0.3, 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,9 +134,9 @@ def _distance_to_seed(cloud: Array, patch: PlanePatch, seed: Array, radius: floa
     beside = (seed - patch.centre) @ plane_axes(patch.plane.normal).T
     outside = np.maximum(np.abs(beside) - 0.5 * patch.extent, 0.0)
     farthest = float(np.linalg.norm(cloud[patch.indices] - seed, axis=1).max())
-    goes_on = farthest > WHOLE * radius
+    extends = farthest > UNCUT_SHARE * radius
     return (
-        float(np.hypot(patch.plane.distances(seed), np.linalg.norm(outside))) + BACKDROP * goes_on
+        float(np.hypot(patch.plane.distances(seed), np.linalg.norm(outside))) + BACKDROP * extends
     )
 
 
@@ -168,8 +168,8 @@ def _find_in_line(
         off = abs(float(best.plane.distances(other.centre)))
         if same(best, other) or off <= settings.threshold:
             return None
-        apart = float(np.linalg.norm(other.centre - best.centre))
-        return error("finder.two_planes", distance=apart)
+        distance = float(np.linalg.norm(other.centre - best.centre))
+        return error("finder.two_planes", distance=distance)
 
     shifts = find_shifts_into_line(cloud, grid, reference.around, reference.seed, settings)
     return best_match(
@@ -191,7 +191,7 @@ def _scores_without_wide_surfaces(
 ) -> list[float]:
     """Scores of translations without wide surfaces, which hide all other points.
 
-    Along a wall the wall itself tells nothing: its many points would outvote the window or the
+    Along a wall the wall itself shows nothing: its many points would outvote the window or the
     second board that do. A flat patch weighs by its side here instead of its area.
     """
     around_reference = reference.around
@@ -218,7 +218,7 @@ def _shifts_onto_patches(
     vectors = [
         other.centre - patch.centre
         for other in find_flat_patches(around, settings.threshold).patches
-        if LEAST_COVERED * area <= other.area <= MOST_LARGER * area
+        if MIN_COVERED * area <= other.area <= MAX_AREA_RATIO * area
         and other.plane.tilt_to(patch.plane) <= settings.max_tilt
     ]
     vectors = [v for v in vectors if np.linalg.norm(v) <= settings.max_shift]
@@ -226,7 +226,7 @@ def _shifts_onto_patches(
     shifts = rate_shifts(
         around_reference.points, around_reference.weights, around, np.reshape(vectors, (-1, 3))
     )
-    return sorted(shifts, key=lambda shift: -shift.score)[:CANDIDATES]
+    return sorted(shifts, key=lambda shift: -shift.score)[:MAX_CANDIDATES]
 
 
 def _match_at_shift(
@@ -260,9 +260,9 @@ def _match_at_shift(
     coverage = float(outline.is_covered(moved @ axes.T, placed, cell).mean())
     larger = outline.filled_area(placed, cell) / outline.filled_area(moved @ axes.T, cell)
     tilt = degrees(patch.plane.tilt_to(reference.patch.plane))
-    if coverage < LEAST_COVERED:
+    if coverage < MIN_COVERED:
         raise PlaneNotFound(error("finder.small_part", share=coverage))
-    if larger > MOST_LARGER:
+    if larger > MAX_AREA_RATIO:
         raise PlaneNotFound(error("finder.too_large", ratio=larger))
     own = cloud[patch.indices] @ plane_axes(patch.plane.normal).T
     beyond = _ratio_beyond_threshold(points, patch.plane, own, cell, settings)

@@ -13,9 +13,9 @@ Indices = NDArray[np.int64]
 
 # A cell of the patch is kept when its share of points on the plane is at least this part of the
 # share around the seed; where another surface runs through the plane it is far smaller.
-PURE = 0.6
+MIN_PURITY = 0.6
 # Rounds of growing and fitting; they converge in two to five.
-MOST_ROUNDS = 12
+MAX_ROUNDS = 12
 # Steps of the weighted fit in one round of growing.
 ROBUST_ROUNDS = 5
 # Noise is normal: beyond three sigma a point is more likely to be a mixed pixel.
@@ -40,7 +40,7 @@ def grow_plane(
     ndarray of shape (k,), int
     """
     on: Indices = np.empty(0, dtype=np.int64)
-    for _ in range(MOST_ROUNDS):
+    for _ in range(MAX_ROUNDS):
         grown = _connected_points_on_plane(points, votes, plane, settings.threshold)
         if len(grown) < 3 or np.array_equal(grown, on):
             break
@@ -62,8 +62,8 @@ def grow_best_contender(
 ) -> Plane:
     """The contender that has grown to the most points near its plane.
 
-    Near the seed alone several planes of different tilt may look alike; how far each one carries
-    tells them apart.
+    Near the seed alone several planes of different tilt may fit alike; how far each one extends
+    distinguishes them.
 
     Parameters
     ----------
@@ -118,7 +118,7 @@ def _connected_points_on_plane(
     weights = votes[band] * on
     cell = outline.outline_cell_size(placed[on], weights[on])
     share = outline.share_in_cell(placed, on, cell)
-    on &= share >= PURE * np.average(share, weights=weights)
+    on &= share >= MIN_PURITY * np.average(share, weights=weights)
     if np.count_nonzero(on) < 3:
         return band[on]
     return band[on][outline.is_connected(placed[on], weights[on], cell)]

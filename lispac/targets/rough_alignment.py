@@ -28,44 +28,44 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
-LOOKED_AT, MOST_POINTS = 200_000, 3_000
-"""Points of a line that are examined, and of these the most that speak: spread evenly over the
-scene, a few hold as much information as all."""
+EXAMINED_POINTS, MAX_POINTS = 200_000, 3_000
+"""Points of a line that are examined, and largest number of these that are used: spread evenly over
+the scene, a few hold as much information as all."""
 FINEST = 0.1
 """Least spacing of these points, metres."""
 NEIGHBOURS = 10
 """Points whose plane is a point's own."""
 UNEVEN, ROUGH = 0.25, 0.08
-"""Most that a neighbourhood may depart from its plane: a share of the spacing, or metres where that
-is more. A wall smeared by the boresight still speaks, a shrub does not."""
-FACING = 0.94
+"""Largest departure of a neighbourhood from its plane: a share of the spacing, or metres where that
+is more. A wall smeared by the boresight is used, a shrub is not."""
+MIN_COSINE = 0.94
 """Least cosine between the normals of two points that belong together."""
 REACHES = (2.5, 1.5, 1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.15)
 """Farthest that two such points may be apart, metres, from stage to stage."""
-ROUNDS, SETTLED = 2, radians(0.02)
+ROUNDS, STEP_TOLERANCE = 2, radians(0.02)
 """Steps of a stage, and how small a step ends it."""
 STEP = radians(0.01)
-"""By which the boresight is turned to see how points move; over so little they move straight."""
+"""Turn of the boresight by which points are moved; over so little they move straight."""
 LIKELY, SPREAD = radians(1.0), 0.01
 """What a boresight is usually off by, and surfaces apart (metres) where it is right: an angle that
 the scene leaves open stays near its prior value."""
-LEVERAGE = 2.0
+MIN_LEVERAGE = 2.0
 """Metres that surfaces move along their normals for a radian of a direction of the angles, in the
 root mean square, below which that direction counts as open: 5 cm between the lines for another
 reason, a jump of the GNSS, would turn it by a degree and a half. A quay wall or a floor alone have
 less than one in their open directions, harbours and vehicles four and more."""
-STARTS, REFINED, GLANCE = radians(1.2), 3, 800
+STARTS, REFINED, COARSE_POINTS = radians(1.2), 3, 800
 """Where the lines do not meet from the prior boresight on, each angle is also tried so much larger
 and smaller, by so many points of a line; so many of these starts, the likeliest, are followed."""
-MEET, FAR = 0.15, 1.0
-"""Two lines meet at a point where their surfaces are this near to each other, metres, and it is not
-farther than that from a point of the other line."""
-LEAST_APART = 0.02
+MAX_GAP, MAX_DISTANCE = 0.15, 1.0
+"""Two lines match at a point where their surfaces are this near to each other, metres, and it is
+not farther than that from a point of the other line."""
+MIN_SEPARATION = 0.02
 """Standard deviation of the distance between the surfaces of two lines, metres, at least."""
 NORMAL_MAD = 1.4826
 """Standard deviation of a normal distribution over its median absolute deviation."""
-ENOUGH = 0.75
-"""Share of the points that must meet another line."""
+MIN_MATCHED = 0.75
+"""Share of the points that must match another line."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,8 +78,8 @@ class Alignment:
         With the rough boresight; with the prior one where no other does better.
     before : mapping of line name to Cloud
         With the prior boresight.
-    met, met_before : float, in [0, 1]
-        Of the points with something alike in another line nearby, the share that meets it.
+    matched_share, matched_share_before : float, in [0, 1]
+        Share of the points that match the surface of another line, of those that have one nearby.
     determined : bool
         All three angles are determined. One wall alone does not: its lines also meet where they
         are shifted along it.
@@ -89,10 +89,10 @@ class Alignment:
 
     clouds: Mapping[str, Cloud]
     before: Mapping[str, Cloud]
-    met: float
-    met_before: float
+    matched_share: float
+    matched_share_before: float
     determined: bool = False
-    apart: float = 0.0
+    separation: float = 0.0
 
     @property
     def mounting(self) -> Mounting:
@@ -100,16 +100,16 @@ class Alignment:
         return next(iter(self.clouds.values())).place.mounting
 
     @property
-    def nearly_meets(self) -> bool:
+    def is_aligned(self) -> bool:
         """Whether a target is expected at about the same place on every line."""
-        return self.determined and self.met >= ENOUGH
+        return self.determined and self.matched_share >= MIN_MATCHED
 
     @property
     def accuracy(self) -> PlacementAccuracy:
         """How well these lines are placed relative to each other."""
-        if not self.nearly_meets:
+        if not self.is_aligned:
             return PlacementAccuracy()
-        return PlacementAccuracy(ROUGHLY_OFF, max(self.apart, LEAST_APART))
+        return PlacementAccuracy(ROUGHLY_OFF, max(self.separation, MIN_SEPARATION))
 
 
 def align_lines(clouds: Mapping[str, Cloud]) -> Alignment:
@@ -127,20 +127,21 @@ def align_lines(clouds: Mapping[str, Cloud]) -> Alignment:
         return Alignment(clouds, clouds, 0.0, 0.0)
     scene = _SceneLines.of(clouds)
     prior = scene.boresight
-    best, met_before = prior, scene.met(prior)
-    met = met_before
+    best, before = prior, scene.matched_share(prior)
+    matched = before
     for start in scene.starting_boresights(clouds):
         boresight = scene.refine_boresight(start)
-        share = scene.met(boresight)
-        if share > met:
-            best, met = boresight, share
-        if met >= ENOUGH:
+        share = scene.matched_share(boresight)
+        if share > matched:
+            best, matched = boresight, share
+        if matched >= MIN_MATCHED:
             break
-    determined, apart = scene.determines(best), scene.apart(best)
+    determined, separation = scene.determines(best), scene.separation(best)
     if best is prior:
-        return Alignment(clouds, clouds, met, met_before, determined, apart)
+        return Alignment(clouds, clouds, matched, before, determined, separation)
     nearer = scene.place.mounting.with_boresight(best)
-    return Alignment(place_clouds(clouds, nearer), clouds, met, met_before, determined, apart)
+    placed = place_clouds(clouds, nearer)
+    return Alignment(placed, clouds, matched, before, determined, separation)
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,13 +154,13 @@ class _LineSample:
     rough: float
 
     @classmethod
-    def of(cls, cloud: Cloud, most: int) -> "_LineSample":
-        numbers = np.arange(0, len(cloud.sample), -(-len(cloud.sample) // LOOKED_AT) or 1)
-        numbers = numbers[_thin_to_count(cloud.sample[numbers], most)]
+    def of(cls, cloud: Cloud, count: int) -> "_LineSample":
+        numbers = np.arange(0, len(cloud.sample), -(-len(cloud.sample) // EXAMINED_POINTS) or 1)
+        numbers = numbers[_thin_to_count(cloud.sample[numbers], count)]
         points = cloud.sample[numbers]
         # Points keep their neighbours, whatever the boresight.
-        apart, neighbours = build_tree(points).query(points, min(NEIGHBOURS, len(points)))
-        rough = max(UNEVEN * float(np.median(apart[:, 1])), ROUGH)
+        distance, neighbours = build_tree(points).query(points, min(NEIGHBOURS, len(points)))
+        rough = max(UNEVEN * float(np.median(distance[:, 1])), ROUGH)
         return cls(
             *cloud.sample_lidar(numbers), np.ascontiguousarray(neighbours, dtype=np.int64), rough
         )
@@ -190,9 +191,9 @@ class _SceneLines:
     place: Georeferencer
 
     @classmethod
-    def of(cls, clouds: Mapping[str, Cloud], most: int = MOST_POINTS) -> "_SceneLines":
+    def of(cls, clouds: Mapping[str, Cloud], count: int = MAX_POINTS) -> "_SceneLines":
         lines = [
-            _LineSample.of(cloud, most)
+            _LineSample.of(cloud, count)
             for cloud in clouds.values()
             if len(cloud.sample) >= NEIGHBOURS
         ]
@@ -218,12 +219,12 @@ class _SceneLines:
             Of the scene; the others are found by fewer of their points.
         """
         yield self.boresight
-        glance = _SceneLines.of(
-            clouds, GLANCE
+        coarse = _SceneLines.of(
+            clouds, COARSE_POINTS
         )  # spread only where the prior boresight was not enough
         turns = [STARTS * np.array(turn) for turn in product((-1, 0, 1), repeat=3) if any(turn)]
-        stepped = [glance.gauss_newton_step(self.boresight + turn, REACHES[0]) for turn in turns]
-        shares = np.array([glance.met(boresight) for boresight in stepped])
+        stepped = [coarse.gauss_newton_step(self.boresight + turn, REACHES[0]) for turn in turns]
+        shares = np.array([coarse.matched_share(boresight) for boresight in stepped])
         for k in np.argsort(-shares, kind="stable")[:REFINED]:
             yield stepped[k]
 
@@ -232,13 +233,13 @@ class _SceneLines:
         for reach in REACHES:
             for _ in range(ROUNDS):
                 before, boresight = boresight, self.gauss_newton_step(boresight, reach)
-                if np.abs(boresight - before).max() < SETTLED:
+                if np.abs(boresight - before).max() < STEP_TOLERANCE:
                     break
         return boresight
 
     def gauss_newton_step(self, boresight: Array, reach: float) -> Array:
         """One step of Gauss and Newton, with weights that fall off within the reach."""
-        information, gradient = self._told(boresight, reach)
+        information, gradient = self._normal_equations(boresight, reach)
         # Thousands of points have a common error: they count as one, the prior keeps its weight.
         prior = (SPREAD / LIKELY) ** 2
         gradient = gradient + prior * (boresight - self.boresight)
@@ -246,10 +247,10 @@ class _SceneLines:
 
     def determines(self, boresight: Array) -> bool:
         """Whether the scene determines all three angles where lines overlap."""
-        information, _ = self._told(boresight, REACHES[-1])
-        return bool(np.linalg.eigvalsh(information)[0] >= LEVERAGE**2)
+        information, _ = self._normal_equations(boresight, REACHES[-1])
+        return bool(np.linalg.eigvalsh(information)[0] >= MIN_LEVERAGE**2)
 
-    def _told(self, boresight: Array, reach: float) -> tuple[Array, Array]:
+    def _normal_equations(self, boresight: Array, reach: float) -> tuple[Array, Array]:
         """Information of point pairs on the angles, weighted mean.
 
         Returns
@@ -274,21 +275,22 @@ class _SceneLines:
             total += float(weights.sum())
         return information / max(total, 1.0), gradient / max(total, 1.0)
 
-    def met(self, boresight: Array) -> float:
+    def matched_share(self, boresight: Array) -> float:
         """See `Alignment`."""
         placed = self.placed(boresight)
-        meet = seen = 0
+        matched = count = 0
         for pair in self._pairs(placed, REACHES[0]):
-            apart = placed[pair.first][pair.here] - placed[pair.second][pair.there]
-            near = np.linalg.norm(apart, axis=1) < FAR
-            meet += int(np.count_nonzero(near & (np.abs(_distances_to_plane(placed, pair)) < MEET)))
-            seen += len(pair.here)
-        return meet / max(seen, 1)
+            difference = placed[pair.first][pair.here] - placed[pair.second][pair.there]
+            near = np.linalg.norm(difference, axis=1) < MAX_DISTANCE
+            near &= np.abs(_distances_to_plane(placed, pair)) < MAX_GAP
+            matched += int(np.count_nonzero(near))
+            count += len(pair.here)
+        return matched / max(count, 1)
 
-    def apart(self, boresight: Array) -> float:
+    def separation(self, boresight: Array) -> float:
         """Distance between the lines in metres, as in `Alignment`; 0 without common surfaces."""
         placed = self.placed(boresight)
-        off = [_distances_to_plane(placed, pair) for pair in self._pairs(placed, FAR)]
+        off = [_distances_to_plane(placed, pair) for pair in self._pairs(placed, MAX_DISTANCE)]
         every = np.concatenate([np.empty(0), *off])
         return NORMAL_MAD * float(np.median(np.abs(every))) if len(every) else 0.0
 
@@ -298,27 +300,27 @@ class _SceneLines:
         for first, second in combinations(range(len(placed)), 2):
             (own, own_flat), (normals, flat) = faces[first], faces[second]
             here = np.flatnonzero(own_flat)
-            apart, nearest = trees[second].query(placed[first][here], distance_upper_bound=reach)
-            near = np.isfinite(apart)
+            distance, nearest = trees[second].query(placed[first][here], distance_upper_bound=reach)
+            near = np.isfinite(distance)
             here, there = here[near], nearest[near]
-            facing = np.abs((own[here] * normals[there]).sum(axis=1)) > FACING
+            facing = np.abs((own[here] * normals[there]).sum(axis=1)) > MIN_COSINE
             alike = facing & flat[there]
             yield _PointPairs(first, second, here[alike], there[alike], normals[there[alike]])
 
 
 def _distances_to_plane(placed: list[Array], pair: _PointPairs) -> Array:
     """Distance of the first points from the surface at the second, shape (n,), metres."""
-    apart = placed[pair.first][pair.here] - placed[pair.second][pair.there]
-    return np.asarray((apart * pair.normals).sum(axis=1))
+    difference = placed[pair.first][pair.here] - placed[pair.second][pair.there]
+    return np.asarray((difference * pair.normals).sum(axis=1))
 
 
-def _thin_to_count(points: Array, most: int) -> Indices:
+def _thin_to_count(points: Array, count: int) -> Indices:
     """Indices of few points (n, 3), evenly spread: one of each voxel."""
     kept = np.flatnonzero(np.isfinite(points).all(axis=1))
     low, voxel = finite_bounds(points[kept])[0], FINEST
     while True:
         _, first = np.unique(cell_keys(points[kept], low, voxel)[0], return_index=True)
         kept = kept[np.sort(first)]
-        if len(kept) <= most:
+        if len(kept) <= count:
             return kept
         voxel *= 1.25

@@ -31,11 +31,11 @@ SIGNIFICANCE = 1e-3
 EFFECTIVE_POINTS = 4
 """Independent points of a sighting: the scatter of its points about the plane is form error and
 POS error, which neighbouring points share. Lines show different parts of a tarpaulin."""
-MOST_POINTS = 500
+MAX_POINTS = 500
 """Points of a sighting that take part in the tests."""
 TURN = radians(0.01)
 """Step of the numerical derivatives with respect to the boresight angles."""
-LEAST_OVERLAP = 0.5
+MIN_OVERLAP = 0.5
 """Share of a sighting's points that must lie within the outline of the other, or the other way
 round."""
 SAME_SIZE = 0.8
@@ -100,17 +100,17 @@ def split_by_agreement(
     rejected : dict of line name to Message
         The reasons.
     """
-    seen = {name: _SightingSample.of(found[name], clouds[name]) for name in found}
+    samples = {name: _SightingSample.of(found[name], clouds[name]) for name in found}
     rejected: dict[str, Message] = {}
 
     def reject(disagreement: "Disagreement") -> None:
-        left = {name: seen[name] for name in seen if name not in rejected}
+        left = {name: samples[name] for name in samples if name not in rejected}
         rejected.update(_reject_outvoted(left, disagreement, first_line))
 
     reject(lambda first, second: _surface_disagreement(first, second, accuracy))
     planes = {
         name: each
-        for name, each in seen.items()
+        for name, each in samples.items()
         if name not in rejected and isinstance(each.patch, PlanePatch)
     }
     extents = [each.extent for each in planes.values()]
@@ -122,12 +122,12 @@ def split_by_agreement(
 
 
 def _reject_outvoted(
-    seen: Mapping[str, "_SightingSample"], disagreement: "Disagreement", first_line: str | None
+    samples: Mapping[str, "_SightingSample"], disagreement: "Disagreement", first_line: str | None
 ) -> dict[str, Message]:
     """Reject sightings until all others agree; reasons of the rejected ones."""
-    reasons: dict[str, dict[str, Message]] = {name: {} for name in seen}
-    for first, second in combinations(seen, 2):
-        reason = disagreement(seen[first], seen[second])
+    reasons: dict[str, dict[str, Message]] = {name: {} for name in samples}
+    for first, second in combinations(samples, 2):
+        reason = disagreement(samples[first], samples[second])
         if reason is not None:
             reasons[first][second] = reasons[second][first] = reason
     rejected: dict[str, Message] = {}
@@ -158,7 +158,7 @@ def _reject_separate_planes(
         joined = [
             group
             for group in groups
-            if any(overlaps[frozenset((name, other))] >= LEAST_OVERLAP for other in group)
+            if any(overlaps[frozenset((name, other))] >= MIN_OVERLAP for other in group)
         ]
         groups = [group for group in groups if group not in joined]
         groups.append({name}.union(*joined))
@@ -194,7 +194,7 @@ class _SightingSample:
 
     @classmethod
     def of(cls, patch: PlanePatch | SpherePatch, cloud: Cloud) -> "_SightingSample":
-        indices = patch.indices[:: 1 + len(patch.indices) // MOST_POINTS]
+        indices = patch.indices[:: 1 + len(patch.indices) // MAX_POINTS]
         mounting = cloud.place.mounting
         points = cloud[indices]
         turned = [
@@ -214,9 +214,9 @@ def _surface_disagreement(
     if isinstance(first, SpherePatch) and isinstance(second, SpherePatch):
         centre_sigma = SPHERE_CENTRE * max(first.sphere.radius, second.sphere.radius)
         allowed = _allowed_shift(reference, other, accuracy, centre_sigma)
-        apart = float(np.linalg.norm(second.centre - first.centre))
-        if apart > allowed:
-            return note("agreement.sphere_apart", distance=apart, limit=allowed)
+        distance = float(np.linalg.norm(second.centre - first.centre))
+        if distance > allowed:
+            return note("agreement.sphere_apart", distance=distance, limit=allowed)
     return None
 
 
@@ -262,10 +262,10 @@ def _position_disagreement(
     lacking = (1.0 - SAME_SIZE) * float(np.linalg.norm(largest))
     allowed = _allowed_shift(reference, other, accuracy, 0.0) + lacking
     middles = [(each.min(axis=0) + each.max(axis=0)) / 2.0 for each in (first, second)]
-    apart = float(np.linalg.norm(middles[1] - middles[0]))
-    if apart <= allowed:
+    distance = float(np.linalg.norm(middles[1] - middles[0]))
+    if distance <= allowed:
         return None
-    return note("agreement.plane_beside", distance=apart, limit=allowed)
+    return note("agreement.plane_beside", distance=distance, limit=allowed)
 
 
 def _outline_overlap(

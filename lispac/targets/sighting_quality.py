@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.geometry.planes import Plane, extent_in_plane, plane_axes, rms_distance
-from lispac.geometry.spheres import Sphere, rms_from_sphere, seen_surface_share
+from lispac.geometry.spheres import Sphere, rms_from_sphere, visible_share
 from lispac.messages import Level, Message, Value, note
 from lispac.targets import outline
 from lispac.targets.boresight_smear import PRIOR_OFF, beam_intersections, remove_smear
-from lispac.targets.occlusion import HIDDEN, ObservedExtent
+from lispac.targets.occlusion import EXTENT_LIMITS, ObservedExtent
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -20,25 +20,25 @@ Rating = Literal["good", "doubtful", "poor"]
 
 # Each pair: doubtful beyond the first, poor beyond the second.
 # Below, outliers and chance in the outline dominate the plane.
-FEW_POINTS = (200, 50)
+POINT_LIMITS = (200, 50)
 # Times the noise: with noise alone the RMS is one, and mixed pixels add a tenth.
-ROUGH = (2.0, 3.0)
+NOISE_LIMITS = (2.0, 3.0)
 # Of the threshold that points were found with. Spread evenly up to it they have an RMS of 0.58 of
 # it, and more of the surface lies beyond: what is rough already is poor then.
 FILLED = 0.5
 # Degrees: the footprint of the beam grows with the tangent, four times at 75.
 OBLIQUE_DEG = (65.0, 75.0)
 # Share of the outline: with half of it missing, tilts hang on the parts that are left.
-SPARSE = (0.7, 0.5)
+FILL_LIMITS = (0.7, 0.5)
 # Times the noise by which the surface departs from flat: what one point can no longer hide, and
 # what moves the plane by more than its own points' noise. A bend is counted by its sagitta,
 # ripples by their RMS: a sagitta of three noises has an RMS of one, but ripples average out.
 CURVED, UNEVEN = (1.0, 3.0), (1.0, 1.5)
 # Chance at which a departure counts as there, and as beyond a limit.
-CERTAIN = 1e-3
-SIGMAS = -NormalDist().inv_cdf(CERTAIN)
+TEST_LEVEL = 1e-3
+SIGMAS = -NormalDist().inv_cdf(TEST_LEVEL)
 # Share of a sphere's surface; a full view shows half of it.
-LITTLE_SEEN = (0.2, 0.12)
+SPHERE_LIMITS = (0.2, 0.12)
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,12 +94,12 @@ class SightingQuality:
     flatness: Rating = "good"
 
 
-def add_remarks(quality: SightingQuality, remarks: tuple[Message, ...]) -> SightingQuality:
-    """Quality with further remarks; at least doubtful if there are any."""
-    if not remarks:
+def add_messages(quality: SightingQuality, messages: tuple[Message, ...]) -> SightingQuality:
+    """Quality with further messages; at least doubtful if there are any."""
+    if not messages:
         return quality
     rating: Rating = "doubtful" if quality.rating == "good" else quality.rating
-    return replace(quality, rating=rating, reasons=(*quality.reasons, *remarks))
+    return replace(quality, rating=rating, reasons=(*quality.reasons, *messages))
 
 
 def undetermined_quality(points: int, rms: float, reason: Message) -> SightingQuality:
@@ -167,12 +167,12 @@ def plane_quality(
     beams = None if scanner_local is None else points - scanner_local
     own = off
     if turns_local is not None:
-        met, turns = points, turns_local
+        hits, turns = points, turns_local
         if beams is not None:
-            met, turns = beam_intersections(points, turns_local, off, beams, plane.normal)
-        met_placed = (met - points.mean(axis=0)) @ plane_axes(plane.normal).T
+            hits, turns = beam_intersections(points, turns_local, off, beams, plane.normal)
+        coordinates = (hits - points.mean(axis=0)) @ plane_axes(plane.normal).T
         moves = (turns @ plane.normal).T
-        own = remove_smear(met_placed, off, moves, noise, boresight_off)
+        own = remove_smear(coordinates, off, moves, noise, boresight_off)
     sagitta, uncertainty, curved, uneven = _form_error(placed, own, cell)
     incidence = None
     if beams is not None:
@@ -193,7 +193,7 @@ def plane_quality(
         degrees = float(np.degrees(incidence))
         found += _grade_by_limits(degrees, OBLIQUE_DEG, note("quality.oblique", angle=incidence))
     found += _grade_by_limits(
-        -coverage, (-SPARSE[0], -SPARSE[1]), note("quality.sparse", share=coverage)
+        -coverage, (-FILL_LIMITS[0], -FILL_LIMITS[1]), note("quality.sparse", share=coverage)
     )
     found += _grade_occlusion(shown) + flat
     rating, reasons = _rating_of(found)
@@ -210,12 +210,12 @@ def sphere_quality(
 ) -> SightingQuality:
     """Judge a sphere as one line saw it; the parameters are those of `plane_quality`."""
     points = points_local[indices]
-    share = seen_surface_share(sphere, points)
+    share = visible_share(sphere, points)
     rms = rms_from_sphere(sphere, points)
     flat = _grade_roughness(rms, rms, noise, None)
     found = _grade_point_count(len(points)) + flat
     found += _grade_by_limits(
-        -share, (-LITTLE_SEEN[0], -LITTLE_SEEN[1]), note("quality.sphere_part", share=share)
+        -share, (-SPHERE_LIMITS[0], -SPHERE_LIMITS[1]), note("quality.sphere_part", share=share)
     )
     rating, reasons = _rating_of(found)
     ranges = np.linalg.norm(points_lidar[indices], axis=1)
@@ -231,7 +231,7 @@ Graded = tuple[int, Message]
 
 def _grade_point_count(points: int) -> list[Graded]:
     return _grade_by_limits(
-        -points, (-FEW_POINTS[0], -FEW_POINTS[1]), note("quality.few_points", count=points)
+        -points, (-POINT_LIMITS[0], -POINT_LIMITS[1]), note("quality.few_points", count=points)
     )
 
 
@@ -250,7 +250,7 @@ def _grade_roughness(
     params: dict[str, Value] = {"rms": rms, "ratio": ratio, "without": without}
     if threshold is not None:
         params["threshold"] = threshold
-    limits = (ROUGH[0], ROUGH[0]) if is_filled else ROUGH
+    limits = (NOISE_LIMITS[0], NOISE_LIMITS[0]) if is_filled else NOISE_LIMITS
     return _grade_by_limits(without, limits, Message(code, Level.NOTE, params))
 
 
@@ -259,7 +259,7 @@ def _grade_occlusion(shown: ObservedExtent | None) -> list[Graded]:
         return []
     if shown.alone:
         return [(1, shown.message)]
-    return _grade_by_limits(-shown.share, (-HIDDEN[0], -HIDDEN[1]), shown.message)
+    return _grade_by_limits(-shown.share, (-EXTENT_LIMITS[0], -EXTENT_LIMITS[1]), shown.message)
 
 
 def _grade_by_limits(value: float, limits: tuple[float, float], reason: Message) -> list[Graded]:
@@ -327,20 +327,20 @@ def _form_error(placed: Array, off: Array, cell: float) -> tuple[float, float, b
     bends, directions = np.linalg.eigh(np.array([[2 * xx, xy], [xy, 2 * yy]]))
     lengths = np.ptp(placed @ directions, axis=0)
     sagittas = np.abs(bends) * lengths**2 / 8
-    most = int(np.argmax(sagittas))
+    largest = int(np.argmax(sagittas))
     plain, smooth = (float(each @ each) for each in left)
     freedom = len(count) - 6
     ratio = (plain - smooth) / 3 / max(smooth / freedom, 1e-30)
-    u, v = directions[:, most]
+    u, v = directions[:, largest]
     across = np.array([2 * u * u, 2 * u * v, 2 * v * v])
     spread = float(across @ inverse[3:, 3:] @ across) * smooth / freedom
-    uncertainty = np.sqrt(max(spread, 0.0)) * lengths[most] ** 2 / 8
-    curved = bool(fdtrc(3, freedom, ratio) < CERTAIN)
+    uncertainty = np.sqrt(max(spread, 0.0)) * lengths[largest] ** 2 / 8
+    curved = bool(fdtrc(3, freedom, ratio) < TEST_LEVEL)
     # Within a cell there is only noise; what the means have beyond it is the surface's own.
     within = float(np.sum((off - w[key]) ** 2)) / max(len(off) - len(count), 1)
     beyond = smooth / freedom - within
     uneven = float(np.sqrt(max(beyond, 0.0) / np.mean(count)))
-    return float(sagittas[most]), float(uncertainty), curved, uneven
+    return float(sagittas[largest]), float(uncertainty), curved, uneven
 
 
 def _solve_least_squares(design: Array, values: Array, weights: Array) -> tuple[Array, Array]:

@@ -13,9 +13,9 @@ from lispac.targets.flat_patches import find_flat_patches, voxel_side
 
 Array = NDArray[np.float64]
 
-SIZE = 1.6
+MAX_SIZE_RATIO = 1.6
 """Times as large or as small as the target a surface may be."""
-TURNED = np.radians(10.0)
+MAX_TURN = np.radians(10.0)
 """Most its normal may differ."""
 
 
@@ -46,14 +46,14 @@ def nearest_similar_surface(
     own = points @ axes.T
     area = outline.filled_area(own, cell)
     extent = np.ptp(own, axis=0)
-    apart = []
+    distances = []
     for patch in find_flat_patches(around, threshold).patches:
         alike = np.array([patch.area / area, *(patch.extent / extent)])
-        if (alike > SIZE).any() or (alike < 1.0 / SIZE).any():
+        if (alike > MAX_SIZE_RATIO).any() or (alike < 1.0 / MAX_SIZE_RATIO).any():
             continue
         # The sighting itself is among them: another one does not lie over its middle.
         beside = np.abs(axes @ (patch.centre - points.mean(axis=0)))
-        if patch.plane.tilt_to(plane) <= TURNED and (beside > 0.5 * extent).any():
-            apart.append(float(np.linalg.norm(patch.centre - points.mean(axis=0))))
-    nearest = min(apart, default=np.inf)
+        if patch.plane.tilt_to(plane) <= MAX_TURN and (beside > 0.5 * extent).any():
+            distances.append(float(np.linalg.norm(patch.centre - points.mean(axis=0))))
+    nearest = min(distances, default=np.inf)
     return nearest if nearest <= reach else None

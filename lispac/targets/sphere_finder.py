@@ -14,13 +14,13 @@ from lispac.geometry.spheres import (
     cap_axis,
     fit_sphere,
     rms_from_sphere,
-    seen_surface_share,
+    visible_share,
 )
 from lispac.messages import Message, error, note
 from lispac.targets.finder_settings import FinderSettings
 from lispac.targets.plane_finder import neighbourhood_of, require_seed, seed_text
 from lispac.targets.plane_ransac import BESIDE
-from lispac.targets.region_growing import MOST_ROUNDS, ROBUST_ROUNDS, TRIM
+from lispac.targets.region_growing import MAX_ROUNDS, ROBUST_ROUNDS, TRIM
 from lispac.targets.sphere_ransac import draw_spheres
 
 Array = NDArray[np.float64]
@@ -32,15 +32,15 @@ __all__ = ["RadiusRange", "SpherePatch", "find_sphere"]
 REACH = 3.0
 # While points and sphere are chosen in turns, so many points are enough for the fit, and a radius
 # that leaves the searched range by this factor will not return.
-ENOUGH, LOOSE = 1000, 1.5
+FIT_POINTS, MARGIN = 1000, 1.5
 # Half angle of the cap that is kept. Beyond it the beam only grazes the ball, and the mixed pixels
 # behind its rim come near the surface again.
 CAP = radians(80.0)
 # Least share of the whole surface; a full view shows half of it.
-LEAST_SHARE = 0.08
+MIN_SHARE = 0.08
 # Points inside the ball, or outside it by up to three thresholds, as a share of those on it. A mast
 # or a bracket adds a few, a post or a wall that the sphere only touches goes on all around.
-MOST_BESIDE = 0.3
+MAX_BESIDE = 0.3
 # A sphere must be this much nearer to its points than a plane is.
 BETTER_THAN_FLAT = 2.0
 
@@ -51,16 +51,16 @@ class RadiusRange:
 
     Attributes
     ----------
-    least, most : float, metres
+    min, max : float, metres
         The span of radii to accept; equal where the radius is known.
     """
 
-    least: float = 0.05
-    most: float = 0.5
+    min: float = 0.05
+    max: float = 0.5
 
     def __post_init__(self) -> None:
-        if not (0.0 < self.least <= self.most < np.inf):  # never true for a NaN
-            raise InputError(error("finder.radii", least=self.least, most=self.most))
+        if not (0.0 < self.min <= self.max < np.inf):  # never true for a NaN
+            raise InputError(error("finder.radii", least=self.min, most=self.max))
 
     @classmethod
     def of_known_radius(cls, radius: float) -> "RadiusRange":
@@ -70,14 +70,14 @@ class RadiusRange:
     @property
     def known(self) -> float | None:
         """The known radius, metres, or None."""
-        return self.least if self.least == self.most else None
+        return self.min if self.min == self.max else None
 
     @property
     def radius_message(self) -> Message:
         """A sphere of such a radius as part of a message."""
         if self.known is not None:
             return note("finder.sphere_of_radius", radius=self.known)
-        return note("finder.sphere_of_radii", least=self.least, most=self.most)
+        return note("finder.sphere_of_radii", least=self.min, most=self.max)
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,7 +146,7 @@ def find_sphere(
     except PlaneNotFound as failure:  # its messages are about points, not about planes
         raise SphereNotFound(failure.reason) from None
     distance = np.linalg.norm(points_local[near] - seed, axis=1)
-    reach = REACH * radius_range.most
+    reach = REACH * radius_range.max
     near = near[distance <= reach]
     if len(near) < settings.min_points:
         raise SphereNotFound(
@@ -161,9 +161,9 @@ def find_sphere(
         )
     # Far from the origin of the survey the products would lose digits.
     local = points_local[near] - seed
-    spread = 2.0 * radius_range.least
+    spread = 2.0 * radius_range.min
     votes = 1.0 / (1.0 + ((local**2).sum(axis=1) / spread**2)) ** 2
-    hypotheses = draw_spheres(local, votes, radius_range.least, radius_range.most, settings)
+    hypotheses = draw_spheres(local, votes, radius_range.min, radius_range.max, settings)
     best: tuple[float, Sphere, Indices] | None = None
     for hypothesis in hypotheses:
         converged = _refine_sphere(local, hypothesis, radius_range, settings)
@@ -206,7 +206,7 @@ def patch_on_sphere(
     points = points_local[indices]
     sphere = fit_sphere(points, radius_range.known)
     return SpherePatch(
-        indices, sphere, rms_from_sphere(sphere, points), seen_surface_share(sphere, points)
+        indices, sphere, rms_from_sphere(sphere, points), visible_share(sphere, points)
     )
 
 
@@ -216,16 +216,16 @@ def _refine_sphere(
     """The sphere fitted and its points chosen in turns; None where that leads nowhere."""
     on: Indices = np.empty(0, dtype=np.int64)
     try:
-        for _ in range(MOST_ROUNDS):
+        for _ in range(MAX_ROUNDS):
             grown = _points_on_cap(points, sphere, settings.threshold)
             if np.array_equal(grown, on):
                 break
             on = grown
-            few = on[:: max(1, len(on) // ENOUGH)]
+            sample = on[:: max(1, len(on) // FIT_POINTS)]
             sphere = _fit_sphere_robustly(
-                points[few], sphere, radius_range.known, settings.threshold
+                points[sample], sphere, radius_range.known, settings.threshold
             )
-            if not radius_range.least / LOOSE <= sphere.radius <= radius_range.most * LOOSE:
+            if not radius_range.min / MARGIN <= sphere.radius <= radius_range.max * MARGIN:
                 return None
         on = _trim_outliers(points, on, radius_range.known, settings)
         return fit_sphere(points[on], radius_range.known), on
@@ -234,13 +234,13 @@ def _refine_sphere(
 
 
 def _points_on_cap(points: Array, sphere: Sphere, threshold: float) -> Indices:
-    """Points within the threshold and on the side that was seen."""
+    """Points within the threshold and on the visible side."""
     on: Indices = np.flatnonzero(np.abs(sphere.distances(points)) <= threshold).astype(np.int64)
     directions = sphere.directions(points[on])
-    seen = np.ones(len(on), dtype=bool)
+    visible = np.ones(len(on), dtype=bool)
     for _ in range(2):  # what lies behind the rim has drawn the first middle towards itself
-        seen = directions @ cap_axis(directions[seen]) >= cos(CAP)
-    return on[seen]
+        visible = directions @ cap_axis(directions[visible]) >= cos(CAP)
+    return on[visible]
 
 
 def _fit_sphere_robustly(
@@ -298,7 +298,7 @@ def _require_ball(
                 place=seed_text(seed),
             )
         )
-    if not 0.999999 * radius_range.least <= sphere.radius <= 1.000001 * radius_range.most:
+    if not 0.999999 * radius_range.min <= sphere.radius <= 1.000001 * radius_range.max:
         raise SphereNotFound(
             error(
                 "finder.sphere_other_radius",
@@ -319,7 +319,7 @@ def _require_ball(
     beside = (off < -settings.threshold) | (
         (off > settings.threshold) & (off <= BESIDE * settings.threshold)
     )
-    if np.count_nonzero(beside) > MOST_BESIDE * len(on):
+    if np.count_nonzero(beside) > MAX_BESIDE * len(on):
         raise SphereNotFound(
             error(
                 "finder.sphere_continues",
@@ -329,12 +329,10 @@ def _require_ball(
                 place=seed_text(seed),
             )
         )
-    share = seen_surface_share(sphere, points[on])
-    if share < LEAST_SHARE:
+    share = visible_share(sphere, points[on])
+    if share < MIN_SHARE:
         raise SphereNotFound(
-            error(
-                "finder.sphere_small_part", share=share, needed=LEAST_SHARE, place=seed_text(seed)
-            )
+            error("finder.sphere_small_part", share=share, needed=MIN_SHARE, place=seed_text(seed))
         )
     flat = rms_distance(fit_plane(points[on]), points[on])
     if flat < BETTER_THAN_FLAT * rms_from_sphere(sphere, points[on]):

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from lispac.compiled_code import njit
 from lispac.geometry.spheres import Sphere
 from lispac.targets.finder_settings import FinderSettings
-from lispac.targets.plane_ransac import AGAINST, BATCH, BESIDE, MOST_BATCHES
+from lispac.targets.plane_ransac import AGAINST, BATCH, BESIDE, MAX_BATCHES
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -18,11 +18,11 @@ NEAREST, FARTHER = 2500, 2500
 ROUGH = 0.25
 # Hypotheses to refine: how many, how good relative to the best, and how much their centres must
 # differ, as a share of the radius.
-CONTENDERS, WORTH, APART = 8, 0.6, 0.25
+MAX_CONTENDERS, MIN_SCORE_RATIO, MIN_GAP = 8, 0.6, 0.25
 
 
 def draw_spheres(
-    points: Array, votes: Array, least: float, most: float, settings: FinderSettings
+    points: Array, votes: Array, lower: float, upper: float, settings: FinderSettings
 ) -> list[Sphere]:
     """The best spheres through neighbouring points (Fischler and Bolles 1981), by votes.
 
@@ -30,7 +30,7 @@ def draw_spheres(
     ----------
     points : ndarray of shape (n, 3), metres, local frame, the nearest to the seed first
     votes : ndarray of shape (n,)
-    least, most : float, metres
+    lower, upper : float, metres
         Range of radii. If they are equal the radius is known and three points make a hypothesis,
         else four.
     settings : FinderSettings
@@ -40,14 +40,14 @@ def draw_spheres(
     sample = np.concatenate([points[:NEAREST], points[NEAREST::step]])
     weights = np.concatenate([votes[:NEAREST], step * votes[NEAREST::step]])
     chance = np.cumsum(weights / weights.sum())
-    known = least == most
+    known = lower == upper
     need = 3 if known else 4
-    span = np.array([least, most]) * (1.0 if known else np.array([1.0 - ROUGH, 1.0 + ROUGH]))
+    span = np.array([lower, upper]) * (1.0 if known else np.array([1.0 - ROUGH, 1.0 + ROUGH]))
     hypotheses = np.empty((0, 6))
-    for batch in range(1, MOST_BATCHES + 1):
+    for batch in range(1, MAX_BATCHES + 1):
         first = np.minimum(np.searchsorted(chance, rng.random(BATCH)), len(sample) - 1)
         # From a piece of the smallest ball up to the breadth of the largest.
-        reach = np.exp(rng.uniform(np.log(0.5 * least), np.log(2.0 * most), BATCH))
+        reach = np.exp(rng.uniform(np.log(0.5 * lower), np.log(2.0 * upper), BATCH))
         picks = rng.random((BATCH, 3))
         drawn = _score_spheres(
             sample, weights, first, reach, picks, settings.threshold, span, known
@@ -67,13 +67,13 @@ def _distinct_best_spheres(hypotheses: Array) -> list[Sphere]:
     if len(hypotheses) == 0:
         return kept
     ranked = hypotheses[np.argsort(-hypotheses[:, 0], kind="stable")]
-    for row in ranked[ranked[:, 0] >= WORTH * ranked[0, 0]]:
+    for row in ranked[ranked[:, 0] >= MIN_SCORE_RATIO * ranked[0, 0]]:
         sphere = Sphere(row[2:5].copy(), float(row[5]))
         if all(
-            np.linalg.norm(sphere.centre - other.centre) > APART * other.radius for other in kept
+            np.linalg.norm(sphere.centre - other.centre) > MIN_GAP * other.radius for other in kept
         ):
             kept.append(sphere)
-            if len(kept) == CONTENDERS:
+            if len(kept) == MAX_CONTENDERS:
                 break
     return kept
 

@@ -1,7 +1,7 @@
 """Search for one sphere in every line from one seed.
 
-Where the surroundings predict it in the other lines, the sphere is sought again, and compared with
-the reference by its place and, where the radius is not known, by its radius.
+Where the surroundings predict it in the other lines, the sphere is searched for again, and
+compared with the reference by its place and, where the radius is not known, by its radius.
 """
 
 from collections.abc import Callable, Mapping
@@ -32,7 +32,7 @@ Array = NDArray[np.float64]
 OFFSET = 0.2
 # Most that two sightings of one ball may differ in radius. Crossed in a tenth of a second by
 # a pitching vessel, a ball of 0.10 m was seen as one of 0.08 m and as one of 0.14 m.
-MOST_LARGER = 2.0
+MAX_RADIUS_RATIO = 2.0
 
 
 def find_spheres_in_lines(
@@ -120,7 +120,7 @@ def _find_in_line(
         patch = find_sphere(cloud, predicted, radius_range, settings, index=grid)
         ratio = patch.sphere.radius / first.sphere.radius
         larger = max(ratio, 1.0 / ratio)
-        if larger > MOST_LARGER:
+        if larger > MAX_RADIUS_RATIO:
             raise SphereNotFound(
                 error(
                     "finder.radius_differs",
@@ -138,7 +138,7 @@ def _find_in_line(
 
 def _two_spheres_error(best: SpherePatch, other: SpherePatch) -> Message | None:
     """Two balls cannot both be the target; one found twice is no contradiction."""
-    apart = float(np.linalg.norm(best.centre - other.centre))
-    if apart <= 0.5 * best.sphere.radius:
+    distance = float(np.linalg.norm(best.centre - other.centre))
+    if distance <= 0.5 * best.sphere.radius:
         return None
-    return error("finder.two_spheres", distance=apart)
+    return error("finder.two_spheres", distance=distance)

@@ -33,7 +33,7 @@ BINS = 60
 WITHIN = 0.5
 """Percentiles left on either side of a histogram, which its first and last bin hold."""
 NARROWEST = 1e-6
-OFTEN = 0.1
+MIN_SHARE = 0.1
 """Share of a line's places with another surface within reach, from which it is reported."""
 ALL_LINES = "all lines"
 
@@ -210,7 +210,7 @@ class AbsoluteCheck:
 
 @dataclass(frozen=True, eq=False)
 class LinePlaces:
-    """What a line was measured to, and how each place moves with what it was placed by.
+    """Measured places of a line, and their shifts by errors of the boresight and the POS.
 
     Attributes
     ----------
@@ -240,7 +240,7 @@ class LinePlaces:
         places = np.flatnonzero(kept)
         measured = MeasuredPlaces(
             self.measured.before.select_subset(places), self.measured.after.select_subset(places),
-            self.measured.beyond[places],
+            self.measured.to_other_surface[places],
         )  # fmt: skip
         return replace(
             self, measured=measured, group=self.group[kept], by_position=self.by_position[kept],
@@ -289,14 +289,14 @@ def check_points(
     """The mean over the lines at each part of the reference that any line saw; as `check_lines`."""
     found = []
     for group, (name, sigma) in enumerate(zip(names, group_sigma, strict=True)):
-        seen = [
+        own = [
             line.select_places(line.group == group) for line in lines if (line.group == group).any()
         ]
-        if seen:
-            mean = _line_check(name, seen, group_sigma, correlation_times)
+        if own:
+            mean = _line_check(name, own, group_sigma, correlation_times)
             found.append(
                 PointCheck(
-                    name, len(seen), float(sigma), mean.before.signed.mean, mean.after.signed.mean,
+                    name, len(own), float(sigma), mean.before.signed.mean, mean.after.signed.mean,
                     mean.after.interval_95,
                 )
             )  # fmt: skip
@@ -307,9 +307,10 @@ def find_other_surfaces(lines: Sequence[LinePlaces]) -> tuple[OtherSurface, ...]
     """Lines that have another surface within reach at many of their places."""
     found = []
     for line in lines:
-        beyond = line.measured.beyond[np.isfinite(line.measured.beyond)]
-        if len(beyond) >= OFTEN * len(line.group):
-            found.append(OtherSurface(line.line, len(beyond), float(np.median(beyond))))
+        gaps = line.measured.to_other_surface
+        gaps = gaps[np.isfinite(gaps)]
+        if len(gaps) >= MIN_SHARE * len(line.group):
+            found.append(OtherSurface(line.line, len(gaps), float(np.median(gaps))))
     return tuple(found)
 
 

@@ -16,7 +16,7 @@ from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.validation.normal_distance import NMAD, NormalDistances
 from lispac.validation.plane_offset import PlaneOffset
 
-OUTLYING = 3.0
+OUTLIER_LIMIT = 3.0
 """Robust sigmas from the median beyond which a distance is counted as an outlier."""
 
 
@@ -71,7 +71,7 @@ class DistanceStatistics:
             p99=float(p99),
             maximum=float(values.max()),
             robust_sigma=robust,
-            outliers=int(np.count_nonzero(values > median + OUTLYING * robust)),
+            outliers=int(np.count_nonzero(values > median + OUTLIER_LIMIT * robust)),
         )
 
 

@@ -24,7 +24,7 @@ STEP = 1.15
 """Ratio of a diameter to the next smaller one."""
 REGION = 2 * WIDEST
 """Metres: side of the cubes within which all diameters are one, the median there."""
-MOST_PLACES, MOST_CANDIDATES, MOST_READ = 3_000, 60_000, 400_000
+MAX_PLACES, MAX_CANDIDATES, MAX_POINTS = 3_000, 60_000, 400_000
 SPARSER = 1.2
 
 
@@ -36,8 +36,8 @@ def candidate_places(surface: Array) -> Array:
     surface : ndarray of shape (n, 3), metres, local frame
         Points of the scan.
     """
-    some, side = surface[:: -(-len(surface) // MOST_READ)], NARROWEST
-    while len(kept := thin_points(some, side)) > MOST_CANDIDATES:
+    some, side = surface[:: -(-len(surface) // MAX_POINTS)], NARROWEST
+    while len(kept := thin_points(some, side)) > MAX_CANDIDATES:
         side *= SPARSER
     return some[kept]
 
@@ -75,10 +75,10 @@ def cylinder_diameters(line: "cKDTree", places: Array, reach: float) -> Array:
     found = np.full(len(places), np.nan)
     if not line.n or not len(places):
         return found
-    apart, nearest = line.query(places, distance_upper_bound=reach)
-    seen = np.isfinite(apart)
-    at, back = np.unique(nearest[seen], return_inverse=True)
-    found[seen] = np.clip(
+    distance, nearest = line.query(places, distance_upper_bound=reach)
+    is_near = np.isfinite(distance)
+    at, back = np.unique(nearest[is_near], return_inverse=True)
+    found[is_near] = np.clip(
         WIDE * twelfth_neighbour_distance(line, line.data[at]), NARROWEST, WIDEST
     )[back]
     return found
@@ -91,27 +91,27 @@ def select_separate_places(places: Array, diameters: Array) -> tuple[Indices, Ar
     ----------
     places : ndarray of shape (k, 3), metres, local frame
     diameters : ndarray of shape (k,), metres
-        Those wanted at each; those of a region become one, for the distance to a neighbour
+        Those suitable at each; those of a region become one, for the distance to a neighbour
         scatters by a seventh though the density is even.
 
     Returns
     -------
     chosen : ndarray of shape (m,), int
-        At most `MOST_PLACES`, ascending; of more, places farther apart.
+        At most `MAX_PLACES`, ascending; of more, places farther apart.
     diameters : ndarray of shape (m,), metres
     """
     steps = np.round(np.log(median_by_region(places, diameters, REGION) / NARROWEST) / np.log(STEP))
     usual = np.minimum(NARROWEST * STEP**steps, WIDEST)
-    apart = 1.0
+    spacing = 1.0
     while True:
         parts: list[Indices] = [np.zeros(0, dtype=np.intp)]
         for diameter in np.unique(usual):
             own = np.flatnonzero(usual == diameter)
-            parts.append(own[thin_points(places[own], apart * float(diameter))])
+            parts.append(own[thin_points(places[own], spacing * float(diameter))])
         chosen = np.sort(np.concatenate(parts))
-        if len(chosen) <= MOST_PLACES:
+        if len(chosen) <= MAX_PLACES:
             return chosen, usual[chosen]
-        apart *= SPARSER
+        spacing *= SPARSER
 
 
 def median_by_region(places: Array, values: Array, side: float) -> Array:

@@ -1,7 +1,7 @@
 """Bins of distances: fine ones are kept, and so many of them drawn as one as suits the picture.
 
 Before a calibration the distances are ten and twenty times as large as after it. Bins of one width
-that show both at once leave two bars of what came after; kept finely, they show it when looked at
+that show both at once leave two bars of what came after; kept finely, they show it when enlarged
 closely.
 """
 
@@ -14,7 +14,7 @@ SHOWN_PERCENTILE = 99.5
 """Histograms end at this percentile of both states; what lies beyond is counted in the last bin."""
 NARROWEST = 1e-6
 """Metres; the range of a histogram at the least."""
-IN_THE_NARROWER, MOST = 60, 4000
+MIN_BINS, MAX_BINS = 60, 4000
 """Bins across the state with the smaller distances, at the least, and in all, at the most."""
 BEYOND = "and beyond"
 """Stands for the upper end of the last bin where bins are listed."""
@@ -33,7 +33,7 @@ def shared_bin_edges(before: Array, after: Array) -> Array:
     ndarray of shape (bins + 1,), metres
     """
     tops = [max(float(np.percentile(d, SHOWN_PERCENTILE)), NARROWEST) for d in (before, after)]
-    width = max(_round_down_1_2_5(min(tops) / IN_THE_NARROWER), _round_up_1_2_5(max(tops) / MOST))
+    width = max(_round_down_1_2_5(min(tops) / MIN_BINS), _round_up_1_2_5(max(tops) / MAX_BINS))
     number = max(int(np.ceil(max(tops) / width * (1.0 - 1e-9))), 1)
     return np.asarray(width * np.arange(number + 1))
 
@@ -51,9 +51,9 @@ def histogram_counts(distances: Array, edges: Array) -> NDArray[np.int64]:
 
 
 def merge_bins(
-    edges: ArrayLike, counts: ArrayLike, shown: float, most: int
+    edges: ArrayLike, counts: ArrayLike, shown: float, max_bins: int
 ) -> tuple[Array, NDArray[np.int64]]:
-    """Neighbouring bins put together, so that ``shown`` metres hold no more than ``most``.
+    """Neighbouring bins put together, so that ``shown`` metres hold no more than ``max_bins``.
 
     Parameters
     ----------
@@ -68,7 +68,7 @@ def merge_bins(
     """
     fine, numbers = np.asarray(edges, dtype=np.float64), np.asarray(counts, dtype=np.int64)
     width = float(fine[-1]) / len(numbers)
-    together = max(int(_round_up_1_2_5(shown / width / most * (1.0 - 1e-9))), 1)
+    together = max(int(_round_up_1_2_5(shown / width / max_bins * (1.0 - 1e-9))), 1)
     padded = np.zeros(-(-len(numbers) // together) * together, dtype=np.int64)
     padded[: len(numbers)] = numbers
     grouped = padded.reshape(-1, together).sum(axis=1)

@@ -23,7 +23,7 @@ WIDE = 4.0
 """Side of a cell in spacings of the sparser line."""
 SMOOTH = 2.0
 """Diameter of the sphere that a normal comes from, in sides of a cell."""
-MOST_CELLS = 1_500
+MAX_CELLS = 1_500
 DIGITS = 6
 """Decimals of metres that are kept: a micrometre."""
 
@@ -85,15 +85,15 @@ def distance_map(
     flat = after @ axes.T
     corner = flat.min(axis=0)
     flat = flat - corner
-    cell = max(WIDE * spacing, float(np.sqrt(np.prod(flat.max(axis=0)) / MOST_CELLS)))
+    cell = max(WIDE * spacing, float(np.sqrt(np.prod(flat.max(axis=0)) / MAX_CELLS)))
     chosen = thin_points(np.column_stack([flat, np.zeros(len(flat))]), cell)
     found: list[NormalDistances] = []
     try:
-        for compared, reference, apart in zip(ours, theirs, reach, strict=True):
+        for compared, reference, depth in zip(ours, theirs, reach, strict=True):
             found.append(
                 distances_along_normal(
                     compared, reference, reference[chosen], facing=facing,
-                    normal_scale=SMOOTH * cell, diameter=cell, depth=apart + cell,
+                    normal_scale=SMOOTH * cell, diameter=cell, depth=depth + cell,
                 )
             )  # fmt: skip
     except NotComparable:

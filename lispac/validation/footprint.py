@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 # Enough points to know their spacing, and quick to triangulate.
 _TRIANGULATED_POINTS = 20_000
-_MOST_CELLS = 4e6
+_MAX_CELLS = 4e6
 _RIM = 3
 
 
@@ -63,7 +63,7 @@ class Footprint:
         from scipy.ndimage import binary_closing
 
         low, high = points.min(axis=0), points.max(axis=0)
-        self.cell = max(spacing, float(np.sqrt(np.prod(high - low) / _MOST_CELLS)))
+        self.cell = max(spacing, float(np.sqrt(np.prod(high - low) / _MAX_CELLS)))
         # A rim of empty cells gives the closing room, and a home to every point outside.
         self._low = low - _RIM * self.cell
         shape = np.floor((high - self._low) / self.cell).astype(np.int64) + 1 + _RIM

@@ -30,9 +30,9 @@ Array = NDArray[np.float64]
 Facing = Literal["all", "level", "upright", "sloped"]
 FACINGS: tuple[Facing, ...] = ("all", "level", "upright", "sloped")
 LEVEL, UPRIGHT = np.cos(np.radians(10.0)), np.sin(np.radians(10.0))
-"""Upward part of the normal: within 10 deg of it the USGS looks at ground, within 10 deg of the
+"""Upward part of the normal: within 10 deg of it the USGS examines ground, within 10 deg of the
 horizon a wall stands."""
-MOST_READ = 300_000
+MAX_POINTS = 300_000
 """Points of a line that are examined: spread evenly over it."""
 
 
@@ -88,7 +88,7 @@ def compare_lines(
     first, second : name, and ndarray of shape (n, 3), metres, local frame
         Finite points.
     vessel : ndarray of shape (3,), metres, local frame
-        On the side from which surfaces are seen.
+        On the side from which surfaces are observed.
     noise : float, metres
         Sigma of the LiDAR.
     reach : float, metres
@@ -100,7 +100,7 @@ def compare_lines(
         Where they share no flat place.
     """
     (one, surface), (other, points) = first, second
-    surface, points = (each[:: -(-len(each) // MOST_READ) or 1] for each in (surface, points))
+    surface, points = (each[:: -(-len(each) // MAX_POINTS) or 1] for each in (surface, points))
     places = candidate_places(surface)
     diameters = cylinder_diameters(build_tree(points), places, reach)
     near = np.flatnonzero(np.isfinite(diameters))

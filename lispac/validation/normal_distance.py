@@ -7,7 +7,7 @@ points in the cylinder. Unlike the distance to the nearest point it has a sign, 
 out.
 
 The interval is that of Welch (1947) for the means of two samples of unequal scatter, with
-Student's t: with few points in a cylinder the usual 1.96 sigma would be too short. It speaks of the
+Student's t: with few points in a cylinder the usual 1.96 sigma would be too short. It covers the
 noise of the points alone; what the points of a line have in common, the POS error, is what the
 distance measures.
 """
@@ -92,7 +92,7 @@ def distances_along_normal(
     ----------
     compared, reference : ndarrays of shape (n, 3) and (m, 3), metres, same frame
     cores : ndarray of shape (k, 3), metres, local frame
-        Where distances are wanted: some of the reference points.
+        Where distances are measured: some of the reference points.
     facing : ndarray of shape (3,) or (k, 3)
         Direction on whose side all normals are taken, or that of each core.
     normal_scale : float or ndarray of shape (k,), metres
@@ -182,7 +182,7 @@ def _oriented_normals(
     cores: Array, reference: Cells, facing: Array, scales: Array
 ) -> Array:  # pragma: no cover - compiled
     """Normals (n, 3) of the reference on the side of ``facing``; not a number where none."""
-    taken = np.full((len(cores), 3), np.nan)
+    chosen = np.full((len(cores), 3), np.nan)
     for k in range(len(cores)):
         near = gather_within_radius(reference, cores[k], scales[k])
         if near.size < FEWEST:
@@ -192,8 +192,8 @@ def _oriented_normals(
         for axis in range(3):
             side += normals[0, axis] * facing[k, axis]
         for axis in range(3):
-            taken[k, axis] = (1.0 if side >= 0.0 else -1.0) * normals[0, axis]
-    return taken
+            chosen[k, axis] = (1.0 if side >= 0.0 else -1.0) * normals[0, axis]
+    return chosen
 
 
 @njit(nogil=True, cache=True)

@@ -51,9 +51,9 @@ Array = NDArray[np.float64]
 
 RECIPROCAL_TOLERANCE = np.radians(20.0)
 MAX_POINTS_PER_LINE = 100_000
-MOST_MAPS = 4
+MAX_MAPS = 4
 """Pairs of lines whose distances are mapped on a plane."""
-FEWEST_POINTS = 30
+MIN_POINTS = 30
 """Points of a line in common with another one: fewer are no sample of a surface, and percentiles
 of fewer distances say nothing."""
 
@@ -79,12 +79,12 @@ def comparable_pairs(
     before, after : mapping of line name to ndarray of shape (n, 3), metres, local frame
         As in `compare_plane`.
     """
-    seen = _lines_with_enough_points(before)
-    if len(seen) < 2:
+    observed = _lines_with_enough_points(before)
+    if len(observed) < 2:
         return ()
-    overlap = LineOverlap(*_thinned_states(before, after, seen))
+    overlap = LineOverlap(*_thinned_states(before, after, observed))
     return tuple(
-        (a, b) for a, b in combinations(seen, 2) if _common_points(overlap, a, b) is not None
+        (a, b) for a, b in combinations(observed, 2) if _common_points(overlap, a, b) is not None
     )
 
 
@@ -135,20 +135,20 @@ def compare_plane(
         The two states do not hold the same points, a heading is missing, or points are not finite.
     """
     _require_same_points(name, before, after, headings)
-    seen = _lines_with_enough_points(before)
-    if len(seen) < 2:
+    observed = _lines_with_enough_points(before)
+    if len(observed) < 2:
         raise NotComparable(
-            error("validation.plane_in_one_line", plane=name, line=seen[0], needed=FEWEST_POINTS)
-            if seen
-            else error("validation.plane_in_no_line", plane=name, needed=FEWEST_POINTS)
+            error("validation.plane_in_one_line", plane=name, line=observed[0], needed=MIN_POINTS)
+            if observed
+            else error("validation.plane_in_no_line", plane=name, needed=MIN_POINTS)
         )
-    clouds = _thinned_states(before, after, seen)
+    clouds = _thinned_states(before, after, observed)
     overlap = LineOverlap(*clouds)
     if facing is None:
         facing = overlap.normal * np.sign(overlap.normal[np.argmax(np.abs(overlap.normal))])
 
     couples = sorted(
-        combinations(seen, 2),
+        combinations(observed, 2),
         key=lambda pair: not reciprocal(headings[pair[0]], headings[pair[1]]),
     )
     pairs: list[PairComparison] = []
@@ -170,26 +170,26 @@ def compare_plane(
         states: list[PairState] = []
         for state in clouds:
             ours, theirs = state[a][a_in_b], state[b][b_in_a]
-            apart = np.concatenate(
+            unsigned = np.concatenate(
                 (
                     cloud_to_cloud(ours, state[b], model=model),
                     cloud_to_cloud(theirs, state[a], model=model),
                 )
             )
             signed = signed_distance_statistics(
-                ours, theirs, facing=facing, spacing=overlap.spacing(a, b), reach=apart.max()
+                ours, theirs, facing=facing, spacing=overlap.spacing(a, b), reach=unsigned.max()
             )
-            distances.append(apart)
+            distances.append(unsigned)
             states.append(
                 PairState(
-                    DistanceStatistics.of(apart),
+                    DistanceStatistics.of(unsigned),
                     signed,
                     plane_offset_between_lines(ours, theirs, facing),
                 )
             )
         both_ways = reciprocal(headings[a], headings[b])
         # Reciprocal pairs come first, and where there are any the others are not pooled.
-        if len(maps) < MOST_MAPS and (both_ways or not any(pair.reciprocal for pair in pairs)):
+        if len(maps) < MAX_MAPS and (both_ways or not any(pair.reciprocal for pair in pairs)):
             mapped = distance_map(
                 (a, b),
                 (clouds[0][a][a_in_b], clouds[1][a][a_in_b]),
@@ -209,7 +209,7 @@ def compare_plane(
             _MeasuredDistances(distances[0], distances[1], height, ranged[0] if ranged else None)
         )
     if not pairs:
-        raise NotComparable(error("validation.no_overlap", plane=name, needed=FEWEST_POINTS))
+        raise NotComparable(error("validation.no_overlap", plane=name, needed=MIN_POINTS))
     progress(1.0)
 
     any_reciprocal = any(pair.reciprocal for pair in pairs)
@@ -268,7 +268,7 @@ def _thin_evenly(points: Array) -> Array:
 
 
 def _lines_with_enough_points(points: Mapping[str, Array]) -> list[str]:
-    return [line for line in points if len(points[line]) >= FEWEST_POINTS]
+    return [line for line in points if len(points[line]) >= MIN_POINTS]
 
 
 def _thinned_states(
@@ -284,7 +284,7 @@ def _thinned_states(
 def _common_points(overlap: LineOverlap, a: str, b: str) -> tuple[Bools, Bools] | None:
     """Masks of the points of two lines in the area of the other; None where they are too few."""
     masks = overlap.of(a, b), overlap.of(b, a)
-    return masks if min(map(np.count_nonzero, masks)) >= FEWEST_POINTS else None
+    return masks if min(map(np.count_nonzero, masks)) >= MIN_POINTS else None
 
 
 def _require_same_points(

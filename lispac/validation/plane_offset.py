@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 UNKNOWNS, ROUNDS = 3, 4
 NMAD = 1.4826
 """Standard deviation of normal noise over its median absolute value."""
-STRAY = 3.5
+OUTLIER_LIMIT = 3.5
 """Robust sigmas beyond which a point is an outlier: excluded, and counted."""
 FINEST = 1e-9
 """Metres; the smallest noise distinguishable from rounding."""
@@ -36,7 +36,7 @@ class PlaneOffset:
     offset, offset_95 : float, metres
         Positive towards ``facing``, and half the 95 % interval.
     rotation_horizontal_axis, rotation_slope_axis : float, radians
-        About the level axis in the plane (one looks down on the other) and about the axis up its
+        About the level axis in the plane (one leans to the other) and about the axis up its
         slope.
     rotation_horizontal_axis_95, rotation_slope_axis_95 : float, radians
     outliers : int
@@ -129,7 +129,7 @@ def _fit_plane_robustly(placed: Array) -> _PlaneFit:
         off = z - terms @ values
         sigma = NMAD * float(np.median(np.abs(off[kept])))
         # Points that are exactly on a plane are off it by rounding alone, and all are kept.
-        near = np.abs(off) <= STRAY * max(sigma, FINEST)
+        near = np.abs(off) <= OUTLIER_LIMIT * max(sigma, FINEST)
         if np.array_equal(near, kept) or np.count_nonzero(near) <= UNKNOWNS:
             break
         kept = near

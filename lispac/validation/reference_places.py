@@ -47,7 +47,7 @@ whose cylinder, of half that radius, just reaches a straight edge."""
 FEWEST_ON_PLANE = 6
 """Points of a line about a surveyed point that make a plane with a confidence."""
 CLOSER, ALIKE = 5.0, 4.0
-"""Robust sigmas about the median that are looked through, and the side in metres of the cubes that
+"""Robust sigmas about the median that are searched, and the side in metres of the cubes that
 have a median each."""
 
 
@@ -61,14 +61,14 @@ class MeasuredPlaces:
     ----------
     before, after : NormalDistances
         At n places.
-    beyond : ndarray of shape (n,), metres
-        From the line's surface, after, to another of its surfaces within reach; not a number where
-        there is none, and at surveyed points.
+    to_other_surface : ndarray of shape (n,), metres
+        Distance, after the calibration, from the line's surface to another of its surfaces within
+        reach; NaN where there is none, and at surveyed points.
     """
 
     before: NormalDistances
     after: NormalDistances
-    beyond: Array
+    to_other_surface: Array
 
 
 def is_reference_flat(reference: Array, cores: Array, diameters: Array, roughest: float) -> Bools:
@@ -160,50 +160,50 @@ def measure_to_surface(
         return find_nearest_layers(points, cores, normals, diameters, reach, 2 * noise)
 
     def measured(points: Array, middle: Array, half: Array) -> NormalDistances:
-        seen = np.flatnonzero(np.isfinite(middle))
-        if not len(seen):
+        valid = np.flatnonzero(np.isfinite(middle))
+        if not len(valid):
             raise NotComparable(error("validation.line_out_of_reach"))
         found = distances_along_normal(
-            points, reference, cores[seen], facing=facing[seen],
-            normal_scale=SMOOTH * diameters[seen], diameter=diameters[seen], depth=half[seen],
-            middle=middle[seen], reference_depth=diameters[seen],
+            points, reference, cores[valid], facing=facing[valid],
+            normal_scale=SMOOTH * diameters[valid], diameter=diameters[valid], depth=half[valid],
+            middle=middle[valid], reference_depth=diameters[valid],
         )  # fmt: skip
-        return replace(found, at=seen[found.at])
+        return replace(found, at=valid[found.at])
 
     layers = layers_of(after)
     middle, half = _search_windows(cores, layers, noise, reach)
     of_after = measured(after, middle, half)
     # With the prior boresight something else may be nearer to the reference than this surface; its
     # points are known by now.
-    seen = np.isfinite(middle)
+    valid = np.isfinite(middle)
     same = is_in_any_cylinder(
-        after, cores[seen], normals[seen], diameters[seen], middle[seen], half[seen]
+        after, cores[valid], normals[valid], diameters[valid], middle[valid], half[valid]
     )
     of_before = measured(before, *_search_windows(cores, layers_of(before[same]), noise, reach))
-    return _restrict_to_common_places(of_before, of_after, layers.beyond)
+    return _restrict_to_common_places(of_before, of_after, layers.to_next_layer)
 
 
 def _search_windows(
     cores: Array, layers: NearestLayers, noise: Array, reach: float
 ) -> tuple[Array, Array]:
-    """Where the surface lies along the normal at each core, and half of what is looked through.
+    """Where the surface lies along the normal at each core, and half of the depth searched.
 
     As far as the line scatters there: what a wrong boresight moves by millimetres near by it moves
     by decimetres afar, so that each neighbourhood has its own place. It is not a number where the
     line has nothing in all of the neighbourhood.
     """
     middle, half = np.full(len(cores), np.nan), np.full(len(cores), np.nan)
-    number, seen = region_numbers(cores, ALIKE), np.isfinite(layers.middle)
+    number, valid = region_numbers(cores, ALIKE), np.isfinite(layers.middle)
     off: list[Array] = []
     thick: list[Array] = []
-    for region in np.unique(number[seen]):
+    for region in np.unique(number[valid]):
         own = number == region
-        values = layers.middle[own & seen]
+        values = layers.middle[own & valid]
         low, high = nearest_layer_bounds(values, 2 * float(np.median(noise[own])))
         chosen = (values >= low) & (values <= high)
         middle[own] = np.median(values[chosen])
         off.append(np.abs(values[chosen] - np.median(values[chosen])))
-        thick.append(layers.half[own & seen][chosen])
+        thick.append(layers.half[own & valid][chosen])
     if off:
         scatter = CLOSER * NMAD * float(np.median(np.concatenate(off)))
         deep = scatter + float(np.median(np.concatenate(thick)))
@@ -262,9 +262,9 @@ def _plane_distance_at_point(
     """
     if not len(points):
         return None
-    apart = np.linalg.norm(points - place, axis=1)
-    nearest = int(np.argmin(apart))
-    if apart[nearest] > reach:
+    distance = np.linalg.norm(points - place, axis=1)
+    nearest = int(np.argmin(distance))
+    if distance[nearest] > reach:
         return None
     about = np.linalg.norm(points - points[nearest], axis=1)
     wide = diameter
@@ -322,7 +322,7 @@ def _plane_distances(
 
 
 def _restrict_to_common_places(
-    before: NormalDistances, after: NormalDistances, beyond: Array | None = None
+    before: NormalDistances, after: NormalDistances, to_other_surface: Array | None = None
 ) -> MeasuredPlaces:
     """Both at the places that both have.
 
@@ -334,5 +334,5 @@ def _restrict_to_common_places(
     at = np.intersect1d(before.at, after.at)
     if not len(at):
         raise NotComparable(error("validation.no_place_in_both"))
-    second = np.full(len(at), np.nan) if beyond is None else beyond[at]
+    second = np.full(len(at), np.nan) if to_other_surface is None else to_other_surface[at]
     return MeasuredPlaces(before.select_cores(at), after.select_cores(at), second)

@@ -1,7 +1,7 @@
 """Test whether calibrations of the same mounting agree (thesis section 4.5.5, table 4.5).
 
 Each calibration comes with its covariance; those of two surveys are taken as independent. What the
-two differ by is tested angle by angle and jointly, and told as what it does to a point: the angle
+two differ by is tested angle by angle and jointly, and given as what it does to a point: the angle
 of the rotation from one mounting to the other, times the distance.
 """
 

@@ -34,13 +34,13 @@ class NearestLayers:
     ----------
     middle, half : ndarrays of shape (n,), metres
         Where it lies along the normal, and half its thickness; not a number where there is none.
-    beyond : ndarray of shape (n,), metres
+    to_next_layer : ndarray of shape (n,), metres
         Distance from it to the next one that is within reach; not a number where there is none.
     """
 
     middle: Array
     half: Array
-    beyond: Array
+    to_next_layer: Array
 
 
 def find_nearest_layers(
@@ -117,7 +117,7 @@ def _nearest_layer_indices(
             end += 1
         counts[k] = end - k
     least = max(fewest, DENSE * counts.max()) if n else fewest
-    first, last, best, previous, beyond = -1, -1, np.inf, np.nan, np.nan
+    first, last, best, previous, to_next = -1, -1, np.inf, np.nan, np.nan
     k = 0
     while k < n:
         if counts[k] < least:
@@ -132,11 +132,11 @@ def _nearest_layer_indices(
         off = abs(values[low : high + 1].mean())
         if off < best:
             best, first, last = off, low, high
-            beyond = values[low] - previous
-        elif np.isnan(beyond) or values[low] - values[last] < beyond:
-            beyond = values[low] - values[last]
+            to_next = values[low] - previous
+        elif np.isnan(to_next) or values[low] - values[last] < to_next:
+            to_next = values[low] - values[last]
         previous = values[high]
-    return first, last, beyond
+    return first, last, to_next
 
 
 @njit(nogil=True, cache=True)
@@ -170,11 +170,11 @@ def _nearest_layers_kernel(
             continue
         values, _ = _distances_in_cylinder(cloud, cores[k], normals[k], radii[k], 0.0, reach)
         values.sort()
-        first, last, beyond = _nearest_layer_indices(values, thickness[k], FEWEST_POINTS)
+        first, last, to_next = _nearest_layer_indices(values, thickness[k], FEWEST_POINTS)
         if first >= 0:
             found[k, 0] = values[first : last + 1].mean()
             found[k, 1] = (values[last] - values[first]) / 2
-            found[k, 2] = beyond
+            found[k, 2] = to_next
     return found
 
 

@@ -285,7 +285,7 @@ def _compare_line(
     measured = MeasuredPlaces(
         _concatenate_distances([each.before for each, _ in found]),
         _concatenate_distances([each.after for each, _ in found]),
-        np.concatenate([each.beyond for each, _ in found]),
+        np.concatenate([each.to_other_surface for each, _ in found]),
     )
     return _place_sensitivities(
         project, survey, cloud, measured, np.concatenate([g for _, g in found])

@@ -138,7 +138,7 @@ def thin_observations(
             mounting,
             settings.subsample,
             longest=settings.stochastic_model.knot_interval,
-            strays_apart=settings.stochastic_model.loss != "none",
+            no_outliers=settings.stochastic_model.loss != "none",
         )
     poses = Poses(observations.position, observations.attitude)
     points = place_points(observations.points_lidar, poses, mounting)

@@ -23,7 +23,7 @@ from lispac.messages import Message, error, note
 from lispac.progress import PointRate, Progress, no_progress
 from lispac.survey.line_source import USUAL, Reading, printable
 from lispac.survey.point_mapping import ScannerPointConverter
-from lispac.survey.point_screening import MOST_RANGE, is_within_range
+from lispac.survey.point_screening import MAX_RANGE, is_within_range
 from lispac.survey.scanner_frame_recovery import RecoverySetup
 
 Array = NDArray[np.float64]
@@ -90,7 +90,7 @@ def write_cloud(
     *,
     reading: Reading = USUAL,
     recovery: RecoverySetup | None = None,
-    max_range: float = MOST_RANGE,
+    max_range: float = MAX_RANGE,
     compressed: bool = True,
     progress: Progress = no_progress,
 ) -> WrittenLine:

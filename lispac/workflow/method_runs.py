@@ -87,7 +87,7 @@ def patch_test_result(result: PatchTestResult) -> AlternativeResult:
         result.covariance,
         result.lines,
         len(result.objects),
-        result.remarks,
+        result.messages,
     )
 
 

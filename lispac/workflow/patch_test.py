@@ -22,7 +22,7 @@ from lispac.patchtest.mismatch_minimisation import (
     minimise_mismatch,
 )
 from lispac.patchtest.object_boxes import PatchObject
-from lispac.patchtest.object_proposal import COUNT, find_objects
+from lispac.patchtest.object_proposal import OBJECT_COUNT, find_objects
 from lispac.patchtest.object_sample import MARGIN, ObjectSample
 from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.progress import Progress, no_progress, sub_progress
@@ -96,7 +96,7 @@ class PlacedObjects:
         for each, at in zip(self.objects, self.placings, strict=True):
             parts = [
                 np.arange(seen.begin, seen.end)[seen.inside]
-                for seen in self.sample.seen
+                for seen in self.sample.observed
                 if seen.object.name == each.name
             ]
             own = max(parts, key=len, default=np.arange(0))
@@ -118,7 +118,7 @@ def place_lines(project: Project, survey: Survey, boresight: Array) -> dict[str,
 
 
 def propose_objects(
-    project: Project, survey: Survey, *, count: int = COUNT, progress: Progress = no_progress
+    project: Project, survey: Survey, *, count: int = OBJECT_COUNT, progress: Progress = no_progress
 ) -> PlacedObjects:
     """Find objects that lines share, wherever the prior boresight is.
 
@@ -259,5 +259,5 @@ def _assess_patch_test(
         objects=judged.objects,
         rounds=turned.rounds,
         converged=together.converged and turned.converged,
-        unmet=tuple(each.name for each in laid.objects if each.name not in used_names),
+        without_pairs=tuple(each.name for each in laid.objects if each.name not in used_names),
     )

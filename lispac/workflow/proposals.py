@@ -105,7 +105,7 @@ def propose_targets(
     progress(0.0, gettext_lazy("Aligning the lines"))
     aligned = survey.alignment
     settings = FinderSettings(threshold=threshold)
-    if aligned.nearly_meets:
+    if aligned.is_aligned:
         settings = replace(settings, max_shift=ALIGNED_MAX_SHIFT)
 
     def find(seed: Array, line: str, step: Progress) -> Found:

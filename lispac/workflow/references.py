@@ -17,7 +17,7 @@ from lispac.messages import Message, error, note, warning
 from lispac.progress import Progress, no_progress
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem, coordinate_system
-from lispac.survey.store.spatial_cells import MOST_HALVINGS, is_number_in_sample
+from lispac.survey.store.spatial_cells import MAX_HALVINGS, is_number_in_sample
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.validation.absolute_check import Kind
 from lispac.workflow.coordinates import (
@@ -313,7 +313,7 @@ def _read_surface(
         parts.append(placed[good])
         numbers.append(own[good])
         done, kept = done + len(chunk), kept + int(good.sum())
-        while kept > MAX_POINTS and halvings < MOST_HALVINGS:
+        while kept > MAX_POINTS and halvings < MAX_HALVINGS:
             halvings += 1
             chosen = [is_number_in_sample(some, halvings) for some in numbers]
             parts = [part[which] for part, which in zip(parts, chosen, strict=True)]

@@ -9,7 +9,7 @@ from lispac.errors import LispacError
 from lispac.progress import Progress
 from lispac.project import PickedSighting, Project, Target
 from lispac.targets.finder_settings import USUAL
-from lispac.targets.line_search import CLICK
+from lispac.targets.line_search import CLICK_GAP
 from lispac.workflow.picking import find_target
 from lispac.workflow.point_numbers import numbers_text
 from lispac.workflow.script_text import PythonCode, call_text, rows, split_text_code
@@ -59,7 +59,7 @@ def _seed_arguments(
     # Where lines meet at the seed, or none has a point there, it counts which of them was clicked.
     place = np.array(target.seed)
     clicked = [
-        line for line in survey.lines if len(survey.clouds[line].within(place, CLICK).points)
+        line for line in survey.lines if len(survey.clouds[line].within(place, CLICK_GAP).points)
     ]
     for line in (None, *(clicked or [sighting.line for sighting in target.sightings])):
         try:

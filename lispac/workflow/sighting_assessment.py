@@ -20,7 +20,7 @@ from lispac.targets.finder_settings import FinderSettings
 from lispac.targets.occlusion import ObservedExtent, compare_observed_extents, does_plane_end_within
 from lispac.targets.sighting_quality import (
     SightingQuality,
-    add_remarks,
+    add_messages,
     plane_quality,
     sphere_quality,
     undetermined_quality,
@@ -166,8 +166,8 @@ class _PlacedMounting:
             tuple(Georeferencer.of(survey.trajectory, each) for each in turned)
             if not estimated
             else (),
-            ROUGHLY_OFF if estimated or survey.alignment.nearly_meets else PRIOR_OFF,
-            estimated or survey.alignment.nearly_meets,
+            ROUGHLY_OFF if estimated or survey.alignment.is_aligned else PRIOR_OFF,
+            estimated or survey.alignment.is_aligned,
         )
 
 
@@ -205,7 +205,7 @@ def _target_qualities(
     ]
     if target.shape == "plane" and not placing.is_nearly_aligned:
         judged = [
-            add_remarks(quality, _ambiguity_note(target, survey, sighting))
+            add_messages(quality, _ambiguity_note(target, survey, sighting))
             for quality, sighting in zip(judged, sightings, strict=True)
         ]
     return judged
@@ -222,7 +222,7 @@ def _ambiguity_note(
     except LispacError:  # reported with its quality
         return ()
     reach = FinderSettings().max_shift
-    about = cloud.within(points.mean(axis=0), reach + target.radius, most=MAX_POINTS)
+    about = cloud.within(points.mean(axis=0), reach + target.radius, limit=MAX_POINTS)
     distance = nearest_similar_surface(about.points, points, plane, target.threshold, reach)
     if distance is None:
         return ()
@@ -284,7 +284,7 @@ def _sighting_quality(
     )  # fmt: skip
     if target.expected is None or quality.extent is None:
         return quality
-    return add_remarks(
+    return add_messages(
         quality, deviations_from_expected(target.expected, quality.extent, plane.normal)
     )
 

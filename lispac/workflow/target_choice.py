@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from lispac.adjustment.adjustment_problem import LinearisedProblem
 from lispac.adjustment.blas_threads import single_blas_thread
 from lispac.adjustment.excess_scatter import expected_sigma_factors
-from lispac.adjustment.observability import CARRIED, CLUSTERED
+from lispac.adjustment.observability import CLUSTER_RATIO, MAX_SIGMA_RATIO
 from lispac.errors import AdjustmentError
 from lispac.messages import error
 
@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 
 MAX_TARGETS, MIN_TARGETS, MIN_VALIDATION = 6, 3, 4
 """Targets that are chosen, and planes that are left for validation once the targets are checked."""
-MAX_SIGMA_RATIO = 0.85
+MAX_SIGMA_SHARE = 0.85
 """A target that leaves more than this share of every sigma is left for validation."""
 MAX_PAIR_RATIO = 2.0
 """Factor on the least worst sigma of any two planes up to which two others are preferred that are
@@ -86,7 +86,7 @@ class CandidatePlanes:
         """True if the other planes reveal an error of any one of the planes."""
         return (
             len(names) >= MIN_TARGETS
-            and bool((self.sigma_without_one(names) <= CARRIED * self.sigma(names)).all())
+            and bool((self.sigma_without_one(names) <= MAX_SIGMA_RATIO * self.sigma(names)).all())
             and self.are_spread(names)
         )
 
@@ -97,7 +97,7 @@ class CandidatePlanes:
             for a, b in combinations(names, 2)
         ]
         points = self.linearised.problem.observations.points_lidar
-        return min(distances) >= CLUSTERED * float(np.linalg.norm(points, axis=1).mean())
+        return min(distances) >= CLUSTER_RATIO * float(np.linalg.norm(points, axis=1).mean())
 
 
 def _sigma_of_targets(linearised: LinearisedProblem, names: Iterable[str]) -> Array:
@@ -195,4 +195,4 @@ def _best_addition(
     sigma = planes.sigma(chosen)
     ratios = {name: float((planes.sigma([*chosen, name]) / sigma).min()) for name in others}
     best = min(ratios, key=ratios.__getitem__)
-    return best if ratios[best] <= MAX_SIGMA_RATIO else None
+    return best if ratios[best] <= MAX_SIGMA_SHARE else None

@@ -13,8 +13,8 @@ from lispac.errors import ProjectError
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
 from lispac.project import Role, Shape, Target
-from lispac.survey.cloud import MOST, Cloud, SphereRegion
-from lispac.targets.line_search import CLICK
+from lispac.survey.cloud import MAX_POINTS, Cloud, SphereRegion
+from lispac.targets.line_search import CLICK_GAP
 from lispac.targets.plane_finder import (
     FinderSettings,
     PlanePatch,
@@ -143,7 +143,7 @@ class TargetSearch:
             return _with_point_numbers(
                 find_sphere(region.points, seed, self.radius_range, settings), region
             )
-        region = cloud.within(require_seed(seed), settings.radius, most=SEARCH_SAMPLE)
+        region = cloud.within(require_seed(seed), settings.radius, limit=SEARCH_SAMPLE)
         beside = _points_near_click(region, cloud, require_seed(seed))
         return _complete_plane(
             find_plane(region.points, seed, settings, beside=beside), region, cloud
@@ -249,7 +249,7 @@ def _clicked_line(
     """Name of the clicked line; None if it is not known."""
     if first_line is not None:
         return first_line
-    return next((name for name in lines if len(clouds[name].within(seed, CLICK).numbers)), None)
+    return next((name for name in lines if len(clouds[name].within(seed, CLICK_GAP).numbers)), None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -289,8 +289,8 @@ class SearchPlace:
             Search radius about the seed.
         """
         seed = require_seed(seed)
-        reach = ALIGNED_MAX_SHIFT if aligned.nearly_meets else FinderSettings().max_shift
-        reaches = (CLICK,) if line is None else (CLICK, 0.1, radius)
+        reach = ALIGNED_MAX_SHIFT if aligned.is_aligned else FinderSettings().max_shift
+        reaches = (CLICK_GAP,) if line is None else (CLICK_GAP, 0.1, radius)
         nearest: list[tuple[float, str, Array]] = []
         for name in aligned.before if line is None else (line,):
             nearest += _nearest_point(aligned, name, seed, reaches)
@@ -320,7 +320,7 @@ def thinned_notes(target: Target) -> tuple[Message, ...]:
     """Notes on the sightings for which not all points around the seed were used."""
     return tuple(
         note(
-            "finder.points_thinned", target=target.name, line=sighting.line, most=MOST,
+            "finder.points_thinned", target=target.name, line=sighting.line, most=MAX_POINTS,
             one_in=sighting.one_in,
         )
         for sighting in target.sightings
@@ -335,7 +335,7 @@ def _search_regions(
     seed, reach = require_seed(seed), settings.radius + settings.max_shift
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        read = pool.map(lambda cloud: cloud.within(seed, reach, most=limit), clouds.values())
+        read = pool.map(lambda cloud: cloud.within(seed, reach, limit=limit), clouds.values())
         regions = dict(zip(clouds, read, strict=True))
     return regions, {name: region.points for name, region in regions.items()}
 
@@ -346,7 +346,7 @@ def _points_near_click(region: SphereRegion, cloud: Cloud, seed: Array) -> Array
     The sample may lack all of them, and a click on the edge of a board would then seem to float
     before the wall behind.
     """
-    if region.one_in == 1 or len(cloud.within(seed, CLICK).numbers) == 0:
+    if region.one_in == 1 or len(cloud.within(seed, CLICK_GAP).numbers) == 0:
         return None
     points = cloud.within(seed, CLICK_RADIUS).points
     return points[np.argsort(np.linalg.norm(points - seed, axis=1), kind="stable")]

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from lispac.messages import Level, Message, Value, note
 from lispac.project import LineSource, Reading
-from lispac.survey.known_time_base import CLEARLY_MORE, base_message, shift_note
+from lispac.survey.known_time_base import MIN_SHARE_GAIN, base_message, shift_note
 from lispac.survey.line_source import RESTART, printable
 from lispac.survey.time_base import (
     TimeBase,
@@ -97,7 +97,7 @@ def shift_gain_note(line: LineSource, times: Array, track: Array) -> Message | N
     if reading.restart in PERIODS:  # the trajectory may have been sorted instead of counted on
         written = reading.to_file_time(times) + reading.time_shift
         share = float(((written >= track[0]) & (written <= track[-1])).mean())
-        if share >= float(inside.mean()) + CLEARLY_MORE:
+        if share >= float(inside.mean()) + MIN_SHARE_GAIN:
             return note(
                 "import.restart_not_needed", file=file, share=share, option=f"{RESTART}={NONE}"
             )

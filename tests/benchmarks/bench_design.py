@@ -44,7 +44,7 @@ def test_ten_thousand_designs():
             design = search(site, plans=DESIGNS, mapper=mapper)
         found[workers] = perf_counter() - start
         print(
-            f"\n{design.looked_at:,} designs of the quay, {workers} processes: "
+            f"\n{design.evaluated:,} designs of the quay, {workers} processes: "
             f"{found[workers]:.1f} s, value {np.degrees(design.value):.4f} deg"
         )
     print(f"speed-up with two: {found[1] / found[2]:.2f}")

@@ -82,7 +82,7 @@ def report(folder: Path) -> None:
     opened = since(start)
     total = sum(len(scan) for scan in survey.scans.values())
     start = now()
-    met = survey.alignment.met
+    met = survey.alignment.matched_share
     aligned = since(start)
     print(
         f"six lines, {total:,} points, opened (or imported) {least([opened])}; "

@@ -5,7 +5,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
-from lispac.design.monte_carlo import ENOUGH, MonteCarloResult
+from lispac.design.monte_carlo import MIN_SURVEYS, MonteCarloResult
 from lispac.design.objective import PlanObjective
 from lispac.design.plan import Plan
 from lispac.design.plan_search import DesignResult, Mapper, search
@@ -80,5 +80,5 @@ def run_survey_simulation(
         rated = CountingMapper(mapper, progress, N_("{rate:x.1} simulated surveys/s"))
         return simulate_surveys(
             plan, request.surveys, seed=request.seed, flatness_known=request.flatness_known,
-            enough=ENOUGH, mapper=rated.map, progress=rated.progress,
+            enough=MIN_SURVEYS, mapper=rated.map, progress=rated.progress,
         )  # fmt: skip

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
-from lispac.design.monte_carlo import ENOUGH
+from lispac.design.monte_carlo import MIN_SURVEYS
 from lispac.gui import theme
 from lispac.gui.design.angles_table import AnglesTable
 from lispac.gui.panels import widgets
@@ -40,10 +40,10 @@ class SurveysPanel(QScrollArea):
         self.setObjectName("design_surveys")
         self.setWidgetResizable(True)
         self.surveys = widgets.number(
-            "surveys_count", suffix="", decimals=0, low=ENOUGH, high=MOST, step=100,
+            "surveys_count", suffix="", decimals=0, low=MIN_SURVEYS, high=MOST, step=100,
             tip=gettext(
                 "Number of surveys to simulate and adjust, {low:n} to {high:n}",
-                low=ENOUGH, high=MOST,
+                low=MIN_SURVEYS, high=MOST,
             ),
         )  # fmt: skip
         self.surveys.setValue(200)
@@ -72,7 +72,7 @@ class SurveysPanel(QScrollArea):
             gettext("Cancel"), "surveys_cancel",
             tip=gettext("Stop the simulation. The result is shown if at least {count:n} surveys "
                         "are finished.",
-                        count=ENOUGH),
+                        count=MIN_SURVEYS),
         )  # fmt: skip
         self.answer = AnglesTable("surveys_answer", gettext(HINT))
         body = QWidget()

@@ -219,7 +219,7 @@ class ConventionPanel(QWidget):
         self._show_rules(setup, new.mounting)
         self._show_values(new)
         self._show_mounting_text(new.mounting)
-        self._show_matrix(new.stated)
+        self._show_matrix(new.in_system)
 
     def _show_refusal(self, text: str) -> None:
         self.assumption.setText(escape(text))
@@ -258,7 +258,7 @@ class ConventionPanel(QWidget):
         self.assumption.setVisible(setup.assumption is not None)
 
     def _show_values(self, new: ReplacementSettings) -> None:
-        stated, correction = new.stated, new.correction
+        stated, correction = new.in_system, new.correction
         setup = stated.setup
         convention = setup.convention
         sure = setup.status == "verified"
@@ -308,7 +308,7 @@ class ConventionPanel(QWidget):
         self.lever.setText("<br>".join(texts))
 
     def _show_remarks(self, new: ReplacementSettings) -> None:
-        stated, correction = new.stated, new.correction
+        stated, correction = new.in_system, new.correction
         signs = str(stated.setup.signs)
         lines = [f"{signs[:1].upper()}{signs[1:]}."]
         if correction is not None:

@@ -8,14 +8,14 @@ from PySide6.QtCore import QLocale
 from lispac.adjustment.critical_values import critical_test_value
 from lispac.adjustment.display_text import sighting_status
 from lispac.adjustment.parameters import SIGNIFICANT, ParameterEstimate
-from lispac.adjustment.reliability import CRITICAL
+from lispac.adjustment.reliability import CRITICAL_VALUE
 from lispac.adjustment.result import (
     AdjustmentResult,
     CrossChecks,
     SightingReliability,
     SightingResidual,
 )
-from lispac.adjustment.sighting_warnings import MUCH_NOISE
+from lispac.adjustment.sighting_warnings import NOISE_FACTOR_LIMIT
 from lispac.gui import units
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_table import Cell, Column, Row, number_cell
@@ -65,7 +65,7 @@ def sighting_columns() -> tuple[Column, ...]:
         ),
         Column(
             gettext("Outliers"),
-            gettext("Number of points with a test value beyond {limit:x.2}", limit=CRITICAL),
+            gettext("Number of points with a test value beyond {limit:x.2}", limit=CRITICAL_VALUE),
         ),
         Column(
             gettext("Largest w of a point"),
@@ -120,7 +120,7 @@ def target_columns() -> tuple[Column, ...]:
         ),
         Column(
             gettext("Outliers"),
-            gettext("Number of points with a test value beyond {limit:x.2}", limit=CRITICAL),
+            gettext("Number of points with a test value beyond {limit:x.2}", limit=CRITICAL_VALUE),
         ),
         Column(gettext("Remark"), gettext("Finding that should be checked"), True),
     )
@@ -267,7 +267,7 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
         tests = [r for r in result.reliability if r.sighting.target == target.target]
         rejected = [r.sighting.line for r in tests if r.rejected]
         lines = sum(s.sighting.target == target.target for s in result.sightings)
-        rough = target.noise > MUCH_NOISE
+        rough = target.noise > NOISE_FACTOR_LIMIT
         remark = gettext("noise larger than given") if rough else ""
         if rejected:
             remark = gettext("rejected in {lines:names}", lines=rejected)

@@ -5,7 +5,7 @@ from html import escape
 
 from lispac.adjustment.display_text import variance_component_finding
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.warnings import FLAT, result_warnings
+from lispac.adjustment.warnings import MAX_FLAT_SIGMA, result_warnings
 from lispac.gui import theme, units
 from lispac.gui.panels import quantities
 from lispac.gui.panels.adjust_parameters import KINDS, MountingParameter
@@ -97,7 +97,7 @@ def fit_verdict(
     """Text on the chi-square test; without warnings, whether the uncertainties can be used."""
     is_sure = not result_warnings(result, checks, also)
     if result.chi_square.passed:
-        if result.model.surface is None and (most := float(result.surfaces.max())) > FLAT:
+        if result.model.surface is None and (most := float(result.surfaces.max())) > MAX_FLAT_SIGMA:
             sure, unsure = FIT_WITH_SURFACES
             return gettext(sure if is_sure else unsure, most=most)
         return gettext(FIT[0] if is_sure else FIT[1])

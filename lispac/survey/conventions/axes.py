@@ -69,15 +69,15 @@ def nearest_axes(rotation: Array) -> Axes:
     # The best of the 24 right-handed choices as a whole: axis by axis two of them could fall on
     # the same direction of a frame mounted askew.
     best: Axes = FORWARD_PORT_UP
-    most = -np.inf
+    best_score = -np.inf
     for x in DIRECTIONS:
         for y in DIRECTIONS:
             if abs(np.dot(_DIRECTIONS[x], _DIRECTIONS[y])) > 0:
                 continue
             axes = complete_axes(x, y)
             score = float(np.trace(axes_matrix(axes) @ rotation))
-            if score > most + 1e-12:
-                best, most = axes, score
+            if score > best_score + 1e-12:
+                best, best_score = axes, score
     return best
 
 

@@ -183,7 +183,7 @@ def rotation_of_angles(convention: Convention, angles: Array) -> Array:
 
 
 def angles_of_rotation(convention: Convention, rotation: Array) -> tuple[Array, Message | None]:
-    """Angles whose product is ``rotation``, and a remark on them.
+    """Angles whose product is ``rotation``, and a message on them.
 
     Parameters
     ----------
@@ -203,16 +203,16 @@ def angles_of_rotation(convention: Convention, rotation: Array) -> tuple[Array, 
     names: dict[str, Any] = {
         "first": first.title, "middle": middle.title, "last": last.title,
     }  # fmt: skip
-    remark: Message | None = None
+    message: Message | None = None
     if cosine < LOCKED:
         # Both outer turns are about one axis: only their sum is determined.
         a = np.arctan2(even * rotation[k, j], rotation[j, j])
         pole = 90 if even * middle.sign * rotation[i, k] > 0 else -90
-        remark = note("convention.gimbal_lock", angle=np.radians(pole), **names)
+        message = note("convention.gimbal_lock", angle=np.radians(pole), **names)
     else:
         a = np.arctan2(-even * rotation[j, k], rotation[k, k])
         if cosine < NEARLY_LOCKED:
-            remark = note("convention.near_gimbal_lock", **names)
+            message = note("convention.near_gimbal_lock", **names)
     # The others from what is left after the first turn: so the product is exact even where the
     # first angle itself is uncertain.
     rest = _rotation_about_axis(i, float(a)).T @ rotation
@@ -222,7 +222,7 @@ def angles_of_rotation(convention: Convention, rotation: Array) -> tuple[Array, 
     for place, turn, value in zip(convention.order, (first, middle, last), (a, b, c), strict=True):
         # A zero without its minus sign reads better in another program's window.
         angles[place] = turn.sign * value + 0.0
-    return angles, remark
+    return angles, message
 
 
 def convert_to_system(
@@ -246,16 +246,16 @@ def convert_to_system(
     mounted = setup.scanner_frame == "mounted"
     transform[:3, :3] = coordinates @ scanner if mounted else coordinates
     product = coordinates if convention.direction == "lidar_to_body" else coordinates.T
-    stated = MountingInSystem(setup, None, lever_arm, product, transform)
+    converted = MountingInSystem(setup, None, lever_arm, product, transform)
     if not convention.has_angles:
-        return stated
-    angles, remark = angles_of_rotation(convention, product)
+        return converted
+    angles, message = angles_of_rotation(convention, product)
     sigmas = None
     if covariance is not None:
         jacobian = angle_jacobian(setup, np.asarray(mounting.boresight, dtype=float))
         if jacobian is not None:
             sigmas = np.sqrt(np.diag(jacobian @ covariance @ jacobian.T))
-    return replace(stated, angles=angles, sigmas=sigmas, note=remark)
+    return replace(converted, angles=angles, sigmas=sigmas, note=message)
 
 
 def convert_from_system(setup: ConventionSetup, rotation: Array, lever_arm: Array) -> Mounting:
@@ -343,7 +343,7 @@ def angle_jacobian(setup: ConventionSetup, boresight: Array) -> Array | None:
     mounting = Mounting(np.zeros(3), boresight)
     rotation = mounting.rotation_body_lidar
     convention = setup.convention
-    stated = setup.permutation @ rotation @ setup.scanner_matrix(rotation).T
+    matrix = setup.permutation @ rotation @ setup.scanner_matrix(rotation).T
     # A small turn of the body-side axes; a left-handed permutation also turns it round.
     turn = (
         np.linalg.det(setup.permutation)
@@ -351,8 +351,8 @@ def angle_jacobian(setup: ConventionSetup, boresight: Array) -> Array | None:
         @ angle_to_turn_jacobian(LISPAC, boresight)
     )
     if convention.direction == "body_to_lidar":
-        stated, turn = stated.T, -stated.T @ turn
-    angles, _ = angles_of_rotation(convention, stated)
+        matrix, turn = matrix.T, -matrix.T @ turn
+    angles, _ = angles_of_rotation(convention, matrix)
     axes = angle_to_turn_jacobian(convention, angles)
     if abs(np.linalg.det(axes)) < LOCKED:
         return None

@@ -52,7 +52,7 @@ class BoresightCorrection:
 def correct_boresight(
     convention: Convention, current: Array, target_boresight: Array
 ) -> BoresightCorrection:
-    """Compute the correction from the current settings to a wanted boresight.
+    """Compute the correction from the current settings to a required boresight.
 
     Parameters
     ----------

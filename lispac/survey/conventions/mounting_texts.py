@@ -44,25 +44,25 @@ def orientation_text(boresight: Array, amounts: Amounts = angle_amounts) -> Lazy
     if is_steep(boresight):
         return _axes_pointing(rotation_matrix(*boresight), amounts)
     roll, pitch, yaw = (float(value) for value in boresight)
-    leans, looks, turned = amounts((roll, pitch, yaw))
+    rolled, pitched, yawed = amounts((roll, pitch, yaw))
     parts = []
-    if looks:
+    if pitched:
         template = (
             N_("is pitched {angle} bow down") if pitch > 0 else N_("is pitched {angle} bow up")
         )
-        parts.append(gettext_lazy(template, angle=looks))
-    if turned:
+        parts.append(gettext_lazy(template, angle=pitched))
+    if yawed:
         template = (
             N_("is yawed {angle} to starboard") if yaw > 0 else N_("is yawed {angle} to port")
         )
-        parts.append(gettext_lazy(template, angle=turned))
-    if leans:
+        parts.append(gettext_lazy(template, angle=yawed))
+    if rolled:
         template = (
             N_("is rolled {angle} port side up")
             if roll > 0
             else N_("is rolled {angle} starboard side up")
         )
-        parts.append(gettext_lazy(template, angle=leans))
+        parts.append(gettext_lazy(template, angle=rolled))
     if not parts:
         return gettext_lazy("The scanner is parallel to the body.")
     if len(parts) > 1 and max(abs(roll), abs(pitch), abs(yaw)) > LARGE:
@@ -84,12 +84,12 @@ def _axes_pointing(rotation: Array, amounts: Amounts) -> LazyText:
     axes = nearest_axes(rotation)
     cosines = np.einsum("ij,ij->i", axes_matrix(axes), rotation.T)
     off = float(np.arccos(np.clip(cosines.min(), -1.0, 1.0)))
-    apart = amounts((off, 0.0, 0.0))[0]
-    if not apart:
+    deviation = amounts((off, 0.0, 0.0))[0]
+    if not deviation:
         return gettext_lazy("Directions of the scanner axes: {axes}.", axes=axes_text(axes))
     return gettext_lazy(
         "Directions of the scanner axes: {axes}, with deviations up to {angle}.",
-        axes=axes_text(axes), angle=apart,
+        axes=axes_text(axes), angle=deviation,
     )  # fmt: skip
 
 

@@ -69,7 +69,7 @@ class ReplacementSettings:
 
     mounting: Mounting
     covariance: Array | None
-    stated: MountingInSystem
+    in_system: MountingInSystem
     present: PresentSettings | None
     correction: BoresightCorrection | None
     transform: Array | None
@@ -140,13 +140,13 @@ def replace_settings(
             mounting = replace(mounting, lever_arm=estimated.lever_arm + old)
         elif not has_lever_arm:
             mounting = replace(mounting, lever_arm=old)
-    stated = convert_to_system(mounting, setup, covariance)
+    new = convert_to_system(mounting, setup, covariance)
     correction = transform = None
     if present is not None:
-        correction = correct_boresight(setup.convention, present.values, stated.rotation)
+        correction = correct_boresight(setup.convention, present.values, new.rotation)
         if present.transform is not None:
-            transform = stated.transform @ np.linalg.inv(present.transform)
-    return ReplacementSettings(mounting, covariance, stated, present, correction, transform, source)
+            transform = new.transform @ np.linalg.inv(present.transform)
+    return ReplacementSettings(mounting, covariance, new, present, correction, transform, source)
 
 
 def _lever_arm_source(

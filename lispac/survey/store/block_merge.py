@@ -12,7 +12,7 @@ from lispac.survey.store.spool import Spool
 BUCKET = 1 << 20
 """Points that are in memory at once, about."""
 STEP = 1024
-"""Points of a block between two of its keys that the plan looks at."""
+"""Points of a block between two of its keys that the plan uses."""
 
 
 def merge_blocks(spool: Spool) -> Iterator[tuple[Keys, Values]]:

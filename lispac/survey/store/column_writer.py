@@ -108,11 +108,11 @@ class _ColumnsWriter:
         chosen = is_drawn(values["number"], self._points, COARSE)
         if not chosen.any():
             return
-        few = {field: values[field][chosen] for field in self._coarse if field in values}
-        few["row"] = rows[chosen]
-        few["local"] = place(few["xyz"].astype(np.float64), few["time"])
+        coarse = {field: values[field][chosen] for field in self._coarse if field in values}
+        coarse["row"] = rows[chosen]
+        coarse["local"] = place(coarse["xyz"].astype(np.float64), coarse["time"])
         for field, file in self._coarse.items():
-            file.append(few[field])
+            file.append(coarse[field])
 
     def finish(self) -> tuple[Columns, Columns]:
         """Close all of them: the store's own and those of the attributes."""

@@ -17,7 +17,7 @@ def is_original_unchanged(original: SourceFile, path: Path) -> bool:
     """Whether the file at ``path`` is what was imported; it may have been moved or copied.
 
     Size and time as they were are believed. With another time, as after a copy, all of the content
-    is compared: what was mended in place has the same size and most of the same bytes.
+    is compared: a file edited in place has the same size and most of the same bytes.
     """
     status = os.stat(path)
     if status.st_size != original.size:

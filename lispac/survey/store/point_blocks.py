@@ -18,7 +18,7 @@ Place = Callable[[Array, Array], Array]
 
 BLOCK = 1_000_000
 """Points: so many are placed, sorted and spooled at once, however the file's reader parts them."""
-MOST = 2**32 - 1
+MAX_POINTS = 2**32 - 1
 """Points of a line: their numbers take 32 bits."""
 OWN = (
     StoredColumn("xyz", "<f4", (3,)),
@@ -26,7 +26,7 @@ OWN = (
     StoredColumn("number", "<u4"),
     StoredColumn("before", "<u4"),
 )
-"""What every point has: its place seen from the scanner, its time, its number in the line, and how
+"""What every point has: its place in the scanner frame, its time, its number in the line, and how
 many points before it in the file are excluded."""
 
 Values = dict[str, NDArray[Any]]
@@ -191,8 +191,8 @@ def gather_blocks(
             if columns is None:
                 columns = attribute_columns(piece, source)
             require_same_attributes(piece, columns, source)
-            if piece.index[-1] >= MOST:
-                raise ProjectError(error("store.too_many_points", file=source, limit=MOST))
+            if piece.index[-1] >= MAX_POINTS:
+                raise ProjectError(error("store.too_many_points", file=source, limit=MAX_POINTS))
         filled = False
         while start < len(piece):
             assert columns is not None

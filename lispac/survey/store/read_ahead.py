@@ -7,7 +7,7 @@ from typing import TypeVar
 
 T = TypeVar("T")
 
-POLL = 0.1  # seconds between two looks whether anybody still wants the next piece
+POLL_INTERVAL = 0.1  # seconds between two checks whether the next piece is still needed
 
 
 def read_ahead(source: Iterator[T], depth: int = 1) -> Generator[T, None, None]:
@@ -23,7 +23,7 @@ def read_ahead(source: Iterator[T], depth: int = 1) -> Generator[T, None, None]:
     def hand_over(piece: tuple[T] | None) -> None:
         while not unwanted.is_set():
             try:
-                pieces.put(piece, timeout=POLL)
+                pieces.put(piece, timeout=POLL_INTERVAL)
                 return
             except queue.Full:
                 continue

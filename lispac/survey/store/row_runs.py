@@ -29,8 +29,8 @@ def row_runs(starts: NDArray[np.uint64], octave_runs: Runs) -> Runs:
     runs = starts[octave_runs].astype(np.int64)
     if not len(runs):
         return np.zeros((0, 2), np.int64)
-    apart = runs[1:, 0] > runs[:-1, 1]
-    return np.column_stack([runs[np.append(True, apart), 0], runs[np.append(apart, True), 1]])
+    separate = runs[1:, 0] > runs[:-1, 1]
+    return np.column_stack([runs[np.append(True, separate), 0], runs[np.append(separate, True), 1]])
 
 
 def rows_of_runs(runs: Runs) -> NDArray[np.int64]:

@@ -21,7 +21,7 @@ BITS = 16
 """Of a cell's number along each axis."""
 HALF = 1 << (BITS - 1)
 OCTAVE_BITS = 4
-MOST_HALVINGS = (1 << OCTAVE_BITS) - 1
+MAX_HALVINGS = (1 << OCTAVE_BITS) - 1
 """Beyond, a sample gets no smaller."""
 SIDES = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 """Metres; with the smallest one the cells reach 16 km around the origin, and what lies farther

@@ -35,7 +35,7 @@ from lispac.survey.store.row_runs import (
     split_runs,
 )
 from lispac.survey.store.spatial_cells import (
-    MOST_HALVINGS,
+    MAX_HALVINGS,
     Keys,
     is_octave_in_sample,
     octave_runs_in_sphere,
@@ -44,7 +44,7 @@ from lispac.survey.store.spatial_cells import (
 Array = NDArray[np.float64]
 
 CROWDED = 4
-"""Times as many points in the cells about a sphere as are wanted: too many are in it, too, then."""
+"""Points in the cells about a sphere, over the limit, from which the sphere has too many too."""
 AT_ONCE = 1 << 20
 """Points placed at once; of those outside the sphere no more than this are ever in memory."""
 FARTHEST = 1e8
@@ -182,9 +182,9 @@ class StoredLine:
         """
         if not len(time):
             return
-        most = self.manifest.reach * (1 + ROUNDING) + FINEST
+        limit = self.manifest.reach * (1 + ROUNDING) + FINEST
         early, late = self.manifest.first_time, self.manifest.last_time
-        if not (np.abs(points_lidar).max() <= most and early <= time.min() <= time.max() <= late):
+        if not (np.abs(points_lidar).max() <= limit and early <= time.min() <= time.max() <= late):
             raise self._damage_error()
 
     def _damage_error(self) -> ProjectError:
@@ -283,34 +283,34 @@ class StoredLine:
         place: Place,
         *,
         margin: float = 0.0,
-        most: int | None = None,
+        limit: int | None = None,
     ) -> tuple[NDArray[np.int64], Array, int]:
-        """As `within`, but a fair sample where there are more points than ``most`` in the sphere.
+        """As `within`, but a fair sample where there are more points than ``limit`` in the sphere.
 
         Returns
         -------
         rows : ndarray of shape (n,), increasing
         points_local : ndarray of shape (n, 3), metres, local frame
         halvings : int
-            Of the points: the fewest that leave no more than ``most``; 0 where all of them come.
+            Of the points: the fewest that leave no more than ``limit``; 0 where all of them come.
         """
         halvings = 0
-        while most and halvings < MOST_HALVINGS:
+        while limit and halvings < MAX_HALVINGS:
             runs = self.near(centre, radius, margin=margin, halvings=halvings)
-            if (runs[:, 1] - runs[:, 0]).sum() <= CROWDED * most:
+            if (runs[:, 1] - runs[:, 0]).sum() <= CROWDED * limit:
                 break
             halvings += 1
         rows, points = self._placed_within(centre, radius, place, margin, halvings)
-        if most is None:
+        if limit is None:
             return rows, points, halvings
-        while len(rows) > most and halvings < MOST_HALVINGS:
+        while len(rows) > limit and halvings < MAX_HALVINGS:
             halvings += 1
             rows, points = self._placed_within(centre, radius, place, margin, halvings)
         while halvings > 0:
-            more = self._placed_within(centre, radius, place, margin, halvings - 1)
-            if len(more[0]) > most:
+            finer = self._placed_within(centre, radius, place, margin, halvings - 1)
+            if len(finer[0]) > limit:
                 break
-            (rows, points), halvings = more, halvings - 1
+            (rows, points), halvings = finer, halvings - 1
         return rows, points, halvings
 
     def _placed_within(
@@ -427,7 +427,7 @@ def open_store(folder: Path, line: str, *, progress: Progress = no_progress) -> 
             )
             replace_manifest(folder, manifest, now)
     except (ProjectError, FileNotFoundError):
-        if not _is_manifest_current(folder, manifest):  # imported again between the two looks
+        if not _is_manifest_current(folder, manifest):  # imported again between the two checks
             return open_store(folder, line, progress=progress)
         raise
     return stored

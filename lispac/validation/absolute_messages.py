@@ -1,4 +1,4 @@
-"""Remarks on a comparison with a reference: the mean, the lines that are off, and the RMS."""
+"""Messages on a comparison with a reference: the mean, the lines that are off, and the RMS."""
 
 from collections.abc import Iterator, Sequence
 
@@ -9,15 +9,15 @@ Off = tuple[str, float, float]
 """A name, a mean, and half its 95 % interval, metres."""
 
 
-def absolute_check_remarks(check: AbsoluteCheck) -> tuple[Message, ...]:
+def absolute_check_messages(check: AbsoluteCheck) -> tuple[Message, ...]:
     """The means of all lines, what is off by more than its errors, the RMS, and what counted."""
     return (
-        _mean_remark(check.all_lines.after, "after"),
-        _mean_remark(check.all_lines.before, "before"),
-        _line_remark(check),
-        *_point_remarks(check),
-        _rms_remark(check),
-        *_other_surface_remarks(check),
+        _mean_message(check.all_lines.after, "after"),
+        _mean_message(check.all_lines.before, "before"),
+        _line_message(check),
+        *_point_messages(check),
+        _rms_message(check),
+        *_other_surface_messages(check),
         note("absolute.scan_error" if check.kind == "scan" else "absolute.point_errors"),
         *((note("absolute.lines_alike"),) if len(check.lines) > 1 else ()),
     )
@@ -46,7 +46,7 @@ FINDINGS = {
 """Code by state, and whether the mean is larger than its errors explain."""
 
 
-def _mean_remark(absolute_state: AbsoluteState, state: str) -> Message:
+def _mean_message(absolute_state: AbsoluteState, state: str) -> Message:
     mean = absolute_state.signed.mean
     return note(
         MEANS[state, mean > 0],
@@ -55,7 +55,7 @@ def _mean_remark(absolute_state: AbsoluteState, state: str) -> Message:
     )  # fmt: skip
 
 
-def _line_remark(check: AbsoluteCheck) -> Message:
+def _line_message(check: AbsoluteCheck) -> Message:
     off = [
         (line.line, line.after.signed.mean, line.after.interval_95)
         for line in check.lines
@@ -71,7 +71,7 @@ def _line_remark(check: AbsoluteCheck) -> Message:
     )
 
 
-def _point_remarks(check: AbsoluteCheck) -> Iterator[Message]:
+def _point_messages(check: AbsoluteCheck) -> Iterator[Message]:
     off = [
         (point.name, point.after, point.interval_95)
         for point in check.points
@@ -87,7 +87,7 @@ def _point_remarks(check: AbsoluteCheck) -> Iterator[Message]:
         )
 
 
-def _rms_remark(check: AbsoluteCheck) -> Message:
+def _rms_message(check: AbsoluteCheck) -> Message:
     before, after = check.all_lines.before, check.all_lines.after
     return note(
         "absolute.rms",
@@ -97,7 +97,7 @@ def _rms_remark(check: AbsoluteCheck) -> Message:
     )  # fmt: skip
 
 
-def _other_surface_remarks(check: AbsoluteCheck) -> Iterator[Message]:
+def _other_surface_messages(check: AbsoluteCheck) -> Iterator[Message]:
     """Surfaces that may have been confused with the reference surface."""
     if check.other_surfaces is None:
         yield note("absolute.former_version")
