@@ -44,7 +44,7 @@ class ClipBoxController(QObject):
         self.panel.reset_requested.connect(self.reset)
         scene.gone_to.connect(self.show)
         viewport.signals.handle_moved.connect(self._move_side)
-        viewport.signals.handle_let_go.connect(self._on_handle_released)
+        viewport.signals.handle_released.connect(self._on_handle_released)
 
     def begin(self) -> None:
         """Place the box around the selected target, or around everything."""

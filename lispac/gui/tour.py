@@ -191,6 +191,6 @@ class Tour(QObject):
         if place:
             centre = np.array(demo_seeds()[place][1])
             corners = centre + AROUND * np.array([[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]])
-            self._window.viewport.look_along(np.array([0.0, 1.0, 0.0]), corners)
+            self._window.viewport.view_along(np.array([0.0, 1.0, 0.0]), corners)
         else:
             self._window.viewport.fit()

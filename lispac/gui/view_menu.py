@@ -37,7 +37,7 @@ class ViewMenu(QObject):
             "smaller": lambda: self._resize_points(-1),
             "colour_next": self._colour_by_next,
             "fit_selection": self._fit_selection,
-            "normal": self._look_along_normal,
+            "normal": self._view_along_normal,
             "orthographic": lambda: viewport.set_parallel(actions["orthographic"].isChecked()),
         }
         for name in VIEWS:
@@ -56,9 +56,9 @@ class ViewMenu(QObject):
         if groups := self._selected():
             self._viewport.fit(np.concatenate(groups))
 
-    def _look_along_normal(self) -> None:
+    def _view_along_normal(self) -> None:
         if groups := self._selected():
-            self._viewport.look_along(common_normal(groups), np.concatenate(groups))
+            self._viewport.view_along(common_normal(groups), np.concatenate(groups))
 
     def _selected(self) -> list[Array]:
         groups = list(self._scene.selected_points.values())

@@ -252,7 +252,7 @@ def test_in_3d_a_target_is_hung_and_moved_off_the_wall(
     viewport.signals.handle_moved.emit("target 0", 2, 0.25)
     assert wall.wall_coordinates(plan(design).targets[0].centre) == pytest.approx((-0.8, 0.5, 5.0))
     assert shown(design) != before or predicted(design) == before
-    viewport.signals.handle_let_go.emit("target 0")
+    viewport.signals.handle_released.emit("target 0")
     assert str(design.workspace.history.to_undo) == "Move T1"
     viewport.signals.seed_clicked.emit(PickedPoint("targets", plan(design).targets[1].centre))
     assert (design.workspace.target, str(design.workspace.history.to_undo)) == (1, "Move T1")

@@ -11,7 +11,7 @@ from lispac.adjustment.result import CrossCheck
 from lispac.design.further_line_advice import further_line_advice
 from lispac.gui import theme
 from lispac.gui.panels.diagnostics_pages import PAGES
-from lispac.gui.viewport.base import BESIDE_COLOUR, CHOSEN_COLOUR
+from lispac.gui.viewport.base import SELECTED_COLOUR, UNSELECTED_COLOUR
 from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
@@ -153,8 +153,8 @@ def test_a_row_leads_to_its_points_by_mouse_and_by_key(shown: Driver, estimated:
     assert shown.viewport.selected == (sighting.target, sighting.line)
     drawn = shown.viewport.highlight_styles
     beside = [drawn[key].colour for key in drawn if key[0] == sighting.target]
-    assert drawn[sighting.target, sighting.line].colour == CHOSEN_COLOUR
-    assert sorted(beside) == sorted([CHOSEN_COLOUR] + [BESIDE_COLOUR] * (len(beside) - 1))
+    assert drawn[sighting.target, sighting.line].colour == SELECTED_COLOUR
+    assert sorted(beside) == sorted([SELECTED_COLOUR] + [UNSELECTED_COLOUR] * (len(beside) - 1))
     name, (points,) = shown.viewport.calls[-1]
     assert name == "fit"
     assert len(points) == len(estimated.target(sighting.target).sighting(sighting.line).indices)

@@ -237,7 +237,7 @@ def test_both_pictures_are_there_as_soon_as_there_is_a_result(
     assert 0.01 < np.median(moved) < 2.0
     names = [name for name, _ in calls]
     between = names[names.index("picture") : len(names) - names[::-1].index("picture")]
-    assert not {"fit", "view", "look_along", "set_parallel"} & set(between)
+    assert not {"fit", "view", "view_along", "set_parallel"} & set(between)
     assert scene.which == "prior"
 
 

@@ -223,7 +223,7 @@ def test_the_clip_box_is_laid_about_the_target_and_changed_by_fields_and_handles
     view.signals.handle_moved.emit("clip", 5, 0.4)
     assert view.box is was, "the points follow when the handle is let go"
     assert view.sketches["clip"].handles[5].position[2] == pytest.approx(handle.position[2] + 0.4)
-    view.signals.handle_let_go.emit("clip")
+    view.signals.handle_released.emit("clip")
     assert view.box.half[2] == pytest.approx(was.half[2] + 0.2)
     assert view.box.centre[2] - view.box.half[2] == pytest.approx(was.centre[2] - was.half[2])
     click(picked, clipping.panel.reset)
@@ -261,23 +261,23 @@ def test_before_and_after_in_one_picture(adjusted: Driver) -> None:
     adjusted.rest()
     assert window.scene.which == "estimated"
     line = window.document.survey.lines[0]
-    np.testing.assert_array_equal(view.beside[line], window.document.survey.clouds[line].sample)
-    assert not np.array_equal(view.beside[line], view.clouds[line])
+    np.testing.assert_array_equal(view.wiped[line], window.document.survey.clouds[line].sample)
+    assert not np.array_equal(view.wiped[line], view.clouds[line])
     press(adjusted, Key.Key_W)
-    assert view.beside is None
+    assert view.wiped is None
     assert window.scene.which == "estimated"
     press(adjusted, Key.Key_W)
-    assert view.beside is not None
+    assert view.wiped is not None
     press(adjusted, Key.Key_B)  # before alone ends it
     adjusted.rest()
-    assert view.beside is None
+    assert view.wiped is None
     assert not window.actions_["wipe"].isChecked()
 
 
 def test_nothing_to_compare_is_said(picked: Driver) -> None:
     press(picked, Key.Key_W)
     assert "Estimate the boresight first" in picked.window.log.toPlainText()
-    assert picked.viewport.beside is None
+    assert picked.viewport.wiped is None
     assert not picked.window.actions_["wipe"].isChecked()
 
 

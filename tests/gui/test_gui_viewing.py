@@ -43,7 +43,7 @@ def test_the_selected_target_is_fitted_and_looked_at_squarely(picked: Driver) ->
     window._select("T1", "")
     picked.viewport.calls.clear()
     press(picked, Key.Key_7)
-    ((direction, points),) = asked(picked, "look_along")
+    ((direction, points),) = asked(picked, "view_along")
     target = picked.project.target("T1")
     groups = [window.scene.clouds[s.line][s.indices] for s in target.sightings]
     for group in groups:

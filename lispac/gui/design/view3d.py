@@ -38,7 +38,7 @@ class View3D(QObject):
         self._clouds: dict[str, Array] = {}
         viewport.signals.seed_clicked.connect(self._place_target)
         viewport.signals.handle_moved.connect(self._drag_target)
-        viewport.signals.handle_let_go.connect(self._on_handle_released)
+        viewport.signals.handle_released.connect(self._on_handle_released)
         workspace.changed.connect(self._on_plan_changed)
         workspace.selected.connect(self.show)
 
@@ -75,7 +75,7 @@ class View3D(QObject):
         station = np.array(plan.middle) + 20.0 * out
         self.viewport.set_station((float(station[0]), float(station[1]), float(station[2])))
         side = np.array([*wall.rightward, 0.0])
-        self.viewport.look_along(-out + 0.5 * side - 0.55 * np.array([0.0, 0.0, 1.0]), everything)
+        self.viewport.view_along(-out + 0.5 * side - 0.55 * np.array([0.0, 0.0, 1.0]), everything)
 
     def _place_target(self, at: PickedPoint) -> None:
         """Select the clicked target, or move the selected one to the clicked place.
