@@ -66,7 +66,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     from lispac.gui.viewport.lazy_viewport import LazyViewport
     from lispac.message_texts import message_text
 
-    tidying = GuiThreadGarbageCollector(application)
+    collector = GuiThreadGarbageCollector(application)
     session = Session(application, lambda: LazyViewport(_create_viewport))
     # It is there when the first project has been read, and the window is drawn before
     importing = threading.Thread(target=_import_viewport, name="lispac-import")
@@ -87,7 +87,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return application.exec()
     finally:
         logbook.end()
-        tidying.end()
+        collector.end()
 
 
 def _import_viewport() -> "type[Viewport]":

@@ -42,7 +42,7 @@ class ClipBoxController(QObject):
         )
         self.panel.about_requested.connect(self.begin)
         self.panel.reset_requested.connect(self.reset)
-        scene.gone_to.connect(self.show)
+        scene.focused.connect(self.show)
         viewport.signals.handle_moved.connect(self._move_side)
         viewport.signals.handle_released.connect(self._on_handle_released)
 

@@ -22,7 +22,7 @@ from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.workflow.export_request import ExportRequest
 from lispac.workflow.survey import Survey
 
-WRITING = {
+EXPORT_TITLES = {
     "lines": N_("Writing the lines"),
     "targets": N_("Writing the targets"),
     "planes": N_("Writing the files of the planes"),
@@ -208,7 +208,7 @@ class Computations(QObject):
             wrote = Plural("Wrote {path}", "Wrote {path} ({count:n} files)")
             self._controller.noted.emit(gettext(wrote, count=len(paths), path=request.output))
 
-        self._runner.run(gettext(WRITING[request.what]), work, done, lasting=True)
+        self._runner.run(gettext(EXPORT_TITLES[request.what]), work, done, persistent=True)
 
     def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current

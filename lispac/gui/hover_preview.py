@@ -20,9 +20,9 @@ from lispac.progress import Progress
 from lispac.targets.plane_finder import FinderSettings, PlanePatch, find_plane
 
 SKETCH = "hover"
-MOST = 2_000
+MAX_POINTS = 2_000
 """Points the finder is given; more would take longer than a blink."""
-FEWEST = 30
+MIN_POINTS = 30
 """Points of those given below which a plane would be a guess."""
 
 
@@ -97,10 +97,10 @@ class HoverPreview(QObject):
         seed = np.array(point.position)
         near = self._viewport.drawn_near(point.line, seed, radius)
         # In one piece: the finder would be compiled anew for every other one, in this thread
-        near = np.ascontiguousarray(near[:: -(-len(near) // MOST) or 1])
+        near = np.ascontiguousarray(near[:: -(-len(near) // MAX_POINTS) or 1])
         settings = FinderSettings(
             threshold=seed_settings.threshold or project.settings.threshold, radius=radius,
-            min_points=min(FEWEST, usual.min_points),
+            min_points=min(MIN_POINTS, usual.min_points),
         )  # fmt: skip
         try:
             patch = find_plane(near, seed, settings)

@@ -19,7 +19,7 @@ from lispac.gui.document import Document
 from lispac.gui.estimation import Estimation
 from lispac.gui.file_drops import FileDrops
 from lispac.gui.log_file import LOG
-from lispac.gui.log_file import NAME as LOG_NAME
+from lispac.gui.log_file import LOG_NAME as LOG_NAME
 from lispac.gui.manual import Manual
 from lispac.gui.panel_refresh import PanelRefresh
 from lispac.gui.panels.adjust import AdjustPanel
@@ -278,12 +278,12 @@ class MainWindow(QMainWindow):
         self.task_bar.cancel_requested.connect(self.runner.cancel)
         self.runner.failed.connect(self.dialogs.show_error)
         self.runner.stopped.connect(self._note_cancelled)
-        self.runner.too_late.connect(self._note)
+        self.runner.cancelled_too_late.connect(self._note)
         self.controller.refused.connect(self.dialogs.show_error)
         self.controller.noted.connect(self._note)
         self.controller.candidate_changed.connect(self.docks[docks.SIGHTINGS].raise_)
         self.computations.validated.connect(self.docks[docks.HISTOGRAMS].raise_)
-        self.scene.placing_wanted.connect(lambda: self.computations.show("estimated"))
+        self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
         self.viewport.signals.missed.connect(
             lambda: self._note(gettext("No point under the cursor. Ctrl+click on a target."))
@@ -319,7 +319,7 @@ class MainWindow(QMainWindow):
         self.controller.seed(point, self.targets.seed_options)
 
     def _select(self, name: str, line: str) -> None:
-        self.scene.look_at(name, line)
+        self.scene.focus_on(name, line)
         self.targets.select(name)
         self.table.select(name)
         self.diagnostics.select(name, line)
@@ -363,15 +363,15 @@ class MainWindow(QMainWindow):
         if not (self.lifecycle.may_leave() and self.site_design.leave()):
             event.ignore()
             return
-        self.keep_layout()
-        self.recovery_copies.forget()
-        self.settings.left_open = None
+        self.save_layout()
+        self.recovery_copies.discard()
+        self.settings.last_project = None
         self.stop_and_hide()
         event.accept()
 
-    def keep_layout(self) -> None:
+    def save_layout(self) -> None:
         """Store the layout of window and panels in the settings."""
-        self.settings.keep_layout(self.saveGeometry(), self.saveState())
+        self.settings.save_layout(self.saveGeometry(), self.saveState())
         self.settings.sync()
 
     def stop_and_hide(self) -> None:

@@ -23,7 +23,7 @@ HINTS = {
         N_("Click a point on the second side of the angle"),
     ),
 }
-AGAIN = N_("Click to measure again")
+REPEAT_HINT = N_("Click to measure again")
 
 
 class Measurements(QObject):
@@ -75,7 +75,7 @@ class Measurements(QObject):
                 return
             one_line = text.replace("\n", ", ")
             self._note(one_line)
-        hints = (*HINTS[tool], AGAIN)
+        hints = (*HINTS[tool], REPEAT_HINT)
         self._mouse_tool.hint(gettext(hints[len(self._points)]))
         self._viewport.show_sketch(SKETCH, _measurement_sketch(self._points, text, metric))
 

@@ -35,15 +35,15 @@ if TYPE_CHECKING:
 SKETCH = "patch"
 ANGLE_NAMES = (N_("roll"), N_("pitch"), N_("yaw"))
 COLOUR: Colour = (0, 150, 90)
-DENSE = 3_000
+MAX_POINTS = 3_000
 """Points of a line in the picture."""
-REACH, INNER = np.radians(0.25), 0.8
+HALF_WIDTH, INNER_SHARE = np.radians(0.25), 0.8
 """The curve reaches so far to either side, radians; out of that share of it another is drawn."""
-STEPS = {"one": 41, "all": 17}
+CURVE_STEPS = {"one": 41, "all": 17}
 """Values of a curve: of one object, and of all."""
-WIDE = 12
+WIDER = 12
 """The curve is drawn so many times as wide where it has no minimum within its reach."""
-REST_MS = 200
+DEBOUNCE_MS = 200
 """After the last move of a slider, before a curve is worked out."""
 
 
@@ -58,16 +58,16 @@ class PatchTestController(QObject):
         self._window = window
         self.panel = PatchTestPanel()
         self._laid: PlacedObjects | None = None
-        self._answer: PatchTestResult | None = None
+        self._result: PatchTestResult | None = None
         self._survey: Survey | None = None
         self._dense: ObjectSample | None = None
-        self._taking: Task | None = None
-        self._live: Mismatch | None = None
+        self._extraction: Task | None = None
+        self._mismatch: Mismatch | None = None
         self._angle = 0
         self._curve_at: Array | None = None
         self._drawn = self._outdated = False
-        self._rest = QTimer(self, singleShot=True, interval=REST_MS)
-        self._rest.timeout.connect(self._compute_curve)
+        self._debounce = QTimer(self, singleShot=True, interval=DEBOUNCE_MS)
+        self._debounce.timeout.connect(self._compute_curve)
         panel = self.panel
         window.actions_["patch_test"].triggered.connect(lambda _=False: self.open())
         panel.remove_requested.connect(self._remove)
@@ -125,7 +125,7 @@ class PatchTestController(QObject):
         """Show the selected object, or update it."""
         each, survey = self._find_object(self.panel.shown), self._survey
         if each is None or survey is None or self._laid is None:
-            self._dense = self._live = None
+            self._dense = self._mismatch = None
             self.panel.picture.show_points({}, {}, np.ones(2))
             self._draw_sketch(None)
             return
@@ -140,7 +140,7 @@ class PatchTestController(QObject):
             )
         )
         one = self._laid.sample.of_objects([each.name])
-        self._live = Mismatch(one, PlacedObjects((each,), (self._laid.boresight,), one).blocks(
+        self._mismatch = Mismatch(one, PlacedObjects((each,), (self._laid.boresight,), one).blocks(
             [each.name], self._ticked_line_pairs()))  # fmt: skip
         self._curve_at = None
         self.panel.curve.show_curve("", np.empty(0), np.empty(0))
@@ -153,7 +153,9 @@ class PatchTestController(QObject):
         """Extract the points to draw in the worker; the picture stays until they are there."""
 
         def work(_progress: Progress) -> ObjectSample:
-            return ObjectSample.of([each], placed_lines(laid, survey), survey.scans, most=DENSE)
+            return ObjectSample.of(
+                [each], placed_lines(laid, survey), survey.scans, most=MAX_POINTS
+            )
 
         def done(dense: ObjectSample) -> None:
             if self._find_object(self.panel.shown) is each:
@@ -161,13 +163,13 @@ class PatchTestController(QObject):
                 self._draw_lines()
 
         title = gettext("Extracting the points of {name}", name=each.name)
-        self._taking = self._runner.run(title, work, done, quiet=True, key="patching")
+        self._extraction = self._runner.run(title, work, done, quiet=True, key="patching")
 
     def _when_idle(self) -> None:
-        if self._dense is None and self._taking is not None and self._taking.gave_way:
+        if self._dense is None and self._extraction is not None and self._extraction.superseded:
             self._show_object()
         if self._outdated:
-            self._rest.start()
+            self._debounce.start()
 
     def _on_angle_turned(self, angle: int) -> None:
         self._angle = angle
@@ -182,7 +184,7 @@ class PatchTestController(QObject):
     def _draw_lines(self) -> None:
         """Draw the lines with the current angles; the curve follows after a pause."""
         each = self._find_object(self.panel.shown)
-        if each is None or self._dense is None or self._survey is None or self._live is None:
+        if each is None or self._dense is None or self._survey is None or self._mismatch is None:
             return
         boresight = self.panel.angles.boresight
         across, up, size = _view_axes(each.box, self.panel.view.currentIndex())
@@ -196,11 +198,11 @@ class PatchTestController(QObject):
         curve, value = self.panel.curve, float(boresight[self._angle])
         mismatch = float("nan")
         if self.panel.of.currentIndex() == 0:
-            mismatch = self._live(boresight) if self._live.blocks else float("nan")
+            mismatch = self._mismatch(boresight) if self._mismatch.blocks else float("nan")
         curve.mark_current(value, mismatch)
         if not self._is_curve_current(boresight):
             self._outdated = True
-            self._rest.start()
+            self._debounce.start()
 
     def _is_curve_current(self, boresight: Array) -> bool:
         at = self._curve_at
@@ -209,7 +211,7 @@ class PatchTestController(QObject):
         others = [k for k in range(3) if k != self._angle]
         moved = abs(boresight[self._angle] - at[self._angle])
         return bool(self._curve_angle == self._angle and (boresight[others] == at[others]).all()
-                    and moved <= INNER * REACH)  # fmt: skip
+                    and moved <= INNER_SHARE * HALF_WIDTH)  # fmt: skip
 
     def _compute_curve(self) -> None:
         laid, angle, each = self._laid, self._angle, self._find_object(self.panel.shown)
@@ -218,11 +220,14 @@ class PatchTestController(QObject):
         whole = self.panel.of.currentIndex() == 1
         names = self.panel.ticked_entries if whole else (each.name,)
         boresight, pairs = self.panel.angles.boresight, self._ticked_line_pairs()
-        steps = STEPS["all" if whole else "one"]
+        steps = CURVE_STEPS["all" if whole else "one"]
 
         def work(progress: Progress) -> tuple[Array, Array]:
             mismatch = Mismatch(laid.sample, laid.blocks(names, pairs))
-            for reach, many in ((REACH, steps), (WIDE * REACH, 3 * steps)):
+            for reach, many in (
+                (HALF_WIDTH, steps),
+                (WIDER * HALF_WIDTH, 3 * steps),
+            ):
                 values = boresight[angle] + np.linspace(-reach, reach, many)
                 if not mismatch.blocks:
                     return values, np.full(many, np.nan)
@@ -246,7 +251,7 @@ class PatchTestController(QObject):
                 )
             self.panel.curve.show_curve(title, *curve)
             if not self._is_curve_current(self.panel.angles.boresight):
-                self._rest.start()
+                self._debounce.start()
 
         self._runner.run(gettext("Computing the curve"), work, done, quiet=True, key="patch_curve")
 
@@ -301,7 +306,7 @@ class PatchTestController(QObject):
             )
 
         def done(result: PatchTestResult) -> None:
-            self._answer = result
+            self._result = result
             panel = self.panel
             panel.angles.start_at(result.boresight, NEAR)
             panel.angles.show_found(result.boresight, result.sigma, result.curvature)
@@ -318,10 +323,10 @@ class PatchTestController(QObject):
     def keep(self) -> None:
         """Add the result to the alternative methods of the project, as one undo step."""
         project = self._document.project
-        if project is None or self._answer is None:
+        if project is None or self._result is None:
             return
         try:
-            alternative = patch_test_result(self._answer)
+            alternative = patch_test_result(self._result)
         except LispacError as error:
             self._controller.refused.emit(error)
             return
@@ -342,9 +347,9 @@ class PatchTestController(QObject):
     # -- state -------------------------------------------------------------------------------
 
     @property
-    def answer(self) -> PatchTestResult | None:
+    def last_result(self) -> PatchTestResult | None:
         """Last result."""
-        return self._answer
+        return self._result
 
     @property
     def is_curve_pending(self) -> bool:
@@ -354,8 +359,8 @@ class PatchTestController(QObject):
     def _ticked_line_pairs(self) -> tuple[LinePair, ...]:
         if self._survey is None:
             return ()
-        wanted = self.panel.ticked_pairs
-        return tuple(pair for pair in line_pairs(self._survey) if pair.name in wanted)
+        ticked = self.panel.ticked_pairs
+        return tuple(pair for pair in line_pairs(self._survey) if pair.name in ticked)
 
     def _on_ticks_changed(self) -> None:
         self._discard_result()
@@ -364,7 +369,7 @@ class PatchTestController(QObject):
 
     def _discard_result(self) -> None:
         """Discard the result, which depends on other objects or pairs."""
-        self._answer = None
+        self._result = None
         self.panel.angles.show_found(None)
         self.panel.message_label.setText("")
         self.panel.mark_objects({})
@@ -374,8 +379,8 @@ class PatchTestController(QObject):
         _, survey = self._current_data()
         if survey is not None and survey is self._survey:
             return
-        self._survey, self._laid, self._answer = survey, None, None
-        self._dense = self._live = self._curve_at = None
+        self._survey, self._laid, self._result = survey, None, None
+        self._dense = self._mismatch = self._curve_at = None
         self._outdated = False
         many = survey is not None and len(survey.clouds) > 1
         self.panel.show_empty(EMPTY if many else NO_DATA)
@@ -395,7 +400,7 @@ class PatchTestController(QObject):
         self.panel.update_enabled(
             ready=survey is not None and len(survey.clouds) > 1,
             busy=self._runner.busy,
-            answer=self._answer is not None,
+            has_result=self._result is not None,
         )
 
     def _draw_sketch(self, sketch: Sketch | None) -> None:
@@ -421,9 +426,9 @@ def _clip_box(box: ObjectBox) -> ClipBox:
 def _view_axes(box: ObjectBox, view: int) -> tuple[Array, Array, Array]:
     """Directions to the right and up of a picture, and its size with a margin, metres."""
     ahead, left, up = box.axes
-    room = 0.3
+    margin = 0.3
     if view == 0:
-        return -left, ahead, box.size[[1, 0]] + room
+        return -left, ahead, box.size[[1, 0]] + margin
     if view == 1:
-        return -left, up, box.size[[1, 2]] + room
-    return ahead, up, box.size[[0, 2]] + room
+        return -left, up, box.size[[1, 2]] + margin
+    return ahead, up, box.size[[0, 2]] + margin

@@ -67,7 +67,7 @@ class Preferences:
         settings.point_size = self.point_size
         settings.point_budget = self.point_budget
         template, page, _, language = settings.report_choice()
-        settings.keep_report_choice((template, page, self.convention, language))
+        settings.save_report_choice((template, page, self.convention, language))
         settings.usual_sensors = (self.scanner, self.pos)
         settings.units = (self.angles, self.lengths)
         settings.theme, settings.colour_scale = self.theme, self.scale
@@ -88,14 +88,14 @@ class PreferencesController(QObject):
         """Show the dialogue and apply the choices; another language or theme renews the window."""
         window, settings = self._window, self._window.settings
         before = _appearance(settings)
-        answer = window.dialogs.preferences(Preferences.of(settings), settings)
-        if answer is None:
+        entered = window.dialogs.preferences(Preferences.of(settings), settings)
+        if entered is None:
             return
         try:
-            answer.keep(settings)
+            entered.keep(settings)
         except InputError as error:
             window.controller.refused.emit(error)
-        window.viewport.set_point_size(answer.point_size)
+        window.viewport.set_point_size(entered.point_size)
         self._set_point_budget()
         window.report.show_choice(settings.report_choice())
         if _appearance(settings) != before:

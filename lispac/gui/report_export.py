@@ -56,12 +56,12 @@ class ReportExport(QObject):
         project, survey = self._document.project, self._survey
         if project is None:
             return
-        answer = self._dialogs.identity(
+        identity = self._dialogs.identity(
             project.identity, lambda: "" if survey is None else survey_dates(project, survey)
         )
         current = self._document.project  # a task may have ended meanwhile
-        if answer is not None and current is not None and answer != current.identity:
-            self._document.edit(N_("change of report details"), current.with_identity(answer))
+        if identity is not None and current is not None and identity != current.identity:
+            self._document.edit(N_("change of report details"), current.with_identity(identity))
 
     def ask_template(self) -> None:
         """Ask for the template of the report."""
@@ -106,7 +106,7 @@ class ReportExport(QObject):
             return path
 
         title = gettext("Writing the report")
-        self._runner.run(title, work, partial(self._on_written, project), lasting=True)
+        self._runner.run(title, work, partial(self._on_written, project), persistent=True)
 
     def preview(self) -> None:
         """Show the pages of the report as they are printed."""
@@ -141,7 +141,7 @@ class ReportExport(QObject):
             gettext("Laying out the pages"),
             work,
             lambda preview: self._show_preview(project, preview),
-            shows=True,
+            modal=True,
         )
 
     def _show_preview(self, project: Project, preview: "Preview") -> None:
@@ -174,7 +174,7 @@ class ReportExport(QObject):
             return None
 
     def _store_choice(self) -> None:
-        self._settings.keep_report_choice(self._panel.choice)
+        self._settings.save_report_choice(self._panel.choice)
 
     @property
     def _survey(self) -> Survey | None:

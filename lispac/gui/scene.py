@@ -28,12 +28,12 @@ class Scene(QObject):
     """Updates the viewport from the document, the candidate and the before/after switch."""
 
     which_changed = Signal(str)
-    gone_to = Signal(object, str)
+    focused = Signal(object, str)
     """Points (n, 3) that the view goes to, and what they are of."""
     selection_changed = Signal()
     drawn = Signal()
     """The lines are drawn anew."""
-    placing_wanted = Signal()
+    placement_requested = Signal()
     """The lines after are shown, and the project has another result by now."""
 
     def __init__(self, document: Document, viewport: Viewport, parent: QObject) -> None:
@@ -52,7 +52,7 @@ class Scene(QObject):
         # Once for all that changes in one: a new project has enough to show.
         self._lines_due = IdleTask(self._draw_due_lines, self)
         self._targets_due = IdleTask(self._draw_due_targets, self)
-        document.left.connect(self._clear)
+        document.about_to_open.connect(self._clear)
         document.survey_changed.connect(self._reload)
         document.changed.connect(self._project_changed)
 
@@ -156,7 +156,7 @@ class Scene(QObject):
         self._viewport.select(self.selected)
         self.selection_changed.emit()
 
-    def look_at(self, name: str, line: str) -> None:
+    def focus_on(self, name: str, line: str) -> None:
         """Highlight a sighting, or a target if ``line`` is empty, and move the view to it."""
         project = self._document.project
         if project is None:
@@ -166,7 +166,7 @@ class Scene(QObject):
         self._viewport.select((name, line))
         points = self._points(target, line)
         if points is not None:
-            self.gone_to.emit(points, name)
+            self.focused.emit(points, name)
             self._viewport.fit(points)
         self.selection_changed.emit()
 
@@ -208,7 +208,7 @@ class Scene(QObject):
         project = self._document.project
         if self.which == "estimated" and not self.has_estimated:
             if project is not None and project.result is not None:
-                self.placing_wanted.emit()  # the lines as they are stay until the others are there
+                self.placement_requested.emit()  # the lines drawn stay until then
             elif not self._document.awaits_result:
                 self.which = "prior"
                 self.which_changed.emit(self.which)

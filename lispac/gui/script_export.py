@@ -42,7 +42,7 @@ class ScriptExport(QObject):
             gettext("Writing the script of this project"),
             work,
             lambda made: self._show(project, made),
-            shows=True,
+            modal=True,
         )
         self._controller.cancel_on_edit(task)
 

@@ -49,10 +49,10 @@ class SeedActions(QObject):
         added = seed_options.line is not None and seed_options.selected is not None
         name = seed_options.selected if added else next_name(project, seed_options.role)
         assert name is not None
-        answer = self._dialogs.seed_at(project, survey.trajectory, seed_options, name)
-        if answer is not None and self._document.project is project:
-            named, place = answer
-            self._controller.seek(place, seed_options, name="" if added else named)
+        entered = self._dialogs.seed_at(project, survey.trajectory, seed_options, name)
+        if entered is not None and self._document.project is project:
+            named, place = entered
+            self._controller.search_at(place, seed_options, name="" if added else named)
 
     def list_seeds(self, path: Path | None = None) -> None:
         """Show a list of coordinates and search for the ticked targets, as one undo step.
@@ -91,7 +91,7 @@ class SeedActions(QObject):
             "Searching for the targets of {count:n} seeds of {file}",
         )
         text = gettext(title, count=len(seeds), file=path.name)
-        task = self._runner.run(text, work, done, shows=True)
+        task = self._runner.run(text, work, done, modal=True)
         self._controller.cancel_on_edit(task)
 
     def _apply_outcomes(

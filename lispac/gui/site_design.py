@@ -167,7 +167,7 @@ class SiteDesign(QObject):
         self.paper.run(
             gettext("Writing the field plan"),
             lambda _progress: write_field_plan(path, titled),
-            lambda _nothing: self._note(gettext("Saved {file}", file=str(path))), lasting=True,
+            lambda _nothing: self._note(gettext("Saved {file}", file=str(path))), persistent=True,
         )  # fmt: skip
 
     def read_site(self) -> None:
@@ -262,13 +262,13 @@ class SiteDesign(QObject):
 
         def done(result: MonteCarloResult) -> None:
             head = result_heading(titled.title, result, requested.surveys)
-            window.surveys.answer.show_result(head, result, titled.plan)
-            window.surveys.answer.follow(self.workspace.titled.plan)
+            window.surveys.result_table.show_result(head, result, titled.plan)
+            window.surveys.result_table.follow(self.workspace.titled.plan)
             window.pictures.show_errors(result)
             window.show_figures()
 
-        # Cancelled, it still has an answer where enough surveys were finished.
-        self.runner.run(gettext("Simulating surveys"), work, done, lasting=True)
+        # Cancelled, it still has a result where enough surveys were finished.
+        self.runner.run(gettext("Simulating surveys"), work, done, persistent=True)
 
     def compare(self) -> None:
         """Compare the survey of the main window with this plan."""
@@ -303,8 +303,8 @@ class SiteDesign(QObject):
         """Whether the plan may be discarded; asks to save unsaved changes."""
         if not self.workspace.history.changed:
             return True
-        answer = self._dialogs.ask_to_save_changes(self.workspace.titled.title)
-        return self.save() if answer == "save" else answer == "discard"
+        choice = self._dialogs.ask_to_save_changes(self.workspace.titled.title)
+        return self.save() if choice == "save" else choice == "discard"
 
     def leave(self) -> bool:
         """End the design with the program; return whether the user agrees."""

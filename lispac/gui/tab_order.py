@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 
 Kind = TypeVar("Kind", bound=QWidget)
 Reason = Qt.FocusReason
-ENTERS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+ENTER_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
 def focus_next(window: QMainWindow, forward: bool) -> bool:
@@ -56,7 +56,7 @@ def press_focused_button(window: QMainWindow, event: QKeyEvent) -> bool:
     """Press the focused button on Enter; return whether it was pressed."""
     focused = window.focusWidget()
     pressed = (
-        event.key() in ENTERS
+        event.key() in ENTER_KEYS
         and not event.isAutoRepeat()
         and isinstance(focused, QPushButton | QToolButton)
         and focused.isEnabled()

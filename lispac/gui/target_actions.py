@@ -25,8 +25,8 @@ class TargetActions(QObject):
         self._controller, self._dialogs = window.controller, window.dialogs
         self._targets, self._actions = window.targets, window.actions_
         self.quality_computation = QualityComputation(window.document, window.runner, self)
-        self.quality_computation.judged.connect(window.table.sightings.show_qualities)
-        self.quality_computation.candidate_judged.connect(
+        self.quality_computation.qualities_changed.connect(window.table.sightings.show_qualities)
+        self.quality_computation.candidate_rated.connect(
             window.targets.candidate.lights.show_qualities
         )
         window.controller.candidate_changed.connect(
@@ -68,7 +68,7 @@ class TargetActions(QObject):
             gettext("Searching for targets to propose"),
             work,
             lambda proposal: self._offer_proposal(project, proposal),
-            shows=True,
+            modal=True,
         )
         self._controller.cancel_on_edit(task)
 

@@ -27,7 +27,7 @@ CANDIDATE_COLOUR: "Colour" = (255, 196, 0)
 UNUSED_COLOUR: "Colour" = (130, 138, 146)
 """In the view on both grounds."""
 
-SPACE = 8
+SPACING = 8
 """Pixels between neighbours; margins of a panel are twice that."""
 
 _used: ColourScheme = LIGHT
@@ -175,8 +175,8 @@ def without_style_sheet() -> Iterator[None]:
 
 def _window_font(default: QFont) -> QFont:
     families = set(QFontDatabase.families())
-    wanted = ("Segoe UI", "SF Pro Text", "Inter", "Noto Sans", "Open Sans", "DejaVu Sans")
-    family = next((name for name in wanted if name in families), default.family())
+    preferred = ("Segoe UI", "SF Pro Text", "Inter", "Noto Sans", "Open Sans", "DejaVu Sans")
+    family = next((name for name in preferred if name in families), default.family())
     font = QFont(family)
     font.setPixelSize(13)
     return font

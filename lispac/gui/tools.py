@@ -63,7 +63,7 @@ class InspectionTools(QObject):
         )
         window.scene.which_changed.connect(lambda _which: self.measurements.restart())
         window.document.opened.connect(self.mouse_tool.end)
-        window.document.left.connect(self.clipping.reset)
+        window.document.about_to_open.connect(self.clipping.reset)
 
     def _preview_settings(self) -> PreviewSettings:
         targets = self._window.targets

@@ -29,7 +29,7 @@ def transfer_window_state(former: "MainWindow", heir: "MainWindow") -> None:
         heir.controller.set_candidate(former.controller.candidate)
     _transfer_view(former, heir)
     if former.tour.on:
-        heir.tour.go_on()
+        heir.tour.resume()
 
 
 def copy_fields(before: QWidget, after: QWidget) -> None:

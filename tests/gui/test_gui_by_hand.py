@@ -75,11 +75,11 @@ def test_what_nobody_foresaw_is_rejected_and_told(qtbot: QtBot, qapp: QApplicati
 
     answers.foresee(QMessageBox, act)
     below.exec()
-    assert [text for text in answers.trouble if "The disk is full." in text] == answers.trouble
-    assert len(answers.trouble) == 1
+    assert [text for text in answers.problem if "The disk is full." in text] == answers.problem
+    assert len(answers.problem) == 1
     answers.foresee(QFileDialog, act)
     answers.stop()
-    assert answers.trouble[1:] == ["no QFileDialog came"]
+    assert answers.problem[1:] == ["no QFileDialog came"]
     for each in (answers, below, above):
         each.deleteLater()
 
@@ -177,7 +177,9 @@ def test_after_a_crash_the_work_is_offered(
     killed_after_editing(picked_folder)
     assert names(picked_folder) == before
     # What the program looks at when the same user starts it again
-    hands.settings.left_open = AppSettings(picked_folder.parent / "killed" / SETTINGS).left_open
+    hands.settings.last_project = AppSettings(
+        picked_folder.parent / "killed" / SETTINGS
+    ).last_project
     assert hands.session.crashed_project() == picked_folder
     open_by_keys(hands, picked_folder, then=button)
     back = button == "Restore"

@@ -64,7 +64,7 @@ def test_simulated_surveys_say_what_the_command_line_says(
     settled(driver)
     assert driver.dialogs.errors == []
     found = run_monte_carlo(before.plan, 32, seed=7, flatness_known=True)
-    shown = surveys.answer
+    shown = surveys.result_table
     assert shown.head.text() == "Site: 32 surveys simulated and adjusted"
     rows = [[cell.replace("−", "-") for cell in row] for row in shown.cells]
     said = [line.replace(" %", "%").split()[-3:] for line in scatter_table(found).splitlines()]
@@ -100,12 +100,12 @@ def test_a_cancelled_campaign_shows_what_was_finished_if_it_is_enough(
     driver.bot.waitUntil(lambda: " left" in coarse.task_bar.text.text(), timeout=WAIT_MS)
     click(driver, surveys.cancel)
     settled(driver)
-    head = surveys.answer.head.text()
+    head = surveys.result_table.head.text()
     assert head.startswith("Site: cancelled after ")
     assert head.endswith(" of 5,000 simulated surveys")
     finished = int(head.split()[3].replace(",", ""))
     assert 40 <= finished < 5000
-    assert f"{finished} surveys allow" in surveys.answer.words.text()
+    assert f"{finished} surveys allow" in surveys.result_table.words.text()
 
 
 def test_too_few_finished_surveys_show_nothing(driver: Driver, coarse: DesignWindow) -> None:
@@ -113,7 +113,7 @@ def test_too_few_finished_surveys_show_nothing(driver: Driver, coarse: DesignWin
     driver.bot.keyClick(surveys.start, Key.Key_Space)
     driver.bot.keyClick(coarse, Key.Key_Period, Control)
     settled(driver)
-    assert surveys.answer.cells == []
+    assert surveys.result_table.cells == []
     assert coarse.task_bar.currentMessage() == "Simulating surveys: cancelled"
     assert coarse.pictures.which.count() == 0
     assert surveys.start.isEnabled()
@@ -130,7 +130,7 @@ def test_a_campaign_that_ends_during_a_drag_lets_it_go_on(
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -30), NoModifier))
     settled(driver)
-    assert "20 surveys" in surveys.answer.head.text()
+    assert "20 surveys" in surveys.result_table.head.text()
     assert coarse.views.currentWidget() is view
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -60), NoModifier))
     driver.bot.mouseRelease(view, Left, pos=(spot + QPointF(0, -60)).toPoint())
@@ -164,7 +164,7 @@ def test_closing_the_program_stops_the_surveys(driver: Driver, coarse: DesignWin
 
 
 def test_an_answer_leaves_nothing_of_the_one_before(driver: Driver, coarse: DesignWindow) -> None:
-    shown, plan_ = coarse.surveys.answer, plan(coarse)
+    shown, plan_ = coarse.surveys.result_table, plan(coarse)
     counts, head = [], gettext_lazy("Simulate surveys")
     for k in range(30):
         rows = [("standard deviation of errors (deg)", f"{k}", "0.2", "-0.3")] * 7

@@ -46,7 +46,7 @@ def test_the_tour_goes_on_in_another_language(
 ) -> None:
     monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
     english = session.window
-    qtbot.mouseClick(english.central_widget.start.ways["tour"], Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(english.central_widget.start.links["tour"], Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: english.tour.on and not english.runner.active, timeout=SOON_MS)
     choose(qtbot, open_menu(qtbot, english, "View"), "Langue", "ran")
     qtbot.waitUntil(lambda: session.window is not english, timeout=SOON_MS)

@@ -72,7 +72,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     assert shown.objects.count() > 10
     click(opened, shown.all)
     opened.rest()
-    answer = window.tools.patch_test_controller.answer
+    answer = window.tools.patch_test_controller.last_result
     assert answer is not None
     assert answer.sigma is not None
     assert "result" in shown.angles.result_labels[PITCH].text()

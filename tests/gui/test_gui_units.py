@@ -318,7 +318,7 @@ def test_no_metric_word_is_left_in_a_window_in_feet(
     for page in range(window.diagnostics.list.count()):
         window.diagnostics.list.setCurrentRow(page)
     panel = window.tools.sections.panel
-    qtbot.waitUntil(lambda: panel.shows and not window.runner.active, timeout=SOON_MS)
+    qtbot.waitUntil(lambda: panel.has_section and not window.runner.active, timeout=SOON_MS)
     for system in range(window.convention.system.count()):
         window.convention.system.setCurrentIndex(system)
     window.actions_["design"].trigger()

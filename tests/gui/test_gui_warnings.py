@@ -182,23 +182,23 @@ def test_what_is_folded_away_is_unfolded(
 ) -> None:
     panel = adjusted.window.adjust
     assert isinstance(panel, AdjustPanel)
-    adjusted.window.warning_list.follow(cause)
+    adjusted.window.warning_list.show_cause(cause)
     assert adjusted.window.workflow.opened == step
     assert has_focus(focused(panel))
 
 
 def test_pages_and_the_result_come_to_the_front(adjusted: Driver) -> None:
-    adjusted.window.warning_list.follow(Cause.of_page("Cross-checks"))
+    adjusted.window.warning_list.show_cause(Cause.of_page("Cross-checks"))
     assert in_front(adjusted, "Diagnostics")
     assert adjusted.window.diagnostics.current.title == "Cross-checks"
-    adjusted.window.warning_list.follow(Cause("result"))
+    adjusted.window.warning_list.show_cause(Cause("result"))
     assert in_front(adjusted, "Results")
     assert has_focus(adjusted.window.results.angles)
 
 
 def test_a_cause_that_is_gone_is_no_error(adjusted: Driver) -> None:
     before = QApplication.focusWidget()
-    adjusted.window.warning_list.follow(Cause.of_sighting("gone", "nowhere"))
+    adjusted.window.warning_list.show_cause(Cause.of_sighting("gone", "nowhere"))
     assert QApplication.focusWidget() is before
 
 

@@ -111,7 +111,7 @@ class SearchPanel(QScrollArea):
         both = QHBoxLayout(body)
         both.setSpacing(20)
         for each in (left, right, form, files, buttons):  # else they take that of the whole
-            each.setSpacing(theme.SPACE)
+            each.setSpacing(theme.SPACING)
         both.addLayout(left, 1)
         both.addLayout(right, 1)
         self.setWidget(body)

@@ -74,7 +74,7 @@ class SurveysPanel(QScrollArea):
                         "are finished.",
                         count=ENOUGH),
         )  # fmt: skip
-        self.answer = AnglesTable("surveys_answer", gettext(HINT))
+        self.result_table = AnglesTable("surveys_answer", gettext(HINT))
         body = QWidget()
         both, left = QHBoxLayout(body), QVBoxLayout()
         form = QFormLayout()
@@ -90,9 +90,9 @@ class SurveysPanel(QScrollArea):
         left.addStretch(1)
         both.setSpacing(20)
         for each in (left, form, buttons):  # else they take that of the whole
-            each.setSpacing(theme.SPACE)
+            each.setSpacing(theme.SPACING)
         both.addLayout(left, 2)
-        both.addWidget(self.answer, 3)
+        both.addWidget(self.result_table, 3)
         self.setWidget(body)
         self.start.clicked.connect(lambda: self.requested.emit())
         self.cancel.clicked.connect(lambda: self.cancel_requested.emit())
@@ -100,7 +100,7 @@ class SurveysPanel(QScrollArea):
     def copy_state_from(self, former: "SurveysPanel") -> None:
         """Copy the choices and the result of another panel."""
         copy_fields(former, self)
-        self.answer.copy_state_from(former.answer)
+        self.result_table.copy_state_from(former.result_table)
 
     @property
     def simulation_request(self) -> SimulationRequest:

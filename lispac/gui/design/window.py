@@ -225,8 +225,8 @@ class DesignWindow(QMainWindow):
             action.setEnabled(edit is not None)
             action.setText(gettext(usual) if edit is None else gettext(title, edit=str(edit)))
             action.setIconText(gettext(ACTIONS[name][1]))
-        for answer in (self.surveys.answer, self.compared):
-            answer.follow(self.workspace.titled.plan)
+        for table in (self.surveys.result_table, self.compared):
+            table.follow(self.workspace.titled.plan)
         design = gettext("Survey design")
         self.setWindowTitle(f"{self.workspace.titled.title}[*] – {design} – LISPAC")
         self.setWindowModified(history.changed)

@@ -152,7 +152,7 @@ class CheckDialog(QDialog):
         )  # fmt: skip
         self.reach.setValue(REACH)
         form = QFormLayout()
-        form.setVerticalSpacing(theme.SPACE)
+        form.setVerticalSpacing(theme.SPACING)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.addRow(gettext("Reference"), row)
         form.addRow(gettext("Coordinate system"), self.system)

@@ -181,7 +181,7 @@ class Dialogs(Questions):
         dialog = MethodsDialog(results, absent, refused, self.parent)
         dialog.exec()
         dialog.deleteLater()
-        return dialog.asks
+        return dialog.runs_missing
 
     def visibility(self, studies: Sequence[VisibilityStudy]) -> None:
         """Show the visibility of errors on each site."""

@@ -70,7 +70,7 @@ class MethodsDialog(StudyDialog):
 
     Attributes
     ----------
-    asks : whether to run the missing methods after the dialogue is closed
+    runs_missing : whether to run the missing methods after the dialogue is closed
     """
 
     def __init__(
@@ -90,7 +90,7 @@ class MethodsDialog(StudyDialog):
             ),
             table, parent,
         )  # fmt: skip
-        self.asks = False
+        self.runs_missing = False
         self.show_rows(
             [*(_method_row(each) for each in results), *(_row_not_run(each) for each in absent)]
         )
@@ -117,7 +117,7 @@ class MethodsDialog(StudyDialog):
         self.resize(940, 360)
 
     def _request_missing(self) -> None:
-        self.asks = True
+        self.runs_missing = True
         self.accept()
 
 

@@ -57,7 +57,7 @@ class ScriptDialog(QDialog):
         close = widgets.button(gettext("Close"), "script_close")
         close.clicked.connect(self.accept)
         row = QHBoxLayout()
-        row.setSpacing(theme.SPACE)
+        row.setSpacing(theme.SPACING)
         row.addWidget(self.message_label, 1)
         for button in (copy, keep, close):
             button.setAutoDefault(False)

@@ -78,7 +78,7 @@ class SeedListDialog(QDialog):
         )
         self.choice = CoordinateSystemFields(project, trajectory, "list", self)
         form = QFormLayout()
-        form.setVerticalSpacing(theme.SPACE)
+        form.setVerticalSpacing(theme.SPACING)
         form.addRow(gettext("Columns"), self.columns)
         self.choice.add_to(form)
         layout.addLayout(form)

@@ -73,7 +73,7 @@ class SensorEditor(QDialog):
         self.setMinimumWidth(620)
         layout = widgets.vertical_layout(self, 16)
         form = QFormLayout()
-        form.setVerticalSpacing(theme.SPACE)
+        form.setVerticalSpacing(theme.SPACING)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self.title = _TextField("sensor_title", gettext("Maker and model"), figures.title)
         form.addRow(gettext("Maker and model"), self.title)

@@ -58,7 +58,7 @@ class SettingsDialog(QDialog):
         self.tabs = QTabWidget()
         self.tabs.setObjectName("settings_tabs")
         self._form = QFormLayout()
-        self._form.setVerticalSpacing(theme.SPACE)
+        self._form.setVerticalSpacing(theme.SPACING)
         self._build()
         general = QWidget()
         outer = QVBoxLayout(general)

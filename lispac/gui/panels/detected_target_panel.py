@@ -7,7 +7,7 @@ from lispac.duplicate_targets import overlap_warning
 from lispac.gui import units
 from lispac.gui.panels import widgets
 from lispac.gui.panels.line_lights import LineQualityLights
-from lispac.gui.tab_order import ENTERS
+from lispac.gui.tab_order import ENTER_KEYS
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.project import Project, Role, Shape, Target
@@ -64,7 +64,7 @@ class DetectedTargetPanel(QFrame):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Leave Enter to "Reject" where that has the focus; elsewhere it accepts."""
-        if event.type() == QEvent.Type.ShortcutOverride and event.key() in ENTERS:
+        if event.type() == QEvent.Type.ShortcutOverride and event.key() in ENTER_KEYS:
             event.accept()
             return True
         return super().eventFilter(watched, event)

@@ -41,7 +41,7 @@ class ExpectedFields(QWidget):
         self._tilt.setValue(90)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(theme.SPACE // 2)
+        row.setSpacing(theme.SPACING // 2)
         for field in (self._width, self._height, self._tilt):
             field.setMinimumWidth(60)
             row.addWidget(field, 1)

@@ -119,7 +119,7 @@ class PatchTestPanel(QWidget):
         )
         self.view.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
         self.of.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
-        self.update_enabled(ready=False, busy=False, answer=False)
+        self.update_enabled(ready=False, busy=False, has_result=False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Place the pictures side by side, or one below the other in a narrow panel."""
@@ -287,7 +287,7 @@ class PatchTestPanel(QWidget):
         self.words.setText(gettext(reason))
         self.show_objects((), (), "")
 
-    def update_enabled(self, *, ready: bool, busy: bool, answer: bool) -> None:
+    def update_enabled(self, *, ready: bool, busy: bool, has_result: bool) -> None:
         """Enable the buttons that can be used now."""
         some, free = bool(self.objects.count()), ready and not busy
         for button in (self.propose, self.point, self.target, self.box):
@@ -295,7 +295,7 @@ class PatchTestPanel(QWidget):
         for button in (self.remove, self.go):
             button.update_enabled(some and ready)
         self.all.update_enabled(some and free)
-        self.keep.update_enabled(answer and free)
+        self.keep.update_enabled(has_result and free)
         self.prior.update_enabled(some and ready)
         self.angles.setEnabled(some and ready)
         self.angles.update_enabled(some and free)

@@ -112,7 +112,7 @@ class SectionPanel(QWidget):
         return self.laid.currentIndex() == 1
 
     @property
-    def shows(self) -> bool:
+    def has_section(self) -> bool:
         """Whether a section is displayed."""
         return bool(self.through.text())
 

@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme, units
 from lispac.gui.panels.number_field import BASES, NumberField
-from lispac.gui.tab_order import ENTERS
+from lispac.gui.tab_order import ENTER_KEYS
 from lispac.gui.units import Base
 from lispac.language import N_, gettext
 
@@ -93,7 +93,7 @@ class Button(QPushButton):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Press the button with Enter only if it has the focus."""
-        if event.key() in ENTERS and not event.isAutoRepeat():
+        if event.key() in ENTER_KEYS and not event.isAutoRepeat():
             self.click()
         else:
             super().keyPressEvent(event)
@@ -307,5 +307,5 @@ def vertical_layout(parent: QWidget, margin: int = 12) -> QVBoxLayout:
     """Vertical layout with the spacing of all panels."""
     layout = QVBoxLayout(parent)
     layout.setContentsMargins(margin, margin, margin, margin)
-    layout.setSpacing(theme.SPACE)
+    layout.setSpacing(theme.SPACING)
     return layout

@@ -108,7 +108,7 @@ class ImportDialog(QDialog):
 
     def _build(self) -> None:
         outer = QVBoxLayout(self)
-        outer.setSpacing(theme.SPACE)
+        outer.setSpacing(theme.SPACING)
         outer.setContentsMargins(14, 12, 14, 12)
         self.empty = DropArea()
         self._stack = QStackedLayout()
@@ -123,7 +123,7 @@ class ImportDialog(QDialog):
     def _fill_layout(self, filled: QWidget) -> None:
         layout = QVBoxLayout(filled)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(theme.SPACE)
+        layout.setSpacing(theme.SPACING)
         layout.addLayout(self._create_bar())
         self._split = split = QSplitter(Qt.Orientation.Vertical, filled)
         layout.addWidget(split, 1)
@@ -211,7 +211,7 @@ class ImportDialog(QDialog):
         lower.addWidget(self.reason, 1)
         lower.addWidget(self.buttons, 0, Qt.AlignmentFlag.AlignBottom)
         bottom = QVBoxLayout()
-        bottom.setSpacing(theme.SPACE)
+        bottom.setSpacing(theme.SPACING)
         bottom.addWidget(self.place)
         bottom.addLayout(lower)
         return bottom
@@ -405,5 +405,5 @@ class ImportDialog(QDialog):
         """Stop the worker, and store the meanings of columns where the project is made."""
         self.work.close()
         if result == QDialog.DialogCode.Accepted:
-            self._settings.keep_column_mappings(self.input_files.column_mappings)
+            self._settings.save_column_mappings(self.input_files.column_mappings)
         super().done(result)

@@ -45,7 +45,7 @@ class FilePage(QWidget):
         self._stack.addWidget(filled)
         layout = QVBoxLayout(filled)
         layout.setContentsMargins(10, 8, 10, 8)
-        layout.setSpacing(theme.SPACE)
+        layout.setSpacing(theme.SPACING)
         self.remarks = RemarksView("import_remarks")
         self.remarks.action_chosen.connect(self._on_action_chosen)
         layout.addWidget(self.remarks)

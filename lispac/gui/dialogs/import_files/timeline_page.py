@@ -28,7 +28,7 @@ class TimelinePage(QWidget):
         super().__init__()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(10, 8, 10, 8)
-        layout.setSpacing(theme.SPACE)
+        layout.setSpacing(theme.SPACING)
         self.remarks = RemarksView("import_time_remarks")
         self.remarks.action_chosen.connect(self._on_action_chosen)
         layout.addWidget(self.remarks)
