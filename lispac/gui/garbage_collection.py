@@ -27,7 +27,7 @@ MIN_NEW_MODULES = 30
 """So many that came since, and they are examined once and no more. While a library is imported,
 every tenth of a second brings some: all of them at once take a quarter of a second."""
 
-M_TRIM_THRESHOLD, M_MMAP_THRESHOLD, MMAP_THRESHOLD = -1, -3, 2_000_000
+M_TRIM_THRESHOLD, M_MMAP_THRESHOLD, MMAP_BYTES = -1, -3, 2_000_000
 """Of malloc.h; and bytes from which an array has pages of its own, which go when it goes, and the
 end of what the library holds is given back."""
 
@@ -99,8 +99,8 @@ class MemoryTrimming:
 
     The C library of Linux keeps them for later: after four minutes of changing projects and
     languages the program held 2.7 GB of which it used 1.7. And once an array of 32 MB has gone it
-    lays all that are smaller between other things, where holes stay: with the threshold, the program held
-    0.9 GB after work with which it had 1.1. Libraries of other systems give them back.
+    lays all that are smaller between other things, where holes stay: with `MMAP_BYTES` the program
+    held 0.9 GB after work with which it had 1.1. Libraries of other systems give them back.
     """
 
     def __init__(self) -> None:
@@ -108,8 +108,8 @@ class MemoryTrimming:
         # musl has neither and needs neither
         self._trim = getattr(library, "malloc_trim", None)
         if (choose := getattr(library, "mallopt", None)) is not None and self._trim is not None:
-            choose(M_MMAP_THRESHOLD, MMAP_THRESHOLD)
-            choose(M_TRIM_THRESHOLD, MMAP_THRESHOLD)
+            choose(M_MMAP_THRESHOLD, MMAP_BYTES)
+            choose(M_TRIM_THRESHOLD, MMAP_BYTES)
         self._last = time.monotonic()
 
     def trim_if_due(self) -> None:

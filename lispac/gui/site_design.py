@@ -101,7 +101,7 @@ class SiteDesign(QObject):
         self.runner.progress_changed.connect(lambda: window.task_bar.show_task(self.runner.current))
         self.runner.failed.connect(self._dialogs.show_error)
         self.paper.failed.connect(self._dialogs.show_error)
-        window.results.following.failed.connect(self._dialogs.show_error)
+        window.results.predictor.failed.connect(self._dialogs.show_error)
         self.runner.stopped.connect(
             lambda title: window.note(gettext("{task}: cancelled", task=title))
         )
@@ -143,12 +143,12 @@ class SiteDesign(QObject):
     def _write(self, path: Path) -> bool:
         try:
             self._require_complete_plan()
-            write_plan(path, self.workspace.history.now)  # not what a drag may still give up
+            write_plan(path, self.workspace.history.current)  # not what a drag may still give up
         except (LispacError, OSError) as error:
             self._dialogs.show_error(error)
             return False
         self._path = path
-        self.workspace.history.keep()
+        self.workspace.history.mark_saved()
         self.workspace.changed.emit()
         self._note(gettext("Saved {file}", file=str(path)))
         return True

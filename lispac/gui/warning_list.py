@@ -137,7 +137,7 @@ class WarningList(QObject):
             self._button.show_warnings(found)
             self.shown.emit()
 
-    # -- following -------------------------------------------------------------------------------
+    # -- causes ----------------------------------------------------------------------------------
 
     def show_cause(self, cause: Cause) -> None:
         """Go to the cause of a warning: open, select and focus it."""

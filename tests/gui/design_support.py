@@ -31,7 +31,7 @@ def plan(design: DesignWindow):
 def followed(design: DesignWindow) -> None:
     """Wait until the numbers are those of the plan."""
     began = time.monotonic()
-    while design.results.following.is_out_of_date:
+    while design.results.predictor.is_out_of_date:
         QApplication.processEvents()
         assert time.monotonic() - began < WAIT_MS / 1000
 

@@ -32,11 +32,11 @@ def test_begins_with_the_thesis_plan_and_says_what_it_will_give(
     assert len(plan(design).lines) == 6
     # The manual's table: two boards, six lines.
     assert shown(design) == pytest.approx([0.0122, 0.0300, 0.0236], abs=1e-4)
-    driver.bot.waitUntil(lambda: "Least precisely determined" in design.results.words.text())
-    assert "pitch" in design.results.words.text().split(";")[0]
+    driver.bot.waitUntil(lambda: "Least precisely determined" in design.results.messages.text())
+    assert "pitch" in design.results.messages.text().split(";")[0]
     assert design.results.thesis["yaw"].text() == design.results.sigma["yaw"].text()
-    driver.bot.waitUntil(lambda: not design.results.following.active)
-    assert design.results.worth.rowCount() == 8
+    driver.bot.waitUntil(lambda: not design.results.predictor.active)
+    assert design.results.gain_table.rowCount() == 8
     assert "L6" in design.results.points.text()
     assert "9 min for 6 lines" in design.results.minutes.text()
     assert not design.isWindowModified()
@@ -129,7 +129,7 @@ def test_all_of_it_by_keys(driver: Driver, design: DesignWindow) -> None:
     assert plan(design).lines == ()
     followed(design)
     assert design.results.sigma["yaw"].text() == "–"
-    bot.waitUntil(lambda: "Add a target and at least two lines" in design.results.words.text())
+    bot.waitUntil(lambda: "Add a target and at least two lines" in design.results.messages.text())
     bot.keyClick(view, Key.Key_Insert)
     assert len(plan(design).lines) == 1
     wall = design.wall_view
@@ -150,8 +150,8 @@ def test_boards_that_face_one_way_are_refused_in_words(
     design.tabs.setCurrentWidget(design.targets)
     editor = type_cell(driver, design.targets.table, 1, 4, "90")
     driver.bot.keyClick(editor, Key.Key_Return)
-    driver.bot.waitUntil(lambda: "the same orientation" in design.results.words.text())
-    assert design.results.words.property("role") == "warning"
+    driver.bot.waitUntil(lambda: "the same orientation" in design.results.messages.text())
+    assert design.results.messages.property("role") == "warning"
 
 
 def test_a_mistake_is_said_while_it_is_typed_and_not_taken(
@@ -160,16 +160,16 @@ def test_a_mistake_is_said_while_it_is_typed_and_not_taken(
     table, before = design.lines.table, design.workspace.titled
     editor = type_cell(driver, table, 2, 2, "1e")
     assert editor.property("wrong")
-    assert "“1e” is not a number" in design.mistake.text()
+    assert "“1e” is not a number" in design.error_label.text()
     driver.bot.keyClick(editor, Key.Key_Return)
     assert table.findChild(QLineEdit) is editor, "it stays open until it is right"
     assert design.workspace.titled is before
     editor.selectAll()
     driver.bot.keyClicks(editor, "20000")
-    assert "1 to 200 m" in design.mistake.text()
+    assert "1 to 200 m" in design.error_label.text()
     editor.selectAll()
     driver.bot.keyClicks(editor, "20,5")
-    assert design.mistake.text() == ""
+    assert design.error_label.text() == ""
     driver.bot.keyClick(editor, Key.Key_Return)
     driver.bot.waitUntil(lambda: plan(design).lines[2].distance == 20.5)
     assert design.workspace.line == 2

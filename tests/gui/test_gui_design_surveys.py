@@ -180,7 +180,7 @@ def test_the_open_project_is_compared_with_the_plan(adjusted: Driver) -> None:
     design, document = opened_by_keys(adjusted), adjusted.window.document
     adjusted.dialogs.path = PORT
     adjusted.bot.keyClick(design, Key.Key_O, Control)
-    design.workspace.add_line(again=True)
+    design.workspace.add_line(duplicate=True)
     adjusted.bot.keyClick(design, Key.Key_F11)
     settled(adjusted)
     assert adjusted.dialogs.errors == []

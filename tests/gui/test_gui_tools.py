@@ -261,23 +261,25 @@ def test_before_and_after_in_one_picture(adjusted: Driver) -> None:
     adjusted.rest()
     assert window.scene.which == "estimated"
     line = window.document.survey.lines[0]
-    np.testing.assert_array_equal(view.wiped[line], window.document.survey.clouds[line].sample)
-    assert not np.array_equal(view.wiped[line], view.clouds[line])
+    np.testing.assert_array_equal(
+        view.wipe_clouds[line], window.document.survey.clouds[line].sample
+    )
+    assert not np.array_equal(view.wipe_clouds[line], view.clouds[line])
     press(adjusted, Key.Key_W)
-    assert view.wiped is None
+    assert view.wipe_clouds is None
     assert window.scene.which == "estimated"
     press(adjusted, Key.Key_W)
-    assert view.wiped is not None
+    assert view.wipe_clouds is not None
     press(adjusted, Key.Key_B)  # before alone ends it
     adjusted.rest()
-    assert view.wiped is None
+    assert view.wipe_clouds is None
     assert not window.actions_["wipe"].isChecked()
 
 
 def test_nothing_to_compare_is_said(picked: Driver) -> None:
     press(picked, Key.Key_W)
     assert "Estimate the boresight first" in picked.window.log.toPlainText()
-    assert picked.viewport.wiped is None
+    assert picked.viewport.wipe_clouds is None
     assert not picked.window.actions_["wipe"].isChecked()
 
 

@@ -12,7 +12,7 @@ from lispac.gui.panels import widgets
 from lispac.gui.window_state import copy_fields
 from lispac.language import N_, gettext
 
-MOST = 5000
+MAX_SURVEYS = 5000
 HINT = N_(
     "Each survey is simulated with form errors of the targets, LiDAR noise, correlated POS errors "
     "and vessel roll, and then adjusted like a real survey. The scatter of the estimated angles "
@@ -40,10 +40,10 @@ class SurveysPanel(QScrollArea):
         self.setObjectName("design_surveys")
         self.setWidgetResizable(True)
         self.surveys = widgets.number(
-            "surveys_count", suffix="", decimals=0, low=ENOUGH, high=MOST, step=100,
+            "surveys_count", suffix="", decimals=0, low=ENOUGH, high=MAX_SURVEYS, step=100,
             tip=gettext(
                 "Number of surveys to simulate and adjust, {low:n} to {high:n}",
-                low=ENOUGH, high=MOST,
+                low=ENOUGH, high=MAX_SURVEYS,
             ),
         )  # fmt: skip
         self.surveys.setValue(200)

@@ -16,7 +16,7 @@ from lispac.gui.panels.number_field import ALIKE
 from lispac.language import N_, LazyText, gettext, gettext_lazy
 from lispac.report.stochastic_model_names import NAMES
 
-OWN = N_("user-defined")
+USER_DEFINED = N_("user-defined")
 AXES = {"north": N_("north"), "east": N_("east"), "up": N_("up")}
 ANGLES = {"roll": N_("roll"), "pitch": N_("pitch"), "heading": N_("heading")}
 
@@ -45,7 +45,7 @@ class SystemPanel(QScrollArea):
         self.title.setToolTip(gettext("Title of the survey plan, printed on the field plan"))
         self.title.setMaxLength(80)
         self.grade = widgets.ChoiceBox(
-            "design_grade", [*map(gettext, GRADES), gettext(OWN)],
+            "design_grade", [*map(gettext, GRADES), gettext(USER_DEFINED)],
             gettext("Class of the POS, with typical standard deviations from data sheets"),
         )  # fmt: skip
         self.model = widgets.ChoiceBox(

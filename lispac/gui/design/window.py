@@ -124,7 +124,7 @@ class DesignWindow(QMainWindow):
         for name, slot in {
             "close": self.close, "undo": workspace.undo, "redo": workspace.redo,
             "add_line": workspace.add_line, "add_board": workspace.add_target,
-            "duplicate": lambda: workspace.add_line(again=True),
+            "duplicate": lambda: workspace.add_line(duplicate=True),
             "earlier": lambda: workspace.move_line_in_order(True),
             "later": lambda: workspace.move_line_in_order(False),
             "add_ball": lambda: workspace.add_target(ball=True), "fit": self.fit,
@@ -178,11 +178,11 @@ class DesignWindow(QMainWindow):
         for splitter in (above, left, both):
             splitter.setChildrenCollapsible(False)
         self.task_bar = TaskStatusBar()
-        self.mistake = widgets.label("", "error", name="design_mistake")
-        self.task_bar.addWidget(self.mistake, 1)
+        self.error_label = widgets.label("", "error", name="design_mistake")
+        self.task_bar.addWidget(self.error_label, 1)
         self.setStatusBar(self.task_bar)
         for table in (self.lines.table, self.targets.table):
-            table.mistake.connect(self.mistake.setText)
+            table.input_error.connect(self.error_label.setText)
         for title, names in MENUS.items():
             menu = self.menuBar().addMenu(gettext(title))
             for name in names:

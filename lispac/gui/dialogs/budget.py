@@ -35,7 +35,7 @@ class BudgetDialog(StudyDialog):
 
     def __init__(self, budget: ErrorBudgetValues, parent: QWidget | None = None) -> None:
         columns = (
-            Column(gettext("Source"), gettext("Source of error"), words=True),
+            Column(gettext("Source"), gettext("Source of error"), is_text=True),
             *(
                 Column(gettext(title, distance=far), gettext(tip, distance=far))
                 for far in budget.distances_m

@@ -243,7 +243,7 @@ def _columns() -> tuple[Column, ...]:
         Column(
             gettext("Line"),
             gettext("Line compared with the reference, or all lines together"),
-            words=True,
+            is_text=True,
         ),
         Column(
             gettext("Compared places"),
@@ -259,7 +259,7 @@ def _columns() -> tuple[Column, ...]:
                 "The line agrees with the reference if the 95 % confidence interval of the "
                 "mean after calibration includes zero"
             ),
-            words=True,
+            is_text=True,
         ),
     )
 

@@ -103,8 +103,8 @@ def _system_name(system: CalibratedSystem) -> str:
 
 def _columns() -> list[Column]:
     return [
-        Column(gettext("Date"), gettext("First day of the survey"), words=True),
-        Column(gettext("Calibration"), gettext("Name of the calibration project"), words=True),
+        Column(gettext("Date"), gettext("First day of the survey"), is_text=True),
+        Column(gettext("Calibration"), gettext("Name of the calibration project"), is_text=True),
         *angle_columns(),
         *(Column(gettext(title), gettext(tip)) for title, tip in DIFFERENCES),
         Column(
@@ -120,7 +120,7 @@ def _columns() -> list[Column]:
                 "The mounting is reported as moved if the change of one angle, or of the three "
                 "angles together, exceeds 3 σ"
             ),
-            words=True,
+            is_text=True,
         ),
     ]
 

@@ -72,14 +72,14 @@ class LineQualityDialog(StudyDialog):
 
 def _columns() -> list[Column]:
     return [
-        Column(gettext("First line"), gettext("Line whose surface normals are used"), words=True),
-        Column(gettext("Second line"), gettext("Line compared with the first line"), words=True),
+        Column(gettext("First line"), gettext("Line whose surface normals are used"), is_text=True),
+        Column(gettext("Second line"), gettext("Line compared with the first line"), is_text=True),
         Column(
             gettext("Orientation"),
             gettext(
                 "Orientation of the surfaces: horizontal or vertical within 10°, inclined, or all"
             ),
-            words=True,
+            is_text=True,
         ),
         Column(gettext("Compared places"), gettext("Number of flat places observed in both lines")),
         *(Column(gettext(title), gettext(tip), base="mm") for title, tip in STATISTICS),

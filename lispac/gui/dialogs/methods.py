@@ -124,7 +124,7 @@ class MethodsDialog(StudyDialog):
 def _columns() -> list[Column]:
     angles = angle_columns()
     columns = [
-        Column(gettext("Method"), gettext("Method of estimation"), words=True),
+        Column(gettext("Method"), gettext("Method of estimation"), is_text=True),
         Column(gettext("Lines"), gettext("Number of lines used")),
         Column(
             gettext("Surfaces"),

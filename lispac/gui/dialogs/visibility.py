@@ -71,7 +71,7 @@ class VisibilityDialog(StudyDialog):
     def __init__(self, studies: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
         from lispac.report.visibility_figures import CRITERIA, systematic_error_label
 
-        columns = [Column(gettext(title), gettext(tip), words=True) for title, tip in COLUMNS]
+        columns = [Column(gettext(title), gettext(tip), is_text=True) for title, tip in COLUMNS]
         table = DiagnosticsTable(
             "visibility_table", gettext("Best inclination and lines for each error"), columns
         )

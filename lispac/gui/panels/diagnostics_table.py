@@ -23,7 +23,7 @@ class Column:
 
     title: str
     tip: str
-    words: bool = False
+    is_text: bool = False
     """Whether it holds texts rather than numbers."""
     base: Base | None = None
     """Unit of its numbers, where the user can choose another."""
@@ -102,7 +102,7 @@ class DiagnosticsTable(QTableWidget):
             head = self.horizontalHeaderItem(k)
             tip = _convert_units(column.tip, column)
             head.setToolTip(f"{tip}\n{sorting}")
-            head.setTextAlignment(_LEFT if column.words else _RIGHT)
+            head.setTextAlignment(_LEFT if column.is_text else _RIGHT)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(24)
         self.setShowGrid(False)
@@ -114,7 +114,7 @@ class DiagnosticsTable(QTableWidget):
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setStretchLastSection(columns[-1].words)
+        header.setStretchLastSection(columns[-1].is_text)
         header.setSortIndicatorClearable(True)
         header.setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
         self.setSortingEnabled(True)
@@ -135,7 +135,7 @@ class DiagnosticsTable(QTableWidget):
             for column, cell in enumerate(row.cells):
                 item = _SortedItem(cell, self._columns[column].base)
                 item.setData(Qt.ItemDataRole.UserRole, number)
-                item.setTextAlignment(_LEFT if self._columns[column].words else _RIGHT)
+                item.setTextAlignment(_LEFT if self._columns[column].is_text else _RIGHT)
                 item.setFont(font)
                 if row.marked:
                     item.setBackground(QBrush(QColor(theme.WARNING_GROUND)))

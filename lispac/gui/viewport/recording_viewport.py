@@ -51,7 +51,7 @@ class RecordingViewport:
         self.hint = ""
         self.hovering = False
         self.box: Box | None = None
-        self.wiped: dict[str, Array] | None = None
+        self.wipe_clouds: dict[str, Array] | None = None
         self.sketches: dict[str, Sketch] = {}
         self.station: tuple[float, float, float] = (0.0, 0.0, 0.0)
         self.closed = False
@@ -117,7 +117,7 @@ class RecordingViewport:
     def show_wipe(self, clouds: Mapping[str, Array] | None) -> None:
         """Remember the other placement."""
         self._record("show_wipe", clouds)
-        self.wiped = None if clouds is None else dict(clouds)
+        self.wipe_clouds = None if clouds is None else dict(clouds)
 
     def set_station(self, position: tuple[float, float, float]) -> None:
         """Remember where the standard views look from."""
@@ -197,7 +197,7 @@ class RecordingViewport:
         self._record("clear")
         self.clouds, self.colours, self.hidden = {}, {}, set()
         self.highlights, self.markers, self.selected = [], [], None
-        self.sketches, self.box, self.wiped = {}, None, None
+        self.sketches, self.box, self.wipe_clouds = {}, None, None
 
     def create_empty_viewport(self) -> "RecordingViewport":
         """New empty viewport."""
