@@ -87,7 +87,7 @@ class Findings:
             "sensor-editor": lambda: SensorEditor(
                 settings.sensors, NEW_POS, "", dialogs.parent
             ).exec(),
-            "add-or-new": lambda: dialogs.add_or_new(project.name),
+            "add-or-new": lambda: dialogs.ask_to_add(project.name),
             "candidate-waits": lambda: dialogs.ask_about_candidate("T3"),
             "recover": lambda: dialogs.ask_to_recover(project.name, local_datetime(WRITTEN)),
             "open-elsewhere": lambda: dialogs.ask_to_open_locked(

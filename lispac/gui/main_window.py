@@ -227,7 +227,7 @@ class MainWindow(QMainWindow):
         self.table.sightings.target_used.connect(control.use_target)
         self.table.sightings.sighting_used.connect(control.use_sighting)
         self.table.sightings.line_used.connect(control.use_line)
-        self.diagnostics.followed.connect(self._select)
+        self.diagnostics.row_activated.connect(self._select)
         self.histograms.plane_selected.connect(self.table.select)
         self.adjust.subsample_changed.connect(self.computations.count)
         self.adjust.estimate_requested.connect(self.lifecycle.estimate)
@@ -254,7 +254,7 @@ class MainWindow(QMainWindow):
             "seed_validation": lambda: self._set_seed_role("validation"),
             "accept": self.controller.accept,
             "reject": self.controller.reject,
-            "estimate": self.adjust.ask,
+            "estimate": self.adjust.request_estimate,
             "validate": self.computations.validate,
             "cancel": self.runner.cancel,
             "before": lambda: self.computations.show("prior"),

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, QTimer
 
 from lispac.errors import LispacError
 from lispac.gui import theme, units
-from lispac.gui.panels.patch_angles import NEAR
+from lispac.gui.panels.patch_angles import RESULT_RANGE_DEG
 from lispac.gui.panels.patch_test import EMPTY, NO_DATA, PatchTestPanel
 from lispac.gui.patch_objects import PatchObjects
 from lispac.gui.tasks import Task
@@ -71,13 +71,13 @@ class PatchTestController(QObject):
         panel = self.panel
         window.actions_["patch_test"].triggered.connect(lambda _=False: self.open())
         panel.remove_requested.connect(self._remove)
-        panel.go_requested.connect(self._zoom_to_object)
+        panel.zoom_requested.connect(self._zoom_to_object)
         panel.shown_changed.connect(self._show_object)
         panel.ticked_changed.connect(self._on_ticks_changed)
-        panel.all_requested.connect(self.find_all)
-        panel.keep_requested.connect(self.keep)
+        panel.find_all_requested.connect(self.find_all)
+        panel.save_requested.connect(self.save_result)
         panel.prior_requested.connect(self._reset_to_prior)
-        panel.angles.turned.connect(self._on_angle_turned)
+        panel.angles.angle_changed.connect(self._on_angle_turned)
         panel.angles.find_requested.connect(self.find_angle)
         panel.curve.chosen.connect(self._set_angle)
         self._document.survey_changed.connect(self._reset)
@@ -270,7 +270,7 @@ class PatchTestController(QObject):
 
         def done(result: MismatchMinimum) -> None:
             self._angle = angle
-            self.panel.angles.start_at(result.boresight, NEAR)
+            self.panel.angles.set_start(result.boresight, RESULT_RANGE_DEG)
             degrees = float(np.degrees(result.boresight[angle]))
             self.panel.message_label.setText(
                 gettext(
@@ -308,7 +308,7 @@ class PatchTestController(QObject):
         def done(result: PatchTestResult) -> None:
             self._result = result
             panel = self.panel
-            panel.angles.start_at(result.boresight, NEAR)
+            panel.angles.set_start(result.boresight, RESULT_RANGE_DEG)
             panel.angles.show_found(result.boresight, result.sigma, result.curvature)
             panel.message_label.setText(
                 units.convert_unit_signs("\n".join(map(message_text, result.remarks)), "°", "mm")
@@ -320,7 +320,7 @@ class PatchTestController(QObject):
         task = self._runner.run(gettext("Patch test"), work, done)
         self._controller.cancel_on_edit(task)
 
-    def keep(self) -> None:
+    def save_result(self) -> None:
         """Add the result to the alternative methods of the project, as one undo step."""
         project = self._document.project
         if project is None or self._result is None:
@@ -341,7 +341,7 @@ class PatchTestController(QObject):
         survey = self._survey
         if survey is not None:
             prior = next(iter(survey.clouds.values())).place.mounting.boresight
-            self.panel.angles.start_at(prior)
+            self.panel.angles.set_start(prior)
             self._draw_lines()
 
     # -- state -------------------------------------------------------------------------------

@@ -106,7 +106,7 @@ class ProjectLifecycle(QObject):
         elif len(paths) == 1 and is_point_list(paths[0]):
             self.list_dropped.emit(paths[0])
         else:
-            choice = self._dialogs.add_or_new(current.name)
+            choice = self._dialogs.ask_to_add(current.name)
             if choice == "add":
                 self.add_lines(paths)
             elif choice == "new":

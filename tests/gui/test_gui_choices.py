@@ -25,7 +25,7 @@ def test_chosen_for_the_next_seeds_and_told_when_folded(opened: Driver) -> None:
     open_step(opened, 1)
     panel = opened.window.targets
     assert not field(panel, "seed_min_points").isVisible()
-    assert panel.more.fold.head.text() == "More settings"
+    assert panel.search_fields.fold.head.text() == "More settings"
     assert panel.seed_options.choices == USUAL
     unfold(opened, panel, "seed_more")
     type_into(opened, field(panel, "seed_min_points"), "50")
@@ -33,7 +33,7 @@ def test_chosen_for_the_next_seeds_and_told_when_folded(opened: Driver) -> None:
     unfold(opened, panel, "seed_more")
     assert not field(panel, "seed_min_points").isVisible()
     assert (
-        panel.more.fold.head.text()
+        panel.search_fields.fold.head.text()
         == "More settings: at least 50 points, angle between normals at most 8.0°"
     )
     seed(opened, "T1")

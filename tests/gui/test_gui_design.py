@@ -14,11 +14,11 @@ from tests.gui.design_support import (
     NoModifier,
     Shift,
     drag,
-    followed,
     middle_of,
     mouse_move,
     plan,
     predicted,
+    row_activated,
     shown,
     type_cell,
 )
@@ -127,7 +127,7 @@ def test_all_of_it_by_keys(driver: Driver, design: DesignWindow) -> None:
     for _ in range(8):
         bot.keyClick(view, Key.Key_Delete)
     assert plan(design).lines == ()
-    followed(design)
+    row_activated(design)
     assert design.results.sigma["yaw"].text() == "–"
     bot.waitUntil(lambda: "Add a target and at least two lines" in design.results.messages.text())
     bot.keyClick(view, Key.Key_Insert)

@@ -164,7 +164,7 @@ def test_what_is_typed_and_not_applied_stays(session: Session, qtbot: QtBot, dem
     fields = {each.objectName(): each for each in french.adjust.findChildren(OptionalNumber)}
     assert fields[number].text() == "0,125"
     assert fields[wrong].text() == "0,1 2"
-    assert not french.adjust.sound
+    assert not french.adjust.is_valid
     QTest.mouseClick(french.data.revert, Qt.MouseButton.LeftButton)
     assert french.data.lever_arm.value() == used.lever_arm
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
 from lispac.gui.panels.adjust import AdjustPanel
-from lispac.gui.panels.warnings import NO_PROJECT, NOTHING, TITLE, WAITING
+from lispac.gui.panels.warnings import NO_PROJECT, NO_WARNINGS, TITLE, WAITING
 from lispac.gui.status import ADJUST, DATA, TARGETS
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note, warning
@@ -268,7 +268,7 @@ def test_nothing_to_warn_of_is_said(picked: Driver) -> None:
     picked.window.warnings.show_warnings(())
     picked.window.task_bar.warnings.show_warnings(())
     press(picked, Key.Key_F12)
-    assert picked.window.warnings.empty.text() == NOTHING
+    assert picked.window.warnings.empty.text() == NO_WARNINGS
     assert picked.window.task_bar.warnings.text() == "No warnings"
 
 

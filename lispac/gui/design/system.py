@@ -12,7 +12,7 @@ from lispac.design.scenarios import GRADES
 from lispac.gui.design import edits
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
-from lispac.gui.panels.number_field import ALIKE
+from lispac.gui.panels.number_field import EQUAL_TOLERANCE
 from lispac.language import N_, LazyText, gettext, gettext_lazy
 from lispac.report.stochastic_model_names import NAMES
 
@@ -147,7 +147,7 @@ class SystemPanel(QScrollArea):
         for field, value in zip(
             [*self._numbers, self.facing], [*values, titled.wall.facing_deg], strict=True
         ):
-            if not isclose(field.value(), value, abs_tol=ALIKE):
+            if not isclose(field.value(), value, abs_tol=EQUAL_TOLERANCE):
                 field.setValue(float(value))
         grades = [each == pos for each in GRADES.values()]
         self.grade.setCurrentIndex(grades.index(True) if any(grades) else len(grades))

@@ -21,7 +21,13 @@ from lispac.errors import InputError, LispacError
 from lispac.gui import theme
 from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.error import exception_text
-from lispac.gui.dialogs.system_choice import HEIGHTS, HEIGHTS_TIP, REST_MS, system_box, system_text
+from lispac.gui.dialogs.system_choice import (
+    DEBOUNCE_MS,
+    HEIGHTS,
+    HEIGHTS_TIP,
+    system_box,
+    system_text,
+)
 from lispac.gui.panels import widgets
 from lispac.installation_paths import expand_user
 from lispac.language import N_, gettext
@@ -134,10 +140,10 @@ class ExportDialog(QDialog):
         layout.addLayout(form)
         layout.addStretch(1)
         layout.addWidget(self.buttons)
-        self._settle = QTimer(self)
-        self._settle.setSingleShot(True)
-        self._settle.setInterval(REST_MS)
-        self._settle.timeout.connect(self._check_input)
+        self._debounce = QTimer(self)
+        self._debounce.setSingleShot(True)
+        self._debounce.setInterval(DEBOUNCE_MS)
+        self._debounce.timeout.connect(self._check_input)
         self.what.currentIndexChanged.connect(self._show_fields)
         self.system.editTextChanged.connect(self._on_typed)
         for field in (self.height, self.datum, self.epoch):
@@ -230,11 +236,11 @@ class ExportDialog(QDialog):
             self._check_input()  # chosen, not typed
             return
         self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(False)
-        self._settle.start()
+        self._debounce.start()
 
     def _check_input(self) -> None:
         """Show the meaning of the coordinates, or what is wrong with them."""
-        self._settle.stop()
+        self._debounce.stop()
         local = self._system_text == LOCAL
         self.height.setEnabled(not local)
         for field in (self.datum, self.epoch):  # the lines' own system has them already

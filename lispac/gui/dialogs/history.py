@@ -54,7 +54,7 @@ class HistoryDialog(StudyDialog):
     def __init__(
         self,
         histories: Sequence[CalibrationHistory],
-        remarks: Sequence[Message],
+        messages: Sequence[Message],
         parent: QWidget | None = None,
     ) -> None:
         title = dialog_title("history")
@@ -68,7 +68,7 @@ class HistoryDialog(StudyDialog):
             ),
             table, parent,
         )  # fmt: skip
-        self._histories, self._remarks = tuple(histories), tuple(remarks)
+        self._histories, self._messages = tuple(histories), tuple(messages)
         self.system = widgets.ChoiceBox("history_system", [""], gettext("System to show"))
         self.system.clear()
         self.system.addItems([_system_name(each.system) for each in histories])
@@ -83,7 +83,9 @@ class HistoryDialog(StudyDialog):
 
         history = self._histories[self.system.currentIndex()]
         self.show_rows([_row(each) for each in history.entries])
-        self.message_label.setText("\n".join(map(message_text, (*history.remarks, *self._remarks))))
+        self.message_label.setText(
+            "\n".join(map(message_text, (*history.remarks, *self._messages)))
+        )
         self.message_label.setVisible(bool(self.message_label.text()))
         control_chart_figure(
             [each.day for each in history.entries],

@@ -94,26 +94,26 @@ class MethodsDialog(StudyDialog):
         self.show_rows(
             [*(_method_row(each) for each in results), *(_row_not_run(each) for each in absent)]
         )
-        remarks = [
+        messages = [
             *refused.items(),
-            *((each.method, remark) for each in results for remark in each.messages),
+            *((each.method, message) for each in results for message in each.messages),
         ]
         texts = [
             *map(message_text, comparison_remarks(tuple(results))),
-            *(_with_method_name(*each) for each in remarks),
+            *(_with_method_name(*each) for each in messages),
         ]
         self.message_label.setText("\n".join(texts))
         self.message_label.setVisible(bool(texts))
-        self.ask = widgets.button(
+        self.run_missing = widgets.button(
             gettext("Run the methods without a result"), "methods_ask",
             tip=gettext(
                 "Run the adjustments on validation planes and on natural surfaces, and the patch "
                 "test on detected objects. One undo step removes all results."
             ),
         )  # fmt: skip
-        self.ask.setEnabled(any(each not in refused for each in absent))
-        self.ask.clicked.connect(self._request_missing)
-        self._buttons.insertWidget(self._buttons.count() - 1, self.ask)
+        self.run_missing.setEnabled(any(each not in refused for each in absent))
+        self.run_missing.clicked.connect(self._request_missing)
+        self._buttons.insertWidget(self._buttons.count() - 1, self.run_missing)
         self.resize(940, 360)
 
     def _request_missing(self) -> None:
@@ -140,9 +140,9 @@ def _method_name(method: str) -> str:
     return gettext(METHODS[method])
 
 
-def _with_method_name(method: str, remark: Message) -> str:
+def _with_method_name(method: str, message: Message) -> str:
     """Message on a method, preceded by its name."""
-    return gettext("{method}: {text}", method=_method_name(method), text=message_text(remark))
+    return gettext("{method}: {text}", method=_method_name(method), text=message_text(message))
 
 
 def _method_row(each: MethodResult) -> Row:

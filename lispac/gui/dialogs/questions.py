@@ -12,9 +12,9 @@ from lispac.gui.log_file import LOG
 from lispac.gui.panels import widgets
 from lispac.language import Plural, gettext
 
-Answer = Literal["save", "discard", "cancel"]
-CandidateAnswer = Literal["accept", "reject", "cancel"]
-DropAnswer = Literal["add", "new", "cancel"]
+SaveChoice = Literal["save", "discard", "cancel"]
+CandidateChoice = Literal["accept", "reject", "cancel"]
+DropChoice = Literal["add", "new", "cancel"]
 MAX_NAMED = 8
 """Missing files that are listed by name."""
 
@@ -26,7 +26,7 @@ class Questions:
         self.parent: QWidget | None = None
         self._error_open = False
 
-    def add_or_new(self, name: str) -> DropAnswer:
+    def ask_to_add(self, name: str) -> DropChoice:
         """Ask whether dropped files are added to the open project or make a new one."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
@@ -52,7 +52,7 @@ class Questions:
             return "add"
         return "new" if chosen is new else "cancel"
 
-    def ask_to_save_changes(self, name: str) -> Answer:
+    def ask_to_save_changes(self, name: str) -> SaveChoice:
         """Ask whether to save a changed project before it is closed."""
         buttons = QMessageBox.StandardButton
         box = widgets.MessageBox(
@@ -72,7 +72,7 @@ class Questions:
             return "save"
         return "discard" if chosen == buttons.Discard else "cancel"
 
-    def ask_about_candidate(self, name: str) -> CandidateAnswer:
+    def ask_about_candidate(self, name: str) -> CandidateChoice:
         """Ask whether to accept or reject the candidate before estimating."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",

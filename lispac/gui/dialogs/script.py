@@ -39,9 +39,9 @@ class ScriptDialog(QDialog):
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(gettext(INTRODUCTION), wrap=True))
         if script.remarks:
-            remarks = widgets.label(wrap=True, name="script_remarks")
-            remarks.setText("\n".join(map(message_text, script.remarks)))
-            layout.addWidget(remarks)
+            messages = widgets.label(wrap=True, name="script_remarks")
+            messages.setText("\n".join(map(message_text, script.remarks)))
+            layout.addWidget(messages)
         self.text = QPlainTextEdit(script.text)
         self.text.setObjectName("script_text")
         self.text.setAccessibleName(gettext("Script"))

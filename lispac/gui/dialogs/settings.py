@@ -87,7 +87,7 @@ class SettingsDialog(QDialog):
             list(ANGLES)[self.angles.currentIndex()],
             list(LENGTHS)[self.lengths.currentIndex()],
             self.cache.folder,
-            list(THEMES)[self.looks.currentIndex()],
+            list(THEMES)[self.theme_box.currentIndex()],
             list(SCALES)[self.scale.currentIndex()],
         )
 
@@ -104,7 +104,7 @@ class SettingsDialog(QDialog):
         self.angles.setCurrentIndex(list(ANGLES).index(preferences.angles))
         self.lengths.setCurrentIndex(list(LENGTHS).index(preferences.lengths))
         self.cache.show_folder(preferences.cache)
-        self.looks.setCurrentIndex(list(THEMES).index(preferences.theme))
+        self.theme_box.setCurrentIndex(list(THEMES).index(preferences.theme))
         self.scale.setCurrentIndex(list(SCALES).index(preferences.scale))
 
     def _build(self) -> None:
@@ -137,7 +137,7 @@ class SettingsDialog(QDialog):
             "settings_lengths", [gettext(UNITS[key]) for key in LENGTHS],
             gettext("Unit of lengths in the window. Files, reports and scripts remain metric."),
         )  # fmt: skip
-        self.looks = widgets.ChoiceBox(
+        self.theme_box = widgets.ChoiceBox(
             "settings_looks", [gettext(each) for each in THEMES.values()],
             gettext(
                 "Light or dark colours of the window. The line colours of all themes suit "
@@ -161,7 +161,7 @@ class SettingsDialog(QDialog):
             field.setMaximumWidth(160)
         self._form.addRow(widgets.label(gettext("Window"), "heading"))
         self._form.addRow(gettext("Language"), self.language)
-        self._form.addRow(gettext("Theme"), self.looks)
+        self._form.addRow(gettext("Theme"), self.theme_box)
         self._form.addRow(gettext("Colour scale of points"), self.scale)
         self._form.addRow(gettext("Point size"), self.point_size)
         self._form.addRow(gettext("Maximum number of points drawn"), self.point_budget)

@@ -21,7 +21,7 @@ TITLES: dict[Role, tuple[str, str]] = {
     ),
 }
 """Titles of a new target and of one with a known name."""
-FOUND: dict[Shape, str] = {
+FOUND_TEXTS: dict[Shape, str] = {
     "plane": N_(
         "Found in {found:n} of {lines:n} lines: {points:n} points, RMS distance to the plane "
         "at most {rms}."
@@ -77,7 +77,7 @@ class DetectedTargetPanel(QFrame):
         worst = max((sighting.rms for sighting in found), default=0.0)
         sentences = [
             gettext(
-                FOUND[candidate.shape],
+                FOUND_TEXTS[candidate.shape],
                 found=len(found), lines=len(project.lines),
                 points=sum(len(sighting.indices) for sighting in found),
                 rms=units.local_amount(1000 * worst, "mm", ".1f"),

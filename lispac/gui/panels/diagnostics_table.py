@@ -82,9 +82,9 @@ class _SortedItem(QTableWidgetItem):
 
 
 class DiagnosticsTable(QTableWidget):
-    """Table sortable by any column; a double click or Enter emits `followed`."""
+    """Table sortable by any column; a double click or Enter emits `row_activated`."""
 
-    followed = Signal(str, str)
+    row_activated = Signal(str, str)
 
     def __init__(self, name: str, title: str, columns: Sequence[Column]) -> None:
         super().__init__(0, len(columns))
@@ -120,7 +120,7 @@ class DiagnosticsTable(QTableWidget):
         self.setSortingEnabled(True)
         header.sortIndicatorChanged.connect(self._show_sort_arrow)
         self._show_sort_arrow(-1)
-        self.activated.connect(lambda index: self._emit_followed(index.row()))
+        self.activated.connect(lambda index: self._emit_row_activated(index.row()))
 
     def show_rows(self, rows: Sequence[Row]) -> None:
         """Show other rows, sorted as before."""
@@ -176,10 +176,10 @@ class DiagnosticsTable(QTableWidget):
         """Reserve space for the sort arrow only while a column is sorted."""
         self.horizontalHeader().setSortIndicatorShown(section >= 0)
 
-    def _emit_followed(self, row: int) -> None:
+    def _emit_row_activated(self, row: int) -> None:
         key = self.key(row)
         if key is not None:
-            self.followed.emit(*key)
+            self.row_activated.emit(*key)
 
 
 def _spreadsheet_text(text: str) -> str:

@@ -22,7 +22,7 @@ class PlotZoom:
         canvas.mpl_connect("motion_notify_event", self._move)
         canvas.mpl_connect("button_release_event", self._release)
 
-    def keep(self, *, upright: bool = True) -> None:
+    def set_home(self, *, upright: bool = True) -> None:
         """Store the present limits as those of the whole plot.
 
         Parameters

@@ -16,15 +16,15 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 TITLE = N_("Section")
-LAID = (N_("Vertical"), N_("Horizontal"))
+ORIENTATIONS = (N_("Vertical"), N_("Horizontal"))
 """Orientations of the strip."""
 EMPTY = N_(
     "Select a target to show a section of all lines across it, or cut a section between two "
     "points. Lines that are shifted or tilted against each other indicate a wrong boresight."
 )
 ZOOM = N_("Wheel: zoom. Drag: move. Double-click: show all.")
-AHEAD, HEIGHT = N_("Distance from the vessel (m)"), N_("Height (m)")
-RIGHT, ALONG = N_("Distance to the right (m)"), N_("Distance from the first point (m)")
+AHEAD_LABEL, HEIGHT_LABEL = N_("Distance from the vessel (m)"), N_("Height (m)")
+RIGHT_LABEL, ALONG_LABEL = N_("Distance to the right (m)"), N_("Distance from the first point (m)")
 """Titles of the axes."""
 PRINT_DPI = 200
 
@@ -43,7 +43,7 @@ class SectionPanel(QWidget):
         self.setMinimumHeight(216)
         self.through = widgets.label("", "heading", name="section_through")
         self.laid = widgets.ChoiceBox(
-            "section_laid", [gettext(title) for title in LAID],
+            "section_laid", [gettext(title) for title in ORIENTATIONS],
             gettext(
                 "A vertical section shows height against distance and reveals errors of roll "
                 "and pitch. A horizontal section shows the lines from above and reveals errors "
@@ -162,11 +162,12 @@ class SectionPanel(QWidget):
         self.laid.setEnabled(target)
         self.words.hide()
         self._make_canvas()
-        across = RIGHT if self.level else AHEAD
-        axes = (across, AHEAD if self.level else HEIGHT) if target else (ALONG, HEIGHT)
+        across = RIGHT_LABEL if self.level else AHEAD_LABEL
+        upward = AHEAD_LABEL if self.level else HEIGHT_LABEL
+        axes = (across, upward) if target else (ALONG_LABEL, HEIGHT_LABEL)
         self._shown = cuts, colours, axes
         self._draw(self.canvas.figure)
-        self._zooming.keep()
+        self._zooming.set_home()
         self.canvas.draw_idle()
         self.canvas.show()
         self._allow_pictures(True)

@@ -15,7 +15,7 @@ from lispac.gui.viewport.overlay import length_text, scale_bar_length
 from lispac.language import N_, gettext
 from lispac.workflow.survey_sections import SectionPoints
 
-MOST = 60_000
+MAX_POINTS = 60_000
 """Largest number of points drawn; of more, an even subsample of all lines."""
 TEXT, SMALL = 9, 8
 TITLES = {"prior": N_("Before"), "estimated": N_("After")}
@@ -76,7 +76,7 @@ def cut_title(cut: SectionPoints) -> str:
 def _draw_cut(axes: Axes, cut: SectionPoints, colours: Mapping[str, Colour]) -> None:
     axes.set_facecolor(theme.PAPER)
     total = sum(len(points) for points in cut.points.values())
-    step = -(-total // MOST) or 1
+    step = -(-total // MAX_POINTS) or 1
     for line, points in cut.points.items():
         shown = points[::step]
         axes.plot(

@@ -37,8 +37,8 @@ MAX_SLICE_S = 0.015
 """Seconds in which texts are added before the window reacts again: each takes a millisecond."""
 
 NO_PROJECT = N_("Open or create a project to see its warnings.")
-NOTHING = N_("No warnings about the files, the targets or the result.")
-GO = N_("Click a warning, or press Enter on it, to go to its cause.")
+NO_WARNINGS = N_("No warnings about the files, the targets or the result.")
+CLICK_HINT = N_("Click a warning, or press Enter on it, to go to its cause.")
 WAITING = N_("A new estimate is running. These warnings are from before the change.")
 
 
@@ -79,7 +79,7 @@ class WarningsPanel(QWidget):
         column.setSpacing(4)
         column.addWidget(self.head)
         column.addWidget(self.list, 1)
-        self._kept: Message | None = None
+        self._current_message: Message | None = None
         self._texts: dict[Message, str] = {}
         self._turn = QTimer(self)
         self._turn.setSingleShot(True)
@@ -105,15 +105,15 @@ class WarningsPanel(QWidget):
     def show_warnings(self, messages: Sequence[Message]) -> None:
         """Show the list; the current message stays current if it is still there."""
         current = self.list.currentRow()
-        kept = self.messages[current] if 0 <= current < len(self.messages) else None
+        current_message = self.messages[current] if 0 <= current < len(self.messages) else None
         self.messages = tuple(messages)
         self.list.clear()
-        self._kept = kept
+        self._current_message = current_message
         if not messages:
-            self._show_empty(NOTHING)
+            self._show_empty(NO_WARNINGS)
             return
         self._fill()
-        self.head.setText(f"{level_counts_text(messages)}. {gettext(GO)}")
+        self.head.setText(f"{level_counts_text(messages)}. {gettext(CLICK_HINT)}")
         self._pages.setCurrentIndex(1)
 
     @property
@@ -130,7 +130,7 @@ class WarningsPanel(QWidget):
             if message not in texts:
                 texts[message] = message_text(message)
             self.list.addItem(_message_item(message, texts[message]))
-            if message == self._kept:
+            if message == self._current_message:
                 self.list.setCurrentRow(self.list.count() - 1)
         if not self.is_filled:
             self._turn.start()

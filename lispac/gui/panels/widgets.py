@@ -204,12 +204,12 @@ class VerticalScrollArea(QScrollArea):
 
     Parameters
     ----------
-    least : pixels that it is wide at least
+    min_width : smallest width, pixels
     """
 
-    def __init__(self, inside: QWidget, least: int) -> None:
+    def __init__(self, inside: QWidget, min_width: int) -> None:
         super().__init__()
-        self._least, self._asked = least, 0
+        self._min_width, self._content_width = min_width, 0
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -219,8 +219,8 @@ class VerticalScrollArea(QScrollArea):
         """Update the width when the content becomes wider."""
         if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():
             wide = self.minimumSizeHint().width()
-            if wide != self._asked:
-                self._asked = wide
+            if wide != self._content_width:
+                self._content_width = wide
                 self.updateGeometry()
         return super().eventFilter(watched, event)
 
@@ -228,7 +228,7 @@ class VerticalScrollArea(QScrollArea):
         """Smallest size for content and scroll bar, in pixels."""
         inside = self.widget().minimumSizeHint().width()
         bar = self.verticalScrollBar().sizeHint().width()
-        return QSize(max(inside + bar, self._least), super().minimumSizeHint().height())
+        return QSize(max(inside + bar, self._min_width), super().minimumSizeHint().height())
 
 
 class TripleField(QWidget):

@@ -241,7 +241,7 @@ class ImportDialog(QDialog):
         page.action_chosen.connect(
             lambda chosen_action: self._apply_action(table.current, chosen_action)
         )
-        page.option_stated.connect(
+        page.option_edited.connect(
             lambda name, value: edit(self.input_files.with_option(table.current, name, value))
         )
         page.meaning_chosen.connect(

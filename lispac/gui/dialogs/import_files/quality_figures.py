@@ -23,9 +23,9 @@ Array = NDArray[np.float64]
 STYLES = ("-", (0, (6, 3)), (0, (2, 2)))
 """Line styles by which equal values, such as north and east, stay visible."""
 TEXT, SMALL = 9, 8
-MOST_STATES = 10_000
+MAX_STATES = 10_000
 """Points of a track that are drawn, at most."""
-LETTER = 0.0065
+LETTER_WIDTH = 0.0065
 """Width of a small letter as a share of the axis width, in the narrowest figure."""
 
 
@@ -107,14 +107,14 @@ def draw_track(quality: TrajectoryQuality, figure: Figure) -> None:
     axes = figure.add_subplot()
     _style_axes(axes)
     path = quality.track
-    frame, step = path.mean_frame(), max(1, len(path.time) // MOST_STATES)
+    frame, step = path.mean_frame(), max(1, len(path.time) // MAX_STATES)
 
-    def plotted(states: NDArray[np.int64], **looks: object) -> None:
+    def plotted(states: NDArray[np.int64], **style: object) -> None:
         north, west, _ = frame.to_local(
             path.latitude[states], path.longitude[states], path.height[states]
         ).T
         breaks = np.flatnonzero(np.diff(path.time[states]) > max(quality.longest_gap, gap)) + 1
-        axes.plot(np.insert(-west, breaks, np.nan), np.insert(north, breaks, np.nan), **looks)
+        axes.plot(np.insert(-west, breaks, np.nan), np.insert(north, breaks, np.nan), **style)
 
     gap = 2.0 * step * float(np.median(np.diff(path.time[:1000])))
     wide = np.flatnonzero(np.diff(path.time) > quality.longest_gap) + 1
@@ -125,7 +125,7 @@ def draw_track(quality: TrajectoryQuality, figure: Figure) -> None:
         width = min(3 + 1.8 * (len(quality.lines) - 1 - k), 12)
         first, last = np.searchsorted(path.time, (start, end))
         if last > first:
-            states = np.arange(first, last, max(1, (last - first) // MOST_STATES))
+            states = np.arange(first, last, max(1, (last - first) // MAX_STATES))
             plotted(states, color=colour, linewidth=width, solid_capstyle="butt",
                     label=_escape_dollars(name))  # fmt: skip
     plotted(np.zeros(1, dtype=np.int64), marker="o", color=theme.TEXT, markersize=5,
@@ -188,7 +188,7 @@ def _time_axes(quality: TrajectoryQuality, figure: Figure, count: int) -> Sequen
     first, free = all_axes[0], -np.inf
     for name, begin, finish, _ in sorted(quality.lines, key=lambda line: line[1]):
         middle = (begin + finish) / 2
-        half = LETTER * (end - start) * len(name) / 2
+        half = LETTER_WIDTH * (end - start) * len(name) / 2
         # Names that would overlap are omitted; the timeline shows them.
         if start <= middle <= end and middle - half > free:
             free = middle + half
