@@ -26,10 +26,10 @@ def drive(pace: FrameTimes, rate: float, overhead: float = 0.0, frames: int = 20
 
 def test_a_quick_computer_draws_the_whole_budget() -> None:
     pace = FrameTimes(BUDGET)
-    assert pace.resting == BUDGET.resting
+    assert pace.rest_points == BUDGET.resting
     assert drive(pace, 1e9) < TARGET_FRAME_S["moving"]
     assert SLICE_FRACTIONS[pace.slice] == 1.0
-    assert pace.resting == BUDGET.resting
+    assert pace.rest_points == BUDGET.resting
 
 
 def test_a_slow_one_draws_as_many_as_there_is_time_for() -> None:
@@ -39,14 +39,14 @@ def test_a_slow_one_draws_as_many_as_there_is_time_for() -> None:
         drawn = SLICE_FRACTIONS[pace.slice] * BUDGET.moving
         assert took <= TARGET_FRAME_S["moving"] + 0.01 or drawn <= MIN_POINTS["moving"]
         for _ in range(5):
-            pace.record("resting", pace.resting, 2 * pace.resting / rate)
-        assert 2 * pace.resting / rate <= 1.01 * TARGET_FRAME_S["resting"] or (
-            pace.resting == MIN_POINTS["resting"]
+            pace.record("resting", pace.rest_points, 2 * pace.rest_points / rate)
+        assert 2 * pace.rest_points / rate <= 1.01 * TARGET_FRAME_S["resting"] or (
+            pace.rest_points == MIN_POINTS["resting"]
         )
-        assert MIN_POINTS["resting"] <= pace.resting <= BUDGET.resting
+        assert MIN_POINTS["resting"] <= pace.rest_points <= BUDGET.resting
         # A picture is drawn once: it takes its time
         wanted = max(MIN_POINTS["resting"], min(BUDGET.resting, MAX_PICTURE_S * rate / 2))
-        assert pace.picture == pytest.approx(wanted, rel=1e-5)
+        assert pace.picture_points == pytest.approx(wanted, rel=1e-5)
 
 
 def test_a_single_slow_frame_changes_nothing_and_lasting_ones_do() -> None:
@@ -74,5 +74,5 @@ def test_small_budgets_are_left_alone() -> None:
     pace = FrameTimes(Budget(resting=4000, moving=500))
     pace.record("moving", 500, 9.0, 500)
     pace.record("resting", 4000, 9.0)
-    assert pace.resting == 4000
+    assert pace.rest_points == 4000
     assert SLICE_FRACTIONS[pace.slice] == 1.0

@@ -122,8 +122,8 @@ class Lasso(QObject):
 
         inside = np.zeros(len(points), dtype=bool)
         pixels = self._viewport.to_pixels(points)
-        seen = np.isfinite(pixels).all(axis=1)
-        inside[seen] = Path(corners).contains_points(pixels[seen])
+        is_in_front = np.isfinite(pixels).all(axis=1)
+        inside[is_in_front] = Path(corners).contains_points(pixels[is_in_front])
         if self._clipping.box is not None:
             boxed = np.zeros(len(points), dtype=bool)
             boxed[self._clipping.box.inside(points)] = True

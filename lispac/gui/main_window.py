@@ -55,7 +55,7 @@ from lispac.gui.tasks import TaskRunner
 from lispac.gui.theme import without_style_sheet
 from lispac.gui.tools import InspectionTools
 from lispac.gui.tour import Tour
-from lispac.gui.view_actions import STEP_ACTIONS, THEMED
+from lispac.gui.view_actions import STEP_ACTIONS, THEME_ACTIONS
 from lispac.gui.view_menu import ViewMenu
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.gui.warning_list import WarningList
@@ -63,7 +63,7 @@ from lispac.language import current_language, gettext
 
 Area = Qt.DockWidgetArea
 NOTE_MS = 6000
-TITLE_BAR = 40
+TITLE_BAR_HEIGHT = 40
 """Pixels a window needs for it, at most: they are not in the window's size."""
 
 
@@ -109,7 +109,7 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         self.actions_ = Actions(self, self.document.undo_stack)
         self.actions_["french" if current_language() == "fr" else "english"].setChecked(True)
-        self.actions_[THEMED[self.settings.theme]].setChecked(True)
+        self.actions_[THEME_ACTIONS[self.settings.theme]].setChecked(True)
         self.view_menu = ViewMenu(
             viewport, self.scene, self.controller, self.actions_, self.settings
         )
@@ -166,7 +166,7 @@ class MainWindow(QMainWindow):
         self.resize(min(1600, screen.width()), min(1000, screen.height()))
         kept = self.settings.layout()
         if kept is None:
-            if screen.height() < self.height() + TITLE_BAR:
+            if screen.height() < self.height() + TITLE_BAR_HEIGHT:
                 self.setWindowState(Qt.WindowState.WindowMaximized)
             docks.set_initial_sizes(self, self.docks)
         else:
@@ -236,7 +236,7 @@ class MainWindow(QMainWindow):
         self.validate.shown_changed.connect(self.computations.show)
         self.validate.model_changed.connect(self.computations.set_surface_model)
         self.report.lines_requested.connect(self.lifecycle.export)
-        self.central_widget.start.chosen.connect(lambda name: self.actions_[name].trigger())
+        self.central_widget.start.link_clicked.connect(lambda name: self.actions_[name].trigger())
         self.central_widget.start.project_chosen.connect(self.open_project)
 
     def _connect_actions(self) -> None:
@@ -264,7 +264,7 @@ class MainWindow(QMainWindow):
             "arrange": lambda: docks.restore_default_layout(self, self.docks, self._at_first),
             "english": lambda: self._set_language("en"),
             "french": lambda: self._set_language("fr"),
-            **{name: partial(self._set_theme, choice) for choice, name in THEMED.items()},
+            **{name: partial(self._set_theme, choice) for choice, name in THEME_ACTIONS.items()},
             "keys": self.dialogs.shortcuts,
             "tour": lambda: self.tour.start(),
             "log_file": self._open_log_file,

@@ -32,9 +32,9 @@ from lispac.workflow.survey import Survey
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
-SKETCH = "patch"
+SKETCH_NAME = "patch"
 ANGLE_NAMES = (N_("roll"), N_("pitch"), N_("yaw"))
-COLOUR: Colour = (0, 150, 90)
+SKETCH_COLOUR: Colour = (0, 150, 90)
 MAX_POINTS = 3_000
 """Points of a line in the picture."""
 HALF_WIDTH, INNER_SHARE = np.radians(0.25), 0.8
@@ -79,12 +79,12 @@ class PatchTestController(QObject):
         panel.prior_requested.connect(self._reset_to_prior)
         panel.angles.angle_changed.connect(self._on_angle_turned)
         panel.angles.find_requested.connect(self.find_angle)
-        panel.curve.chosen.connect(self._set_angle)
+        panel.curve.value_clicked.connect(self._set_angle)
         self._document.survey_changed.connect(self._reset)
         self._runner.changed.connect(self._enable_controls)
         self._runner.idle.connect(self._when_idle)
         adding = PatchObjects(window, self.panel, lambda: self._laid)
-        adding.laid.connect(self._set_objects)
+        adding.objects_placed.connect(self._set_objects)
         self._reset()
 
     def open(self) -> None:
@@ -134,7 +134,7 @@ class PatchTestController(QObject):
             Sketch(
                 tuple((float(x), float(y), float(z)) for x, y, z in corners),
                 EDGES,
-                COLOUR,
+                SKETCH_COLOUR,
                 label=each.name,
                 at=tuple(each.box.centre.tolist()),
             )
@@ -190,8 +190,8 @@ class PatchTestController(QObject):
         across, up, size = _view_axes(each.box, self.panel.view.currentIndex())
         placed = self._dense.placed_points(boresight) - each.box.centre
         points = {
-            seen.line: placed[seen.points] @ np.column_stack([across, up])
-            for seen in self._dense.seen
+            part.line: placed[part.points] @ np.column_stack([across, up])
+            for part in self._dense.seen
         }
         colours = theme.line_colours(self._survey.lines)
         self.panel.picture.show_points(points, colours, size)
@@ -406,7 +406,7 @@ class PatchTestController(QObject):
     def _draw_sketch(self, sketch: Sketch | None) -> None:
         if sketch is not None or self._drawn:
             self._drawn = sketch is not None
-            self._viewport.show_sketch(SKETCH, sketch)
+            self._viewport.show_sketch(SKETCH_NAME, sketch)
 
 
 def placed_lines(laid: PlacedObjects, survey: Survey):

@@ -111,7 +111,7 @@ class PictureExport(QObject):
     def _proposed_file(self, what: str) -> Path:
         """Proposed file name in the folder of the project."""
         project = self._document.project
-        words = "".join(c if c.isalnum() else "-" for c in what.lower())
+        stem = "".join(c if c.isalnum() else "-" for c in what.lower())
         if project is None:
-            return home_folder() / f"{words}.png"
-        return project.folder / f"{project.name}-{words}.png"
+            return home_folder() / f"{stem}.png"
+        return project.folder / f"{project.name}-{stem}.png"

@@ -40,13 +40,13 @@ TITLES: dict[Colouring, str] = {
 }
 
 
-_used: Scale = "viridis"
+_scale: Scale = "viridis"
 
 
 def set_colour_scale(scale: Scale) -> None:
     """Set the colour scale; the window is made again then."""
-    global _used
-    _used = scale
+    global _scale
+    _scale = scale
 
 
 def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> PointColouring | None:
@@ -102,5 +102,5 @@ def _colour_indices(values: Array, low: float, high: float, count: int) -> NDArr
 def _colour_table() -> NDArray[np.uint8]:
     from matplotlib import colormaps
 
-    shares = np.linspace(*SCALES[_used], 256)
-    return np.asarray(np.round(255 * colormaps[_used](shares)[:, :3]), dtype=np.uint8)
+    shares = np.linspace(*SCALES[_scale], 256)
+    return np.asarray(np.round(255 * colormaps[_scale](shares)[:, :3]), dtype=np.uint8)

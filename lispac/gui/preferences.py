@@ -54,7 +54,7 @@ class Preferences:
             settings.cache_folder, settings.theme, settings.colour_scale,
         )  # fmt: skip
 
-    def keep(self, settings: AppSettings) -> None:
+    def save(self, settings: AppSettings) -> None:
         """Store the preferences in the settings.
 
         Raises
@@ -82,9 +82,9 @@ class PreferencesController(QObject):
         super().__init__(window)
         self._window = window
         self._set_point_budget()
-        window.actions_["settings"].triggered.connect(lambda _=False: self.ask())
+        window.actions_["settings"].triggered.connect(lambda _=False: self.show_dialog())
 
-    def ask(self) -> None:
+    def show_dialog(self) -> None:
         """Show the dialogue and apply the choices; another language or theme renews the window."""
         window, settings = self._window, self._window.settings
         before = _appearance(settings)
@@ -92,7 +92,7 @@ class PreferencesController(QObject):
         if entered is None:
             return
         try:
-            entered.keep(settings)
+            entered.save(settings)
         except InputError as error:
             window.controller.refused.emit(error)
         window.viewport.set_point_size(entered.point_size)

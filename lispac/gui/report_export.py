@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
     from lispac.report.pdf import Preview
 
-PPI = 96.0
+PIXELS_PER_INCH = 96.0
 """Pixels per inch of a page on the screen, where a pixel is one of the screen's."""
 
 
@@ -82,7 +82,7 @@ class ReportExport(QObject):
         if path is not None:
             write = partial(self._write, project, survey, options, path)
             self._computations.run_with_placed_lines(
-                project, survey, lambda: self._photographer.take(project, write)
+                project, survey, lambda: self._photographer.capture(project, write)
             )
 
     def _write(
@@ -115,7 +115,7 @@ class ReportExport(QObject):
             return
         set_pages = partial(self._lay_out_pages, project, survey, options)
         self._computations.run_with_placed_lines(
-            project, survey, lambda: self._photographer.take(project, set_pages)
+            project, survey, lambda: self._photographer.capture(project, set_pages)
         )
 
     def _lay_out_pages(
@@ -126,7 +126,7 @@ class ReportExport(QObject):
         pictures: dict[str, QImage],
     ) -> None:
         refused = self._document.refused_since
-        ppi = PPI * self._panel.devicePixelRatioF()
+        ppi = PIXELS_PER_INCH * self._panel.devicePixelRatioF()
 
         def work(progress: Progress) -> "Preview":
             from lispac.workflow.export import preview_report

@@ -301,7 +301,7 @@ class SiteDesign(QObject):
 
     def _may_discard_plan(self) -> bool:
         """Whether the plan may be discarded; asks to save unsaved changes."""
-        if not self.workspace.history.changed:
+        if not self.workspace.history.is_modified:
             return True
         choice = self._dialogs.ask_to_save_changes(self.workspace.titled.title)
         return self.save() if choice == "save" else choice == "discard"

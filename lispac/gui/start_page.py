@@ -41,7 +41,7 @@ QWIDGETSIZE_MAX = (1 << 24) - 1
 class StartPage(QScrollArea):
     """Page with recent projects and links to begin."""
 
-    chosen = Signal(str)
+    link_clicked = Signal(str)
     """Name of the link that was clicked."""
     project_chosen = Signal(object)
     """Folder of a recent project."""
@@ -83,7 +83,7 @@ class StartPage(QScrollArea):
         }
         for name, link in self.links.items():
             link.setObjectName(f"start_{name}")
-            link.clicked.connect(lambda _=False, name=name: self.chosen.emit(name))
+            link.clicked.connect(lambda _=False, name=name: self.link_clicked.emit(name))
             self._begin.addWidget(link)
         self._begin.addStretch(1)
         self._projects: list[QWidget] = []

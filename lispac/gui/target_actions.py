@@ -110,9 +110,9 @@ class TargetActions(QObject):
         if not names:
             self._controller.noted.emit(gettext("The proposed targets were rejected."))
             return
-        edited, given = with_accepted(project, proposal, names)
+        edited, accepted = with_accepted(project, proposal, names)
         self._document.edit(N_("addition of proposed targets"), edited)
-        self._controller.noted.emit(gettext("Accepted {targets:names}", targets=given))
+        self._controller.noted.emit(gettext("Accepted {targets:names}", targets=accepted))
 
     def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current and not self._runner.busy

@@ -89,12 +89,12 @@ class TourCard(QFrame):
         self.setProperty("role", "candidate")
         layout = QHBoxLayout(self)
         layout.setContentsMargins(14, 8, 10, 8)
-        words = QVBoxLayout()
+        texts = QVBoxLayout()
         self.head = widgets.label("", "heading", name="tour_head")
         self.text = widgets.label("", wrap=True, name="tour_text")
-        words.addWidget(self.head)
-        words.addWidget(self.text)
-        layout.addLayout(words, 1)
+        texts.addWidget(self.head)
+        texts.addWidget(self.text)
+        layout.addLayout(texts, 1)
         self.end = widgets.button(gettext("End the tour"), "tour_end")
         self.end.clicked.connect(self.ended)
         layout.addWidget(self.end)
@@ -128,7 +128,7 @@ class Tour(QObject):
         window.scene.drawn.connect(self._view_place)
 
     @property
-    def on(self) -> bool:
+    def is_running(self) -> bool:
         """Whether the tour is running."""
         return self._at is not None
 

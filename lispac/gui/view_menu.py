@@ -8,7 +8,7 @@ from lispac.gui.controller import Controller
 from lispac.gui.point_colours import COLOURINGS, Colouring
 from lispac.gui.scene import Scene
 from lispac.gui.settings import POINT_SIZES, AppSettings
-from lispac.gui.view_actions import COLOURED, VIEWS
+from lispac.gui.view_actions import COLOUR_ACTIONS, VIEWS
 from lispac.gui.viewport.base import Array, Viewport
 from lispac.language import N_, gettext
 from lispac.targets.cross_section import common_normal
@@ -43,7 +43,7 @@ class ViewMenu(QObject):
         for name in VIEWS:
             slots[name] = lambda name=name: viewport.view(name)
         for name in COLOURINGS:
-            slots[COLOURED[name]] = lambda name=name: self._colour_by(name)
+            slots[COLOUR_ACTIONS[name]] = lambda name=name: self._colour_by(name)
         for name, slot in slots.items():
             actions[name].triggered.connect(lambda _=False, slot=slot: slot())
 
@@ -71,7 +71,7 @@ class ViewMenu(QObject):
             self._scene.colour_by(colouring)
         except ValueError as error:
             self._controller.noted.emit(str(error))
-        self._actions[COLOURED[self._scene.colouring]].setChecked(True)
+        self._actions[COLOUR_ACTIONS[self._scene.colouring]].setChecked(True)
         return self._scene.colouring == colouring
 
     def _colour_by_next(self) -> None:

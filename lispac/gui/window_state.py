@@ -7,12 +7,12 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QWidget
 from lispac.errors import InputError
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.number_field import NumberField
-from lispac.gui.view_actions import COLOURED
+from lispac.gui.view_actions import COLOUR_ACTIONS
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
-Kind = TypeVar("Kind", bound=QWidget)
+W = TypeVar("W", bound=QWidget)
 
 
 def transfer_window_state(former: "MainWindow", heir: "MainWindow") -> None:
@@ -28,7 +28,7 @@ def transfer_window_state(former: "MainWindow", heir: "MainWindow") -> None:
     if former.controller.candidate is not None:
         heir.controller.set_candidate(former.controller.candidate)
     _transfer_view(former, heir)
-    if former.tour.on:
+    if former.tour.is_running:
         heir.tour.resume()
 
 
@@ -65,11 +65,11 @@ def _copy_numbers(before: QWidget, after: QWidget) -> None:
 def _transfer_view(former: "MainWindow", heir: "MainWindow") -> None:
     """Transfer the state and the colouring of the view."""
     heir.scene.copy_state_from(former.scene)
-    for name in ("wipe", COLOURED[former.scene.colouring]):
+    for name in ("wipe", COLOUR_ACTIONS[former.scene.colouring]):
         heir.actions_[name].setChecked(former.actions_[name].isChecked())
 
 
-def _matching_fields(kind: type[Kind], before: QWidget, after: QWidget) -> list[tuple[Kind, Kind]]:
+def _matching_fields(kind: type[W], before: QWidget, after: QWidget) -> list[tuple[W, W]]:
     """Pairs of fields of one kind with the same name in both widgets."""
     named = {each.objectName(): each for each in after.findChildren(kind) if each.objectName()}
     return [

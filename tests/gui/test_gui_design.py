@@ -53,7 +53,7 @@ def test_a_line_is_dragged_farther_and_roll_gets_better_on_the_way(
     assert plan(design).lines[0].distance == pytest.approx(25.0, abs=0.3)
     assert shown(design) == predicted(design)
     assert shown(design)[0] < before[0]
-    assert str(design.workspace.history.to_undo) == "Move line 1"
+    assert str(design.workspace.history.undo_name) == "Move line 1"
     assert design.isWindowModified()
     driver.bot.keyClick(design, Key.Key_Z, Control)
     assert plan(design).lines[0].distance == 15.0
@@ -78,7 +78,7 @@ def test_the_arrow_of_a_line_turns_it(
     heading = plan(design).lines[0].heading_deg
     assert (heading % 5.0 == 0.0) is whole
     assert heading == pytest.approx(338.0, abs=3.0 if whole else 0.6)
-    assert str(design.workspace.history.to_undo) == "Turn line 1"
+    assert str(design.workspace.history.undo_name) == "Turn line 1"
 
 
 def test_escape_gives_a_drag_up(driver: Driver, design: DesignWindow) -> None:
@@ -91,7 +91,7 @@ def test_escape_gives_a_drag_up(driver: Driver, design: DesignWindow) -> None:
     driver.bot.keyClick(view, Key.Key_Escape)
     driver.bot.mouseRelease(view, Left, pos=spot.toPoint())
     assert design.workspace.titled is before
-    assert design.workspace.history.to_undo is None
+    assert design.workspace.history.undo_name is None
 
 
 def test_a_board_is_dragged_up_the_wall(driver: Driver, design: DesignWindow) -> None:
@@ -253,9 +253,9 @@ def test_in_3d_a_target_is_hung_and_moved_off_the_wall(
     assert wall.wall_coordinates(plan(design).targets[0].centre) == pytest.approx((-0.8, 0.5, 5.0))
     assert shown(design) != before or predicted(design) == before
     viewport.signals.handle_released.emit("target 0")
-    assert str(design.workspace.history.to_undo) == "Move T1"
+    assert str(design.workspace.history.undo_name) == "Move T1"
     viewport.signals.seed_clicked.emit(PickedPoint("targets", plan(design).targets[1].centre))
-    assert (design.workspace.target, str(design.workspace.history.to_undo)) == (1, "Move T1")
+    assert (design.workspace.target, str(design.workspace.history.undo_name)) == (1, "Move T1")
     viewport.signals.seed_clicked.emit(PickedPoint("targets", plan(design).targets[0].centre))
     viewport.signals.seed_clicked.emit(PickedPoint("wall", wall.local_point(3.02, 0.0, 7.98)))
     assert wall.wall_coordinates(plan(design).targets[0].centre) == pytest.approx((3.0, 0.5, 8.0))

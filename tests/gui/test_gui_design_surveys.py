@@ -69,7 +69,7 @@ def test_simulated_surveys_say_what_the_command_line_says(
     rows = [[cell.replace("−", "-") for cell in row] for row in shown.cells]
     said = [line.replace(" %", "%").split()[-3:] for line in scatter_table(found).splitlines()]
     assert said == [[cell.replace(" %", "%") for cell in row[-3:]] for row in rows]
-    assert tuple(shown.words.text().split("\n")) == found.summary_texts
+    assert tuple(shown.messages.text().split("\n")) == found.summary_texts
     assert not shown.outdated.isVisible()
     driver.bot.keyClick(coarse, Key.Key_L, Control)
     assert shown.outdated.isVisible(), "it is no answer about another plan"
@@ -105,7 +105,7 @@ def test_a_cancelled_campaign_shows_what_was_finished_if_it_is_enough(
     assert head.endswith(" of 5,000 simulated surveys")
     finished = int(head.split()[3].replace(",", ""))
     assert 40 <= finished < 5000
-    assert f"{finished} surveys allow" in surveys.result_table.words.text()
+    assert f"{finished} surveys allow" in surveys.result_table.messages.text()
 
 
 def test_too_few_finished_surveys_show_nothing(driver: Driver, coarse: DesignWindow) -> None:
@@ -134,7 +134,7 @@ def test_a_campaign_that_ends_during_a_drag_lets_it_go_on(
     assert coarse.views.currentWidget() is view
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -60), NoModifier))
     driver.bot.mouseRelease(view, Left, pos=(spot + QPointF(0, -60)).toPoint())
-    assert str(coarse.workspace.history.to_undo) == "Move T1"
+    assert str(coarse.workspace.history.undo_name) == "Move T1"
     assert plan(coarse).targets[0].centre[2] > 5.0
 
 
@@ -187,8 +187,8 @@ def test_the_open_project_is_compared_with_the_plan(adjusted: Driver) -> None:
     found = compare_with_plan(document.project, document.survey, design.workspace.titled)
     shown = design.compared
     assert [row for row in shown.cells if row[0]] == [list(row) for row in found.rows]
-    assert shown.words.text().split("\n") == list(found.summary_texts)
-    assert str(found.costs[0]) in shown.words.text()
+    assert shown.messages.text().split("\n") == list(found.summary_texts)
+    assert str(found.costs[0]) in shown.messages.text()
     assert document.project.name in shown.head.text()
     assert read_plan(PORT).title in shown.head.text()
     assert shown.isVisible()

@@ -100,7 +100,7 @@ def test_the_figures_show_the_result(shown: Driver, estimated: Project):
     half = 2 * item.pos_sigma[0] * 1000
     assert (band.y0, band.y1) == (pytest.approx(-half), pytest.approx(half))
     assert (band.x0 + band.x1) / 2 == pytest.approx(position.lines[0].get_xdata()[0])
-    words = turn_to(shown, "Observability").words.text()
+    words = turn_to(shown, "Observability").text_label.text()
     for remark in result.observability.messages:
         assert message_text(remark) in words
     assert f"Condition number {result.observability.condition:.1f}" in words

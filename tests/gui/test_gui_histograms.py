@@ -11,7 +11,7 @@ from PySide6.QtGui import QGuiApplication, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from lispac.gui import units
-from lispac.gui.panels.histograms import PROFILE_PLOT, ZOOM, HistogramsPanel
+from lispac.gui.panels.histograms import PROFILE_PLOT, ZOOM_HINT, HistogramsPanel
 from lispac.project import Project
 from tests.gui.support import Demo, Driver
 
@@ -145,7 +145,7 @@ def test_numbers_and_picture_are_copied(
     picture = QGuiApplication.clipboard().pixmap()
     assert picture.size() == panel.canvas.size() * panel.canvas.devicePixelRatioF()
     panel.plot.setCurrentIndex(PROFILE_PLOT)
-    assert panel.reading.text() == ZOOM
+    assert panel.reading.text() == ZOOM_HINT
     driver.bot.mouseClick(panel.copy_numbers, Left)
     text = QGuiApplication.clipboard().text()
     height = validated.validation[0].by_height

@@ -47,11 +47,11 @@ def test_the_tour_goes_on_in_another_language(
     monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
     english = session.window
     qtbot.mouseClick(english.central_widget.start.links["tour"], Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: english.tour.on and not english.runner.active, timeout=SOON_MS)
+    qtbot.waitUntil(lambda: english.tour.is_running and not english.runner.active, timeout=SOON_MS)
     choose(qtbot, open_menu(qtbot, english, "View"), "Langue", "ran")
     qtbot.waitUntil(lambda: session.window is not english, timeout=SOON_MS)
     french = session.window
-    assert french.tour.on
+    assert french.tour.is_running
     assert french.central_widget.card.isVisible()
     assert french.central_widget.card.head.text() == "Visite, étape 1 sur 7"
 

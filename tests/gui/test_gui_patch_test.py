@@ -54,8 +54,8 @@ def tick(driver: Driver, made: QListWidget, row: int) -> None:
 
 def test_it_teaches_while_there_is_nothing(opened: Driver) -> None:
     shown = opened_panel(opened)
-    assert shown.words.isVisible()
-    assert shown.words.text() == EMPTY
+    assert shown.text_label.isVisible()
+    assert shown.text_label.text() == EMPTY
     assert not shown.all.isEnabled()
     assert not shown.angles.isEnabled()
     assert shown.propose.isEnabled()
@@ -171,7 +171,7 @@ def test_boxes_by_hand_are_added_looked_at_and_removed(opened: Driver) -> None:
     while shown.objects.count():
         click(opened, shown.remove)
         opened.rest()
-    assert shown.words.isVisible()
+    assert shown.text_label.isVisible()
     assert "patch" not in opened.viewport.sketches
 
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QCommandLinkButton
 
 from lispac.gui.language import set_language
-from lispac.gui.main_window import TITLE_BAR, MainWindow
+from lispac.gui.main_window import TITLE_BAR_HEIGHT, MainWindow
 from lispac.gui.start_page import StartPage
 from lispac.gui.tour import SAME_ORIENTATION, STEPS
 from lispac.io.project_file import FILE_NAME
@@ -68,7 +68,7 @@ def test_every_way_to_begin_is_an_action(driver: Driver) -> None:
 def test_every_way_to_begin_is_in_sight_on_a_low_screen(
     driver: Driver, code: str, height: int
 ) -> None:
-    driver.window.resize(1366, height - TITLE_BAR)
+    driver.window.resize(1366, height - TITLE_BAR_HEIGHT)
     set_language(code)
     try:
         page = StartPage()
@@ -96,7 +96,7 @@ def at_the_demo(monkeypatch: pytest.MonkeyPatch, demo_copy: Path) -> Path:
 def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Path) -> None:
     window = driver.window
     driver.bot.mouseClick(window.central_widget.start.links["tour"], Qt.MouseButton.LeftButton)
-    driver.bot.waitUntil(lambda: window.tour.on, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: window.tour.is_running, timeout=WAIT_MS)
     driver.rest()
     card = window.central_widget.card
     assert card.isVisible()
@@ -141,7 +141,7 @@ def test_the_tour_says_how_to_go_on_from_two_targets_that_face_one_way(
 ) -> None:
     window, card = driver.window, driver.window.central_widget.card
     click(driver, window.central_widget.start.links["tour"])
-    driver.bot.waitUntil(lambda: window.tour.on, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: window.tour.is_running, timeout=WAIT_MS)
     driver.rest()
     seed(driver, "T1")
     press(driver, Qt.Key.Key_Return)
@@ -158,10 +158,10 @@ def test_the_tour_says_how_to_go_on_from_two_targets_that_face_one_way(
 
 def test_another_project_ends_the_tour(driver: Driver, at_the_demo: Path) -> None:
     driver.window.tour.start()
-    driver.bot.waitUntil(lambda: driver.window.tour.on, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: driver.window.tour.is_running, timeout=WAIT_MS)
     driver.rest()
     driver.window.open_project(at_the_demo)
-    driver.bot.waitUntil(lambda: not driver.window.tour.on, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: not driver.window.tour.is_running, timeout=WAIT_MS)
     assert not driver.window.central_widget.card.isVisible()
     driver.rest()
 
@@ -179,4 +179,4 @@ def test_a_tour_that_was_cancelled_leaves_the_next_project_its_targets(
     driver.rest()
     assert driver.project.targets
     assert not window.isWindowModified()
-    assert not window.tour.on
+    assert not window.tour.is_running

@@ -84,7 +84,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     window, panel = adjusted.window, adjusted.window.tools.sections.panel
     press(adjusted, Key.Key_S)
     adjusted.rest()
-    assert panel.words.text() == EMPTY
+    assert panel.text_label.text() == EMPTY
     assert panel.canvas is None
     window._select("T1", "")
     adjusted.rest()
@@ -99,7 +99,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     assert apart[0] > 100 > 45 > apart[1]
     cuts = window.tools.sections._cuts
     assert adjusted.viewport.sketches["section"] == section_box_sketch(cuts[0].section)
-    panel.laid.setCurrentIndex(1)
+    panel.orientation.setCurrentIndex(1)
     adjusted.rest()
     assert panel.canvas.figure.axes[0].get_xlabel() == "Distance to the right (m)"
     panel.size.setValue(5.0)
@@ -118,7 +118,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     window.controller.remove("V1")
     press(adjusted, Key.Key_S)
     settle(adjusted)
-    assert panel.words.text() == EMPTY
+    assert panel.text_label.text() == EMPTY
     assert not panel.canvas.isVisible()
 
 
@@ -126,7 +126,7 @@ def test_what_was_accepted_is_selected_and_has_its_section(opened: Driver) -> No
     window, panel = opened.window, opened.window.tools.sections.panel
     press(opened, Key.Key_S)
     opened.rest()
-    words = panel.words
+    words = panel.text_label
     assert words.isVisible()
     assert words.height() >= words.heightForWidth(words.width()), "all of it is seen"
     seed(opened, "T1")
@@ -157,7 +157,7 @@ def test_a_section_between_two_points(picked: Driver) -> None:
     picked.rest()
     assert picked.viewport.mouse_mode == "navigate"
     assert panel.through.text() == "Between two points"
-    assert not panel.laid.isEnabled()
+    assert not panel.orientation.isEnabled()
     (axes,) = panel.canvas.figure.axes
     length = np.hypot(*(second - first)[:2])
     assert np.ptp(axes.get_xlim()) == pytest.approx(length)

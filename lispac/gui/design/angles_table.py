@@ -41,7 +41,7 @@ class AnglesTable(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         self.head = widgets.label("", "heading", wrap=True, name=f"{name}_head")
         self.hint = widgets.label(hint, "muted", wrap=True)
-        self.words = widgets.label("", "hint", wrap=True, name=f"{name}_words")
+        self.messages = widgets.label("", "hint", wrap=True, name=f"{name}_words")
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(18)
         self._grid.setVerticalSpacing(3)
@@ -49,13 +49,13 @@ class AnglesTable(QWidget):
         layout.addWidget(self.head)
         layout.addWidget(self.hint)
         layout.addLayout(self._grid)
-        layout.addWidget(self.words)
+        layout.addWidget(self.messages)
         layout.addStretch(1)
         self.outdated = widgets.label(
             gettext(OUT_OF_DATE), "warning", wrap=True, name=f"{name}_stale"
         )
         layout.insertWidget(1, self.outdated)
-        for each in (self.head, self.outdated, self.words):
+        for each in (self.head, self.outdated, self.messages):
             each.hide()
         self._plan: Plan | None = None
         self._shown: tuple[LazyText, AnglesResult, Plan] | None = None
@@ -78,9 +78,9 @@ class AnglesTable(QWidget):
                 if row:
                     shown.setAccessibleName(f"{name}, {angle}")
                 self._grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
-        self.words.setText("\n".join(result.summary_texts))
+        self.messages.setText("\n".join(result.summary_texts))
         self.hint.hide()
-        for each in (self.head, self.words):
+        for each in (self.head, self.messages):
             each.show()
 
     def copy_state_from(self, former: "AnglesTable") -> None:

@@ -15,13 +15,13 @@ from lispac.language import LazyText
 
 Array = NDArray[np.float64]
 
-MARGIN = 34.0
+MARGIN_PX = 34.0
 """Pixels round what is to be seen."""
 GRAB_RADIUS_PX = 9.0
 """Pixels about an object within which a press grabs it."""
 GRID_STEPS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 """Of the unit shown, between the lines of the grid; the least that leaves so many pixels."""
-GRID_PIXELS = 42.0
+MIN_GRID_PX = 42.0
 
 
 class DesignCanvas(QWidget):
@@ -89,7 +89,7 @@ class DesignCanvas(QWidget):
     def _fitted_view(self) -> tuple[float, Array]:
         places = self.bounds()
         low, high = places.min(axis=0), places.max(axis=0)
-        available = np.array([self.width(), self.height()]) - 2 * MARGIN
+        available = np.array([self.width(), self.height()]) - 2 * MARGIN_PX
         scale = float((np.maximum(available, 20.0) / np.maximum(high - low, 2.0)).min())
         return scale, (low + high) / 2
 
@@ -126,7 +126,7 @@ class DesignCanvas(QWidget):
     def _draw_grid(self, painter: QPainter) -> None:
         factor = units.shown_unit("m").factor
         scale = self._view[0] / factor
-        shown = next((s for s in GRID_STEPS if s * scale >= GRID_PIXELS), GRID_STEPS[-1])
+        shown = next((s for s in GRID_STEPS if s * scale >= MIN_GRID_PX), GRID_STEPS[-1])
         step = shown / factor
         low = self.place(QPointF(0, self.height()))
         high = self.place(QPointF(self.width(), 0))
@@ -182,7 +182,7 @@ class DesignCanvas(QWidget):
         """Release the object and return the name of the undo step."""
 
     @abstractmethod
-    def key(self, key: Qt.Key, free: bool) -> bool:
+    def handle_key(self, key: Qt.Key, free: bool) -> bool:
         """Carry out the action of a key; return whether it has one."""
 
     @abstractmethod
@@ -209,12 +209,12 @@ class DesignCanvas(QWidget):
             self.update()
 
     def keyPressEvent(self, event) -> None:
-        """Cancel a drag with Escape; pass other keys to `key`, with Shift as ``free``."""
+        """Cancel a drag with Escape; pass other keys to `handle_key`, with Shift as ``free``."""
         free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if event.key() == Qt.Key.Key_Escape and self._frozen is not None:
             self._end_drag()
             self.workspace.cancel_drag()
         elif event.modifiers() & ~(
             Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
-        ) or not self.key(Qt.Key(event.key()), free):
+        ) or not self.handle_key(Qt.Key(event.key()), free):
             super().keyPressEvent(event)

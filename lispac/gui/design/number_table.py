@@ -126,7 +126,7 @@ class NumberTable(QTableWidget):
 
     edited = Signal(int, str, object)
     """Row, name of the field, and the value; None for an empty cell."""
-    chosen = Signal(int)
+    row_selected = Signal(int)
     input_error = Signal(str)
     """Error of the text being typed; empty where there is none."""
 
@@ -204,7 +204,7 @@ class NumberTable(QTableWidget):
 
     def _emit_chosen(self, row: int, _column: int, before: int, _was: int) -> None:
         if not self._showing and row != before and row >= 0:
-            self.chosen.emit(row)
+            self.row_selected.emit(row)
 
 
 class _Delegate(QStyledItemDelegate):

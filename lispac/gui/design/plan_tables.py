@@ -123,7 +123,7 @@ class LinesList(QWidget):
         self._work = workspace
         self.table = NumberTable("design_lines", gettext("Lines of the survey plan"), LINE_FIELDS)
         self.table.edited.connect(self._edit)
-        self.table.chosen.connect(lambda row: workspace.select(line=row))
+        self.table.row_selected.connect(lambda row: workspace.select(line=row))
         buttons = _button_row(
             (gettext("Add line"), "add_line",
              gettext("Add a line in the direction opposite to the selected line (Insert)"),
@@ -189,7 +189,7 @@ class TargetsList(QWidget):
             "design_targets", gettext("Targets of the survey plan"), TARGET_FIELDS
         )
         self.table.edited.connect(self._edit)
-        self.table.chosen.connect(lambda row: workspace.select(target=row))
+        self.table.row_selected.connect(lambda row: workspace.select(target=row))
         buttons = _button_row(
             (gettext("Add board"), "add_board",
              gettext("Add a board {distance} to the right of the selected target (Insert)",

@@ -198,7 +198,7 @@ class PlanView(DesignCanvas):
 
     # -- keys --------------------------------------------------------------------------------
 
-    def key(self, key: Qt.Key, free: bool) -> bool:
+    def handle_key(self, key: Qt.Key, free: bool) -> bool:
         """Select, turn, move, add or remove a line with a key."""
         work, wall = self.workspace, self.workspace.titled.wall
         count = len(work.titled.plan.lines)

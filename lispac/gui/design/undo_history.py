@@ -57,16 +57,16 @@ class UndoHistory(Generic[State]):
         self._saved, self._key = self.current, ""
 
     @property
-    def changed(self) -> bool:
+    def is_modified(self) -> bool:
         """Whether the present state differs from the saved one."""
         return self.current is not self._saved
 
     @property
-    def to_undo(self) -> LazyText | None:
+    def undo_name(self) -> LazyText | None:
         """Name of the edit that `undo` would revert; None where there is none."""
         return self._before[-1][0] if self._before else None
 
     @property
-    def to_redo(self) -> LazyText | None:
+    def redo_name(self) -> LazyText | None:
         """Name of the edit that `redo` would repeat; None where there is none."""
         return self._after[-1][0] if self._after else None

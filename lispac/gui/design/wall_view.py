@@ -129,7 +129,7 @@ class WallView(DesignCanvas):
 
     # -- keys --------------------------------------------------------------------------------
 
-    def key(self, key: Qt.Key, free: bool) -> bool:
+    def handle_key(self, key: Qt.Key, free: bool) -> bool:
         """Select, move, add or remove a target with a key."""
         work, step = self.workspace, units.shown_step(FINE_STEP if free else SNAP_STEP, "m")
         count = len(work.titled.plan.targets)

@@ -218,8 +218,8 @@ class DesignWindow(QMainWindow):
     def _show(self) -> None:
         history = self.workspace.history
         for name, title, edit in (
-            ("undo", N_("&Undo: {edit}"), history.to_undo),
-            ("redo", N_("&Redo: {edit}"), history.to_redo),
+            ("undo", N_("&Undo: {edit}"), history.undo_name),
+            ("redo", N_("&Redo: {edit}"), history.redo_name),
         ):
             action, (usual, *_) = self.actions_[name], ACTIONS[name]
             action.setEnabled(edit is not None)
@@ -229,8 +229,8 @@ class DesignWindow(QMainWindow):
             table.follow(self.workspace.titled.plan)
         design = gettext("Survey design")
         self.setWindowTitle(f"{self.workspace.titled.title}[*] – {design} – LISPAC")
-        self.setWindowModified(history.changed)
-        self.actions_["save"].setEnabled(history.changed)
+        self.setWindowModified(history.is_modified)
+        self.actions_["save"].setEnabled(history.is_modified)
 
     def show_busy(self, busy: bool) -> None:
         """Enable or disable the controls while a task runs."""

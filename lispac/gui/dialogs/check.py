@@ -31,7 +31,7 @@ from lispac.workflow.absolute_check import REACH, SIGMA
 from lispac.workflow.output_crs import LOCAL
 
 AS_IN_FILE = N_("System of the file, or local frame if it has none")
-DISTANCES = (
+DISTANCE_COLUMNS = (
     (
         N_("Mean before calibration (mm)"),
         N_(
@@ -252,7 +252,7 @@ def _columns() -> tuple[Column, ...]:
                 "after calibration"
             ),
         ),
-        *(Column(gettext(title), gettext(tip), base="mm") for title, tip in DISTANCES),
+        *(Column(gettext(title), gettext(tip), base="mm") for title, tip in DISTANCE_COLUMNS),
         Column(
             gettext("Result"),
             gettext(

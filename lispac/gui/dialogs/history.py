@@ -19,10 +19,10 @@ from lispac.workflow.calibration_history import (
     change_message,
 )
 
-DISTANCE = 50.0
+EFFECT_DISTANCE = 50.0
 """Metres from the scanner, for the displacement of a point in the table."""
 
-DIFFERENCES = (
+DIFFERENCE_COLUMNS = (
     (
         N_("Δ roll (σ)"),
         N_(
@@ -108,9 +108,9 @@ def _columns() -> list[Column]:
         Column(gettext("Date"), gettext("First day of the survey"), is_text=True),
         Column(gettext("Calibration"), gettext("Name of the calibration project"), is_text=True),
         *angle_columns(),
-        *(Column(gettext(title), gettext(tip)) for title, tip in DIFFERENCES),
+        *(Column(gettext(title), gettext(tip)) for title, tip in DIFFERENCE_COLUMNS),
         Column(
-            gettext("Displacement at {distance:m.0} m (cm)", distance=DISTANCE),
+            gettext("Displacement at {distance:m.0} m (cm)", distance=EFFECT_DISTANCE),
             gettext(
                 "Largest displacement of a point at this distance from the scanner, caused by "
                 "the change of the boresight since the earlier calibrations"
@@ -141,7 +141,7 @@ def _row(entry: HistoryEntry) -> Row:
         cells += [number_cell(None, "")] * 4
     else:
         cells += [number_cell(value, "+.1f") for value in change.significance]
-        cells.append(number_cell(change.largest_displacement(DISTANCE), ".1f", 100.0))
+        cells.append(number_cell(change.largest_displacement(EFFECT_DISTANCE), ".1f", 100.0))
     if change is None:
         result = gettext("first calibration")
     else:

@@ -37,7 +37,7 @@ NOT_RUN: dict[Method, str] = {
     ),
 }
 """Tips of the rows of methods without a result."""
-DIFFERENCES = (
+DIFFERENCE_COLUMNS = (
     (
         N_("Δ roll (σ)"),
         N_(
@@ -61,8 +61,8 @@ DIFFERENCES = (
     ),
 )
 """Titles and tips of the columns of differences."""
-BLANK = Cell("\N{EN DASH}")
-COLUMNS = 12
+BLANK_CELL = Cell("\N{EN DASH}")
+COLUMN_COUNT = 12
 
 
 class MethodsDialog(StudyDialog):
@@ -131,7 +131,7 @@ def _columns() -> list[Column]:
             gettext("Number of targets, planes, natural surfaces or objects used"),
         ),
     ]
-    for k, (title, tip) in enumerate(DIFFERENCES):
+    for k, (title, tip) in enumerate(DIFFERENCE_COLUMNS):
         columns += [*angles[2 * k : 2 * k + 2], Column(gettext(title), gettext(tip))]
     return columns
 
@@ -157,11 +157,11 @@ def _method_row(each: MethodResult) -> Row:
         np.degrees(found.boresight), np.degrees(found.sigma), differences, strict=True
     ):
         cells += [number_cell(angle, "+.4f"), number_cell(sigma, ".4f")]
-        cells.append(BLANK if difference is None else number_cell(difference, "+.1f"))
+        cells.append(BLANK_CELL if difference is None else number_cell(difference, "+.1f"))
     tip = "\n".join(map(message_text, each.messages))
     return Row(cells, marked=against is not None and against.differ, tip=tip)
 
 
 def _row_not_run(method: Method) -> Row:
-    cells = [Cell(_method_name(method)), *[BLANK] * (COLUMNS - 1)]
+    cells = [Cell(_method_name(method)), *[BLANK_CELL] * (COLUMN_COUNT - 1)]
     return Row(cells, tip=gettext(NOT_RUN[method]))

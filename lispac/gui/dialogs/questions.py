@@ -15,7 +15,7 @@ from lispac.language import Plural, gettext
 SaveChoice = Literal["save", "discard", "cancel"]
 CandidateChoice = Literal["accept", "reject", "cancel"]
 DropChoice = Literal["add", "new", "cancel"]
-MAX_NAMED = 8
+MAX_NAMED_FILES = 8
 """Missing files that are listed by name."""
 
 
@@ -126,7 +126,7 @@ class Questions:
             QMessageBox.StandardButton.Cancel, self.parent,
         )  # fmt: skip
         box.setObjectName("files_dialog")
-        shown = [str(path) for path in missing[:MAX_NAMED]]
+        shown = [str(path) for path in missing[:MAX_NAMED_FILES]]
         if more := len(missing) - len(shown):
             shown.append(
                 gettext(Plural("and {count:n} more file", "and {count:n} more files"), count=more)
@@ -182,7 +182,7 @@ class Questions:
         return self._is_confirmed(box, anyway, default=cancel)
 
     @staticmethod
-    def leave(dialog: QWidget) -> bool:
+    def confirm_leave(dialog: QWidget) -> bool:
         """Ask whether to close the import dialogue without importing its files."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC", gettext("Close without importing the files?"),
@@ -193,11 +193,11 @@ class Questions:
             gettext("The import settings will be lost. The files are not changed.")
         )
         stay = box.addButton(gettext("Continue importing"), QMessageBox.ButtonRole.RejectRole)
-        leave = box.addButton(
+        confirm_leave = box.addButton(
             gettext("Close without importing"), QMessageBox.ButtonRole.DestructiveRole
         )
         box.setEscapeButton(stay)
-        return Questions._is_confirmed(box, leave, default=stay)
+        return Questions._is_confirmed(box, confirm_leave, default=stay)
 
     @staticmethod
     def _is_confirmed(

@@ -10,7 +10,7 @@ from lispac.gui.dialogs.cache_box import CacheBox
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.dialogs.sensor_library import SensorLibraryPage
 from lispac.gui.panels import widgets
-from lispac.gui.panels.report import OTHERS
+from lispac.gui.panels.report import OTHER_SYSTEMS
 from lispac.gui.point_colours import Scale
 from lispac.gui.preferences import Preferences
 from lispac.gui.settings import POINT_BUDGETS, POINT_SIZES
@@ -81,7 +81,7 @@ class SettingsDialog(QDialog):
             ["", *LANGUAGES][self.language.currentIndex()],
             round(self.point_size.value()),
             round(self.point_budget.value() * MILLION),
-            ["", *(each.key for each in OTHERS)][self.convention.currentIndex()],
+            ["", *(each.key for each in OTHER_SYSTEMS)][self.convention.currentIndex()],
             scanner,
             pos,
             list(ANGLES)[self.angles.currentIndex()],
@@ -96,7 +96,7 @@ class SettingsDialog(QDialog):
         self.language.setCurrentIndex(["", *LANGUAGES].index(preferences.language))
         self.point_size.setValue(preferences.point_size)
         self.point_budget.setValue(preferences.point_budget / MILLION)
-        keys = ["", *(each.key for each in OTHERS)]
+        keys = ["", *(each.key for each in OTHER_SYSTEMS)]
         self.convention.setCurrentIndex(
             keys.index(preferences.convention) if preferences.convention in keys else 0
         )
@@ -152,7 +152,7 @@ class SettingsDialog(QDialog):
             ),
         )  # fmt: skip
         self.convention = widgets.ChoiceBox(
-            "settings_convention", [gettext("(none)"), *(each.name for each in OTHERS)],
+            "settings_convention", [gettext("(none)"), *(each.name for each in OTHER_SYSTEMS)],
             gettext("The report also gives the boresight angles in the convention of the chosen "
                     "program"),
         )  # fmt: skip

@@ -26,9 +26,9 @@ LENGTHS = (
 class ClippingPanel(QWidget):
     """The three lengths of the box, and buttons that place and remove it."""
 
-    sized = Signal(object)
+    lengths_changed = Signal(object)
     """Lengths, ndarray of shape (3,), metres."""
-    about_requested = Signal()
+    fit_requested = Signal()
     reset_requested = Signal()
 
     def __init__(self) -> None:
@@ -44,7 +44,7 @@ class ClippingPanel(QWidget):
             )  # fmt: skip
             field.setFixedWidth(130)
             field.setKeyboardTracking(False)
-            field.valueChanged.connect(lambda _value: self.sized.emit(self.lengths))
+            field.valueChanged.connect(lambda _value: self.lengths_changed.emit(self.lengths))
             self.fields.append(field)
             form.addRow(gettext(title), field)
         column.addLayout(form)
@@ -56,7 +56,7 @@ class ClippingPanel(QWidget):
         self.reset = widgets.button(
             gettext("Reset"), "clip_reset", tip=gettext("Remove the box and show all points")
         )
-        self.about.clicked.connect(lambda _on: self.about_requested.emit())
+        self.about.clicked.connect(lambda _on: self.fit_requested.emit())
         self.reset.clicked.connect(lambda _on: self.reset_requested.emit())
         row.addWidget(self.about)
         row.addWidget(self.reset)

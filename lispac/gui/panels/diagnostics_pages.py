@@ -163,11 +163,11 @@ class ObservabilityPage(FigurePage):
 
     def __init__(self) -> None:
         super().__init__()
-        self.words = widgets.label("", wrap=True, name="observability_words", rich=True)
-        self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.text_label = widgets.label("", wrap=True, name="observability_words", rich=True)
+        self.text_label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.text_label.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._row.setContentsMargins(8, 6, 4, 4)
-        self._row.addWidget(_scroll_area(self.words), 1)
+        self._row.addWidget(_scroll_area(self.text_label), 1)
 
     def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
         """Advice if the observability was not computed."""
@@ -186,7 +186,7 @@ class ObservabilityPage(FigurePage):
                 condition=observability.condition, ratio=sigma[0] / sigma[2],
             ),
         ]  # fmt: skip
-        self.words.setText(
+        self.text_label.setText(
             "".join(f"<p style='margin:0 0 6px 0'>{escape(each)}</p>" for each in paragraphs)
         )
         self.draw(result)

@@ -40,7 +40,7 @@ _PART_STRETCH = (3, 4)
 PLOTS = (N_("Histogram"), N_("Histogram, percent"), N_("Distance by height, range"))
 PERCENT_PLOT, PROFILE_PLOT = 1, 2
 """Places of two of the plots."""
-ZOOM = N_("Wheel: zoom. Drag: move. Double-click: show all.")
+ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
 POOLED_TIPS = {
     "reciprocal pairs": N_("{plane}: distances between reciprocal lines, {model}"),
     "all pairs": N_("{plane}: distances between all pairs of lines, {model}"),
@@ -118,7 +118,7 @@ class HistogramsPanel(QWidget):
         )  # fmt: skip
         self.plot.setMinimumContentsLength(len(PLOTS[PROFILE_PLOT]))
         self.plot.currentIndexChanged.connect(self._redraw_selected)
-        self.reading = widgets.label(gettext(ZOOM), "muted", name="comparison_reading")
+        self.reading = widgets.label(gettext(ZOOM_HINT), "muted", name="comparison_reading")
         # A long text is cut off, so that it does not widen the plot.
         self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.copy_picture = widgets.button(
@@ -212,7 +212,7 @@ class HistogramsPanel(QWidget):
             histogram_figure(comparison, canvas.figure, share=share)
         self._show_units(canvas.figure)
         self._zooming.set_home(upright=self.plot.currentIndex() == PROFILE_PLOT)
-        self.reading.setText(gettext(ZOOM))
+        self.reading.setText(gettext(ZOOM_HINT))
         canvas.draw_idle()
         canvas.setAccessibleName(
             gettext(
@@ -246,7 +246,7 @@ class HistogramsPanel(QWidget):
             self.canvas = Chart(260, 120)
             self.canvas.setObjectName("histogram_canvas")
             self._zooming = PlotZoom(self.canvas)
-            canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM))
+            canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM_HINT))
             connections = (
                 canvas.mpl_connect("motion_notify_event", self._show_values_at),
                 canvas.mpl_connect("axes_leave_event", leave),

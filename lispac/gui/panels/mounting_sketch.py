@@ -260,8 +260,8 @@ class MountingSketch(QWidget):
     def _paint_scanner(self, painter: QPainter, view: View) -> None:
         for axis, (letter, colour) in enumerate(SCANNER_AXES):
             start, tip = self.axis_ends(view, axis)
-            way = tip - start
-            if np.hypot(way.x(), way.y()) < _MIN_AXIS_SHARE * _AXIS:
+            direction = tip - start
+            if np.hypot(direction.x(), direction.y()) < _MIN_AXIS_SHARE * _AXIS:
                 continue
             painter.setPen(QPen(theme.colour(colour), 2.2))
             painter.drawLine(start, tip)
@@ -300,12 +300,12 @@ class MountingView(QWidget):
     def __init__(self, prefix: str) -> None:
         super().__init__()
         self.sketch = MountingSketch()
-        self.words = widgets.label("", "muted", wrap=True, name=f"{prefix}_words")
+        self.text_label = widgets.label("", "muted", wrap=True, name=f"{prefix}_words")
         self.file_warnings = widgets.label("", "warning", wrap=True, name=f"{prefix}_doubts")
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
-        for each in (self.file_warnings, self.sketch, self.words):
+        for each in (self.file_warnings, self.sketch, self.text_label):
             column.addWidget(each)
         self.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 
@@ -313,7 +313,7 @@ class MountingView(QWidget):
         """Show a lever arm (metres; forward, left, up) and a boresight (degrees)."""
         self.sketch.show_mounting(lever_arm, boresight_deg)
         text = f"{lever_arm_sentence(lever_arm)} {boresight_sentence(np.radians(boresight_deg))}"
-        self.words.setText(text)
+        self.text_label.setText(text)
         self.sketch.setAccessibleDescription(text)
         file_warnings = lever_arm_warnings(lever_arm)
         self.file_warnings.setText("\n".join(map(message_text, file_warnings)))
@@ -327,8 +327,8 @@ def length_with_unit(length: float, form: str) -> str:
 
 def _paint_axis_letter(painter: QPainter, start: QPointF, tip: QPointF, letter: str) -> None:
     """Paint the letter of an axis beyond its tip."""
-    way = tip - start
-    place = tip + way * (7.0 / max(float(np.hypot(way.x(), way.y())), 1e-9))
+    direction = tip - start
+    place = tip + direction * (7.0 / max(float(np.hypot(direction.x(), direction.y())), 1e-9))
     painter.drawText(
         QRectF(place.x() - 8, place.y() - 8, 16, 16), Qt.AlignmentFlag.AlignCenter, letter
     )

@@ -104,7 +104,7 @@ class LinesPicture(PaperPicture):
 class CurvePicture(PaperPicture):
     """Mismatch over one angle with its current value and minimum; a click chooses a value."""
 
-    chosen = Signal(float)
+    value_clicked = Signal(float)
     """Radians."""
 
     def __init__(self) -> None:
@@ -162,7 +162,7 @@ class CurvePicture(PaperPicture):
         across = (event.position().x() - frame.left()) / frame.width()
         if 0.0 <= across <= 1.0:
             first, last = float(self._values[0]), float(self._values[-1])
-            self.chosen.emit(first + across * (last - first))
+            self.value_clicked.emit(first + across * (last - first))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the curve, its axes and marks."""

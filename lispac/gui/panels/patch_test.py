@@ -85,9 +85,9 @@ class PatchTestPanel(QWidget):
             "patch_curve_of", [gettext(each) for each in CURVES],
             gettext("Plot the mismatch of the displayed object or of all ticked objects"),
         )  # fmt: skip
-        self.words = widgets.label(gettext(EMPTY), "muted", wrap=True, name="patch_words")
-        self.words.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.words.setContentsMargins(24, 0, 24, 0)
+        self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="patch_words")
+        self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.text_label.setContentsMargins(24, 0, 24, 0)
         self.message_label = widgets.label("", wrap=True, name="patch_said")
         self.message_label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._buttons()
@@ -99,7 +99,7 @@ class PatchTestPanel(QWidget):
         left.setFixedWidth(SIDE_WIDTH)
         row.addWidget(left)
         self._middle = QStackedLayout()
-        self._middle.addWidget(self.words)
+        self._middle.addWidget(self.text_label)
         self._middle.addWidget(self._create_pictures())
         row.addLayout(self._middle, 1)
         row.addLayout(self._create_right_column())
@@ -284,7 +284,7 @@ class PatchTestPanel(QWidget):
 
     def show_empty(self, reason: str) -> None:
         """Show why there are no objects: `EMPTY` or `NO_DATA`."""
-        self.words.setText(gettext(reason))
+        self.text_label.setText(gettext(reason))
         self.show_objects((), (), "")
 
     def update_enabled(self, *, ready: bool, busy: bool, has_result: bool) -> None:

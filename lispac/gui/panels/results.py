@@ -44,7 +44,7 @@ EMPTY = N_(
 )
 WAITING = N_("Estimating …")
 _TWO_SIDED_95 = 1.96
-_ROW = 25
+_ROW_PX = 25
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -262,7 +262,7 @@ def _create_table(name: str, title: str, rows: int) -> QTableWidget:
     for column in range(len(ANGLES)):
         table.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
     side = table.verticalHeader()
-    side.setDefaultSectionSize(_ROW)
+    side.setDefaultSectionSize(_ROW_PX)
     side.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
     side.setMinimumWidth(96)
     side.setHighlightSections(False)
@@ -275,7 +275,7 @@ def _create_table(name: str, title: str, rows: int) -> QTableWidget:
 def _set_row_titles(table: QTableWidget, titles: Sequence[str]) -> None:
     table.setRowCount(len(titles))
     table.setVerticalHeaderLabels(list(titles))
-    table.setFixedHeight(table.horizontalHeader().sizeHint().height() + _ROW * len(titles) + 3)
+    table.setFixedHeight(table.horizontalHeader().sizeHint().height() + _ROW_PX * len(titles) + 3)
 
 
 def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | None) -> None:

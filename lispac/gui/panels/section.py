@@ -22,7 +22,7 @@ EMPTY = N_(
     "Select a target to show a section of all lines across it, or cut a section between two "
     "points. Lines that are shifted or tilted against each other indicate a wrong boresight."
 )
-ZOOM = N_("Wheel: zoom. Drag: move. Double-click: show all.")
+ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
 AHEAD_LABEL, HEIGHT_LABEL = N_("Distance from the vessel (m)"), N_("Height (m)")
 RIGHT_LABEL, ALONG_LABEL = N_("Distance to the right (m)"), N_("Distance from the first point (m)")
 """Titles of the axes."""
@@ -42,7 +42,7 @@ class SectionPanel(QWidget):
         super().__init__()
         self.setMinimumHeight(216)
         self.through = widgets.label("", "heading", name="section_through")
-        self.laid = widgets.ChoiceBox(
+        self.orientation = widgets.ChoiceBox(
             "section_laid", [gettext(title) for title in ORIENTATIONS],
             gettext(
                 "A vertical section shows height against distance and reveals errors of roll "
@@ -75,10 +75,10 @@ class SectionPanel(QWidget):
         pictures = QHBoxLayout()
         pictures.addWidget(self.save_picture, 1)
         pictures.addWidget(self.copy_picture, 1)
-        self.words = widgets.label(gettext(EMPTY), "muted", wrap=True, name="section_words")
+        self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="section_words")
         form = QFormLayout()
         form.addRow(self.through)
-        form.addRow(gettext("Orientation"), self.laid)
+        form.addRow(gettext("Orientation"), self.orientation)
         form.addRow(gettext("Thickness"), self.thickness)
         form.addRow(gettext("Size"), self.size)
         self._left = QVBoxLayout()
@@ -94,11 +94,11 @@ class SectionPanel(QWidget):
         self._row.setContentsMargins(0, 0, 4, 0)
         self._row.addWidget(side)
         # In the place of the picture: beside the options there is no space for the text.
-        self._row.addWidget(self.words, 1)
-        self.words.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.words.setContentsMargins(24, 0, 24, 0)
+        self._row.addWidget(self.text_label, 1)
+        self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.text_label.setContentsMargins(24, 0, 24, 0)
         self.canvas: QWidget | None = None
-        self.laid.currentIndexChanged.connect(lambda _index: self.changed.emit())
+        self.orientation.currentIndexChanged.connect(lambda _index: self.changed.emit())
         self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
         self.size.valueChanged.connect(lambda _value: self.changed.emit())
         self.points.clicked.connect(lambda _on: self.points_requested.emit())
@@ -109,7 +109,7 @@ class SectionPanel(QWidget):
     @property
     def level(self) -> bool:
         """Whether the strip is horizontal."""
-        return self.laid.currentIndex() == 1
+        return self.orientation.currentIndex() == 1
 
     @property
     def has_section(self) -> bool:
@@ -136,8 +136,8 @@ class SectionPanel(QWidget):
     def show_nothing(self, reason: str) -> None:
         """Show why there is no section."""
         self.through.setText("")
-        self.words.setText(reason)
-        self.words.show()
+        self.text_label.setText(reason)
+        self.text_label.show()
         self._allow_pictures(False)
         if self.canvas is not None:
             self.canvas.hide()
@@ -159,8 +159,8 @@ class SectionPanel(QWidget):
         """
         title = through
         self.through.setText(title)
-        self.laid.setEnabled(target)
-        self.words.hide()
+        self.orientation.setEnabled(target)
+        self.text_label.hide()
         self._make_canvas()
         across = RIGHT_LABEL if self.level else AHEAD_LABEL
         upward = AHEAD_LABEL if self.level else HEIGHT_LABEL
@@ -187,6 +187,6 @@ class SectionPanel(QWidget):
 
         self.canvas = Chart(300, 150, theme.PAPER)
         self.canvas.setObjectName("section_canvas")
-        self.canvas.setToolTip(gettext(ZOOM))
+        self.canvas.setToolTip(gettext(ZOOM_HINT))
         self._zooming = PlotZoom(self.canvas)
         self._row.addWidget(self.canvas, 1)

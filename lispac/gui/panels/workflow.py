@@ -93,12 +93,12 @@ class _StepHeader(QPushButton):
         name = widgets.label("", "heading")
         name.setText(self._title)
         self.sentence = widgets.label("", "muted")
-        words = QVBoxLayout()
-        words.setSpacing(0)
-        words.addWidget(name)
-        words.addWidget(self.sentence)
+        texts = QVBoxLayout()
+        texts.setSpacing(0)
+        texts.addWidget(name)
+        texts.addWidget(self.sentence)
         row.addWidget(self._glyph)
-        row.addLayout(words, 1)
+        row.addLayout(texts, 1)
         for inner in (self._glyph, name, self.sentence):
             inner.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 

@@ -61,7 +61,7 @@ class Box:
         half[axis] += 0.5 * metres
         return replace(self, centre=self.centre + 0.5 * sign * metres * self.axes[axis], half=half)
 
-    def sized(self, lengths: Array) -> "Box":
+    def with_lengths(self, lengths: Array) -> "Box":
         """Box with the same centre and other lengths, shape (3,), metres."""
         return replace(self, half=0.5 * np.maximum(lengths, MIN_SIDE))
 

@@ -51,12 +51,12 @@ class FrameTimes:
         self.slice = len(SLICE_FRACTIONS) - 1
 
     @property
-    def resting(self) -> int:
+    def rest_points(self) -> int:
         """Number of points for a frame at rest."""
         return self._points_within(TARGET_FRAME_S["resting"])
 
     @property
-    def picture(self) -> int:
+    def picture_points(self) -> int:
         """Number of points for a picture that is saved."""
         return self._points_within(MAX_PICTURE_S)
 

@@ -198,9 +198,9 @@ class Overlay(QWidget):
 
     def occupied(self) -> list[QRectF]:
         """Rectangles where no label of a target may be placed."""
-        return [] if self.shading is None else [self.legend(self.shading)]
+        return [] if self.shading is None else [self.legend_rect(self.shading)]
 
-    def legend(self, shading: PointColouring) -> QRectF:
+    def legend_rect(self, shading: PointColouring) -> QRectF:
         """Rectangle of the colour scale."""
         metrics = QFontMetricsF(_scaled_font(self.font(), 0.95))
         title, low, high = legend_texts(shading)
@@ -210,7 +210,7 @@ class Overlay(QWidget):
 
     def _paint_legend(self, painter: QPainter, shading: PointColouring) -> None:
         painter.setFont(_scaled_font(self.font(), 0.95))
-        box = self.legend(shading)
+        box = self.legend_rect(shading)
         title, low, high = legend_texts(shading)
         width = box.width() - 24.0
         painter.setPen(Qt.PenStyle.NoPen)

@@ -83,7 +83,9 @@ class VtkViewport:
             )
         ]
         self._view_detail = ViewDetail(
-            self._view, lambda: self._refinement_steps(self._times.resting), self._show_detail
+            self._view,
+            lambda: self._refinement_steps(self._times.rest_points),
+            self._show_detail,
         )
         self._view.resized.connect(self._on_resized)
         self._navigator = Navigator(self.canvas)
@@ -243,7 +245,7 @@ class VtkViewport:
 
     def prepare(self) -> None:
         """Load all detail of a picture, so that it only needs to be drawn."""
-        self._view_detail.now(self._refinement_steps(self._times.picture))
+        self._view_detail.now(self._refinement_steps(self._times.picture_points))
 
     def picture(self) -> QImage:
         """Picture of the view with all detail and labels, without the help on the mouse."""

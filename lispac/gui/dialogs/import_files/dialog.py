@@ -163,7 +163,7 @@ class ImportDialog(QDialog):
         self.progress.setTextVisible(False)
         self.progress.setFixedWidth(180)
         self.progress.setAccessibleName(gettext("Progress of reading the files"))
-        self.doing = widgets.label("", "muted", name="import_doing")
+        self.progress_label = widgets.label("", "muted", name="import_doing")
         self.stop = widgets.button(
             gettext("Stop"), "import_stop", tip=gettext("Stop reading files")
         )
@@ -174,7 +174,7 @@ class ImportDialog(QDialog):
         for each in (self.add_files, self.add_folder, self.remove):
             row.addWidget(each)
         row.addStretch(1)
-        for each in (self.doing, self.progress, self.stop, self.again):
+        for each in (self.progress_label, self.progress, self.stop, self.again):
             row.addWidget(each)
         for each in (self.add_files, self.add_folder, self.remove, self.stop, self.again):
             each.setAutoDefault(False)
@@ -297,11 +297,11 @@ class ImportDialog(QDialog):
 
     def _show_progress(self) -> None:
         busy = self.work.busy
-        for each in (self.doing, self.progress, self.stop):
+        for each in (self.progress_label, self.progress, self.stop):
             each.setVisible(busy)
         self.again.setVisible(self.work.was_stopped and not busy)
         self.progress.setValue(round(1000 * self.work.fraction))
-        self.doing.setText(self.work.words)
+        self.progress_label.setText(self.work.progress_text)
         if not busy:
             self._show_reason()
 
@@ -395,7 +395,7 @@ class ImportDialog(QDialog):
         """Ask before files are discarded, on Escape or when the dialogue is closed."""
         if all(
             entry.project_reading is not None for entry in self.input_files.entries
-        ) or Questions.leave(self):
+        ) or Questions.confirm_leave(self):
             self._discard()
 
     def _discard(self) -> None:
