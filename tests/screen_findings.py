@@ -75,7 +75,7 @@ class Findings:
         """By name: what brings up a dialogue that no action ends in at once."""
         way, used = survey.trajectory, project.settings.subsample
         return {
-            "checked": lambda: dialogs.checked(self.checked),
+            "checked": lambda: dialogs.show_check_result(self.checked),
             "budget-found": lambda: dialogs.budget(self.budget),
             "history": lambda: dialogs.history(*self.histories),
             "subsampling": lambda: dialogs.subsampling(self.subsampled, used),

@@ -177,7 +177,7 @@ def test_only_what_lies_in_the_box_is_drawn_and_picked(viewport, qtbot):
     viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW)])
     whole = {c: count(picture(viewport), c) for c in (RED, BLUE, YELLOW)}
     low = clouds["red"][clouds["red"][:, 2] < 1.5]
-    viewport.clip(Box.about(low, np.array([0.0, 1.0, 0.0]), 0.01))
+    viewport.clip(Box.around(low, np.array([0.0, 1.0, 0.0]), 0.01))
     image = picture(viewport)
     assert count(image, BLUE) == 0
     assert 0.4 * whole[RED] < count(image, RED) < 0.6 * whole[RED]
@@ -229,7 +229,7 @@ def test_a_line_parts_before_from_after_and_is_moved_by_the_mouse(viewport, para
 def test_a_box_is_changed_side_by_side_and_never_turns_inside_out():
     rng = np.random.default_rng(3)
     points = rng.normal(size=(40_000, 3)) * [3.0, 0.5, 1.0] + 50.0
-    box = Box.about(points, np.array([0.6, -0.8, 0.1]), 1e-6)
+    box = Box.around(points, np.array([0.6, -0.8, 0.1]), 1e-6)
     assert len(box.inside(points)) == len(points)
     np.testing.assert_allclose(box.axes @ box.axes.T, np.eye(3), atol=1e-14)
     for side in range(6):

@@ -76,7 +76,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     logbook = LogFile(session.log_folder, session.report_uncaught)
     logbook.begin()
     if message is not None:
-        session.window.controller.noted.emit(message_text(message))
+        session.window.controller.logged.emit(message_text(message))
     if arguments.project is not None:
         QTimer.singleShot(0, lambda: session.window.open_project(arguments.project))
     elif (crashed := session.crashed_project()) is not None:

@@ -50,14 +50,14 @@ class ClipBoxController(QObject):
         """Place the box around the selected target, or around everything."""
         groups = list(self._scene.selected_points.values())
         if groups:
-            box = Box.about(np.concatenate(groups), common_normal(groups), BOX_MARGIN)
+            box = Box.around(np.concatenate(groups), common_normal(groups), BOX_MARGIN)
         else:
             samples = [cloud.sample[::50] for cloud in self._scene.clouds.values()]
             if not samples:
                 self._actions["clip"].setChecked(False)
                 return
             everything = trimmed_points(np.concatenate(samples), 1.0)
-            box = Box.about(everything, np.array([1.0, 0.0, 0.0]), 0.0)
+            box = Box.around(everything, np.array([1.0, 0.0, 0.0]), 0.0)
         self._set_box(box)
         self._bring(self.panel)
 
@@ -65,7 +65,7 @@ class ClipBoxController(QObject):
         """Move the box around points (n, 3) to be shown, if it hides most of them."""
         if self.box is None or 2 * len(self.box.inside(points)) >= len(points):
             return
-        self._set_box(Box.about(points, common_normal([points]), BOX_MARGIN))
+        self._set_box(Box.around(points, common_normal([points]), BOX_MARGIN))
         self._note(
             gettext("{name} was outside the clip box. The clip box was moved around it.", name=name)
         )

@@ -35,7 +35,7 @@ class Controller(QObject):
     candidate_changed = Signal()
     accepted = Signal(str)
     """Name of the target that was just accepted."""
-    noted = Signal(str)
+    logged = Signal(str)
     """A message for the log and the status bar."""
     refused = Signal(object)
     """An error to show to the user."""
@@ -106,7 +106,7 @@ class Controller(QObject):
             self._show_opened_project(opened)
             if has_recovery_copy and self._document.project is opened[0]:
                 self._document.undo_stack.resetClean()
-                self.noted.emit(
+                self.logged.emit(
                     gettext("The files were found. Save the project to keep their new location.")
                 )
 
@@ -151,14 +151,14 @@ class Controller(QObject):
             edit = N_("addition of {line}") if count == 1 else N_("addition of {count:n} lines")
             self._document.edit(edit, edited, survey=survey, count=count, line=name)
             for note in survey.notes:
-                self.noted.emit(message_text(note))
+                self.logged.emit(message_text(note))
             if count == 1:
                 template = N_("{line} was added to {project}. Save the project to keep it.")
             else:
                 template = N_(
                     "{count:n} lines were added to {project}. Save the project to keep them."
                 )
-            self.noted.emit(gettext(template, count=count, line=name, project=project.name))
+            self.logged.emit(gettext(template, count=count, line=name, project=project.name))
 
         template = N_("Adding {line}") if count == 1 else N_("Adding {count:n} lines")
         title = gettext(template, count=count, line=name)
@@ -212,7 +212,7 @@ class Controller(QObject):
             self.refused.emit(failure)
             return False
         self._document.mark_saved(saved.file_digest)
-        self.noted.emit(gettext("Saved {project}", project=project.name))
+        self.logged.emit(gettext("Saved {project}", project=project.name))
         return True
 
     def save_as(self, folder: Path) -> None:
@@ -230,7 +230,7 @@ class Controller(QObject):
             saved_project, found = saved
             self._document.move(saved_project, found)
             self._settings.add_recent(saved_project.folder)
-            self.noted.emit(
+            self.logged.emit(
                 gettext(
                     "Saved as {folder}. The project in {former} stays as it was last saved.",
                     folder=saved_project.folder,
@@ -249,8 +249,8 @@ class Controller(QObject):
         if self._document.project is None:  # closed again: another window has it
             return
         for note in survey.notes:
-            self.noted.emit(message_text(note))
-        self.noted.emit(gettext("Opened {folder}", folder=project.folder))
+            self.logged.emit(message_text(note))
+        self.logged.emit(gettext("Opened {folder}", folder=project.folder))
 
     def _on_document_changed(self) -> None:
         """Reload the data and cancel dependent tasks after a change of the project."""
@@ -336,7 +336,7 @@ class Controller(QObject):
         if self._document.project is None:
             return False
         if self._runner.busy or not self._document.survey_is_current:
-            self.noted.emit(
+            self.logged.emit(
                 gettext("A task is running. Wait until it has ended, then pick the target again.")
             )
             return False
@@ -356,13 +356,13 @@ class Controller(QObject):
             "{target}: found in {sightings:n} of {count:n} line",
             "{target}: found in {sightings:n} of {count:n} lines",
         )
-        self.noted.emit(gettext(found, target=name, sightings=sightings, count=len(project.lines)))
+        self.logged.emit(gettext(found, target=name, sightings=sightings, count=len(project.lines)))
         self.accepted.emit(candidate.name)
 
     def reject(self) -> None:
         """Discard the candidate."""
         if self.candidate is not None:
-            self.noted.emit(
+            self.logged.emit(
                 gettext("The detected target {target} was rejected.", target=self.candidate.name)
             )
             self._discard_candidate()
@@ -372,7 +372,7 @@ class Controller(QObject):
         self.candidate = candidate
         self._scene.show_candidate(candidate)
         for each in thinned_notes(candidate):
-            self.noted.emit(message_text(each))
+            self.logged.emit(message_text(each))
         self.candidate_changed.emit()
 
     def _discard_candidate(self) -> None:

@@ -195,7 +195,7 @@ class Estimation(QObject):
             if not isinstance(found, _EstimationResult):
                 self._document.refuse(found)
                 text = message_text(found) if isinstance(found, Message) else found
-                self._controller.noted.emit(text)
+                self._controller.logged.emit(text)
                 return
             self._selection = found.selection
             self._scene.keep_estimated(found.estimated.result, found.clouds)
@@ -256,7 +256,7 @@ class Estimation(QObject):
     def _note(self, project: Project, text: Plural) -> None:
         result = project.result
         assert result is not None
-        self._controller.noted.emit(
+        self._controller.logged.emit(
             gettext(
                 text,
                 count=result.points,

@@ -91,16 +91,16 @@ class PatchObjects(QObject):
     def _add_target(self) -> None:
         groups = self._scene.selected_points
         if not groups:
-            self._controller.noted.emit(gettext("Select a target to place a box around it."))
+            self._controller.logged.emit(gettext("Select a target to place a box around it."))
             return
         points = np.concatenate(list(groups.values()))
         ahead = points.mean(axis=0) - self._vessel_position()
-        self._add_box(_patch_box(ClipBox.about(points, ahead, TARGET_BOX_MARGIN)))
+        self._add_box(_patch_box(ClipBox.around(points, ahead, TARGET_BOX_MARGIN)))
 
     def _add_clip_box(self) -> None:
         box = self._window.tools.clipping.box
         if box is None:
-            self._controller.noted.emit(
+            self._controller.logged.emit(
                 gettext("Switch on the clip box (X) and place it around an object.")
             )
             return
@@ -138,7 +138,7 @@ class PatchObjects(QObject):
 
         def done(result: PlacedObjects | str) -> None:
             if isinstance(result, str):
-                self._controller.noted.emit(result)
+                self._controller.logged.emit(result)
                 return
             self.objects_placed.emit(result if before is None else before.joined_with(result), name)
 

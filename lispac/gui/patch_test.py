@@ -333,7 +333,7 @@ class PatchTestController(QObject):
         self._document.edit(
             N_("result of the patch test"), project.with_alternative_result(alternative)
         )
-        self._controller.noted.emit(
+        self._controller.logged.emit(
             gettext("The result of the patch test was added to the project.")
         )
 

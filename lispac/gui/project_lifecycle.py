@@ -93,7 +93,7 @@ class ProjectLifecycle(QObject):
         become lines of it, or a new project.
         """
         if self._controller.busy:
-            self._controller.noted.emit(
+            self._controller.logged.emit(
                 gettext("Wait until the running task has ended, then drop the files again.")
             )
             return
@@ -127,7 +127,7 @@ class ProjectLifecycle(QObject):
                 project.name, missing_files(project), project.folder
             )
             if folder is None:
-                self._controller.noted.emit(
+                self._controller.logged.emit(
                     gettext("{project} was not opened: files are missing", project=project.name)
                 )
                 return

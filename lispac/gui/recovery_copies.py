@@ -40,7 +40,7 @@ class RecoveryCopies(QObject):
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._document, self._dialogs = window.document, window.dialogs
-        self._settings, self._note = window.settings, window.controller.noted.emit
+        self._settings, self._note = window.settings, window.controller.logged.emit
         self._writer = ThreadPoolExecutor(1, "lispac-keeping")
         self._latest: Project | None = None
         self._failed.connect(self._on_write_failed)

@@ -163,7 +163,7 @@ class ReportExport(QObject):
 
     def _on_written(self, project: Project, path: Path) -> None:
         self._document.mark_reported(project, path.name)
-        self._controller.noted.emit(gettext("Wrote {path}", path=path))
+        self._controller.logged.emit(gettext("Wrote {path}", path=path))
 
     def _options(self) -> ReportOptions | None:
         """Options of the report; None if they cannot be used."""

@@ -21,7 +21,7 @@ from lispac.survey.cloud import Cloud
 Which = Literal["prior", "estimated"]
 Residuals = Mapping[tuple[str, str], NDArray[np.uint8]]
 """Colours of the points of a sighting, by target and line."""
-Shaded = tuple[PointColouring | None, Residuals]
+ColouredPoints = tuple[PointColouring | None, Residuals]
 
 
 class Scene(QObject):
@@ -47,7 +47,7 @@ class Scene(QObject):
         self._drawn: Mapping[str, Cloud] = {}
         self._residuals: Residuals = {}
         self._reach: float | None = None
-        self._shaded: Shaded | None = None
+        self._shaded: ColouredPoints | None = None
         """Colours that wait to be drawn."""
         # Once for all that changes in one: a new project has enough to show.
         self._lines_due = IdleTask(self._draw_due_lines, self)
@@ -248,7 +248,7 @@ class Scene(QObject):
             self._draw_clouds(self._shaded)
         self._schedule_targets()
 
-    def _draw_clouds(self, shaded: Shaded | None = None) -> None:
+    def _draw_clouds(self, shaded: ColouredPoints | None = None) -> None:
         clouds = self._drawn = self.clouds
         samples = {name: cloud.sample for name, cloud in clouds.items()}
         shading, self._residuals = shaded or self._available_colours()
@@ -256,14 +256,14 @@ class Scene(QObject):
         self._viewport.show_clouds(samples, theme.line_colours(list(clouds)), shading)
         self.drawn.emit()
 
-    def _available_colours(self) -> Shaded:
+    def _available_colours(self) -> ColouredPoints:
         try:
             return self._point_colours(self.colouring)
         except ValueError:  # another survey, without intensities or a result
             self.colouring = "line"
             return None, {}
 
-    def _point_colours(self, colouring: Colouring) -> Shaded:
+    def _point_colours(self, colouring: Colouring) -> ColouredPoints:
         """Colours of the points of the lines, and of sightings with their own colours."""
         if colouring != "residual":
             return point_shading(colouring, self.clouds), {}

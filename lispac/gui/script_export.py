@@ -59,7 +59,7 @@ class ScriptExport(QObject):
                 self._controller.refused.emit(error)
                 return ""
             text = gettext("Wrote {path}", path=path)
-            self._controller.noted.emit(text)
+            self._controller.logged.emit(text)
             return text
 
         self._dialogs.script(script, save)

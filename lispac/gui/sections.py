@@ -113,7 +113,7 @@ class SectionTool(QObject):
         if project is None or survey is None or not ready or not (ends or name):
             self._show_nothing(gettext(EMPTY))
             return
-        level, size, thickness = panel.level, panel.size.value(), panel.thickness.value()
+        level, size, thickness = panel.is_horizontal, panel.size.value(), panel.thickness.value()
         target = project.target(name) if name else None
         rests_on = (project.result, target, survey, *(ends or ()))
         requested = (level, size, thickness, *map(id, rests_on))

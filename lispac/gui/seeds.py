@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
     from lispac.workflow.seed_lists import SeedOutcome
 
-Picked = tuple[Project, tuple["SeedOutcome", ...]]
+SeedOutcomes = tuple[Project, tuple["SeedOutcome", ...]]
 
 
 class SeedActions(QObject):
@@ -75,14 +75,14 @@ class SeedActions(QObject):
         if not seeds or self._document.project is not project:
             return
 
-        def work(progress: Progress) -> Picked:
+        def work(progress: Progress) -> SeedOutcomes:
             from lispac.workflow.seed_lists import pick_seeds
 
             return pick_seeds(
                 project, survey, seeds, seed_options.finder_arguments, progress=progress
             )
 
-        def done(picked: Picked) -> None:
+        def done(picked: SeedOutcomes) -> None:
             edited, outcomes = picked
             self._apply_outcomes(path, edited, outcomes)
 
@@ -105,14 +105,14 @@ class SeedActions(QObject):
             self._controller.reject()  # its name is taken now
         for outcome in outcomes:
             for each in thinned_notes(outcome.target) if outcome.target else ():
-                self._controller.noted.emit(message_text(each))
+                self._controller.logged.emit(message_text(each))
         if names:
             self._document.edit(N_("addition of targets from {file}"), edited, file=path.name)
         found = Plural(
             "{file}: a target was found for {found:n} of {count:n} seed",
             "{file}: targets were found for {found:n} of {count:n} seeds",
         )
-        self._controller.noted.emit(
+        self._controller.logged.emit(
             gettext(found, file=path.name, found=len(names), count=len(outcomes))
         )
         self._dialogs.seeds_found(outcomes, len(edited.lines))

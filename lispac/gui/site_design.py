@@ -263,7 +263,7 @@ class SiteDesign(QObject):
         def done(result: MonteCarloResult) -> None:
             head = result_heading(titled.title, result, requested.surveys)
             window.surveys.result_table.show_result(head, result, titled.plan)
-            window.surveys.result_table.follow(self.workspace.titled.plan)
+            window.surveys.result_table.set_current_plan(self.workspace.titled.plan)
             window.pictures.show_errors(result)
             window.show_figures()
 

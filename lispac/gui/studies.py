@@ -92,9 +92,9 @@ class Studies(QObject):
             found, notes = checked
             self._document.edit(N_("check against {file}"), found, file=request.path.name)
             for note in notes:
-                self._controller.noted.emit(message_text(note))
+                self._controller.logged.emit(message_text(note))
             assert found.absolute is not None
-            self._dialogs.checked(AbsoluteCheckValues.of(found.absolute))
+            self._dialogs.show_check_result(AbsoluteCheckValues.of(found.absolute))
 
         title = gettext("Checking against {file}", file=request.path.name)
         task = self._runner.run(title, work, done, modal=True)

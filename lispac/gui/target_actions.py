@@ -104,15 +104,15 @@ class TargetActions(QObject):
         if self._document.project is not project:
             return
         if not proposal.targets:
-            self._controller.noted.emit(gettext("No other suitable targets were found."))
+            self._controller.logged.emit(gettext("No other suitable targets were found."))
             return
         names = self._dialogs.proposal(proposal)
         if not names:
-            self._controller.noted.emit(gettext("The proposed targets were rejected."))
+            self._controller.logged.emit(gettext("The proposed targets were rejected."))
             return
         edited, accepted = with_accepted(project, proposal, names)
         self._document.edit(N_("addition of proposed targets"), edited)
-        self._controller.noted.emit(gettext("Accepted {targets:names}", targets=accepted))
+        self._controller.logged.emit(gettext("Accepted {targets:names}", targets=accepted))
 
     def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current and not self._runner.busy

@@ -30,7 +30,7 @@ class InspectionTools(QObject):
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._window = window
-        view, actions, note = window.viewport, window.actions_, window.controller.noted.emit
+        view, actions, note = window.viewport, window.actions_, window.controller.logged.emit
         self.mouse_tool = MouseTool(view, actions)
         self.measurements = Measurements(view, actions, self.mouse_tool, note)
         self.sections = SectionTool(

@@ -63,14 +63,14 @@ class ViewMenu(QObject):
     def _selected(self) -> list[Array]:
         groups = list(self._scene.selected_points.values())
         if not groups:
-            self._controller.noted.emit(gettext(NOTHING_SELECTED))
+            self._controller.logged.emit(gettext(NOTHING_SELECTED))
         return groups
 
     def _colour_by(self, colouring: Colouring) -> bool:
         try:
             self._scene.colour_by(colouring)
         except ValueError as error:
-            self._controller.noted.emit(str(error))
+            self._controller.logged.emit(str(error))
         self._actions[COLOUR_ACTIONS[self._scene.colouring]].setChecked(True)
         return self._scene.colouring == colouring
 

@@ -67,7 +67,7 @@ class WarningList(QObject):
     def open(self) -> None:
         """Bring the list to the front and give it the focus."""
         raise_panel(self._panel)
-        self._panel.take_focus()
+        self._panel.focus_list()
 
     def stop(self) -> None:
         """Stop the worker."""

@@ -15,21 +15,21 @@ if TYPE_CHECKING:
 W = TypeVar("W", bound=QWidget)
 
 
-def transfer_window_state(former: "MainWindow", heir: "MainWindow") -> None:
+def transfer_window_state(former: "MainWindow", new: "MainWindow") -> None:
     """Transfer fields and choices of the steps, the open step, the view and the candidate."""
     for before, after in (
-        (former.data, heir.data),
-        (former.targets, heir.targets),
-        (former.adjust, heir.adjust),
-        (former.validate, heir.validate),
+        (former.data, new.data),
+        (former.targets, new.targets),
+        (former.adjust, new.adjust),
+        (former.validate, new.validate),
     ):
         copy_fields(before, after)
-    heir.workflow.open(former.workflow.opened)
+    new.workflow.open(former.workflow.opened)
     if former.controller.candidate is not None:
-        heir.controller.set_candidate(former.controller.candidate)
-    _transfer_view(former, heir)
+        new.controller.set_candidate(former.controller.candidate)
+    _transfer_view(former, new)
     if former.tour.is_running:
-        heir.tour.resume()
+        new.tour.resume()
 
 
 def copy_fields(before: QWidget, after: QWidget) -> None:
@@ -62,11 +62,11 @@ def _copy_numbers(before: QWidget, after: QWidget) -> None:
         own.textChanged.emit(own.text())
 
 
-def _transfer_view(former: "MainWindow", heir: "MainWindow") -> None:
+def _transfer_view(former: "MainWindow", new: "MainWindow") -> None:
     """Transfer the state and the colouring of the view."""
-    heir.scene.copy_state_from(former.scene)
+    new.scene.copy_state_from(former.scene)
     for name in ("wipe", COLOUR_ACTIONS[former.scene.colouring]):
-        heir.actions_[name].setChecked(former.actions_[name].isChecked())
+        new.actions_[name].setChecked(former.actions_[name].isChecked())
 
 
 def _matching_fields(kind: type[W], before: QWidget, after: QWidget) -> list[tuple[W, W]]:

@@ -64,7 +64,7 @@ def test_without_a_result_every_page_says_what_to_do(picked: Driver):
     picked.window.docks["Diagnostics"].raise_()
     for kind in PAGES:
         page = turn_to(picked, kind.title)
-        assert page.advice == kind.without_result
+        assert page.advice == kind.empty_text
         assert page.advice.startswith("Nothing estimated yet. Press Estimate in step 3 to see ")
         assert getattr(page, "canvas", None) is None
 

@@ -49,7 +49,7 @@ def test_an_error_is_written_down_with_its_origin(tmp_path: Path, driver: Driver
     book = LogFile(tmp_path, driver.dialogs.show_error)
     book.begin()
     try:
-        driver.window.controller.noted.emit("Opened a project")
+        driver.window.controller.logged.emit("Opened a project")
 
         def work(_progress: object) -> None:
             raise KeyError("no such thing")

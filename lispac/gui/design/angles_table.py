@@ -60,7 +60,7 @@ class AnglesTable(QWidget):
         self._plan: Plan | None = None
         self._shown: tuple[LazyText, AnglesResult, Plan] | None = None
 
-    def follow(self, plan: Plan) -> None:
+    def set_current_plan(self, plan: Plan) -> None:
         """Mark the result as out of date if it belongs to another plan."""
         self.outdated.setVisible(self._plan is not None and self._plan is not plan)
 

@@ -226,7 +226,7 @@ class DesignWindow(QMainWindow):
             action.setText(gettext(usual) if edit is None else gettext(title, edit=str(edit)))
             action.setIconText(gettext(ACTIONS[name][1]))
         for table in (self.surveys.result_table, self.compared):
-            table.follow(self.workspace.titled.plan)
+            table.set_current_plan(self.workspace.titled.plan)
         design = gettext("Survey design")
         self.setWindowTitle(f"{self.workspace.titled.title}[*] – {design} – LISPAC")
         self.setWindowModified(history.is_modified)
@@ -265,7 +265,7 @@ class DesignWindow(QMainWindow):
             project=project, plan=titled.title,
         )  # fmt: skip
         self.compared.show_result(head, comparison, titled.plan)
-        self.compared.follow(self.workspace.titled.plan)
+        self.compared.set_current_plan(self.workspace.titled.plan)
         self.tabs.setCurrentIndex(self.tabs.count() - 1)
 
     def fit(self) -> None:

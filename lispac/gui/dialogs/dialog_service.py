@@ -141,7 +141,7 @@ class Dialogs(Questions):
         dialog.deleteLater()
         return result
 
-    def checked(self, values: AbsoluteCheckValues) -> None:
+    def show_check_result(self, values: AbsoluteCheckValues) -> None:
         """Show the result of a check: distances of the lines from the reference."""
         dialog = CheckResultDialog(values, self.parent)
         dialog.exec()

@@ -31,9 +31,9 @@ WITH_SOLUTION = {
 
 
 class _TextField(QLineEdit):
-    """Text field that emits `left` when it loses the focus."""
+    """Text field that emits `focus_lost` when it loses the focus."""
 
-    left = Signal()
+    focus_lost = Signal()
     """The focus has left the field, whether or not it was edited."""
 
     def __init__(self, name: str, label: str, text: str) -> None:
@@ -43,9 +43,9 @@ class _TextField(QLineEdit):
         self.setAccessibleName(label)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Emit `left`."""
+        """Emit `focus_lost`."""
         super().focusOutEvent(event)
-        self.left.emit()
+        self.focus_lost.emit()
 
 
 class SensorEditor(QDialog):
@@ -99,7 +99,7 @@ class SensorEditor(QDialog):
         self.keep.clicked.connect(self._save_sensor)
         for line in self._lines:
             line.textChanged.connect(self._check_input)
-            line.left.connect(lambda line=line: self._on_field_left(line))
+            line.focus_lost.connect(lambda line=line: self._on_field_left(line))
         for part in self.parts:
             part.value_changed.connect(self._check_input)
         self._check_input()

@@ -20,7 +20,7 @@ MIN_SIGMA_DEG = 1e-12
 """Smaller differences are rounding errors; the limit keeps the logarithm finite."""
 
 
-def convergence(result: AdjustmentResult, figure: Figure) -> None:
+def draw_convergence(result: AdjustmentResult, figure: Figure) -> None:
     """Draw the distance of each angle from its last value over the iterations; 0 is the prior."""
     axes = _new_axes(figure)
     path = np.degrees(np.vstack([result.prior_boresight, result.path]))
@@ -55,7 +55,7 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
     axes.legend(fontsize=SMALL_SIZE, frameon=False, labelcolor=theme.TEXT, loc="lower left")
 
 
-def correlations(result: AdjustmentResult, figure: Figure) -> None:
+def draw_correlations(result: AdjustmentResult, figure: Figure) -> None:
     """Draw a heat map of the correlations of all estimated values, with numbers."""
     axes = _new_axes(figure)
     names = [short_title(name) for name in result.estimated]
@@ -77,7 +77,7 @@ def correlations(result: AdjustmentResult, figure: Figure) -> None:
     bar.ax.tick_params(labelsize=SMALL_SIZE, colors=theme.TEXT)
 
 
-def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
+def draw_pos_errors(result: AdjustmentResult, figure: Figure) -> None:
     """Draw the estimated POS error of each sighting, with the band of its prior ± 2 σ."""
     figure.clear()
     parts = (
@@ -123,7 +123,7 @@ def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
         _legend_above(axes)
 
 
-def directions(result: AdjustmentResult, figure: Figure) -> None:
+def draw_directions(result: AdjustmentResult, figure: Figure) -> None:
     """Draw the shares of roll, pitch and yaw in the three eigenvectors."""
     observability = result.observability
     assert observability is not None

@@ -107,7 +107,7 @@ class SectionPanel(QWidget):
         self._allow_pictures(False)
 
     @property
-    def level(self) -> bool:
+    def is_horizontal(self) -> bool:
         """Whether the strip is horizontal."""
         return self.orientation.currentIndex() == 1
 
@@ -162,8 +162,8 @@ class SectionPanel(QWidget):
         self.orientation.setEnabled(target)
         self.text_label.hide()
         self._make_canvas()
-        across = RIGHT_LABEL if self.level else AHEAD_LABEL
-        upward = AHEAD_LABEL if self.level else HEIGHT_LABEL
+        across = RIGHT_LABEL if self.is_horizontal else AHEAD_LABEL
+        upward = AHEAD_LABEL if self.is_horizontal else HEIGHT_LABEL
         axes = (across, upward) if target else (ALONG_LABEL, HEIGHT_LABEL)
         self._shown = cuts, colours, axes
         self._draw(self.canvas.figure)

@@ -137,7 +137,7 @@ class WarningsPanel(QWidget):
         elif len(texts) > len(self.messages):
             self._texts = {each: texts[each] for each in self.messages}
 
-    def take_focus(self) -> None:
+    def focus_list(self) -> None:
         """Give the list the keyboard focus."""
         if self.list.count():
             if self.list.currentRow() < 0:

@@ -33,7 +33,7 @@ class Box:
     half: Array
 
     @classmethod
-    def about(cls, points: Array, ahead: Array, margin: float) -> "Box":
+    def around(cls, points: Array, ahead: Array, margin: float) -> "Box":
         """Box around points (n, 3), with two sides perpendicular to ``ahead``, shape (3,)."""
         level = np.array([ahead[0], ahead[1], 0.0])
         length = np.linalg.norm(level)

@@ -80,7 +80,7 @@ class HighlightLayer:
             actor.SetVisibility(shown)
             outline.SetVisibility(shown and drawn.outlined)
 
-    def move(self, camera: Camera, origin: Array) -> None:
+    def update_depth(self, camera: Camera, origin: Array) -> None:
         """Keep the sightings in front of their lines."""
         for highlight, actor, outline in self._drawn:
             shift = DEPTH_SHIFT * (2 if highlight_emphasis(highlight, self.selected).above else 1)

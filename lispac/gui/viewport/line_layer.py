@@ -177,7 +177,7 @@ class LineLayer:
         set_point_pixels((actor for _, actor in self._coarse), (pixels + 1) * scale)
         set_point_pixels(self._rims, (pixels + 2) * scale)
 
-    def move(self, camera: Camera) -> None:
+    def update_depth(self, camera: Camera) -> None:
         """Keep the rims behind their points."""
         for rim in self._rims:
             shift_depth(rim, camera, self.origin, RIM_DEPTH)

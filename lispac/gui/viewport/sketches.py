@@ -47,7 +47,7 @@ class SketchLayer(QObject):
     share : of the picture's width that is on the left of the dividing line
     """
 
-    divided = Signal()
+    divider_moved = Signal()
     """The dividing line was moved."""
 
     def __init__(self, navigator: Navigator, overlay: Overlay, signals: ViewportSignals) -> None:
@@ -142,7 +142,7 @@ class SketchLayer(QObject):
 
     def _move_dividing_line(self, x: float) -> None:
         self.share = min(max(x / self._navigator.size.width, 0.02), 0.98)
-        self.divided.emit()
+        self.divider_moved.emit()
 
     def _shift_dividing_line(self, right: float) -> None:
         if self._divides:

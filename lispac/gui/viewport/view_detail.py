@@ -41,7 +41,7 @@ class ViewDetail:
         self._step.stop()
         self._start.start()
 
-    def now(self, steps: Iterator[None]) -> None:
+    def compute_now(self, steps: Iterator[None]) -> None:
         """Compute the detail at once with other steps and show it."""
         self.stop()
         for _ in steps:

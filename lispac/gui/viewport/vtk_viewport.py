@@ -96,7 +96,7 @@ class VtkViewport:
         self._navigator.pointed.connect(self.signals.pointed)
         self._sketch_layer = SketchLayer(self._navigator, self._overlay, self.signals)
         self._navigator.drawn = lambda: self._layer.detail or self._layer.sparse
-        self._sketch_layer.divided.connect(self._camera_moved)
+        self._sketch_layer.divider_moved.connect(self._camera_moved)
 
     # What the window asks
 
@@ -245,7 +245,7 @@ class VtkViewport:
 
     def prepare(self) -> None:
         """Load all detail of a picture, so that it only needs to be drawn."""
-        self._view_detail.now(self._refinement_steps(self._times.picture_points))
+        self._view_detail.compute_now(self._refinement_steps(self._times.picture_points))
 
     def picture(self) -> QImage:
         """Picture of the view with all detail and labels, without the help on the mouse."""
@@ -312,9 +312,9 @@ class VtkViewport:
 
     def _camera_moved(self) -> None:
         camera, origin = self.camera, self._layer.origin
-        self._highlight_layer.move(camera, origin)
+        self._highlight_layer.update_depth(camera, origin)
         for layer in self._layers:
-            layer.move(camera)
+            layer.update_depth(camera)
         self._place_dividing_plane()
         set_renderer_camera(self._renderer, camera, origin)
         self._update()
