@@ -48,7 +48,7 @@ class DesktopNotifications(QObject):
             self._show(gettext(template, task=ended.title, time=duration_text(took)))
 
     def _notify(self, text: str) -> None:
-        QApplication.alert(self._window)  # the window's entry in the task bar asks to be examined
+        QApplication.alert(self._window)  # highlights the window's entry in the task bar
         if QSystemTrayIcon.isSystemTrayAvailable() and QSystemTrayIcon.supportsMessages():
             if self._tray is None:
                 self._tray = QSystemTrayIcon(theme.icon("ferry"), self)

@@ -179,7 +179,7 @@ class Estimation(QObject):
         if project is None or survey is None or not self._document.awaits_result:
             return
         if self._runner.busy:
-            return  # the runner tells when it is idle
+            return  # the runner emits a signal when it is idle
         known = self._selection
         selection = known if known is not None and known.covers_sightings(project, survey) else None
 
@@ -203,7 +203,7 @@ class Estimation(QObject):
             self._document.complete_last_edit(found.estimated)
             self._note(found.estimated, ESTIMATED_SAME_POINTS if selection else ESTIMATED_AGAIN)
 
-        # A quick one gives way to what the user asks for; a slow one can be cancelled.
+        # A quick one gives way to what the user requests; a slow one can be cancelled.
         task = self._runner.run(
             gettext("Estimating the boresight again"),
             work,

@@ -16,23 +16,23 @@ from PySide6.QtWidgets import QApplication
 from lispac.gui.idle_tasks import IdleTask
 
 COLLECT_INTERVAL_MS = 100
-"""A worker that reads makes 100 000 objects a second: so few wait that a turn takes some ms."""
+"""Interval of the checks: a worker that reads creates 100 000 objects a second."""
 MIN_YOUNG, MIN_MIDDLE = 700, 10
-"""What makes a collection of the first and second generation due, as Python's own."""
+"""Numbers of objects that start a collection of the first and second generation, as in Python."""
 FULL_INTERVAL_S = 15.0
 """Interval of full collections, which take 0.06 s with all libraries loaded. A closed dialogue
 lies in cycles with the lines it was opened for: by counts alone that came to 1.2 GB."""
 
 MIN_NEW_MODULES = 30
-"""So many that came since, and they are examined once and no more. While a library is imported,
+"""New modules after which they are examined once and then frozen. While a library is imported,
 every tenth of a second brings some: all of them at once take a quarter of a second."""
 
 M_TRIM_THRESHOLD, M_MMAP_THRESHOLD, MMAP_BYTES = -1, -3, 2_000_000
-"""Of malloc.h; and bytes from which an array has pages of its own, which go when it goes, and the
-end of what the library holds is given back."""
+"""Options of malloc.h, and the size, bytes, from which an array has pages of its own and free
+memory at the end of the heap is returned."""
 
 TRIM_INTERVAL_S = 5.0
-"""Between two times that memory is given back: it takes 0.01 to 0.04 s."""
+"""Interval of memory trimming, which takes 0.01 to 0.04 s."""
 
 
 class GuiThreadGarbageCollector(QObject):

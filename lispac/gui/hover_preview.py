@@ -21,9 +21,9 @@ from lispac.targets.plane_finder import FinderSettings, PlanePatch, find_plane
 
 SKETCH_NAME = "hover"
 MAX_POINTS = 2_000
-"""Points the finder is given; more would take longer than a blink."""
+"""Largest number of points for the finder, for a short response time."""
 MIN_POINTS = 30
-"""Points of those given below which a plane would be a guess."""
+"""Smallest number of points for a plane."""
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ class IdleTask(QTimer):
     """
 
     turn_used = False
-    """Whether one of them has acted since the window could hear of keys and the mouse."""
+    """Whether one of them has run in the current turn of the event loop."""
 
     def __init__(self, function: Callable[[], object], parent: QObject, delay_ms: int = 0) -> None:
         super().__init__(parent, singleShot=True, interval=delay_ms)

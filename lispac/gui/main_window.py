@@ -274,7 +274,7 @@ class MainWindow(QMainWindow):
         actions.recent.aboutToShow.connect(self._list_recent)
 
     def _connect_tasks(self) -> None:
-        self.document.changed.connect(self.task_bar.clearMessage)  # it was said of what was
+        self.document.changed.connect(self.task_bar.clearMessage)  # it concerned the former state
         self.task_bar.cancel_requested.connect(self.runner.cancel)
         self.runner.failed.connect(self.dialogs.show_error)
         self.runner.stopped.connect(self._note_cancelled)

@@ -38,13 +38,13 @@ SKETCH_COLOUR: Colour = (0, 150, 90)
 MAX_POINTS = 3_000
 """Points of a line in the picture."""
 HALF_WIDTH, INNER_SHARE = np.radians(0.25), 0.8
-"""The curve reaches so far to either side, radians; out of that share of it another is drawn."""
+"""Half width of the curve, radians, and the share of it outside which another is drawn."""
 CURVE_STEPS = {"one": 41, "all": 17}
 """Values of a curve: of one object, and of all."""
 WIDER = 12
-"""The curve is drawn so many times as wide where it has no minimum within its reach."""
+"""Factor of the width of the curve where it has no minimum within its width."""
 DEBOUNCE_MS = 200
-"""After the last move of a slider, before a curve is worked out."""
+"""Pause after the last move of a slider before a curve is computed."""
 
 
 class PatchTestController(QObject):

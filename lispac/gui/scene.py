@@ -29,7 +29,7 @@ class Scene(QObject):
 
     which_changed = Signal(str)
     focused = Signal(object, str)
-    """Points (n, 3) that the view goes to, and what they are of."""
+    """Points (n, 3) that the view moves to, and the name of their target or line."""
     selection_changed = Signal()
     drawn = Signal()
     """The lines are drawn anew."""

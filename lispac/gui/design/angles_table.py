@@ -1,4 +1,4 @@
-"""Table of roll, pitch and yaw with remarks: result of simulated surveys or of a comparison."""
+"""Table of roll, pitch and yaw with messages: result of simulated surveys or of a comparison."""
 
 from collections.abc import Sequence
 from typing import Protocol
@@ -20,7 +20,7 @@ ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
 
 
 class AnglesResult(Protocol):
-    """Result with rows of a title and three angles, and with remarks."""
+    """Result with rows of a title and three angles, and with messages."""
 
     @property
     def rows(self) -> Sequence[Sequence[str]]:
@@ -28,7 +28,7 @@ class AnglesResult(Protocol):
 
     @property
     def summary_texts(self) -> Sequence[str]:
-        """Remarks."""
+        """Texts of the messages."""
 
 
 class AnglesTable(QWidget):

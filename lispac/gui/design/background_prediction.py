@@ -13,9 +13,9 @@ from lispac.messages import Message
 from lispac.progress import Progress
 
 DEBOUNCE_MS = 250
-"""Stillness after which what takes longer is computed."""
+"""Pause after an edit before the slow results are computed."""
 OUT_OF_DATE_MS = 400
-"""Numbers of an earlier plan that stand for longer than this are shown as such."""
+"""Delay after which the values of an earlier plan are marked as out of date."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,7 +16,7 @@ from lispac.language import LazyText
 Array = NDArray[np.float64]
 
 MARGIN_PX = 34.0
-"""Pixels round what is to be seen."""
+"""Pixels around the visible area."""
 GRAB_RADIUS_PX = 9.0
 """Pixels about an object within which a press grabs it."""
 GRID_STEPS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)

@@ -76,7 +76,7 @@ def sigma_format(degrees: float) -> str:
 
 
 def plan_messages(plan: Plan, progress: Progress = no_progress) -> tuple[Message, ...]:
-    """Remarks on the observability of the angles, as after an adjustment."""
+    """Messages on the observability of the angles, as after an adjustment."""
     if not plan.targets or not plan.lines:
         return (note("plan.empty"),)
     return observability_remarks(plan, progress=progress)

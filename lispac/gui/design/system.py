@@ -32,7 +32,7 @@ class SystemPanel(QScrollArea):
     """Form that edits the system of the plan and follows undo and redo."""
 
     library_requested = Signal()
-    """The user wants the standard deviations of sensors of the library."""
+    """The user requests the standard deviations of sensors of the library."""
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()

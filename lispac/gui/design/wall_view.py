@@ -18,7 +18,7 @@ MIN_BOARD_PX = 8.0
 SNAP_STEP, FINE_STEP = 0.1, 0.01
 """Metres, about: a target moves in steps of a round length."""
 VIEW_MARGIN = 2.0
-"""Metres of wall and water that are seen beyond the targets."""
+"""Metres of wall and water that are visible beyond the targets."""
 
 Key = Qt.Key
 

@@ -61,7 +61,7 @@ class WarningsPanel(QWidget):
     """List of warnings, or the reason why there is none."""
 
     cause_activated = Signal(object)
-    """The `Cause` that the user wants to see."""
+    """The `Cause` to show."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -50,10 +50,10 @@ class PointColouring:
     ----------
     colours : mapping of line name to uint8 ndarray of shape (n, 3)
     title : what is shown, with its unit
-    low, high : words at the ends of the scale
+    low, high : texts at the ends of the scale
     scale : uint8 ndarray of shape (m, 3)
         Colours from low to high.
-    metric : words at the ends in metres or millimetres, as the title says, where those are in
+    metric : texts at the ends in metres or millimetres, as the title says, where those are in
         another unit, for a picture that is a file
     """
 
@@ -91,8 +91,8 @@ class Sketch:
     points : metres, local frame
     edges : pairs of places in ``points``
     dots : whether the points are marked
-    label, at : words, and the place they stand beside
-    metric : the words in metres where those are in another unit, for a picture that is a file
+    label, at : text, and the point beside it
+    metric : the text in metres where those are in another unit, for a picture that is a file
     """
 
     points: tuple[tuple[float, float, float], ...]

@@ -18,10 +18,10 @@ ORBIT_RATE = float(np.radians(0.35))
 """Turn per pixel of mouse movement, radians."""
 
 MIN_DISTANCE = 0.02
-"""Nearest the eye comes to what it looks at, metres."""
+"""Shortest distance from the eye to the focal point, metres."""
 
 PARALLEL_OFFSET = 5000.0
-"""How far a parallel projection's eye steps back, metres, so that all it shows lies before it."""
+"""Distance added for a parallel projection, metres, so that all points are in front of the eye."""
 
 
 @dataclass(frozen=True)
@@ -176,7 +176,7 @@ class Camera:
         rotated = points @ self.axes.T
         # Perspective shifts the middle of the picture, so the centre is found by iteration.
         centre = 0.5 * (rotated.min(axis=0) + rotated.max(axis=0))
-        # What limits it is linear in the points, so that they are gone through only once.
+        # What limits it is linear in the points, so one pass is enough.
         ahead = 0.0 if self.parallel else rotated[:, 2]
         extremes = [
             [float((sign * rotated[:, k] / tangent[k] - ahead).max()) for k in (0, 1)]

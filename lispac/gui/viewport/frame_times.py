@@ -12,26 +12,26 @@ from lispac.gui.viewport.decimation import Budget
 Kind = Literal["moving", "resting"]
 
 TARGET_FRAME_S: dict[Kind, float] = {"moving": 0.07, "resting": 0.14}
-"""What drawing a frame is to take; choosing the points and Qt take a third as long again. Longer
-than 0.2 s and the window is felt to hang each time the view comes to rest."""
+"""Target time of a frame; selecting the points and Qt take a third as long again. Above 0.2 s the
+window seems to hang each time the view comes to rest."""
 
 MAX_PICTURE_S = 1.0
-"""What drawing a picture for a file may take: there is one of them, and it stays."""
+"""Longest time to draw a picture for a file."""
 
 MIN_POINTS: dict[Kind, int] = {"moving": 20_000, "resting": 100_000}
-"""Points below which nothing could be made out; they are drawn however long it takes."""
+"""Smallest number of points, drawn however long it takes: fewer show no shape."""
 
 MIN_TIMED_POINTS = 10_000
-"""Frames of fewer points are not used: their time depends on other work."""
+"""Frames with fewer points are not timed: their time depends on other work."""
 
 FRAMES_KEPT = 3
-"""Frames remembered; the fastest counts, for what else the processor does slows some of them."""
+"""Number of stored frames; the fastest counts, as other work slows some of them."""
 
 SLICE_FRACTIONS = (0.0625, 0.125, 0.25, 0.5, 1.0)
-"""Parts of the points for moving that are drawn, the least first."""
+"""Shares of the points drawn while the camera moves, ascending."""
 
 SLICE_HYSTERESIS = 0.7
-"""Part of the time a larger slice has to fit into before it is drawn: it is not to come and go."""
+"""Share of the time limit that a larger slice must meet: prevents switching back and forth."""
 
 
 class FrameTimes:

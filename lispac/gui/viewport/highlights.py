@@ -21,7 +21,7 @@ from lispac.gui.viewport.camera import Camera
 from lispac.gui.viewport.clipping import Box
 
 DEPTH_SHIFT = 0.004
-"""How far a sighting is moved towards the eye, as part of its distance, to lie over its line."""
+"""Shift of a sighting towards the eye, as a share of its distance, to cover its line."""
 
 
 class HighlightLayer:

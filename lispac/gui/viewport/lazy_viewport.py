@@ -16,6 +16,7 @@ from lispac.gui.viewport.base import Array, Colour, PointColouring, Viewport, Vi
 CALLS_BY_NAME = {"set_line_visible", "show_sketch"}
 """The first argument names the line or sketch; of the other calls, the last one applies."""
 CALLS_WITH_VALUE = {"hides", "drawn_near", "to_pixels", "picture"}
+"""Calls that return a value and therefore need the real viewport."""
 
 
 class LazyViewport:

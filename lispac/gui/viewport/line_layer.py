@@ -25,10 +25,10 @@ from lispac.gui.viewport.decimation import line_budgets, lowest_ranked, points_i
 from lispac.gui.viewport.frame_times import SLICE_FRACTIONS
 
 MAX_COORDINATE = 1e4
-"""Coordinates beyond it (metres) have a common origin removed: float32 steps by a millimetre."""
+"""Coordinates beyond it, metres, are reduced by a common origin: float32 resolves a millimetre."""
 
 RIM_DEPTH = 0.006
-"""How far the rims of points stand behind them, as part of their distance."""
+"""Depth of the rims of points behind them, as a share of their distance."""
 
 
 class LineLayer:

@@ -29,7 +29,7 @@ VIEWS_DEG = {
     "right": (-90.0, 0.0),
     "isometric": (30.0, 26.0),
 }
-"""Azimuth from the front and elevation; "top" is apart, with north up."""
+"""Azimuth from the front and elevation; "top" is not among them, as north is up in it."""
 
 
 class Navigator(QObject):
@@ -40,7 +40,7 @@ class Navigator(QObject):
     camera : where the eye is
     clouds : all points (n, 3) of the visible lines, which are picked
     coarse : the thinned points (n, 3) of them, which are navigated by
-    drawn : gives the points (n, 3) of them that are on the screen now, by which hovering looks
+    drawn : gives the points (n, 3) of them that are on the screen now, which hovering searches
     station : ndarray of shape (3,), metres, local frame
         Station of the view "front".
     """

@@ -20,9 +20,9 @@ GRAB_RADIUS_PX = 9.0
 HOVER_MS = 40
 """Time at rest after which the point under the mouse is searched for."""
 MAX_HOVER_POINTS = 250_000
-"""Drawn points that are searched for the one under the resting mouse."""
+"""Largest number of drawn points that are searched for the one under the mouse."""
 LABEL_TOP_PX = 42.0
-"""Pixels from the top below which words are not hidden by what the mouse does now."""
+"""Pixels from the top below which labels are not hidden by the hint on the mouse."""
 MIN_AXIS_SINE = 0.25
 """Sine between a handle's axis and the view below which the mouse cannot move it."""
 
@@ -198,7 +198,7 @@ class SketchLayer(QObject):
     def _paint(self, painter: QPainter, camera: Camera, size: ViewportSize) -> None:
         for sketch in self._sketches.values():
             _paint_sketch(painter, sketch, camera, size)
-        # Words last: no line goes through them, and none lie on others
+        # Labels last: no line crosses them, and none overlap
         _paint_labels(painter, list(self._sketches.values()), camera, size)
         if self._divides:
             _paint_dividing_line(painter, self.share * size.width, size)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject
 from lispac.gui.idle_tasks import IdleTask
 
 DETAIL_DELAY_MS = 180
-"""Stillness after which the detail is drawn."""
+"""Rest of the view after which the detail is drawn."""
 
 MAX_STEP_S = 0.04
 """Longest time of the selection without events of keyboard and mouse."""

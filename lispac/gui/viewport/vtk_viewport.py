@@ -37,7 +37,7 @@ from lispac.gui.viewport.view_detail import ViewDetail
 from lispac.language import gettext
 
 MAX_MOVING_DETAIL_S = 0.03
-"""A rendering of all the detail in less than this is shown while the camera moves, too."""
+"""Detail that renders in less than this is also shown while the camera moves."""
 
 
 class VtkViewport:
@@ -98,7 +98,7 @@ class VtkViewport:
         self._navigator.drawn = lambda: self._layer.detail or self._layer.sparse
         self._sketch_layer.divider_moved.connect(self._camera_moved)
 
-    # What the window asks
+    # Interface of `Viewport`
 
     @property
     def widget(self) -> QWidget:
