@@ -70,13 +70,8 @@ class GuiThreadGarbageCollector(QObject):
         if due:
             self._last_full = time.monotonic()
         if imported:
-            (
-                GuiThreadGarbageCollector.frozen_modules,
-                GuiThreadGarbageCollector.with_window,
-            ) = (
-                len(sys.modules),
-                True,
-            )
+            GuiThreadGarbageCollector.frozen_modules = len(sys.modules)
+            GuiThreadGarbageCollector.with_window = True
             gc.freeze()
 
     def end(self) -> None:

@@ -47,11 +47,7 @@ class LogFile:
         try:
             self.file.parent.mkdir(parents=True, exist_ok=True)
             self._handler = RotatingFileHandler(
-                self.file,
-                maxBytes=MAX_BYTES,
-                backupCount=BACKUPS,
-                encoding="utf-8",
-                delay=False,
+                self.file, maxBytes=MAX_BYTES, backupCount=BACKUPS, encoding="utf-8", delay=False
             )
             self._crash = (self.file.with_name(CRASH_LOG_NAME)).open("w", encoding="utf-8")
         except OSError:

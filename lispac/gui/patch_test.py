@@ -224,10 +224,7 @@ class PatchTestController(QObject):
 
         def work(progress: Progress) -> tuple[Array, Array]:
             mismatch = Mismatch(laid.sample, laid.blocks(names, pairs))
-            for reach, many in (
-                (HALF_WIDTH, steps),
-                (WIDER * HALF_WIDTH, 3 * steps),
-            ):
+            for reach, many in ((HALF_WIDTH, steps), (WIDER * HALF_WIDTH, 3 * steps)):
                 values = boresight[angle] + np.linspace(-reach, reach, many)
                 if not mismatch.blocks:
                     return values, np.full(many, np.nan)

@@ -14,7 +14,7 @@ from lispac.io.plan_file import TitledPlan
 from lispac.io.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.simulation.closed_form_survey import Ball, Board
 
-NEAREST_M, FARTHEST_M = 1.0, 200.0
+NEAR_M, FAR_M = 1.0, 200.0
 """Metres: distances a line can be dragged to."""
 SNAP_DEG = 5.0
 """Headings are dragged in steps of this."""
@@ -145,9 +145,7 @@ def round_to_step(metres: float, step: float) -> float:
 
 def with_distance(line: Line, distance: float) -> Line:
     """Line at another distance from the wall, rounded to about a decimetre."""
-    return replace(
-        line, distance=float(np.clip(round_to_step(distance, 0.1), NEAREST_M, FARTHEST_M))
-    )
+    return replace(line, distance=float(np.clip(round_to_step(distance, 0.1), NEAR_M, FAR_M)))
 
 
 def placed_targets(titled: TitledPlan) -> list[PlacedTarget]:

@@ -39,8 +39,8 @@ LINE_FIELDS = (
         N_("Distance"),
         N_("Perpendicular distance between the line and the centre of the site"),
         "m",
-        edits.NEAREST_M,
-        edits.FARTHEST_M,
+        edits.NEAR_M,
+        edits.FAR_M,
         1,
     ),
     TableColumn(

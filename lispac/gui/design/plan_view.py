@@ -64,9 +64,7 @@ class PlanView(DesignCanvas):
 
     def _line_pixels(self, k: int, ends: tuple[Array, Array]) -> tuple[QPointF, QPointF]:
         along = _line_direction(self.workspace.titled.plan.lines[k])
-        offset = LINE_OFFSET_PX * QPointF(
-            along[1], along[0]
-        )  # to starboard, in pixels: y runs down
+        offset = LINE_OFFSET_PX * QPointF(along[1], along[0])  # to starboard; y runs down
         return self.pixel(ends[0]) + offset, self.pixel(ends[1]) + offset
 
     def bounds(self) -> Array:

@@ -17,7 +17,7 @@ from lispac.language import gettext_lazy
 from lispac.simulation.closed_form_survey import Ball, Board
 
 SQUARE_EDGES = ((0, 1), (1, 2), (2, 3), (3, 0))
-CORNERS = 16
+RING = 16
 """Corners of the circles a ball is drawn with."""
 WALL_STEP, TARGET_STEP = 0.15, 0.03
 """Metres between the points that surfaces are drawn with."""
@@ -191,12 +191,10 @@ def _target_outline(target: Board | Ball) -> tuple[Array, tuple[tuple[int, int],
         middle = grid.mean(axis=0)
         corners = middle + (grid - middle) * (0.5 / np.sqrt(1 / 12))
         return corners[[0, 1, 3, 2]], SQUARE_EDGES
-    turn = np.linspace(0, 2 * np.pi, CORNERS, endpoint=False)
+    turn = np.linspace(0, 2 * np.pi, RING, endpoint=False)
     level = np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=1)
     circles = np.concatenate([level, level[:, [0, 2, 1]], level[:, [2, 0, 1]]])
-    edges = tuple(
-        (CORNERS * c + k, CORNERS * c + (k + 1) % CORNERS) for c in range(3) for k in range(CORNERS)
-    )
+    edges = tuple((RING * c + k, RING * c + (k + 1) % RING) for c in range(3) for k in range(RING))
     return np.array(target.centre) + target.radius * circles, edges
 
 

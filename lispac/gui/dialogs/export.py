@@ -21,13 +21,7 @@ from lispac.errors import InputError, LispacError
 from lispac.gui import theme
 from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.error import exception_text
-from lispac.gui.dialogs.system_choice import (
-    DEBOUNCE_MS,
-    HEIGHTS,
-    HEIGHTS_TIP,
-    system_box,
-    system_text,
-)
+from lispac.gui.dialogs.system_choice import DELAY_MS, HEIGHTS, HEIGHTS_TIP, system_box, system_text
 from lispac.gui.panels import widgets
 from lispac.installation_paths import expand_user
 from lispac.language import N_, gettext
@@ -142,7 +136,7 @@ class ExportDialog(QDialog):
         layout.addWidget(self.buttons)
         self._debounce = QTimer(self)
         self._debounce.setSingleShot(True)
-        self._debounce.setInterval(DEBOUNCE_MS)
+        self._debounce.setInterval(DELAY_MS)
         self._debounce.timeout.connect(self._check_input)
         self.what.currentIndexChanged.connect(self._show_fields)
         self.system.editTextChanged.connect(self._on_typed)

@@ -68,7 +68,7 @@ class HistoryDialog(StudyDialog):
             ),
             table, parent,
         )  # fmt: skip
-        self._histories, self._messages = tuple(histories), tuple(messages)
+        self._histories, self._notes = tuple(histories), tuple(messages)
         self.system = widgets.ChoiceBox("history_system", [""], gettext("System to show"))
         self.system.clear()
         self.system.addItems([_system_name(each.system) for each in histories])
@@ -83,9 +83,7 @@ class HistoryDialog(StudyDialog):
 
         history = self._histories[self.system.currentIndex()]
         self.show_rows([_row(each) for each in history.entries])
-        self.message_label.setText(
-            "\n".join(map(message_text, (*history.remarks, *self._messages)))
-        )
+        self.message_label.setText("\n".join(map(message_text, (*history.remarks, *self._notes))))
         self.message_label.setVisible(bool(self.message_label.text()))
         control_chart_figure(
             [each.day for each in history.entries],

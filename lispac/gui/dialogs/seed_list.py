@@ -186,10 +186,8 @@ class SeedsFoundDialog(QDialog):
                 numbers = [gettext("none"), ""]
             else:
                 points = sum(len(sighting.indices) for sighting in target.sightings)
-                lines_text = gettext(
-                    "{seen:n} of {total:n}", seen=len(target.sightings), total=lines
-                )
-                numbers = [lines_text, number(points)]
+                visible = gettext("{seen:n} of {total:n}", seen=len(target.sightings), total=lines)
+                numbers = [visible, number(points)]
             messages = [] if outcome.remark is None else [message_text(outcome.remark)]
             if target is not None:
                 messages += _missing_lines_text(target)

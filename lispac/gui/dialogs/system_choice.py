@@ -14,7 +14,7 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.export_request import output_system_of
 from lispac.workflow.output_crs import LOCAL, common_system, utm_zone
 
-DEBOUNCE_MS = 300
+DELAY_MS = 300
 LOCAL_NAME = N_("Local frame – North, West, Up")
 HEIGHTS = N_("From the coordinate system, otherwise ellipsoidal heights")
 HEIGHTS_TIP = N_("EPSG code of a vertical system, path of a geoid grid (.gtx, .tif) or “ellipsoid”")
@@ -81,7 +81,7 @@ class CoordinateSystemFields(QObject):
         self._form: QFormLayout | None = None
         self._debounce = QTimer(self)
         self._debounce.setSingleShot(True)
-        self._debounce.setInterval(DEBOUNCE_MS)
+        self._debounce.setInterval(DELAY_MS)
         self._debounce.timeout.connect(self._resolve_system)
         self.box.editTextChanged.connect(self._on_typed)
         self.height.textChanged.connect(self._on_typed)

@@ -83,9 +83,7 @@ class VtkViewport:
             )
         ]
         self._view_detail = ViewDetail(
-            self._view,
-            lambda: self._refinement_steps(self._times.rest_points),
-            self._show_detail,
+            self._view, lambda: self._refinement_steps(self._times.rest_points), self._show_detail
         )
         self._view.resized.connect(self._on_resized)
         self._navigator = Navigator(self.canvas)

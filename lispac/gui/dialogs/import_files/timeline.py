@@ -247,10 +247,7 @@ class TimelineView(QWidget):
             edge = NAME_PX if right < NAME_PX else NAME_PX + width
             self._draw_distant_line(painter, bar, top, edge)
             return
-        left, right = (
-            max(left, NAME_PX),
-            min(max(right, left + MIN_BAR_PX), NAME_PX + width),
-        )
+        left, right = max(left, NAME_PX), min(max(right, left + MIN_BAR_PX), NAME_PX + width)
         whole = QRectF(left, top + 5, right - left, ROW_PX - 10)
         painter.fillRect(whole, QColor(bar.colour))
         for first, last in bar.gaps:
