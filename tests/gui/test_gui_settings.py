@@ -232,7 +232,7 @@ def test_what_cannot_be_kept_is_said_while_it_is_typed(qtbot: QtBot, tmp_path: P
     assert pos.message_label.text() == ""
     qtbot.mouseClick(pos.keep, Left)
     assert "source of the specifications" in pos.message_label.text()
-    pos.parts[1].stated.setChecked(False)
+    pos.parts[1].is_specified.setChecked(False)
     assert "at least one GNSS solution" in pos.message_label.text()
 
 
