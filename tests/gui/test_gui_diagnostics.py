@@ -70,7 +70,7 @@ def test_without_a_result_every_page_says_what_to_do(picked: Driver):
 
 
 def test_no_figure_is_made_before_its_page_is_turned_to(shown: Driver):
-    figures = [kind.title for kind in PAGES if hasattr(kind, "draws")]
+    figures = [kind.title for kind in PAGES if hasattr(kind, "draw_function")]
     assert len(figures) == 4
     for k, title in enumerate(figures):
         panel = shown.window.diagnostics
@@ -232,7 +232,7 @@ def test_a_further_line_is_sought_after_what_follows_from_a_tick(
         )
 
     monkeypatch.setattr("lispac.workflow.calibration.further_line_advice", advised)
-    monkeypatch.setattr(shown.window.estimation, "_wants_checks", checked)
+    monkeypatch.setattr(shown.window.estimation, "_cross_check", checked)
     shown.window.docks["Targets by line"].raise_()
     ticks = shown.window.table
     click_check(shown, ticks, ticks.sightings.index(0, 2))

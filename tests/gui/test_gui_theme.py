@@ -323,7 +323,7 @@ def test_charts_have_the_looks_of_the_window_and_are_copied_on_white(
 def test_what_is_drawn_on_white_is_read_on_dark_in_its_own_hue(
     monkeypatch: pytest.MonkeyPatch, colour: str
 ) -> None:
-    monkeypatch.setattr(theme, "_used", DARK)
+    monkeypatch.setattr(theme, "_scheme", DARK)
     on_white = QColor(colour)
     pixel = np.array([[[*on_white.getRgb()]]], dtype=np.uint8)
     shown = QColor(*(int(each) for each in with_inverted_lightness(pixel)[0, 0]))
