@@ -28,7 +28,7 @@ BOARD = (np.array([1.6, 15.0, 8.0]), np.array([0.0, -np.sqrt(0.5), np.sqrt(0.5)]
 WALL = 16.0  # metres west of the courses
 NOISE = 0.002  # metres, along the beam
 NAMES = [*BALLS, "board", "wall"]
-MIN_MIDDLE = np.array([0.0, 14.0, 6.0])  # of the site
+MIDDLE = np.array([0.0, 14.0, 6.0])  # of the site
 PROFILES, HALF = 40.0, 4.0  # a second, seconds either side of the middle abeam
 
 
@@ -74,7 +74,7 @@ def make_ball_survey(folder: Path) -> BallSurvey:
 
 
 def _abeam(course: Course) -> float:
-    return float(course.time + MIN_MIDDLE @ course.direction / course.speed)
+    return float(course.time + MIDDLE @ course.direction / course.speed)
 
 
 def _sail(course: Course, sea: SeaMotion, time: np.ndarray) -> tuple[np.ndarray, ...]:

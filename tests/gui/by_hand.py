@@ -49,7 +49,7 @@ class Answers(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self.problem: list[str] = []
+        self.trouble: list[str] = []
         self._foreseen: deque[tuple[type[QDialog], Act]] = deque()
         self._acting: QWidget | None = None
         self._answered: QWidget | None = None
@@ -64,7 +64,7 @@ class Answers(QObject):
     def stop(self) -> None:
         """Look no more, and say which of those foreseen did not come."""
         self._on = False
-        self.problem += [f"no {kind.__name__} came" for kind, _ in self._foreseen]
+        self.trouble += [f"no {kind.__name__} came" for kind, _ in self._foreseen]
         self._foreseen.clear()
 
     @property
@@ -85,13 +85,13 @@ class Answers(QObject):
         if dialog is None or not dialog.isVisible() or dialog is self._acting:
             return
         closes = dialog is self._answered and monotonic() < self._until
-        if self.problem:  # what is beneath the one that nobody foresaw
+        if self.trouble:  # what is beneath the one that nobody foresaw
             _reject(dialog)
         elif self._foreseen and isinstance(dialog, self._foreseen[0][0]):
             if in_front(dialog):  # what is typed before is lost
                 self._answer(dialog)
         elif not closes:
-            self.problem.append(f"nobody foresaw {_told(dialog)}")
+            self.trouble.append(f"nobody foresaw {_told(dialog)}")
             _reject(dialog)
 
     def _answer(self, dialog: QDialog) -> None:
@@ -103,7 +103,7 @@ class Answers(QObject):
             else:
                 self._foreseen.appendleft((kind, act))
         except Exception as error:  # it would be lost in the loop of events, and the dialogue stay
-            self.problem.append(f"{error!r} at {_told(dialog)}")
+            self.trouble.append(f"{error!r} at {_told(dialog)}")
         finally:
             self._acting = former
 
@@ -148,8 +148,8 @@ class Hands(Driver):
 
     def until(self, done: Callable[[], bool]) -> None:
         """Wait for something, as long as only what was foreseen is asked."""
-        self.bot.waitUntil(lambda: bool(self.answers.problem) or done(), timeout=WAIT_MS)
-        assert not self.answers.problem, "; ".join(self.answers.problem)
+        self.bot.waitUntil(lambda: bool(self.answers.trouble) or done(), timeout=WAIT_MS)
+        assert not self.answers.trouble, "; ".join(self.answers.trouble)
 
     def rest(self) -> None:
         """Wait until no work is left, and the window is in front.
@@ -184,7 +184,7 @@ class Hands(Driver):
             self.answers.deleteLater()
             QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
             set_language("en")
-        assert not self.answers.problem, "; ".join(self.answers.problem)
+        assert not self.answers.trouble, "; ".join(self.answers.trouble)
 
 
 def push(hands: Hands, text: str) -> None:

@@ -75,11 +75,11 @@ def test_what_nobody_foresaw_is_rejected_and_told(qtbot: QtBot, qapp: QApplicati
 
     answers.foresee(QMessageBox, act)
     below.exec()
-    assert [text for text in answers.problem if "The disk is full." in text] == answers.problem
-    assert len(answers.problem) == 1
+    assert [text for text in answers.trouble if "The disk is full." in text] == answers.trouble
+    assert len(answers.trouble) == 1
     answers.foresee(QFileDialog, act)
     answers.stop()
-    assert answers.problem[1:] == ["no QFileDialog came"]
+    assert answers.trouble[1:] == ["no QFileDialog came"]
     for each in (answers, below, above):
         each.deleteLater()
 

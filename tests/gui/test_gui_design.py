@@ -18,9 +18,9 @@ from tests.gui.design_support import (
     mouse_move,
     plan,
     predicted,
-    row_activated,
     shown,
     type_cell,
+    wait_for_plan,
 )
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, press
 
@@ -127,7 +127,7 @@ def test_all_of_it_by_keys(driver: Driver, design: DesignWindow) -> None:
     for _ in range(8):
         bot.keyClick(view, Key.Key_Delete)
     assert plan(design).lines == ()
-    row_activated(design)
+    wait_for_plan(design)
     assert design.results.sigma["yaw"].text() == "–"
     bot.waitUntil(lambda: "Add a target and at least two lines" in design.results.messages.text())
     bot.keyClick(view, Key.Key_Insert)

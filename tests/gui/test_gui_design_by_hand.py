@@ -10,7 +10,7 @@ from lispac.gui.design.search import SearchResult
 from lispac.gui.design.window import DesignWindow
 from lispac.language import gettext, gettext_lazy
 from tests.gui.by_hand import Hands, choose, open_menu
-from tests.gui.design_support import opened_by_keys, plan, row_activated
+from tests.gui.design_support import opened_by_keys, plan, wait_for_plan
 from tests.gui.support import WAIT_MS, Control, Key, Left, in_front
 from tests.gui.test_gui_design_surveys import surveyed_once
 
@@ -30,7 +30,7 @@ def by_menu(hands: Hands, menu: str, *entries: str) -> DesignWindow:
     assert design is not None
     assert design.isVisible()
     hands.until(lambda: in_front(design))
-    row_activated(design)
+    wait_for_plan(design)
     return design
 
 

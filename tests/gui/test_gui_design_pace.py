@@ -11,7 +11,7 @@ from lispac.gui.design import edits
 from lispac.gui.design.window import DesignWindow
 from lispac.message_texts import message_text
 from lispac.workflow.plan_checks import plan_warnings
-from tests.gui.design_support import NoModifier, mouse_move, plan, predicted, row_activated, shown
+from tests.gui.design_support import NoModifier, mouse_move, plan, predicted, shown, wait_for_plan
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left
 
 WAITS_MS = 200
@@ -76,7 +76,7 @@ def test_sigmas_follow_a_drag_before_it_ends(driver: Driver, design: DesignWindo
     before = shown(design)
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -80), NoModifier))
-    row_activated(design)
+    wait_for_plan(design)
     assert design.workspace.is_dragging
     assert shown(design) == predicted(design) != before
     driver.bot.mouseRelease(view, Left, pos=spot.toPoint())

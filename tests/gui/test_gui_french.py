@@ -34,7 +34,7 @@ from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.visibility_study import study_visibility
 from lispac.workflow.budget import error_budget_of
 from lispac.workflow.validation import validate
-from tests.gui.design_support import opened_by_keys, row_activated, type_cell
+from tests.gui.design_support import opened_by_keys, type_cell, wait_for_plan
 from tests.gui.french_support import english
 from tests.gui.import_support import drop, raw, rest
 from tests.gui.support import WAIT_MS, Demo, Driver, Key, open_step, seed, type_into
@@ -167,7 +167,7 @@ def test_numbers_are_typed_with_comma_or_point(french: Driver, demo: Demo) -> No
 
 def test_a_site_is_designed(french: Driver) -> None:
     design = opened_by_keys(french)
-    row_activated(design)
+    wait_for_plan(design)
     french.bot.waitUntil(lambda: not design.results.predictor.active, timeout=WAIT_MS)
     for view in range(design.views.count()):
         design.views.setCurrentIndex(view)

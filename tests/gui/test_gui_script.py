@@ -13,10 +13,10 @@ from tests.gui.support import Control, Driver, Key, Left, press, seed
 from tests.gui.test_gui_seed_at import hand
 from tests.script_runs import run, same_part
 
-SaveChoice = Callable[[QWidget], None]
+Answer = Callable[[QWidget], None]
 
 
-def shown(driver: Driver, answer: SaveChoice = lambda dialog: None) -> str:
+def shown(driver: Driver, answer: Answer = lambda dialog: None) -> str:
     """The script that the window shows."""
     found: list[str] = []
 
@@ -93,7 +93,7 @@ def test_what_follows_from_a_click_is_told_where_the_script_gives_another_answer
     opened.window.controller.use_sighting("T1", "L3_045", False)
     opened.bot.waitUntil(lambda: not opened.window.document.awaits_result, timeout=60_000)
     opened.rest()
-    row_activated = opened.project.result
+    followed = opened.project.result
     remarks: list[str] = []
 
     def read(dialog: QWidget) -> None:
@@ -104,7 +104,7 @@ def test_what_follows_from_a_click_is_told_where_the_script_gives_another_answer
     opened.window.actions_["estimate"].trigger()
     opened.rest()
     shown(opened, read)
-    moved = np.degrees(np.abs(opened.project.result.boresight - row_activated.boresight)).max()
+    moved = np.degrees(np.abs(opened.project.result.boresight - followed.boresight)).max()
     assert moved > 0
     assert f"by up to {moved:.4f} deg" in remarks[0]
     assert remarks[1] == ""

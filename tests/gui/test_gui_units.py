@@ -30,7 +30,7 @@ from lispac.gui.viewport.overlay import legend_texts, length_text, scale_bar_len
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.viewport.sketches import label_text
 from lispac.project import Project
-from tests.gui.design_support import row_activated
+from tests.gui.design_support import wait_for_plan
 from tests.gui.metric import METRIC, metric_words
 from tests.gui.support import Demo, Driver, ScriptedDialogs
 
@@ -326,7 +326,7 @@ def test_no_metric_word_is_left_in_a_window_in_feet(
     for tabs in (design.tabs, design.views):
         for page in range(tabs.count()):
             tabs.setCurrentIndex(page)
-    row_activated(design)
+    wait_for_plan(design)
     assert window.isAncestorOf(design) or design.parent() is window
     known = re.compile("|".join(METRIC_FOR_ALL))
     left = {
