@@ -75,7 +75,7 @@ class Findings:
         """By name: what brings up a dialogue that no action ends in at once."""
         way, used = survey.trajectory, project.settings.subsample
         return {
-            "checked": lambda: dialogs.checked(self.checked),
+            "checked": lambda: dialogs.show_check_result(self.checked),
             "budget-found": lambda: dialogs.budget(self.budget),
             "history": lambda: dialogs.history(*self.histories),
             "subsampling": lambda: dialogs.subsampling(self.subsampled, used),
@@ -87,7 +87,7 @@ class Findings:
             "sensor-editor": lambda: SensorEditor(
                 settings.sensors, NEW_POS, "", dialogs.parent
             ).exec(),
-            "add-or-new": lambda: dialogs.add_or_new(project.name),
+            "add-or-new": lambda: dialogs.ask_to_add(project.name),
             "candidate-waits": lambda: dialogs.ask_about_candidate("T3"),
             "recover": lambda: dialogs.ask_to_recover(project.name, local_datetime(WRITTEN)),
             "open-elsewhere": lambda: dialogs.ask_to_open_locked(

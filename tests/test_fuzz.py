@@ -192,7 +192,7 @@ def remembered(folder: Path) -> tuple[Sources, Attempt]:
     """What the window remembers, column mappings among it."""
     path = folder / "window.ini"
     sound = AppSettings(path)
-    sound.keep_column_mappings({"text/5/": "time x y z -", "ascii-trajectory/9/": "time roll"})
+    sound.save_column_mappings({"text/5/": "time x y z -", "ascii-trajectory/9/": "time roll"})
     sound.add_recent(folder)
     sound.point_size = 3
     sound.sync()

@@ -15,8 +15,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.viewport.base import (
-    BESIDE_COLOUR,
-    CHOSEN_COLOUR,
+    SELECTED_COLOUR,
+    UNSELECTED_COLOUR,
     Highlight,
     Marker,
     PickedPoint,
@@ -166,12 +166,12 @@ def test_highlights_lie_over_their_line_and_selection_tells_them_apart(viewport)
     viewport.select(("T1", "red"))
     one = picture(viewport)
     assert count(one, YELLOW) == 0
-    assert count(one, CHOSEN_COLOUR) > 1.1 * count(plain, YELLOW)
+    assert count(one, SELECTED_COLOUR) > 1.1 * count(plain, YELLOW)
     assert count(one, GREEN) == count(plain, GREEN)
     viewport.select(("T1", "blue"))
     other = picture(viewport)
-    assert count(other, YELLOW) == count(other, CHOSEN_COLOUR) == 0
-    assert count(other, BESIDE_COLOUR) > 300
+    assert count(other, YELLOW) == count(other, SELECTED_COLOUR) == 0
+    assert count(other, UNSELECTED_COLOUR) > 300
     viewport.select(("T2", ""))
     assert count(picture(viewport), GREEN) > 1.1 * count(plain, GREEN)
     viewport.select(None)
@@ -239,12 +239,12 @@ def test_where_frames_take_long_fewer_points_move_and_never_more_than_the_budget
         return drawn()
 
     assert move() == 2000
-    view._view_detail.now(view._refinement_steps(view._pace.resting))
+    view._view_detail.compute_now(view._refinement_steps(view._times.rest_points))
     assert drawn() == 2 * 4000  # with their rims
-    view._pace.slice = 1
+    view._times.slice = 1
     view._detail_s = 1.0
     assert move() == 250
-    view._view_detail.now(view._refinement_steps(view._pace.resting))
+    view._view_detail.compute_now(view._refinement_steps(view._times.rest_points))
     assert drawn() == 2 * 4000
 
 

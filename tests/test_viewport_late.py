@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMainWindow, QStackedWidget, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.viewport.base import Viewport, ViewportSignals
-from lispac.gui.viewport.lazy_viewport import ANSWERED, PER_WHAT, LazyViewport
+from lispac.gui.viewport.lazy_viewport import CALLS_BY_NAME, CALLS_WITH_VALUE, LazyViewport
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from tests.gui.support import WAIT_MS, in_front
 
@@ -118,7 +118,7 @@ def test_every_signal_is_passed_on(late: LazyViewport, made: Made) -> None:
     late.show_clouds(CLOUDS, COLOURS)
     signals: QObject = made.all[0].signals
     for name in names:
-        values = {"missed": (), "handle_moved": ("box", 1, 0.5), "handle_let_go": ("box",)}
+        values = {"missed": (), "handle_moved": ("box", 1, 0.5), "handle_released": ("box",)}
         getattr(signals, name).emit(*values.get(name, (None,)))
     assert heard == names
 
@@ -130,5 +130,5 @@ def test_every_question_has_an_answer() -> None:
         if inspect.isfunction(each) and inspect.signature(each).return_annotation is not None
     }
     theirs = asked - set(vars(LazyViewport))
-    assert {name for name in theirs if not name.startswith("_")} <= ANSWERED
-    assert set(vars(Viewport)) > PER_WHAT
+    assert {name for name in theirs if not name.startswith("_")} <= CALLS_WITH_VALUE
+    assert set(vars(Viewport)) > CALLS_BY_NAME

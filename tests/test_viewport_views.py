@@ -52,7 +52,7 @@ def test_views_from_all_sides_and_along_a_normal(viewport):
     for name, (north, west) in ahead.items():
         viewport.view(name)
         np.testing.assert_allclose(viewport.camera.axes[2], [north, west, 0], atol=0.05)
-    viewport.look_along(np.array([0.0, -1.0, 0.0]), clouds["red"])
+    viewport.view_along(np.array([0.0, -1.0, 0.0]), clouds["red"])
     np.testing.assert_allclose(viewport.camera.axes[2], [0, 1, 0], atol=1e-12)
     assert np.ptp(viewport.to_pixels(clouds["red"])[:, 1]) > 400, "and it fills the picture"
 
@@ -120,7 +120,7 @@ def test_a_handle_follows_the_mouse_along_its_axis(viewport, parallel):
     place, axis = np.array([1.0, 15.0, 2.0]), np.array([1.0, 0.0, 0.0])
     moved, ended = [], []
     viewport.signals.handle_moved.connect(lambda *told: moved.append(told))
-    viewport.signals.handle_let_go.connect(ended.append)
+    viewport.signals.handle_released.connect(ended.append)
     viewport.show_sketch(
         "box", Sketch((), (), INKED, handles=(DragHandle(tuple(place), tuple(axis)),))
     )
@@ -177,7 +177,7 @@ def test_only_what_lies_in_the_box_is_drawn_and_picked(viewport, qtbot):
     viewport.show_highlights([Highlight(("T1", "red"), plate, YELLOW)])
     whole = {c: count(picture(viewport), c) for c in (RED, BLUE, YELLOW)}
     low = clouds["red"][clouds["red"][:, 2] < 1.5]
-    viewport.clip(Box.about(low, np.array([0.0, 1.0, 0.0]), 0.01))
+    viewport.clip(Box.around(low, np.array([0.0, 1.0, 0.0]), 0.01))
     image = picture(viewport)
     assert count(image, BLUE) == 0
     assert 0.4 * whole[RED] < count(image, RED) < 0.6 * whole[RED]
@@ -205,7 +205,7 @@ def test_a_line_parts_before_from_after_and_is_moved_by_the_mouse(viewport, para
     viewport.show_clouds({"blue": here}, {"blue": BLUE})
     viewport.set_parallel(parallel)
     viewport.view("front")
-    viewport.show_beside({"blue": here + [0.0, 0.0, 20.0]})
+    viewport.show_wipe({"blue": here + [0.0, 0.0, 20.0]})
 
     viewport.fit(np.concatenate([here, here + [0.0, 0.0, 20.0]]))
     image = picture(viewport)
@@ -221,7 +221,7 @@ def test_a_line_parts_before_from_after_and_is_moved_by_the_mouse(viewport, para
     blue = np.abs(picture(viewport).astype(int) - BLUE).max(axis=2) <= 2
     assert blue[320:, 345:398].sum() > 50
     assert blue[:280, 345:].sum() == 0
-    viewport.show_beside(None)
+    viewport.show_wipe(None)
     blue = np.abs(picture(viewport).astype(int) - BLUE).max(axis=2) <= 2
     assert blue[:280].sum() == 0
 
@@ -229,7 +229,7 @@ def test_a_line_parts_before_from_after_and_is_moved_by_the_mouse(viewport, para
 def test_a_box_is_changed_side_by_side_and_never_turns_inside_out():
     rng = np.random.default_rng(3)
     points = rng.normal(size=(40_000, 3)) * [3.0, 0.5, 1.0] + 50.0
-    box = Box.about(points, np.array([0.6, -0.8, 0.1]), 1e-6)
+    box = Box.around(points, np.array([0.6, -0.8, 0.1]), 1e-6)
     assert len(box.inside(points)) == len(points)
     np.testing.assert_allclose(box.axes @ box.axes.T, np.eye(3), atol=1e-14)
     for side in range(6):

@@ -8,22 +8,22 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
 
 from lispac.gui import theme
 from lispac.gui.view_actions import (
-    COLOURED,
+    COLOUR_ACTIONS,
     INSPECT_ACTIONS,
     INSPECT_MENU,
     STEP_ACTIONS,
-    SWITCHES,
-    THEMED,
+    THEME_ACTIONS,
+    TOGGLES,
     VIEW_ACTIONS,
     VIEW_MENU,
-    Described,
+    ActionSpec,
     Menu,
 )
 from lispac.language import N_, gettext
 
 Keys = QKeySequence.StandardKey
 
-_ACTIONS: dict[str, Described] = {
+_ACTIONS: dict[str, ActionSpec] = {
     "new": (N_("&New project…"), N_("New"), "folder-plus-outline", Keys.New,
             N_("Create a project from a trajectory and lines")),
     "open": (N_("&Open project…"), N_("Open"), "folder-open-outline", Keys.Open,
@@ -127,8 +127,8 @@ _ACTIONS: dict[str, Described] = {
 """Each action by its name; the languages are named in themselves."""
 
 _CHECKABLE = (
-    ("seed_target", "seed_validation"), ("before", "after"), tuple(COLOURED.values()),
-    ("english", "french"), tuple(THEMED.values()),
+    ("seed_target", "seed_validation"), ("before", "after"), tuple(COLOUR_ACTIONS.values()),
+    ("english", "french"), tuple(THEME_ACTIONS.values()),
 )  # fmt: skip
 _MENUS: dict[str, Menu] = {
     N_("&File"): (
@@ -223,7 +223,7 @@ class Actions(QObject):
                 self[name].setCheckable(True)
                 group.addAction(self[name])
             self[pair[0]].setChecked(True)
-        for name in SWITCHES:
+        for name in TOGGLES:
             self[name].setCheckable(True)
         stack.canUndoChanged.connect(self["undo"].setEnabled)
         stack.canRedoChanged.connect(self["redo"].setEnabled)

@@ -16,7 +16,7 @@ from lispac.workflow.survey import Survey
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
-Asked = tuple[Project, Mapping[str, Message]]
+MissingResults = tuple[Project, Mapping[str, Message]]
 
 
 class AlternativeMethods(QObject):
@@ -42,23 +42,23 @@ class AlternativeMethods(QObject):
         project, survey = self._document.project, self._document.survey
         if project is None or survey is None or not self._document.survey_is_current:
             return
-        asks = self._dialogs.methods(
+        run_missing = self._dialogs.methods(
             method_results(project), missing_methods(project), refused or {}
         )
-        if asks and self._document.project is project:
+        if run_missing and self._document.project is project:
             self._run_missing(project, survey)
 
     def _run_missing(self, project: Project, survey: Survey) -> None:
-        def work(progress: Progress) -> Asked:
+        def work(progress: Progress) -> MissingResults:
             return run_missing_methods(project, survey, progress=progress)
 
-        def done(requested: Asked) -> None:
-            found, refused = requested
+        def done(results: MissingResults) -> None:
+            found, refused = results
             if found is not project:
                 self._document.edit(N_("results of alternative methods"), found)
             self.compare(refused)
 
-        task = self._runner.run(gettext("Running alternative methods"), work, done, shows=True)
+        task = self._runner.run(gettext("Running alternative methods"), work, done, modal=True)
         self._controller.cancel_on_edit(task)
 
     def _enable_controls(self) -> None:

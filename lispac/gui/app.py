@@ -66,7 +66,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     from lispac.gui.viewport.lazy_viewport import LazyViewport
     from lispac.message_texts import message_text
 
-    tidying = GuiThreadGarbageCollector(application)
+    collector = GuiThreadGarbageCollector(application)
     session = Session(application, lambda: LazyViewport(_create_viewport))
     # It is there when the first project has been read, and the window is drawn before
     importing = threading.Thread(target=_import_viewport, name="lispac-import")
@@ -76,7 +76,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     logbook = LogFile(session.log_folder, session.report_uncaught)
     logbook.begin()
     if message is not None:
-        session.window.controller.noted.emit(message_text(message))
+        session.window.controller.logged.emit(message_text(message))
     if arguments.project is not None:
         QTimer.singleShot(0, lambda: session.window.open_project(arguments.project))
     elif (crashed := session.crashed_project()) is not None:
@@ -87,7 +87,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return application.exec()
     finally:
         logbook.end()
-        tidying.end()
+        collector.end()
 
 
 def _import_viewport() -> "type[Viewport]":

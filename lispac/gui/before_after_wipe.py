@@ -55,8 +55,8 @@ class BeforeAfterWipe(QObject):
         if self._scene.which == "prior" or survey is None:
             self._stop_wipe()
             return
-        self._viewport.show_beside({name: cloud.sample for name, cloud in survey.clouds.items()})
+        self._viewport.show_wipe({name: cloud.sample for name, cloud in survey.clouds.items()})
 
     def _stop_wipe(self) -> None:
         self._action.setChecked(False)
-        self._viewport.show_beside(None)
+        self._viewport.show_wipe(None)

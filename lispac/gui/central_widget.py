@@ -9,7 +9,7 @@ from lispac.gui.start_page import StartPage
 from lispac.gui.tour import TourCard
 from lispac.gui.viewport.base import Viewport
 
-RING = 2
+FRAME_WIDTH = 2
 """Width of the frame that shows the keyboard focus of the view, pixels."""
 
 
@@ -42,7 +42,7 @@ class _FocusFrame(QWidget):
         super().__init__()
         self._view, self._drawn = view, False
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(RING, RING, RING, RING)
+        layout.setContentsMargins(FRAME_WIDTH, FRAME_WIDTH, FRAME_WIDTH, FRAME_WIDTH)
         layout.addWidget(pages)
         QApplication.instance().focusChanged.connect(self._update_frame)
 
@@ -53,7 +53,7 @@ class _FocusFrame(QWidget):
             self.update(QRegion(self.rect()).subtracted(self._inner_rect()))
 
     def _inner_rect(self) -> QRect:
-        return self.rect().adjusted(RING, RING, -RING, -RING)
+        return self.rect().adjusted(FRAME_WIDTH, FRAME_WIDTH, -FRAME_WIDTH, -FRAME_WIDTH)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._drawn:

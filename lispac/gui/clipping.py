@@ -14,9 +14,9 @@ from lispac.gui.viewport.decimation import trimmed_points
 from lispac.language import gettext
 from lispac.targets.cross_section import common_normal
 
-COLOUR: Colour = (255, 170, 0)
-SKETCH = "clip"
-MARGIN = 0.5
+SKETCH_COLOUR: Colour = (255, 170, 0)
+SKETCH_NAME = "clip"
+BOX_MARGIN = 0.5
 """Of the box about a target, metres."""
 
 
@@ -37,27 +37,27 @@ class ClipBoxController(QObject):
         self.panel = ClippingPanel()
         self.box: Box | None = None
         actions["clip"].triggered.connect(lambda on: self.begin() if on else self.reset())
-        self.panel.sized.connect(
-            lambda lengths: self._set_box(self.box and self.box.sized(lengths))
+        self.panel.lengths_changed.connect(
+            lambda lengths: self._set_box(self.box and self.box.with_lengths(lengths))
         )
-        self.panel.about_requested.connect(self.begin)
+        self.panel.fit_requested.connect(self.begin)
         self.panel.reset_requested.connect(self.reset)
-        scene.gone_to.connect(self.show)
+        scene.focused.connect(self.show)
         viewport.signals.handle_moved.connect(self._move_side)
-        viewport.signals.handle_let_go.connect(self._on_handle_released)
+        viewport.signals.handle_released.connect(self._on_handle_released)
 
     def begin(self) -> None:
         """Place the box around the selected target, or around everything."""
         groups = list(self._scene.selected_points.values())
         if groups:
-            box = Box.about(np.concatenate(groups), common_normal(groups), MARGIN)
+            box = Box.around(np.concatenate(groups), common_normal(groups), BOX_MARGIN)
         else:
             samples = [cloud.sample[::50] for cloud in self._scene.clouds.values()]
             if not samples:
                 self._actions["clip"].setChecked(False)
                 return
             everything = trimmed_points(np.concatenate(samples), 1.0)
-            box = Box.about(everything, np.array([1.0, 0.0, 0.0]), 0.0)
+            box = Box.around(everything, np.array([1.0, 0.0, 0.0]), 0.0)
         self._set_box(box)
         self._bring(self.panel)
 
@@ -65,7 +65,7 @@ class ClipBoxController(QObject):
         """Move the box around points (n, 3) to be shown, if it hides most of them."""
         if self.box is None or 2 * len(self.box.inside(points)) >= len(points):
             return
-        self._set_box(Box.about(points, common_normal([points]), MARGIN))
+        self._set_box(Box.around(points, common_normal([points]), BOX_MARGIN))
         self._note(
             gettext("{name} was outside the clip box. The clip box was moved around it.", name=name)
         )
@@ -84,15 +84,15 @@ class ClipBoxController(QObject):
 
     def _show(self) -> None:
         self.panel.show_box(self.box)
-        self._viewport.show_sketch(SKETCH, None if self.box is None else _box_sketch(self.box))
+        self._viewport.show_sketch(SKETCH_NAME, None if self.box is None else _box_sketch(self.box))
 
     def _move_side(self, name: str, side: int, metres: float) -> None:
-        if name == SKETCH and self.box is not None:
+        if name == SKETCH_NAME and self.box is not None:
             self.box = self.box.with_side_moved(side, metres)
             self._show()  # the points follow when the handle is let go
 
     def _on_handle_released(self, name: str) -> None:
-        if name == SKETCH and self.box is not None:
+        if name == SKETCH_NAME and self.box is not None:
             self._viewport.clip(self.box)
 
 
@@ -101,4 +101,4 @@ def _box_sketch(box: Box) -> Sketch:
         return float(point[0]), float(point[1]), float(point[2])
 
     handles = tuple(DragHandle(place(middle), place(out)) for middle, out in box.sides)
-    return Sketch(tuple(map(place, box.corners)), EDGES, COLOUR, handles=handles)
+    return Sketch(tuple(map(place, box.corners)), EDGES, SKETCH_COLOUR, handles=handles)

@@ -22,7 +22,7 @@ from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
 from lispac.workflow.export_request import ExportRequest
 from lispac.workflow.survey import Survey
 
-WRITING = {
+EXPORT_TITLES = {
     "lines": N_("Writing the lines"),
     "targets": N_("Writing the targets"),
     "planes": N_("Writing the files of the planes"),
@@ -141,12 +141,12 @@ class Computations(QObject):
                 self._document.edit(_validation_edit_name(model), validated, **_model_params(model))
                 self.validated.emit()
                 for reason in validated.not_compared.values():
-                    self._controller.noted.emit(message_text(reason))
+                    self._controller.logged.emit(message_text(reason))
                 compared = Plural(
                     "Compared the lines on {count:n} validation plane",
                     "Compared the lines on {count:n} validation planes",
                 )
-                self._controller.noted.emit(gettext(compared, count=len(validated.validation)))
+                self._controller.logged.emit(gettext(compared, count=len(validated.validation)))
 
         task = self._runner.run(gettext("Validating"), work, done, key="validate")
         self._controller.cancel_on_edit(task)
@@ -204,11 +204,11 @@ class Computations(QObject):
         def done(written: tuple[list[Path], tuple[Message, ...]]) -> None:
             paths, notes = written
             for note in notes:
-                self._controller.noted.emit(message_text(note))
+                self._controller.logged.emit(message_text(note))
             wrote = Plural("Wrote {path}", "Wrote {path} ({count:n} files)")
-            self._controller.noted.emit(gettext(wrote, count=len(paths), path=request.output))
+            self._controller.logged.emit(gettext(wrote, count=len(paths), path=request.output))
 
-        self._runner.run(gettext(WRITING[request.what]), work, done, lasting=True)
+        self._runner.run(gettext(EXPORT_TITLES[request.what]), work, done, persistent=True)
 
     def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current

@@ -26,7 +26,7 @@ from lispac.workflow.input_files import ImportRequest
 from lispac.workflow.survey import Survey, load_survey
 from lispac.workflow.target_search import thinned_notes
 
-Opened = tuple[Project, Survey]
+OpenedProject = tuple[Project, Survey]
 
 
 class Controller(QObject):
@@ -35,7 +35,7 @@ class Controller(QObject):
     candidate_changed = Signal()
     accepted = Signal(str)
     """Name of the target that was just accepted."""
-    noted = Signal(str)
+    logged = Signal(str)
     """A message for the log and the status bar."""
     refused = Signal(object)
     """An error to show to the user."""
@@ -88,7 +88,7 @@ class Controller(QObject):
         *,
         has_recovery_copy: bool = False,
     ) -> None:
-        def work(progress: Progress) -> Opened | Project:
+        def work(progress: Progress) -> OpenedProject | Project:
             from lispac.workflow.moved_files import missing_files
 
             project, notes = read()
@@ -99,23 +99,23 @@ class Controller(QObject):
             _, survey = _load_lines(project, progress)
             return project, replace(survey, notes=(*notes, *survey.notes))
 
-        def done(opened: Opened | Project) -> None:
+        def done(opened: OpenedProject | Project) -> None:
             if isinstance(opened, Project):
                 self.files_missing.emit(opened)
                 return
             self._show_opened_project(opened)
             if has_recovery_copy and self._document.project is opened[0]:
                 self._document.undo_stack.resetClean()
-                self.noted.emit(
+                self.logged.emit(
                     gettext("The files were found. Save the project to keep their new location.")
                 )
 
-        self._runner.run(gettext("Opening {name}", name=name), work, done, shows=True)
+        self._runner.run(gettext("Opening {name}", name=name), work, done, modal=True)
 
     def create(self, request: ImportRequest) -> None:
         """Create a project from imported files and open it."""
 
-        def work(progress: Progress) -> Opened:
+        def work(progress: Progress) -> OpenedProject:
             from lispac.workflow.projects import new_project
 
             return new_project(
@@ -131,7 +131,7 @@ class Controller(QObject):
             )
 
         title = gettext("Creating {name}", name=request.folder.name)
-        self._runner.run(title, work, self._show_opened_project, lasting=True, shows=True)
+        self._runner.run(title, work, self._show_opened_project, persistent=True, modal=True)
 
     def add_lines(self, lines: Sequence[LineSource]) -> None:
         """Add lines to the project: one undo step."""
@@ -140,25 +140,25 @@ class Controller(QObject):
             return
         count, name = len(lines), lines[0].name
 
-        def work(progress: Progress) -> Opened:
+        def work(progress: Progress) -> OpenedProject:
             from lispac.workflow.projects import with_lines_added
 
             return with_lines_added(project, lines, progress=progress)
 
-        def done(added: Opened) -> None:
+        def done(added: OpenedProject) -> None:
             edited, survey = added
             self._discard_candidate()  # it was searched for in the lines of that time
             edit = N_("addition of {line}") if count == 1 else N_("addition of {count:n} lines")
             self._document.edit(edit, edited, survey=survey, count=count, line=name)
             for note in survey.notes:
-                self.noted.emit(message_text(note))
+                self.logged.emit(message_text(note))
             if count == 1:
                 template = N_("{line} was added to {project}. Save the project to keep it.")
             else:
                 template = N_(
                     "{count:n} lines were added to {project}. Save the project to keep them."
                 )
-            self.noted.emit(gettext(template, count=count, line=name, project=project.name))
+            self.logged.emit(gettext(template, count=count, line=name, project=project.name))
 
         template = N_("Adding {line}") if count == 1 else N_("Adding {count:n} lines")
         title = gettext(template, count=count, line=name)
@@ -173,7 +173,7 @@ class Controller(QObject):
         """
         place = folder or demo_folder()
 
-        def work(progress: Progress) -> Opened:
+        def work(progress: Progress) -> OpenedProject:
             from lispac.workflow.demo import make_demo
             from lispac.workflow.projects import open_project
 
@@ -183,11 +183,11 @@ class Controller(QObject):
                 project = make_demo(place, progress=sub_progress(progress, 0.0, 0.8))
             return _load_lines(project, sub_progress(progress, 0.8, 1.0))
 
-        def done(opened: Opened) -> None:
+        def done(opened: OpenedProject) -> None:
             first()
             self._show_opened_project(opened)
 
-        self._runner.run(gettext("Opening the demo survey"), work, done, shows=True)
+        self._runner.run(gettext("Opening the demo survey"), work, done, modal=True)
 
     def save(self) -> bool:
         """Save the project; return whether it was saved."""
@@ -212,7 +212,7 @@ class Controller(QObject):
             self.refused.emit(failure)
             return False
         self._document.mark_saved(saved.file_digest)
-        self.noted.emit(gettext("Saved {project}", project=project.name))
+        self.logged.emit(gettext("Saved {project}", project=project.name))
         return True
 
     def save_as(self, folder: Path) -> None:
@@ -221,16 +221,16 @@ class Controller(QObject):
         if project is None or survey is None:
             return
 
-        def work(progress: Progress) -> Opened:
+        def work(progress: Progress) -> OpenedProject:
             from lispac.workflow.project_copy import save_project_as
 
             return save_project_as(project, survey, folder, progress=progress)
 
-        def done(saved: Opened) -> None:
+        def done(saved: OpenedProject) -> None:
             saved_project, found = saved
             self._document.move(saved_project, found)
             self._settings.add_recent(saved_project.folder)
-            self.noted.emit(
+            self.logged.emit(
                 gettext(
                     "Saved as {folder}. The project in {former} stays as it was last saved.",
                     folder=saved_project.folder,
@@ -239,9 +239,9 @@ class Controller(QObject):
             )
 
         title = gettext("Saving as {name}", name=folder.name)
-        self._runner.run(title, work, done, lasting=True)
+        self._runner.run(title, work, done, persistent=True)
 
-    def _show_opened_project(self, opened: Opened) -> None:
+    def _show_opened_project(self, opened: OpenedProject) -> None:
         project, survey = opened
         self._discard_candidate()
         self._document.open(project, survey)
@@ -249,8 +249,8 @@ class Controller(QObject):
         if self._document.project is None:  # closed again: another window has it
             return
         for note in survey.notes:
-            self.noted.emit(message_text(note))
-        self.noted.emit(gettext("Opened {folder}", folder=project.folder))
+            self.logged.emit(message_text(note))
+        self.logged.emit(gettext("Opened {folder}", folder=project.folder))
 
     def _on_document_changed(self) -> None:
         """Reload the data and cancel dependent tasks after a change of the project."""
@@ -291,7 +291,7 @@ class Controller(QObject):
                 self._scene.prior_position_finder(point), seed_options, first_line=point.line
             )
 
-    def seek(self, position: Triple, seed_options: SeedOptions, *, name: str = "") -> None:
+    def search_at(self, position: Triple, seed_options: SeedOptions, *, name: str = "") -> None:
         """Search for the target at a position; an empty ``name`` means the next free name.
 
         Parameters
@@ -336,7 +336,7 @@ class Controller(QObject):
         if self._document.project is None:
             return False
         if self._runner.busy or not self._document.survey_is_current:
-            self.noted.emit(
+            self.logged.emit(
                 gettext("A task is running. Wait until it has ended, then pick the target again.")
             )
             return False
@@ -356,13 +356,13 @@ class Controller(QObject):
             "{target}: found in {sightings:n} of {count:n} line",
             "{target}: found in {sightings:n} of {count:n} lines",
         )
-        self.noted.emit(gettext(found, target=name, sightings=sightings, count=len(project.lines)))
+        self.logged.emit(gettext(found, target=name, sightings=sightings, count=len(project.lines)))
         self.accepted.emit(candidate.name)
 
     def reject(self) -> None:
         """Discard the candidate."""
         if self.candidate is not None:
-            self.noted.emit(
+            self.logged.emit(
                 gettext("The detected target {target} was rejected.", target=self.candidate.name)
             )
             self._discard_candidate()
@@ -372,7 +372,7 @@ class Controller(QObject):
         self.candidate = candidate
         self._scene.show_candidate(candidate)
         for each in thinned_notes(candidate):
-            self.noted.emit(message_text(each))
+            self.logged.emit(message_text(each))
         self.candidate_changed.emit()
 
     def _discard_candidate(self) -> None:
@@ -405,7 +405,7 @@ class Controller(QObject):
         if self._project is not None:
             title = N_("inclusion of {target}") if used else N_("exclusion of {target}")
             edited = edits.with_use_of_target(self._project, name, used)
-            self._document.edit(title, edited, follows=True, target=name)
+            self._document.edit(title, edited, recompute=True, target=name)
 
     def use_sighting(self, name: str, line: str, used: bool) -> None:
         """Include or exclude a sighting."""
@@ -413,14 +413,14 @@ class Controller(QObject):
             included = N_("inclusion of {target} in {line}")
             title = included if used else N_("exclusion of {target} in {line}")
             edited = edits.with_use_of_sighting(self._project, name, line, used)
-            self._document.edit(title, edited, follows=True, target=name, line=line)
+            self._document.edit(title, edited, recompute=True, target=name, line=line)
 
     def use_line(self, line: str, used: bool) -> None:
         """Include or exclude all sightings of a line."""
         if self._project is not None:
             title = N_("inclusion of line {line}") if used else N_("exclusion of line {line}")
             edited = edits.with_use_of_line(self._project, line, used)
-            self._document.edit(title, edited, follows=True, line=line)
+            self._document.edit(title, edited, recompute=True, line=line)
 
     def change_settings(self, settings: Settings) -> None:
         """Apply edited settings to the project."""
@@ -444,7 +444,7 @@ def demo_folder() -> Path:
     return usable_cache_folder() / DEMO
 
 
-def _load_lines(project: Project, progress: Progress) -> Opened:
+def _load_lines(project: Project, progress: Progress) -> OpenedProject:
     """Load the lines of a project, and compute the warnings that are shown first."""
     survey = load_survey(project, progress=progress)
     project_warnings(project)

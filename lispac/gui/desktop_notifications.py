@@ -10,7 +10,7 @@ from lispac.gui import theme
 from lispac.gui.tasks import Task, TaskRunner
 from lispac.language import N_, duration_text, gettext
 
-LONG = 10.0
+MIN_TASK_S = 10.0
 """Seconds; shorter tasks are not notified."""
 
 
@@ -19,18 +19,18 @@ class DesktopNotifications(QObject):
 
     Parameters
     ----------
-    tell : shows a text outside the window; by default as a notification of the desktop
+    show : shows a text outside the window; by default as a notification of the desktop
     """
 
     def __init__(
         self,
         window: QMainWindow,
         runner: TaskRunner,
-        tell: Callable[[str], None] | None = None,
+        show: Callable[[str], None] | None = None,
     ) -> None:
         super().__init__(window)
         self._window, self._runner = window, runner
-        self._tell = tell or self._notify
+        self._show = show or self._notify
         self._task: Task | None = None
         self._tray: QSystemTrayIcon | None = None
         runner.changed.connect(self._on_tasks_changed)
@@ -40,15 +40,15 @@ class DesktopNotifications(QObject):
         if ended is None or ended is self._task or ended.quiet or ended.cancel.is_set():
             return
         took = time.monotonic() - ended.started
-        if took >= LONG and not self._window.isActiveWindow():
+        if took >= MIN_TASK_S and not self._window.isActiveWindow():
             if ended.error is None:
                 template = N_("{task}: completed after {time}")
             else:
                 template = N_("{task}: failed after {time}")
-            self._tell(gettext(template, task=ended.title, time=duration_text(took)))
+            self._show(gettext(template, task=ended.title, time=duration_text(took)))
 
     def _notify(self, text: str) -> None:
-        QApplication.alert(self._window)  # the window's entry in the task bar asks to be examined
+        QApplication.alert(self._window)  # highlights the window's entry in the task bar
         if QSystemTrayIcon.isSystemTrayAvailable() and QSystemTrayIcon.supportsMessages():
             if self._tray is None:
                 self._tray = QSystemTrayIcon(theme.icon("ferry"), self)

@@ -56,7 +56,7 @@ def _dock_action(dock: QDockWidget) -> QAction:
     made = QAction(dock.windowTitle(), dock)
     made.setCheckable(True)
     dock.visibilityChanged.connect(made.setChecked)  # false for one behind another, too
-    made.triggered.connect(lambda wanted: focus_dock(dock) if wanted else dock.close())
+    made.triggered.connect(lambda visible: focus_dock(dock) if visible else dock.close())
     return made
 
 

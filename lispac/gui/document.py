@@ -21,13 +21,13 @@ class _ProjectState:
 
     Attributes
     ----------
-    follows : whether its result is computed without being asked for
+    recompute : whether its result is computed automatically
     refusal : why there is no such result
     refused_since : why an estimate after the result was refused
     """
 
     project: Project
-    follows: bool = False
+    recompute: bool = False
     refusal: Message | str = ""
     refused_since: Message | str = ""
 
@@ -62,8 +62,8 @@ class Document(QObject):
 
     changed = Signal()
     """The project is another value, or other data are at hand for it."""
-    left = Signal()
-    """What was shown goes; `opened` follows."""
+    about_to_open = Signal()
+    """Another project replaces the current one; `opened` follows."""
     survey_changed = Signal()
     """Data were loaded or released; `changed` follows."""
     opened = Signal()
@@ -80,7 +80,7 @@ class Document(QObject):
         """Digest of the project file as it was read or last saved."""
         self.survey: Survey | None = None
         self._key: tuple[object, ...] | None = None
-        self._survey_told = True
+        self._survey_announced = True
         self._reported: tuple[Project | None, str] = (None, "")
         self.undo_stack = QUndoStack(self)
         self.undo_stack.cleanChanged.connect(self._clean_changed)
@@ -96,7 +96,7 @@ class Document(QObject):
         state = self._state
         return (
             state is not None
-            and state.follows
+            and state.recompute
             and state.project.result is None
             and not state.refusal
         )
@@ -139,7 +139,7 @@ class Document(QObject):
 
     def notify_opened(self) -> None:
         """Emit the signals of a newly opened project."""
-        self.left.emit()
+        self.about_to_open.emit()
         self.survey_changed.emit()
         self.opened.emit()
         self.changed.emit()
@@ -157,7 +157,7 @@ class Document(QObject):
         project: Project,
         *,
         survey: Survey | None = None,
-        follows: bool = False,
+        recompute: bool = False,
         **params: Any,
     ) -> None:
         """Replace the project by an edited one, as one undo step.
@@ -168,21 +168,21 @@ class Document(QObject):
             Name of the edit as the undo menu shows it, marked with `N_`; ``params`` fill it.
         survey : Survey, optional
             The data as the edited project places them, where they are at hand already.
-        follows : bool
+        recompute : bool
             Whether a result that the edit removes is computed again automatically:
             `complete_last_edit` adds it, and one undo reverts the edit and its result.
         """
         if self._state is None or project is self._state.project:
             return
-        again = follows and (self._state.project.result is not None or self._state.follows)
+        again = recompute and (self._state.project.result is not None or self._state.recompute)
         before, after = (
             self._state,
-            _ProjectState(self._with_current_folder(project), follows=again),
+            _ProjectState(self._with_current_folder(project), recompute=again),
         )
         if project.result is before.project.result is not None:
             after.refused_since = before.refused_since
         if survey is not None:
-            self.survey, self._key, self._survey_told = survey, data_key(project), False
+            self.survey, self._key, self._survey_announced = survey, data_key(project), False
         self.undo_stack.push(_Edit(_EditName(name, params), self, before, after))
 
     def complete_last_edit(self, project: Project) -> None:
@@ -226,24 +226,24 @@ class Document(QObject):
 
     def copy_for_new_window(self, parent: QObject | None = None) -> "Document":
         """Copy of the document with its undo steps, for a window that is made again."""
-        heir = Document(parent)
-        heir._reported = self._reported
-        heir._folder, heir.file_digest = self._folder, self.file_digest
-        heir.survey, heir._key = self.survey, self._key
+        copy = Document(parent)
+        copy._reported = self._reported
+        copy._folder, copy.file_digest = self._folder, self.file_digest
+        copy.survey, copy._key = self.survey, self._key
         stack = self.undo_stack
         steps = [stack.command(k) for k in range(stack.count())]
         first = steps[0]._before if steps else self._state
-        heir._state = first
+        copy._state = first
         for k, step in enumerate(steps):
             if stack.cleanIndex() == k:
-                heir.undo_stack.setClean()
-            heir.undo_stack.push(_Edit(step.name, heir, step._before, step._after))
+                copy.undo_stack.setClean()
+            copy.undo_stack.push(_Edit(step.name, copy, step._before, step._after))
         if stack.cleanIndex() == len(steps):
-            heir.undo_stack.setClean()
+            copy.undo_stack.setClean()
         elif stack.cleanIndex() < 0:
-            heir.undo_stack.resetClean()
-        heir.undo_stack.setIndex(stack.index())
-        return heir
+            copy.undo_stack.resetClean()
+        copy.undo_stack.setIndex(stack.index())
+        return copy
 
     def _with_current_folder(self, project: Project) -> Project:
         """Project with the current folder; earlier states may hold the former folder."""
@@ -257,7 +257,7 @@ class Document(QObject):
     def _set_state(self, state: _ProjectState) -> None:
         state.project = self._with_current_folder(state.project)
         self._state = state
-        if not self._survey_told:
-            self._survey_told = True
+        if not self._survey_announced:
+            self._survey_announced = True
             self.survey_changed.emit()
         self.changed.emit()

@@ -21,7 +21,7 @@ from lispac.project import Project, Settings
 from lispac.survey.cloud import Cloud
 from lispac.workflow.survey import Survey
 
-REST_MS = 250
+DEBOUNCE_MS = 250
 """Several clicks in a row make one adjustment."""
 
 ESTIMATED = Plural(
@@ -86,19 +86,19 @@ class Estimation(QObject):
         self._document, self._runner = document, runner
         self._scene, self._controller = scene, controller
         self._selection: _Selection | None = None
-        self._following: tuple[Task, Project] | None = None
-        self._wants_checks = False
+        self._automatic: tuple[Task, Project] | None = None
+        self._cross_check = False
         self._unchecked: Project | None = None
         self._checking: Task | None = None
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(REST_MS)
-        self._rest.timeout.connect(self._estimate_again)
+        self._debounce = QTimer(self)
+        self._debounce.setSingleShot(True)
+        self._debounce.setInterval(DEBOUNCE_MS)
+        self._debounce.timeout.connect(self._estimate_again)
         document.changed.connect(self._wait_for_result)
         document.opened.connect(self._on_project_opened)
         runner.idle.connect(self._wait_for_result)
         runner.failed.connect(self._record_refusal)
-        self._asked: Task | None = None
+        self._last_task: Task | None = None
 
     def estimate(self, settings: Settings, cross_check: bool) -> None:
         """Adjust the boresight with these settings and show the lines placed with it."""
@@ -111,28 +111,28 @@ class Estimation(QObject):
         def work(progress: Progress) -> _EstimationResult:
             settings.require_sound()
             placed = survey.with_prior(selected_with.mounting("prior")) if data_changed else survey
-            answer = _adjust(selected_with, placed, None, cross_check, progress)
-            return replace(answer, replaced=placed) if data_changed else answer
+            found = _adjust(selected_with, placed, None, cross_check, progress)
+            return replace(found, replaced=placed) if data_changed else found
 
-        def done(answer: _EstimationResult) -> None:
-            if self._document.project is not project or answer.estimated.result is None:
+        def done(found: _EstimationResult) -> None:
+            if self._document.project is not project or found.estimated.result is None:
                 return
-            self._selection, self._wants_checks = answer.selection, cross_check
-            self._scene.keep_estimated(answer.estimated.result, answer.clouds)
-            self._document.edit(N_("boresight estimate"), answer.estimated, survey=answer.replaced)
+            self._selection, self._cross_check = found.selection, cross_check
+            self._scene.keep_estimated(found.estimated.result, found.clouds)
+            self._document.edit(N_("boresight estimate"), found.estimated, survey=found.replaced)
             # Another survey: the scene has released its data.
-            self._scene.keep_estimated(answer.estimated.result, answer.clouds)
+            self._scene.keep_estimated(found.estimated.result, found.clouds)
             self._scene.show("estimated")
-            self._note(answer.estimated, ESTIMATED)
+            self._note(found.estimated, ESTIMATED)
             self.estimated.emit()
 
         task = self._runner.run(gettext("Estimating the boresight"), work, done, key="estimate")
-        self._asked = task
+        self._last_task = task
         self._controller.cancel_on_edit(task)
 
     def stop(self) -> None:
         """Stop the timer."""
-        self._rest.stop()
+        self._debounce.stop()
 
     def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current
@@ -141,11 +141,11 @@ class Estimation(QObject):
     def _on_project_opened(self) -> None:
         project = self._document.project
         self._selection, self._unchecked = None, None
-        self._wants_checks = project is not None and project.cross_checks is not None
+        self._cross_check = project is not None and project.cross_checks is not None
 
     def _record_refusal(self, error: BaseException) -> None:
         """Record that an estimate was refused while an older result is kept."""
-        selected_with = self._asked
+        selected_with = self._last_task
         if (
             selected_with is not None
             and selected_with.error is error
@@ -158,30 +158,30 @@ class Estimation(QObject):
     def _wait_for_result(self) -> None:
         """Start the timer of a result that is to follow, unless it is being computed."""
         if not self._document.awaits_result:
-            self._rest.stop()
-            self._following = None
+            self._debounce.stop()
+            self._automatic = None
             self._run_checks()
             return
-        task, base = self._following or (None, None)
+        task, base = self._automatic or (None, None)
         if base is self._document.project and task is not None:
             if self._runner.active:
                 return
-            if task.cancel.is_set() and not task.gave_way:
+            if task.cancel.is_set() and not task.superseded:
                 self._document.refuse(error("window.adjustment_cancelled"))
                 return
             if task.error is not None and not isinstance(task.error, Cancelled):
                 self._document.refuse(error("window.adjustment_failed"))
                 return
-        self._rest.start()
+        self._debounce.start()
 
     def _estimate_again(self) -> None:
         project, survey = self._current_data()
         if project is None or survey is None or not self._document.awaits_result:
             return
         if self._runner.busy:
-            return  # the runner tells when it is idle
-        kept = self._selection
-        selection = kept if kept is not None and kept.covers_sightings(project, survey) else None
+            return  # the runner emits a signal when it is idle
+        known = self._selection
+        selection = known if known is not None and known.covers_sightings(project, survey) else None
 
         def work(progress: Progress) -> _EstimationResult | Message | str:
             try:
@@ -189,21 +189,21 @@ class Estimation(QObject):
             except LispacError as failure:
                 return failure.reason
 
-        def done(answer: _EstimationResult | Message | str) -> None:
+        def done(found: _EstimationResult | Message | str) -> None:
             if self._document.project is not project:
                 return
-            if not isinstance(answer, _EstimationResult):
-                self._document.refuse(answer)
-                text = message_text(answer) if isinstance(answer, Message) else answer
-                self._controller.noted.emit(text)
+            if not isinstance(found, _EstimationResult):
+                self._document.refuse(found)
+                text = message_text(found) if isinstance(found, Message) else found
+                self._controller.logged.emit(text)
                 return
-            self._selection = answer.selection
-            self._scene.keep_estimated(answer.estimated.result, answer.clouds)
-            self._unchecked = answer.estimated
-            self._document.complete_last_edit(answer.estimated)
-            self._note(answer.estimated, ESTIMATED_SAME_POINTS if selection else ESTIMATED_AGAIN)
+            self._selection = found.selection
+            self._scene.keep_estimated(found.estimated.result, found.clouds)
+            self._unchecked = found.estimated
+            self._document.complete_last_edit(found.estimated)
+            self._note(found.estimated, ESTIMATED_SAME_POINTS if selection else ESTIMATED_AGAIN)
 
-        # A quick one gives way to what the user asks for; a slow one can be cancelled.
+        # A quick one gives way to what the user requests; a slow one can be cancelled.
         task = self._runner.run(
             gettext("Estimating the boresight again"),
             work,
@@ -211,8 +211,8 @@ class Estimation(QObject):
             quiet=selection is not None,
             key="follow",
         )
-        self._following = (task, project)
-        self._asked = task
+        self._automatic = (task, project)
+        self._last_task = task
         self._controller.cancel_on_edit(task)
 
     def _run_checks(self) -> None:
@@ -223,7 +223,7 @@ class Estimation(QObject):
         if self._runner.active:
             return
         last, self._checking = self._checking, None
-        if last is not None and last.cancel.is_set() and not last.gave_way:
+        if last is not None and last.cancel.is_set() and not last.superseded:
             self._unchecked = None  # cancelled by hand
         (project, survey), selection = self._current_data(), self._selection
         if project is None or project is not self._unchecked or survey is None:
@@ -231,13 +231,13 @@ class Estimation(QObject):
         if selection is None or not selection.covers_sightings(project, survey):
             return
 
-        wanted = self._wants_checks
+        cross_check = self._cross_check
 
         def work(progress: Progress) -> Project:
             from lispac.workflow.calibration import complete_result
 
             return complete_result(
-                project, selection.selected, survey, cross_check=wanted, progress=progress
+                project, selection.selected, survey, cross_check=cross_check, progress=progress
             )
 
         def done(checked: Project) -> None:
@@ -248,7 +248,7 @@ class Estimation(QObject):
 
         title = (
             gettext("Cross-checking the result")
-            if wanted
+            if cross_check
             else gettext("Searching for an additional line that improves the result")
         )
         self._checking = self._runner.run(title, work, done, quiet=True, key="follow")
@@ -256,7 +256,7 @@ class Estimation(QObject):
     def _note(self, project: Project, text: Plural) -> None:
         result = project.result
         assert result is not None
-        self._controller.noted.emit(
+        self._controller.logged.emit(
             gettext(
                 text,
                 count=result.points,

@@ -19,11 +19,11 @@ from lispac.language import gettext
 from lispac.progress import Progress
 from lispac.targets.plane_finder import FinderSettings, PlanePatch, find_plane
 
-SKETCH = "hover"
-MOST = 2_000
-"""Points the finder is given; more would take longer than a blink."""
-FEWEST = 30
-"""Points of those given below which a plane would be a guess."""
+SKETCH_NAME = "hover"
+MAX_POINTS = 2_000
+"""Largest number of points for the finder, for a short response time."""
+MIN_POINTS = 30
+"""Smallest number of points for a plane."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class HoverPreview(QObject):
         viewport.signals.hovered.connect(self._show_preview)
         self._action.triggered.connect(lambda _on: self._toggle_tool())
         runner.idle.connect(self._toggle_tool)  # where warming up gave way to other work
-        controller.candidate_changed.connect(lambda: viewport.show_sketch(SKETCH, None))
+        controller.candidate_changed.connect(lambda: viewport.show_sketch(SKETCH_NAME, None))
 
     def _toggle_tool(self) -> None:
         on = self._action.isChecked()
@@ -77,7 +77,7 @@ class HoverPreview(QObject):
             self._on = on
             self._viewport.set_hovering(on)
             if not on:
-                self._viewport.show_sketch(SKETCH, None)
+                self._viewport.show_sketch(SKETCH_NAME, None)
 
     def _on_prepared(self, _nothing: object) -> None:
         self._warm = True
@@ -85,7 +85,7 @@ class HoverPreview(QObject):
 
     def _show_preview(self, point: PickedPoint | None) -> None:
         start = time.perf_counter()
-        self._viewport.show_sketch(SKETCH, None if point is None else self._preview(point))
+        self._viewport.show_sketch(SKETCH_NAME, None if point is None else self._preview(point))
         self.seconds = time.perf_counter() - start
 
     def _preview(self, point: PickedPoint) -> Sketch | None:
@@ -97,10 +97,10 @@ class HoverPreview(QObject):
         seed = np.array(point.position)
         near = self._viewport.drawn_near(point.line, seed, radius)
         # In one piece: the finder would be compiled anew for every other one, in this thread
-        near = np.ascontiguousarray(near[:: -(-len(near) // MOST) or 1])
+        near = np.ascontiguousarray(near[:: -(-len(near) // MAX_POINTS) or 1])
         settings = FinderSettings(
             threshold=seed_settings.threshold or project.settings.threshold, radius=radius,
-            min_points=min(FEWEST, usual.min_points),
+            min_points=min(MIN_POINTS, usual.min_points),
         )  # fmt: skip
         try:
             patch = find_plane(near, seed, settings)

@@ -14,28 +14,28 @@ class IdleTask(QTimer):
 
     Parameters
     ----------
-    act : what it does
-    after : int, ms
-        Until then, at the earliest.
+    function : what it runs
+    delay_ms : int
+        Shortest delay.
     """
 
-    taken = False
-    """Whether one of them has acted since the window could hear of keys and the mouse."""
+    turn_used = False
+    """Whether one of them has run in the current turn of the event loop."""
 
-    def __init__(self, act: Callable[[], object], parent: QObject, after: int = 0) -> None:
-        super().__init__(parent, singleShot=True, interval=after)
-        self._act, self._after = act, after
-        self.timeout.connect(self._act_if_free)
+    def __init__(self, function: Callable[[], object], parent: QObject, delay_ms: int = 0) -> None:
+        super().__init__(parent, singleShot=True, interval=delay_ms)
+        self._function, self._delay_ms = function, delay_ms
+        self.timeout.connect(self._run_if_free)
 
-    def _act_if_free(self) -> None:
-        if IdleTask.taken:
+    def _run_if_free(self) -> None:
+        if IdleTask.turn_used:
             self.start(0)
             return
-        self.setInterval(self._after)
-        IdleTask.taken = True
+        self.setInterval(self._delay_ms)
+        IdleTask.turn_used = True
         QTimer.singleShot(0, _allow_next)
-        self._act()
+        self._function()
 
 
 def _allow_next() -> None:
-    IdleTask.taken = False
+    IdleTask.turn_used = False

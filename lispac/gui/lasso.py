@@ -27,7 +27,7 @@ NAMES = {
     ),
 }
 """Names of the edits."""
-DONE = {
+EDIT_NOTES = {
     "lasso_add": Plural(
         "{count:n} point was added to {sighting}", "{count:n} points were added to {sighting}"
     ),
@@ -109,17 +109,21 @@ class Lasso(QObject):
             self._note(gettext(template, sighting=sighting))
             return
         self._document.edit(
-            NAMES[tool], project.with_target(target), follows=True, count=changed, sighting=sighting
+            NAMES[tool],
+            project.with_target(target),
+            recompute=True,
+            count=changed,
+            sighting=sighting,
         )
-        self._note(gettext(DONE[tool], count=changed, sighting=sighting))
+        self._note(gettext(EDIT_NOTES[tool], count=changed, sighting=sighting))
 
     def _points_in_outline(self, points: Array, corners: Array) -> NDArray[np.bool_]:
         from matplotlib.path import Path
 
         inside = np.zeros(len(points), dtype=bool)
         pixels = self._viewport.to_pixels(points)
-        seen = np.isfinite(pixels).all(axis=1)
-        inside[seen] = Path(corners).contains_points(pixels[seen])
+        is_in_front = np.isfinite(pixels).all(axis=1)
+        inside[is_in_front] = Path(corners).contains_points(pixels[is_in_front])
         if self._clipping.box is not None:
             boxed = np.zeros(len(points), dtype=bool)
             boxed[self._clipping.box.inside(points)] = True

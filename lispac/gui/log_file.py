@@ -17,8 +17,8 @@ from typing import Any
 from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
 
 LOG = logging.getLogger("lispac")
-NAME, CRASH_NAME = "lispac.log", "lispac-crash.log"
-LARGEST, KEPT = 1_000_000, 3
+LOG_NAME, CRASH_LOG_NAME = "lispac.log", "lispac-crash.log"
+MAX_BYTES, BACKUPS = 1_000_000, 3
 """Bytes of a file, and how many older ones stay."""
 _LEVELS = {
     QtMsgType.QtDebugMsg: logging.DEBUG, QtMsgType.QtInfoMsg: logging.INFO,
@@ -33,12 +33,12 @@ class LogFile:
     Parameters
     ----------
     folder : where the files go
-    unforeseen : tells the user of an exception that nothing else has caught
+    on_uncaught : shows the user an exception that nothing else has caught
     """
 
-    def __init__(self, folder: Path, unforeseen: Callable[[BaseException], None]) -> None:
-        self.file = folder / NAME
-        self._unforeseen = unforeseen
+    def __init__(self, folder: Path, on_uncaught: Callable[[BaseException], None]) -> None:
+        self.file = folder / LOG_NAME
+        self._on_uncaught = on_uncaught
         self._handler: logging.Handler | None = None
         self._crash: Any = None
 
@@ -47,9 +47,9 @@ class LogFile:
         try:
             self.file.parent.mkdir(parents=True, exist_ok=True)
             self._handler = RotatingFileHandler(
-                self.file, maxBytes=LARGEST, backupCount=KEPT, encoding="utf-8", delay=False
+                self.file, maxBytes=MAX_BYTES, backupCount=BACKUPS, encoding="utf-8", delay=False
             )
-            self._crash = (self.file.with_name(CRASH_NAME)).open("w", encoding="utf-8")
+            self._crash = (self.file.with_name(CRASH_LOG_NAME)).open("w", encoding="utf-8")
         except OSError:
             self._handler = logging.NullHandler()
         self._handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(message)s"))
@@ -84,7 +84,7 @@ class LogFile:
         _trace: TracebackType | None,
     ) -> None:
         if error is not None:
-            self._unforeseen(error)
+            self._on_uncaught(error)
 
 
 def _log_qt_message(kind: QtMsgType, _context: QMessageLogContext, text: str) -> None:

@@ -19,7 +19,7 @@ from lispac.gui.document import Document
 from lispac.gui.estimation import Estimation
 from lispac.gui.file_drops import FileDrops
 from lispac.gui.log_file import LOG
-from lispac.gui.log_file import NAME as LOG_NAME
+from lispac.gui.log_file import LOG_NAME as LOG_NAME
 from lispac.gui.manual import Manual
 from lispac.gui.panel_refresh import PanelRefresh
 from lispac.gui.panels.adjust import AdjustPanel
@@ -55,7 +55,7 @@ from lispac.gui.tasks import TaskRunner
 from lispac.gui.theme import without_style_sheet
 from lispac.gui.tools import InspectionTools
 from lispac.gui.tour import Tour
-from lispac.gui.view_actions import STEP_ACTIONS, THEMED
+from lispac.gui.view_actions import STEP_ACTIONS, THEME_ACTIONS
 from lispac.gui.view_menu import ViewMenu
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.gui.warning_list import WarningList
@@ -63,7 +63,7 @@ from lispac.language import current_language, gettext
 
 Area = Qt.DockWidgetArea
 NOTE_MS = 6000
-TITLE_BAR = 40
+TITLE_BAR_HEIGHT = 40
 """Pixels a window needs for it, at most: they are not in the window's size."""
 
 
@@ -109,7 +109,7 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         self.actions_ = Actions(self, self.document.undo_stack)
         self.actions_["french" if current_language() == "fr" else "english"].setChecked(True)
-        self.actions_[THEMED[self.settings.theme]].setChecked(True)
+        self.actions_[THEME_ACTIONS[self.settings.theme]].setChecked(True)
         self.view_menu = ViewMenu(
             viewport, self.scene, self.controller, self.actions_, self.settings
         )
@@ -166,7 +166,7 @@ class MainWindow(QMainWindow):
         self.resize(min(1600, screen.width()), min(1000, screen.height()))
         kept = self.settings.layout()
         if kept is None:
-            if screen.height() < self.height() + TITLE_BAR:
+            if screen.height() < self.height() + TITLE_BAR_HEIGHT:
                 self.setWindowState(Qt.WindowState.WindowMaximized)
             docks.set_initial_sizes(self, self.docks)
         else:
@@ -224,10 +224,10 @@ class MainWindow(QMainWindow):
         )
         targets.selected.connect(lambda name: self._select(name, ""))
         self.table.sighting_selected.connect(self._select)
-        self.table.sightings.target_used.connect(control.use_target)
-        self.table.sightings.sighting_used.connect(control.use_sighting)
-        self.table.sightings.line_used.connect(control.use_line)
-        self.diagnostics.followed.connect(self._select)
+        self.table.sightings.target_use_changed.connect(control.use_target)
+        self.table.sightings.sighting_use_changed.connect(control.use_sighting)
+        self.table.sightings.line_use_changed.connect(control.use_line)
+        self.diagnostics.row_activated.connect(self._select)
         self.histograms.plane_selected.connect(self.table.select)
         self.adjust.subsample_changed.connect(self.computations.count)
         self.adjust.estimate_requested.connect(self.lifecycle.estimate)
@@ -236,7 +236,7 @@ class MainWindow(QMainWindow):
         self.validate.shown_changed.connect(self.computations.show)
         self.validate.model_changed.connect(self.computations.set_surface_model)
         self.report.lines_requested.connect(self.lifecycle.export)
-        self.central_widget.start.chosen.connect(lambda name: self.actions_[name].trigger())
+        self.central_widget.start.link_clicked.connect(lambda name: self.actions_[name].trigger())
         self.central_widget.start.project_chosen.connect(self.open_project)
 
     def _connect_actions(self) -> None:
@@ -254,7 +254,7 @@ class MainWindow(QMainWindow):
             "seed_validation": lambda: self._set_seed_role("validation"),
             "accept": self.controller.accept,
             "reject": self.controller.reject,
-            "estimate": self.adjust.ask,
+            "estimate": self.adjust.request_estimate,
             "validate": self.computations.validate,
             "cancel": self.runner.cancel,
             "before": lambda: self.computations.show("prior"),
@@ -264,7 +264,7 @@ class MainWindow(QMainWindow):
             "arrange": lambda: docks.restore_default_layout(self, self.docks, self._at_first),
             "english": lambda: self._set_language("en"),
             "french": lambda: self._set_language("fr"),
-            **{name: partial(self._set_theme, choice) for choice, name in THEMED.items()},
+            **{name: partial(self._set_theme, choice) for choice, name in THEME_ACTIONS.items()},
             "keys": self.dialogs.shortcuts,
             "tour": lambda: self.tour.start(),
             "log_file": self._open_log_file,
@@ -274,16 +274,16 @@ class MainWindow(QMainWindow):
         actions.recent.aboutToShow.connect(self._list_recent)
 
     def _connect_tasks(self) -> None:
-        self.document.changed.connect(self.task_bar.clearMessage)  # it was said of what was
+        self.document.changed.connect(self.task_bar.clearMessage)  # it concerned the former state
         self.task_bar.cancel_requested.connect(self.runner.cancel)
         self.runner.failed.connect(self.dialogs.show_error)
         self.runner.stopped.connect(self._note_cancelled)
-        self.runner.too_late.connect(self._note)
+        self.runner.cancelled_too_late.connect(self._note)
         self.controller.refused.connect(self.dialogs.show_error)
-        self.controller.noted.connect(self._note)
+        self.controller.logged.connect(self._note)
         self.controller.candidate_changed.connect(self.docks[docks.SIGHTINGS].raise_)
         self.computations.validated.connect(self.docks[docks.HISTOGRAMS].raise_)
-        self.scene.placing_wanted.connect(lambda: self.computations.show("estimated"))
+        self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
         self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
         self.viewport.signals.missed.connect(
             lambda: self._note(gettext("No point under the cursor. Ctrl+click on a target."))
@@ -319,7 +319,7 @@ class MainWindow(QMainWindow):
         self.controller.seed(point, self.targets.seed_options)
 
     def _select(self, name: str, line: str) -> None:
-        self.scene.look_at(name, line)
+        self.scene.focus_on(name, line)
         self.targets.select(name)
         self.table.select(name)
         self.diagnostics.select(name, line)
@@ -363,15 +363,15 @@ class MainWindow(QMainWindow):
         if not (self.lifecycle.may_leave() and self.site_design.leave()):
             event.ignore()
             return
-        self.keep_layout()
-        self.recovery_copies.forget()
-        self.settings.left_open = None
+        self.save_layout()
+        self.recovery_copies.discard()
+        self.settings.last_project = None
         self.stop_and_hide()
         event.accept()
 
-    def keep_layout(self) -> None:
+    def save_layout(self) -> None:
         """Store the layout of window and panels in the settings."""
-        self.settings.keep_layout(self.saveGeometry(), self.saveState())
+        self.settings.save_layout(self.saveGeometry(), self.saveState())
         self.settings.sync()
 
     def stop_and_hide(self) -> None:

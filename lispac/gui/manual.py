@@ -45,4 +45,4 @@ class Manual(QObject):
         if place:
             url.setFragment(place)
         if not QDesktopServices.openUrl(url):
-            self._controller.noted.emit(gettext("No program is set up to open {file}.", file=file))
+            self._controller.logged.emit(gettext("No program is set up to open {file}.", file=file))

@@ -13,8 +13,8 @@ from lispac.gui.mouse_tool import MouseTool
 from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
 from lispac.language import N_, gettext
 
-COLOUR: Colour = (0, 90, 200)
-SKETCH = "measure"
+SKETCH_COLOUR: Colour = (0, 90, 200)
+SKETCH_NAME = "measure"
 HINTS = {
     "measure_distance": (N_("Click the first point"), N_("Click the second point")),
     "measure_angle": (
@@ -23,7 +23,7 @@ HINTS = {
         N_("Click a point on the second side of the angle"),
     ),
 }
-AGAIN = N_("Click to measure again")
+REPEAT_HINT = N_("Click to measure again")
 
 
 class Measurements(QObject):
@@ -45,7 +45,7 @@ class Measurements(QObject):
     def restart(self) -> None:
         """Clear the points, because the lines have moved."""
         self._points = []
-        self._viewport.show_sketch(SKETCH, None)
+        self._viewport.show_sketch(SKETCH_NAME, None)
         if self._mouse_tool.tool in HINTS:
             self._mouse_tool.hint(gettext(HINTS[self._mouse_tool.tool][0]))
 
@@ -75,9 +75,9 @@ class Measurements(QObject):
                 return
             one_line = text.replace("\n", ", ")
             self._note(one_line)
-        hints = (*HINTS[tool], AGAIN)
+        hints = (*HINTS[tool], REPEAT_HINT)
         self._mouse_tool.hint(gettext(hints[len(self._points)]))
-        self._viewport.show_sketch(SKETCH, _measurement_sketch(self._points, text, metric))
+        self._viewport.show_sketch(SKETCH_NAME, _measurement_sketch(self._points, text, metric))
 
 
 def distance_text(first: Array, second: Array) -> str:
@@ -113,4 +113,4 @@ def _measurement_sketch(points: list[Array], text: str, metric: str) -> Sketch:
     if text:
         middle = points[1] if len(points) == 3 else 0.5 * (points[0] + points[1])
         at = (float(middle[0]), float(middle[1]), float(middle[2]))
-    return Sketch(places, edges, COLOUR, dots=True, label=text, at=at, metric=metric)
+    return Sketch(places, edges, SKETCH_COLOUR, dots=True, label=text, at=at, metric=metric)

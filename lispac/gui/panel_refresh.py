@@ -54,7 +54,7 @@ class PanelRefresh(QObject):
         window.table.show_project(project, survey)
         window.results.show_project(
             project, waiting=waiting, refusal=_reason_text(window.document.refusal),
-            older=window.document.refused_since,
+            refused_since=window.document.refused_since,
         )  # fmt: skip
         window.diagnostics.show_project(project, waiting=waiting)
         window.convention.show_project(project)

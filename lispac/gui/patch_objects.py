@@ -22,23 +22,23 @@ if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
 HINT = N_("Click an object that is visible in two lines, to place a box around it")
-ABOUT_POINT = (2.0, 2.0, 3.0)
+POINT_BOX_SIZE = (2.0, 2.0, 3.0)
 """Sides of the box about a clicked point, metres."""
-ABOUT_TARGET = 0.5
+TARGET_BOX_MARGIN = 0.5
 """Metres that the box about a target is larger on every side."""
-BY_HAND = "H"
+HAND_PREFIX = "H"
 """First letter of the names of boxes placed by hand; detected ones have another."""
 
 
 class PatchObjects(QObject):
-    """Places boxes around objects in the worker and emits `laid`.
+    """Places boxes around objects in the worker and emits `objects_changed`.
 
     Parameters
     ----------
     present : the objects there are, or None
     """
 
-    laid = Signal(object, str)
+    objects_placed = Signal(object, str)
     """All objects, and the name of the one to show, or ""."""
 
     def __init__(
@@ -72,10 +72,10 @@ class PatchObjects(QObject):
     def _replace_detected(self, laid: PlacedObjects) -> None:
         """Replace the objects detected before; boxes placed by hand are kept."""
         before = self._present()
-        own = [] if before is None else [o.name for o in before.objects if o.name[0] == BY_HAND]
+        own = [] if before is None else [o.name for o in before.objects if o.name[0] == HAND_PREFIX]
         if before is not None and own:
             laid = before.select_objects(own).joined_with(laid)
-        self.laid.emit(laid, "")
+        self.objects_placed.emit(laid, "")
 
     def _toggle_tool(self, on: bool) -> None:
         mouse_tool = self._window.tools.mouse_tool
@@ -86,21 +86,21 @@ class PatchObjects(QObject):
 
     def _add_point(self, point: PickedPoint) -> None:
         self._window.tools.mouse_tool.end()
-        self._add_box(ObjectBox(np.array(point.position), np.array(ABOUT_POINT)))
+        self._add_box(ObjectBox(np.array(point.position), np.array(POINT_BOX_SIZE)))
 
     def _add_target(self) -> None:
         groups = self._scene.selected_points
         if not groups:
-            self._controller.noted.emit(gettext("Select a target to place a box around it."))
+            self._controller.logged.emit(gettext("Select a target to place a box around it."))
             return
         points = np.concatenate(list(groups.values()))
         ahead = points.mean(axis=0) - self._vessel_position()
-        self._add_box(_patch_box(ClipBox.about(points, ahead, ABOUT_TARGET)))
+        self._add_box(_patch_box(ClipBox.around(points, ahead, TARGET_BOX_MARGIN)))
 
     def _add_clip_box(self) -> None:
         box = self._window.tools.clipping.box
         if box is None:
-            self._controller.noted.emit(
+            self._controller.logged.emit(
                 gettext("Switch on the clip box (X) and place it around an object.")
             )
             return
@@ -119,7 +119,7 @@ class PatchObjects(QObject):
             return
         before = self._present()
         taken = set() if before is None else {each.name for each in before.objects}
-        name = next(n for k in count(1) if (n := f"{BY_HAND}{k}") not in taken)
+        name = next(n for k in count(1) if (n := f"{HAND_PREFIX}{k}") not in taken)
         shown = next(iter(self._scene.clouds.values())).place.mounting.boresight
 
         def work(progress: Progress) -> PlacedObjects | str:
@@ -138,9 +138,9 @@ class PatchObjects(QObject):
 
         def done(result: PlacedObjects | str) -> None:
             if isinstance(result, str):
-                self._controller.noted.emit(result)
+                self._controller.logged.emit(result)
                 return
-            self.laid.emit(result if before is None else before.joined_with(result), name)
+            self.objects_placed.emit(result if before is None else before.joined_with(result), name)
 
         task = self._runner.run(gettext("Placing a box"), work, done)
         self._controller.cancel_on_edit(task)

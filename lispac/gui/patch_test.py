@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, QTimer
 
 from lispac.errors import LispacError
 from lispac.gui import theme, units
-from lispac.gui.panels.patch_angles import NEAR
+from lispac.gui.panels.patch_angles import RESULT_RANGE_DEG
 from lispac.gui.panels.patch_test import EMPTY, NO_DATA, PatchTestPanel
 from lispac.gui.patch_objects import PatchObjects
 from lispac.gui.tasks import Task
@@ -32,19 +32,19 @@ from lispac.workflow.survey import Survey
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
-SKETCH = "patch"
+SKETCH_NAME = "patch"
 ANGLE_NAMES = (N_("roll"), N_("pitch"), N_("yaw"))
-COLOUR: Colour = (0, 150, 90)
-DENSE = 3_000
+SKETCH_COLOUR: Colour = (0, 150, 90)
+MAX_POINTS = 3_000
 """Points of a line in the picture."""
-REACH, INNER = np.radians(0.25), 0.8
-"""The curve reaches so far to either side, radians; out of that share of it another is drawn."""
-STEPS = {"one": 41, "all": 17}
+HALF_WIDTH, INNER_SHARE = np.radians(0.25), 0.8
+"""Half width of the curve, radians, and the share of it outside which another is drawn."""
+CURVE_STEPS = {"one": 41, "all": 17}
 """Values of a curve: of one object, and of all."""
-WIDE = 12
-"""The curve is drawn so many times as wide where it has no minimum within its reach."""
-REST_MS = 200
-"""After the last move of a slider, before a curve is worked out."""
+WIDER = 12
+"""Factor of the width of the curve where it has no minimum within its width."""
+DEBOUNCE_MS = 200
+"""Pause after the last move of a slider before a curve is computed."""
 
 
 class PatchTestController(QObject):
@@ -58,33 +58,33 @@ class PatchTestController(QObject):
         self._window = window
         self.panel = PatchTestPanel()
         self._laid: PlacedObjects | None = None
-        self._answer: PatchTestResult | None = None
+        self._result: PatchTestResult | None = None
         self._survey: Survey | None = None
         self._dense: ObjectSample | None = None
-        self._taking: Task | None = None
-        self._live: Mismatch | None = None
+        self._extraction: Task | None = None
+        self._mismatch: Mismatch | None = None
         self._angle = 0
         self._curve_at: Array | None = None
         self._drawn = self._outdated = False
-        self._rest = QTimer(self, singleShot=True, interval=REST_MS)
-        self._rest.timeout.connect(self._compute_curve)
+        self._debounce = QTimer(self, singleShot=True, interval=DEBOUNCE_MS)
+        self._debounce.timeout.connect(self._compute_curve)
         panel = self.panel
         window.actions_["patch_test"].triggered.connect(lambda _=False: self.open())
         panel.remove_requested.connect(self._remove)
-        panel.go_requested.connect(self._zoom_to_object)
+        panel.zoom_requested.connect(self._zoom_to_object)
         panel.shown_changed.connect(self._show_object)
         panel.ticked_changed.connect(self._on_ticks_changed)
-        panel.all_requested.connect(self.find_all)
-        panel.keep_requested.connect(self.keep)
+        panel.find_all_requested.connect(self.find_all)
+        panel.save_requested.connect(self.save_result)
         panel.prior_requested.connect(self._reset_to_prior)
-        panel.angles.turned.connect(self._on_angle_turned)
+        panel.angles.angle_changed.connect(self._on_angle_turned)
         panel.angles.find_requested.connect(self.find_angle)
-        panel.curve.chosen.connect(self._set_angle)
+        panel.curve.value_clicked.connect(self._set_angle)
         self._document.survey_changed.connect(self._reset)
         self._runner.changed.connect(self._enable_controls)
         self._runner.idle.connect(self._when_idle)
         adding = PatchObjects(window, self.panel, lambda: self._laid)
-        adding.laid.connect(self._set_objects)
+        adding.objects_placed.connect(self._set_objects)
         self._reset()
 
     def open(self) -> None:
@@ -125,7 +125,7 @@ class PatchTestController(QObject):
         """Show the selected object, or update it."""
         each, survey = self._find_object(self.panel.shown), self._survey
         if each is None or survey is None or self._laid is None:
-            self._dense = self._live = None
+            self._dense = self._mismatch = None
             self.panel.picture.show_points({}, {}, np.ones(2))
             self._draw_sketch(None)
             return
@@ -134,13 +134,13 @@ class PatchTestController(QObject):
             Sketch(
                 tuple((float(x), float(y), float(z)) for x, y, z in corners),
                 EDGES,
-                COLOUR,
+                SKETCH_COLOUR,
                 label=each.name,
                 at=tuple(each.box.centre.tolist()),
             )
         )
         one = self._laid.sample.of_objects([each.name])
-        self._live = Mismatch(one, PlacedObjects((each,), (self._laid.boresight,), one).blocks(
+        self._mismatch = Mismatch(one, PlacedObjects((each,), (self._laid.boresight,), one).blocks(
             [each.name], self._ticked_line_pairs()))  # fmt: skip
         self._curve_at = None
         self.panel.curve.show_curve("", np.empty(0), np.empty(0))
@@ -153,7 +153,9 @@ class PatchTestController(QObject):
         """Extract the points to draw in the worker; the picture stays until they are there."""
 
         def work(_progress: Progress) -> ObjectSample:
-            return ObjectSample.of([each], placed_lines(laid, survey), survey.scans, limit=DENSE)
+            return ObjectSample.of(
+                [each], placed_lines(laid, survey), survey.scans, limit=MAX_POINTS
+            )
 
         def done(dense: ObjectSample) -> None:
             if self._find_object(self.panel.shown) is each:
@@ -161,13 +163,13 @@ class PatchTestController(QObject):
                 self._draw_lines()
 
         title = gettext("Extracting the points of {name}", name=each.name)
-        self._taking = self._runner.run(title, work, done, quiet=True, key="patching")
+        self._extraction = self._runner.run(title, work, done, quiet=True, key="patching")
 
     def _when_idle(self) -> None:
-        if self._dense is None and self._taking is not None and self._taking.gave_way:
+        if self._dense is None and self._extraction is not None and self._extraction.superseded:
             self._show_object()
         if self._outdated:
-            self._rest.start()
+            self._debounce.start()
 
     def _on_angle_turned(self, angle: int) -> None:
         self._angle = angle
@@ -182,25 +184,25 @@ class PatchTestController(QObject):
     def _draw_lines(self) -> None:
         """Draw the lines with the current angles; the curve follows after a pause."""
         each = self._find_object(self.panel.shown)
-        if each is None or self._dense is None or self._survey is None or self._live is None:
+        if each is None or self._dense is None or self._survey is None or self._mismatch is None:
             return
         boresight = self.panel.angles.boresight
         across, up, size = _view_axes(each.box, self.panel.view.currentIndex())
         placed = self._dense.placed_points(boresight) - each.box.centre
         points = {
-            seen.line: placed[seen.points] @ np.column_stack([across, up])
-            for seen in self._dense.observed
+            part.line: placed[part.points] @ np.column_stack([across, up])
+            for part in self._dense.observed
         }
         colours = theme.line_colours(self._survey.lines)
         self.panel.picture.show_points(points, colours, size)
         curve, value = self.panel.curve, float(boresight[self._angle])
         mismatch = float("nan")
         if self.panel.of.currentIndex() == 0:
-            mismatch = self._live(boresight) if self._live.blocks else float("nan")
+            mismatch = self._mismatch(boresight) if self._mismatch.blocks else float("nan")
         curve.mark_current(value, mismatch)
         if not self._is_curve_current(boresight):
             self._outdated = True
-            self._rest.start()
+            self._debounce.start()
 
     def _is_curve_current(self, boresight: Array) -> bool:
         at = self._curve_at
@@ -209,7 +211,7 @@ class PatchTestController(QObject):
         others = [k for k in range(3) if k != self._angle]
         moved = abs(boresight[self._angle] - at[self._angle])
         return bool(self._curve_angle == self._angle and (boresight[others] == at[others]).all()
-                    and moved <= INNER * REACH)  # fmt: skip
+                    and moved <= INNER_SHARE * HALF_WIDTH)  # fmt: skip
 
     def _compute_curve(self) -> None:
         laid, angle, each = self._laid, self._angle, self._find_object(self.panel.shown)
@@ -218,11 +220,11 @@ class PatchTestController(QObject):
         whole = self.panel.of.currentIndex() == 1
         names = self.panel.ticked_entries if whole else (each.name,)
         boresight, pairs = self.panel.angles.boresight, self._ticked_line_pairs()
-        steps = STEPS["all" if whole else "one"]
+        steps = CURVE_STEPS["all" if whole else "one"]
 
         def work(progress: Progress) -> tuple[Array, Array]:
             mismatch = Mismatch(laid.sample, laid.blocks(names, pairs))
-            for reach, many in ((REACH, steps), (WIDE * REACH, 3 * steps)):
+            for reach, many in ((HALF_WIDTH, steps), (WIDER * HALF_WIDTH, 3 * steps)):
                 values = boresight[angle] + np.linspace(-reach, reach, many)
                 if not mismatch.blocks:
                     return values, np.full(many, np.nan)
@@ -246,7 +248,7 @@ class PatchTestController(QObject):
                 )
             self.panel.curve.show_curve(title, *curve)
             if not self._is_curve_current(self.panel.angles.boresight):
-                self._rest.start()
+                self._debounce.start()
 
         self._runner.run(gettext("Computing the curve"), work, done, quiet=True, key="patch_curve")
 
@@ -265,7 +267,7 @@ class PatchTestController(QObject):
 
         def done(result: MismatchMinimum) -> None:
             self._angle = angle
-            self.panel.angles.start_at(result.boresight, NEAR)
+            self.panel.angles.set_start(result.boresight, RESULT_RANGE_DEG)
             degrees = float(np.degrees(result.boresight[angle]))
             self.panel.message_label.setText(
                 gettext(
@@ -301,9 +303,9 @@ class PatchTestController(QObject):
             )
 
         def done(result: PatchTestResult) -> None:
-            self._answer = result
+            self._result = result
             panel = self.panel
-            panel.angles.start_at(result.boresight, NEAR)
+            panel.angles.set_start(result.boresight, RESULT_RANGE_DEG)
             panel.angles.show_found(result.boresight, result.sigma, result.curvature)
             panel.message_label.setText(
                 units.convert_unit_signs("\n".join(map(message_text, result.messages)), "°", "mm")
@@ -315,20 +317,20 @@ class PatchTestController(QObject):
         task = self._runner.run(gettext("Patch test"), work, done)
         self._controller.cancel_on_edit(task)
 
-    def keep(self) -> None:
+    def save_result(self) -> None:
         """Add the result to the alternative methods of the project, as one undo step."""
         project = self._document.project
-        if project is None or self._answer is None:
+        if project is None or self._result is None:
             return
         try:
-            alternative = patch_test_result(self._answer)
+            alternative = patch_test_result(self._result)
         except LispacError as error:
             self._controller.refused.emit(error)
             return
         self._document.edit(
             N_("result of the patch test"), project.with_alternative_result(alternative)
         )
-        self._controller.noted.emit(
+        self._controller.logged.emit(
             gettext("The result of the patch test was added to the project.")
         )
 
@@ -336,15 +338,15 @@ class PatchTestController(QObject):
         survey = self._survey
         if survey is not None:
             prior = next(iter(survey.clouds.values())).place.mounting.boresight
-            self.panel.angles.start_at(prior)
+            self.panel.angles.set_start(prior)
             self._draw_lines()
 
     # -- state -------------------------------------------------------------------------------
 
     @property
-    def answer(self) -> PatchTestResult | None:
+    def last_result(self) -> PatchTestResult | None:
         """Last result."""
-        return self._answer
+        return self._result
 
     @property
     def is_curve_pending(self) -> bool:
@@ -354,8 +356,8 @@ class PatchTestController(QObject):
     def _ticked_line_pairs(self) -> tuple[LinePair, ...]:
         if self._survey is None:
             return ()
-        wanted = self.panel.ticked_pairs
-        return tuple(pair for pair in line_pairs(self._survey) if pair.name in wanted)
+        ticked = self.panel.ticked_pairs
+        return tuple(pair for pair in line_pairs(self._survey) if pair.name in ticked)
 
     def _on_ticks_changed(self) -> None:
         self._discard_result()
@@ -364,7 +366,7 @@ class PatchTestController(QObject):
 
     def _discard_result(self) -> None:
         """Discard the result, which depends on other objects or pairs."""
-        self._answer = None
+        self._result = None
         self.panel.angles.show_found(None)
         self.panel.message_label.setText("")
         self.panel.mark_objects({})
@@ -374,8 +376,8 @@ class PatchTestController(QObject):
         _, survey = self._current_data()
         if survey is not None and survey is self._survey:
             return
-        self._survey, self._laid, self._answer = survey, None, None
-        self._dense = self._live = self._curve_at = None
+        self._survey, self._laid, self._result = survey, None, None
+        self._dense = self._mismatch = self._curve_at = None
         self._outdated = False
         many = survey is not None and len(survey.clouds) > 1
         self.panel.show_empty(EMPTY if many else NO_DATA)
@@ -395,13 +397,13 @@ class PatchTestController(QObject):
         self.panel.update_enabled(
             ready=survey is not None and len(survey.clouds) > 1,
             busy=self._runner.busy,
-            answer=self._answer is not None,
+            has_result=self._result is not None,
         )
 
     def _draw_sketch(self, sketch: Sketch | None) -> None:
         if sketch is not None or self._drawn:
             self._drawn = sketch is not None
-            self._viewport.show_sketch(SKETCH, sketch)
+            self._viewport.show_sketch(SKETCH_NAME, sketch)
 
 
 def placed_lines(laid: PlacedObjects, survey: Survey):
@@ -421,9 +423,9 @@ def _clip_box(box: ObjectBox) -> ClipBox:
 def _view_axes(box: ObjectBox, view: int) -> tuple[Array, Array, Array]:
     """Directions to the right and up of a picture, and its size with a margin, metres."""
     ahead, left, up = box.axes
-    room = 0.3
+    margin = 0.3
     if view == 0:
-        return -left, ahead, box.size[[1, 0]] + room
+        return -left, ahead, box.size[[1, 0]] + margin
     if view == 1:
-        return -left, up, box.size[[1, 2]] + room
-    return ahead, up, box.size[[0, 2]] + room
+        return -left, up, box.size[[1, 2]] + margin
+    return ahead, up, box.size[[0, 2]] + margin

@@ -66,7 +66,7 @@ class PictureExport(QObject):
         self._note(gettext("The view was copied to the clipboard."))
 
     def _save_section(self) -> None:
-        if not self._section.shows:
+        if not self._section.has_section:
             self._note(gettext(NO_SECTION))
             return
         start = self._proposed_file(f"section-{self._section.through.text()}")
@@ -78,7 +78,7 @@ class PictureExport(QObject):
         self._write_file(path, lambda part: printed.savefig(part, format=path.suffix[1:].lower()))
 
     def _copy_section(self) -> None:
-        if not self._section.shows:
+        if not self._section.has_section:
             self._note(gettext(NO_SECTION))
             return
         printed = self._section.figure_for_print()
@@ -105,13 +105,13 @@ class PictureExport(QObject):
             gettext("Writing the picture"),
             work,
             lambda _nothing: self._note(gettext("Wrote {path}", path=path)),
-            lasting=True,
+            persistent=True,
         )
 
     def _proposed_file(self, what: str) -> Path:
         """Proposed file name in the folder of the project."""
         project = self._document.project
-        words = "".join(c if c.isalnum() else "-" for c in what.lower())
+        stem = "".join(c if c.isalnum() else "-" for c in what.lower())
         if project is None:
-            return home_folder() / f"{words}.png"
-        return project.folder / f"{project.name}-{words}.png"
+            return home_folder() / f"{stem}.png"
+        return project.folder / f"{project.name}-{stem}.png"

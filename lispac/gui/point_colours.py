@@ -27,9 +27,9 @@ SCALES: Mapping[Scale, tuple[float, float]] = MappingProxyType(
 The first is even in lightness, so that it is read without distinguishing colours; the ends of
 some would be lost on the bright or the dark ground.
 """
-OUTER = 2.0
+OUTER_PERCENT = 2.0
 """Percent at either end with the last colour, so that outliers do not determine the scale."""
-LOOKED_AT = 100_000
+MAX_SAMPLE = 100_000
 """Points of a line that determine the ends of the scale."""
 
 TITLES: dict[Colouring, str] = {
@@ -40,13 +40,13 @@ TITLES: dict[Colouring, str] = {
 }
 
 
-_used: Scale = "viridis"
+_scale: Scale = "viridis"
 
 
 def set_colour_scale(scale: Scale) -> None:
     """Set the colour scale; the window is made again then."""
-    global _used
-    _used = scale
+    global _scale
+    _scale = scale
 
 
 def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> PointColouring | None:
@@ -60,9 +60,9 @@ def point_shading(colouring: Colouring, clouds: Mapping[str, Cloud]) -> PointCol
     if colouring == "line" or not clouds:
         return None
     values = {name: _point_values(colouring, name, cloud) for name, cloud in clouds.items()}
-    looked = np.concatenate([some[:: len(some) // LOOKED_AT + 1] for some in values.values()])
-    outer = 0.0 if colouring == "time" else OUTER
-    low, high = (float(end) for end in np.percentile(looked, [outer, 100 - outer]))
+    sample = np.concatenate([some[:: len(some) // MAX_SAMPLE + 1] for some in values.values()])
+    outer = 0.0 if colouring == "time" else OUTER_PERCENT
+    low, high = (float(end) for end in np.percentile(sample, [outer, 100 - outer]))
     start = low if colouring == "time" else 0.0
     scale = _colour_table()
     colours = {
@@ -102,5 +102,5 @@ def _colour_indices(values: Array, low: float, high: float, count: int) -> NDArr
 def _colour_table() -> NDArray[np.uint8]:
     from matplotlib import colormaps
 
-    shares = np.linspace(*SCALES[_used], 256)
-    return np.asarray(np.round(255 * colormaps[_used](shares)[:, :3]), dtype=np.uint8)
+    shares = np.linspace(*SCALES[_scale], 256)
+    return np.asarray(np.round(255 * colormaps[_scale](shares)[:, :3]), dtype=np.uint8)

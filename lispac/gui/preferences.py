@@ -54,7 +54,7 @@ class Preferences:
             settings.cache_folder, settings.theme, settings.colour_scale,
         )  # fmt: skip
 
-    def keep(self, settings: AppSettings) -> None:
+    def save(self, settings: AppSettings) -> None:
         """Store the preferences in the settings.
 
         Raises
@@ -67,7 +67,7 @@ class Preferences:
         settings.point_size = self.point_size
         settings.point_budget = self.point_budget
         template, page, _, language = settings.report_choice()
-        settings.keep_report_choice((template, page, self.convention, language))
+        settings.save_report_choice((template, page, self.convention, language))
         settings.usual_sensors = (self.scanner, self.pos)
         settings.units = (self.angles, self.lengths)
         settings.theme, settings.colour_scale = self.theme, self.scale
@@ -82,20 +82,20 @@ class PreferencesController(QObject):
         super().__init__(window)
         self._window = window
         self._set_point_budget()
-        window.actions_["settings"].triggered.connect(lambda _=False: self.ask())
+        window.actions_["settings"].triggered.connect(lambda _=False: self.show_dialog())
 
-    def ask(self) -> None:
+    def show_dialog(self) -> None:
         """Show the dialogue and apply the choices; another language or theme renews the window."""
         window, settings = self._window, self._window.settings
         before = _appearance(settings)
-        answer = window.dialogs.preferences(Preferences.of(settings), settings)
-        if answer is None:
+        entered = window.dialogs.preferences(Preferences.of(settings), settings)
+        if entered is None:
             return
         try:
-            answer.keep(settings)
+            entered.save(settings)
         except InputError as error:
             window.controller.refused.emit(error)
-        window.viewport.set_point_size(answer.point_size)
+        window.viewport.set_point_size(entered.point_size)
         self._set_point_budget()
         window.report.show_choice(settings.report_choice())
         if _appearance(settings) != before:

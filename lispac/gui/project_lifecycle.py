@@ -53,10 +53,10 @@ class ProjectLifecycle(QObject):
         project = self._document.project
         if project is None or not self._document.is_modified:
             return True
-        answer = self._dialogs.ask_to_save_changes(project.name)
-        if answer == "save":
+        choice = self._dialogs.ask_to_save_changes(project.name)
+        if choice == "save":
             return self._controller.save()
-        return answer == "discard"
+        return choice == "discard"
 
     def open_project(self, path: Path) -> None:
         """Open a project, after asking about changes to the present one."""
@@ -66,11 +66,11 @@ class ProjectLifecycle(QObject):
     def new(self, paths: Sequence[Path] = ()) -> None:
         """Show the import dialogue and create a project; ``paths`` are added at once."""
         if self.may_leave():
-            answer = self._dialogs.new_project(self._settings, paths)
-            if isinstance(answer, Path):
-                self._controller.open(answer)
-            elif answer is not None:
-                self._controller.create(answer)
+            choice = self._dialogs.new_project(self._settings, paths)
+            if isinstance(choice, Path):
+                self._controller.open(choice)
+            elif choice is not None:
+                self._controller.create(choice)
 
     def add_lines(self, paths: Sequence[Path] = ()) -> None:
         """Show the import dialogue for more lines; ``paths`` are added at once.
@@ -80,11 +80,11 @@ class ProjectLifecycle(QObject):
         project = self._document.project
         if project is None:
             return
-        answer = self._dialogs.add_lines(self._settings, project, paths)
-        if isinstance(answer, Path):
-            self.open_project(answer)
-        elif answer and self._document.project is project:
-            self._controller.add_lines(answer)
+        choice = self._dialogs.add_lines(self._settings, project, paths)
+        if isinstance(choice, Path):
+            self.open_project(choice)
+        elif choice and self._document.project is project:
+            self._controller.add_lines(choice)
 
     def open_dropped(self, paths: Sequence[Path]) -> None:
         """Open or import files that were dropped on the window.
@@ -93,7 +93,7 @@ class ProjectLifecycle(QObject):
         become lines of it, or a new project.
         """
         if self._controller.busy:
-            self._controller.noted.emit(
+            self._controller.logged.emit(
                 gettext("Wait until the running task has ended, then drop the files again.")
             )
             return
@@ -106,10 +106,10 @@ class ProjectLifecycle(QObject):
         elif len(paths) == 1 and is_point_list(paths[0]):
             self.list_dropped.emit(paths[0])
         else:
-            answer = self._dialogs.add_or_new(current.name)
-            if answer == "add":
+            choice = self._dialogs.ask_to_add(current.name)
+            if choice == "add":
                 self.add_lines(paths)
-            elif answer == "new":
+            elif choice == "new":
                 self.new(paths)
 
     def open(self) -> None:
@@ -127,7 +127,7 @@ class ProjectLifecycle(QObject):
                 project.name, missing_files(project), project.folder
             )
             if folder is None:
-                self._controller.noted.emit(
+                self._controller.logged.emit(
                     gettext("{project} was not opened: files are missing", project=project.name)
                 )
                 return
@@ -163,17 +163,17 @@ class ProjectLifecycle(QObject):
         else:
             menu.addSeparator()
             menu.addAction(gettext("Clear recent projects")).triggered.connect(
-                self._settings.forget_recent
+                self._settings.clear_recent
             )
 
     def estimate(self, settings: Settings, cross_check: bool) -> None:
         """Adjust the boresight; asks first about a candidate that is not yet accepted."""
         candidate = self._controller.candidate
         if candidate is not None:
-            answer = self._dialogs.ask_about_candidate(candidate.name)
-            if answer == "cancel":
+            choice = self._dialogs.ask_about_candidate(candidate.name)
+            if choice == "cancel":
                 return
-            if answer == "accept":
+            if choice == "accept":
                 self._controller.accept()
             else:
                 self._controller.reject()

@@ -26,29 +26,29 @@ if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
 LOCK_NAME = "open.lock"
-ELSEWHERE = error("window.unsaved_work_elsewhere")
+LOCKED_ELSEWHERE = error("window.unsaved_work_elsewhere")
 
 
 class RecoveryCopies(QObject):
     """Writes the recovery copy and holds the lock of the project in a window."""
 
-    troubled = Signal()
-    """`trouble` is another."""
+    problem_changed = Signal()
+    """`problem` has changed."""
     _failed = Signal(object)
-    _kept = Signal()
+    _written = Signal()
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._document, self._dialogs = window.document, window.dialogs
-        self._settings, self._note = window.settings, window.controller.noted.emit
+        self._settings, self._note = window.settings, window.controller.logged.emit
         self._writer = ThreadPoolExecutor(1, "lispac-keeping")
-        self._wanted: Project | None = None
+        self._latest: Project | None = None
         self._failed.connect(self._on_write_failed)
-        self._kept.connect(lambda: self._set_trouble(None) if self.trouble is not None else None)
+        self._written.connect(lambda: self._set_problem(None) if self.problem is not None else None)
         self._folder: Path | None = None
         self._lock: QLockFile | None = None
-        self._keeps = False
-        self.trouble: Message | None = None
+        self._writes_copies = False
+        self.problem: Message | None = None
         """Why no recovery copy is written; None if it is."""
         window.controller.may_save = self._may_save
         window.controller.may_overwrite = lambda project: self._dialogs.ask_to_overwrite(
@@ -56,9 +56,9 @@ class RecoveryCopies(QObject):
         )
         window.document.opened.connect(self._on_project_opened)
         window.document.changed.connect(self._write_copy)
-        # An edit is told of before the stack knows that it is no longer clean
+        # An edit is announced before the stack knows that it is no longer clean
         window.document.modified.connect(
-            lambda modified: self._write_copy() if modified else self.forget()
+            lambda modified: self._write_copy() if modified else self.discard()
         )
         window.document.saved.connect(self._on_saved)
 
@@ -67,17 +67,17 @@ class RecoveryCopies(QObject):
     def _on_project_opened(self) -> None:
         """Lock the project that was opened, and offer unsaved changes for recovery."""
         project = self._document.project
-        self.forget()
-        self.let_go()
-        self._set_trouble(None)
+        self.discard()
+        self.release_lock()
+        self._set_problem(None)
         if project is None:
             return
-        self._folder, self._keeps = project.folder, True
-        self._settings.left_open = project.folder
+        self._folder, self._writes_copies = project.folder, True
+        self._settings.last_project = project.folder
         if not self._lock_project(project):
-            self._keeps = False
+            self._writes_copies = False
             if self._dialogs.ask_to_open_locked(project.name, self._lock_holder()):
-                self._set_trouble(ELSEWHERE)
+                self._set_problem(LOCKED_ELSEWHERE)
             else:
                 self._document.open(None, None)
         elif not self._document.is_modified:
@@ -113,13 +113,13 @@ class RecoveryCopies(QObject):
         else:
             remove_unsaved(project.folder)
 
-    def forget(self) -> None:
+    def discard(self) -> None:
         """Remove the recovery copy."""
-        if self._folder is not None and self._keeps:
-            self._wanted = None
+        if self._folder is not None and self._writes_copies:
+            self._latest = None
             self._run_in_worker(remove_unsaved, self._folder)
 
-    def let_go(self) -> None:
+    def release_lock(self) -> None:
         """Release the lock of the project."""
         if self._lock is not None:
             self._lock.unlock()
@@ -128,7 +128,7 @@ class RecoveryCopies(QObject):
     def stop(self) -> None:
         """Finish writing, stop the worker and release the lock."""
         self._writer.shutdown(wait=True)
-        self.let_go()
+        self.release_lock()
 
     # -- an edit, a save -------------------------------------------------------------------------
 
@@ -138,17 +138,17 @@ class RecoveryCopies(QObject):
             return
         if project.folder != self._folder:  # saved as another
             self._folder = project.folder
-            self._settings.left_open = project.folder
-            self._keeps = self._lock_project(project)
-        if self._keeps and self._document.is_modified:
-            self._wanted = project
+            self._settings.last_project = project.folder
+            self._writes_copies = self._lock_project(project)
+        if self._writes_copies and self._document.is_modified:
+            self._latest = project
             self._run_in_worker(self._write_latest_copy, project)
 
     def _write_latest_copy(self, project: Project) -> None:
-        if project is self._wanted:  # else there was another edit meanwhile
+        if project is self._latest:  # else there was another edit meanwhile
             require_folder(project)
             write_unsaved(project)
-            self._kept.emit()
+            self._written.emit()
 
     def _run_in_worker(self, write: Callable[[Any], None], what: object) -> None:
         def ended(done: Future[None]) -> None:
@@ -159,7 +159,7 @@ class RecoveryCopies(QObject):
 
     def _on_saved(self) -> None:
         """Update the problem shown after the project was saved."""
-        self._set_trouble(None if self._keeps else ELSEWHERE)
+        self._set_problem(None if self._writes_copies else LOCKED_ELSEWHERE)
 
     def _may_save(self, project: Project) -> bool:
         """Whether the folder of the project still exists; shows an error otherwise."""
@@ -173,14 +173,14 @@ class RecoveryCopies(QObject):
     def _on_write_failed(self, failure: BaseException) -> None:
         # The next edit tries again: the disk may have space then, or the drive may be back.
         reason = failure.reason if isinstance(failure, LispacError) else str(failure)
-        trouble = error("window.unsaved_work_not_kept", reason=reason)
-        if trouble != self.trouble:
-            self._set_trouble(trouble)
-            self._note(message_text(trouble))
+        problem = error("window.unsaved_work_not_kept", reason=reason)
+        if problem != self.problem:
+            self._set_problem(problem)
+            self._note(message_text(problem))
 
-    def _set_trouble(self, trouble: Message | None) -> None:
-        self.trouble = trouble
-        self.troubled.emit()
+    def _set_problem(self, problem: Message | None) -> None:
+        self.problem = problem
+        self.problem_changed.emit()
 
 
 def _copy_time_text(unsaved: UnsavedProject) -> str:

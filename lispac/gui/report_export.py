@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
     from lispac.report.pdf import Preview
 
-PPI = 96.0
+PIXELS_PER_INCH = 96.0
 """Pixels per inch of a page on the screen, where a pixel is one of the screen's."""
 
 
@@ -56,12 +56,12 @@ class ReportExport(QObject):
         project, survey = self._document.project, self._survey
         if project is None:
             return
-        answer = self._dialogs.identity(
+        identity = self._dialogs.identity(
             project.identity, lambda: "" if survey is None else survey_dates(project, survey)
         )
         current = self._document.project  # a task may have ended meanwhile
-        if answer is not None and current is not None and answer != current.identity:
-            self._document.edit(N_("change of report details"), current.with_identity(answer))
+        if identity is not None and current is not None and identity != current.identity:
+            self._document.edit(N_("change of report details"), current.with_identity(identity))
 
     def ask_template(self) -> None:
         """Ask for the template of the report."""
@@ -82,7 +82,7 @@ class ReportExport(QObject):
         if path is not None:
             write = partial(self._write, project, survey, options, path)
             self._computations.run_with_placed_lines(
-                project, survey, lambda: self._photographer.take(project, write)
+                project, survey, lambda: self._photographer.capture(project, write)
             )
 
     def _write(
@@ -106,7 +106,7 @@ class ReportExport(QObject):
             return path
 
         title = gettext("Writing the report")
-        self._runner.run(title, work, partial(self._on_written, project), lasting=True)
+        self._runner.run(title, work, partial(self._on_written, project), persistent=True)
 
     def preview(self) -> None:
         """Show the pages of the report as they are printed."""
@@ -115,7 +115,7 @@ class ReportExport(QObject):
             return
         set_pages = partial(self._lay_out_pages, project, survey, options)
         self._computations.run_with_placed_lines(
-            project, survey, lambda: self._photographer.take(project, set_pages)
+            project, survey, lambda: self._photographer.capture(project, set_pages)
         )
 
     def _lay_out_pages(
@@ -126,7 +126,7 @@ class ReportExport(QObject):
         pictures: dict[str, QImage],
     ) -> None:
         refused = self._document.refused_since
-        ppi = PPI * self._panel.devicePixelRatioF()
+        ppi = PIXELS_PER_INCH * self._panel.devicePixelRatioF()
 
         def work(progress: Progress) -> "Preview":
             from lispac.workflow.export import preview_report
@@ -141,7 +141,7 @@ class ReportExport(QObject):
             gettext("Laying out the pages"),
             work,
             lambda preview: self._show_preview(project, preview),
-            shows=True,
+            modal=True,
         )
 
     def _show_preview(self, project: Project, preview: "Preview") -> None:
@@ -163,7 +163,7 @@ class ReportExport(QObject):
 
     def _on_written(self, project: Project, path: Path) -> None:
         self._document.mark_reported(project, path.name)
-        self._controller.noted.emit(gettext("Wrote {path}", path=path))
+        self._controller.logged.emit(gettext("Wrote {path}", path=path))
 
     def _options(self) -> ReportOptions | None:
         """Options of the report; None if they cannot be used."""
@@ -174,7 +174,7 @@ class ReportExport(QObject):
             return None
 
     def _store_choice(self) -> None:
-        self._settings.keep_report_choice(self._panel.choice)
+        self._settings.save_report_choice(self._panel.choice)
 
     @property
     def _survey(self) -> Survey | None:

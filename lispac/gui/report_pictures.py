@@ -41,7 +41,7 @@ class ReportPictures(QObject):
         for ended in (runner.stopped, runner.idle):
             ended.connect(self._restore_view)
 
-    def take(self, project: Project, then: Callable[[dict[str, QImage]], None]) -> None:
+    def capture(self, project: Project, then: Callable[[dict[str, QImage]], None]) -> None:
         """Take both pictures, by caption; the lines must be placed in both states.
 
         Showing, the detail and taking have a turn each, for all at once would hold up the window.
@@ -54,13 +54,13 @@ class ReportPictures(QObject):
             self._scene.draw_due()
             self._viewport.prepare()
 
-        def take(which: Which) -> None:
+        def capture(which: Which) -> None:
             prepare(which)  # which is nothing more where nothing has changed since
             with units.standard_units():
                 pictures[CAPTIONS[which]] = self._viewport.picture()
 
         steps: list[tuple[Callable[[Which], None], Which]] = [
-            (act, which) for which in CAPTIONS for act in (self._show_lines, prepare, take)
+            (act, which) for which in CAPTIONS for act in (self._show_lines, prepare, capture)
         ]
 
         def step(_nothing: None) -> None:

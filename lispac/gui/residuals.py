@@ -22,7 +22,7 @@ from lispac.workflow.survey import Survey
 TITLE = N_("Distance from the surface (mm)")
 GREY = (188, 194, 200)
 """Of points that belong to no target."""
-OUTER = 2.0
+OUTER_PERCENT = 2.0
 """Percent of the points, half at either end, that share the last colour."""
 
 Key = tuple[str, str]
@@ -100,7 +100,7 @@ def residual_colour_limit(
 
 def _colour_limit(residuals_by_sighting: Mapping[Key, Array]) -> float:
     everything = np.abs(np.concatenate(list(residuals_by_sighting.values())))
-    return float(np.percentile(everything, 100 - OUTER)) or 1e-3
+    return float(np.percentile(everything, 100 - OUTER_PERCENT)) or 1e-3
 
 
 def residual_shading(

@@ -21,19 +21,19 @@ from lispac.survey.cloud import Cloud
 Which = Literal["prior", "estimated"]
 Residuals = Mapping[tuple[str, str], NDArray[np.uint8]]
 """Colours of the points of a sighting, by target and line."""
-Shaded = tuple[PointColouring | None, Residuals]
+ColouredPoints = tuple[PointColouring | None, Residuals]
 
 
 class Scene(QObject):
     """Updates the viewport from the document, the candidate and the before/after switch."""
 
     which_changed = Signal(str)
-    gone_to = Signal(object, str)
-    """Points (n, 3) that the view goes to, and what they are of."""
+    focused = Signal(object, str)
+    """Points (n, 3) that the view moves to, and the name of their target or line."""
     selection_changed = Signal()
     drawn = Signal()
     """The lines are drawn anew."""
-    placing_wanted = Signal()
+    placement_requested = Signal()
     """The lines after are shown, and the project has another result by now."""
 
     def __init__(self, document: Document, viewport: Viewport, parent: QObject) -> None:
@@ -47,12 +47,12 @@ class Scene(QObject):
         self._drawn: Mapping[str, Cloud] = {}
         self._residuals: Residuals = {}
         self._reach: float | None = None
-        self._shaded: Shaded | None = None
+        self._shaded: ColouredPoints | None = None
         """Colours that wait to be drawn."""
         # Once for all that changes in one: a new project has enough to show.
         self._lines_due = IdleTask(self._draw_due_lines, self)
         self._targets_due = IdleTask(self._draw_due_targets, self)
-        document.left.connect(self._clear)
+        document.about_to_open.connect(self._clear)
         document.survey_changed.connect(self._reload)
         document.changed.connect(self._project_changed)
 
@@ -156,7 +156,7 @@ class Scene(QObject):
         self._viewport.select(self.selected)
         self.selection_changed.emit()
 
-    def look_at(self, name: str, line: str) -> None:
+    def focus_on(self, name: str, line: str) -> None:
         """Highlight a sighting, or a target if ``line`` is empty, and move the view to it."""
         project = self._document.project
         if project is None:
@@ -166,7 +166,7 @@ class Scene(QObject):
         self._viewport.select((name, line))
         points = self._points(target, line)
         if points is not None:
-            self.gone_to.emit(points, name)
+            self.focused.emit(points, name)
             self._viewport.fit(points)
         self.selection_changed.emit()
 
@@ -208,7 +208,7 @@ class Scene(QObject):
         project = self._document.project
         if self.which == "estimated" and not self.has_estimated:
             if project is not None and project.result is not None:
-                self.placing_wanted.emit()  # the lines as they are stay until the others are there
+                self.placement_requested.emit()  # the lines drawn stay until then
             elif not self._document.awaits_result:
                 self.which = "prior"
                 self.which_changed.emit(self.which)
@@ -248,7 +248,7 @@ class Scene(QObject):
             self._draw_clouds(self._shaded)
         self._schedule_targets()
 
-    def _draw_clouds(self, shaded: Shaded | None = None) -> None:
+    def _draw_clouds(self, shaded: ColouredPoints | None = None) -> None:
         clouds = self._drawn = self.clouds
         samples = {name: cloud.sample for name, cloud in clouds.items()}
         shading, self._residuals = shaded or self._available_colours()
@@ -256,14 +256,14 @@ class Scene(QObject):
         self._viewport.show_clouds(samples, theme.line_colours(list(clouds)), shading)
         self.drawn.emit()
 
-    def _available_colours(self) -> Shaded:
+    def _available_colours(self) -> ColouredPoints:
         try:
             return self._point_colours(self.colouring)
         except ValueError:  # another survey, without intensities or a result
             self.colouring = "line"
             return None, {}
 
-    def _point_colours(self, colouring: Colouring) -> Shaded:
+    def _point_colours(self, colouring: Colouring) -> ColouredPoints:
         """Colours of the points of the lines, and of sightings with their own colours."""
         if colouring != "residual":
             return point_shading(colouring, self.clouds), {}

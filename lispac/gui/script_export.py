@@ -42,7 +42,7 @@ class ScriptExport(QObject):
             gettext("Writing the script of this project"),
             work,
             lambda made: self._show(project, made),
-            shows=True,
+            modal=True,
         )
         self._controller.cancel_on_edit(task)
 
@@ -59,7 +59,7 @@ class ScriptExport(QObject):
                 self._controller.refused.emit(error)
                 return ""
             text = gettext("Wrote {path}", path=path)
-            self._controller.noted.emit(text)
+            self._controller.logged.emit(text)
             return text
 
         self._dialogs.script(script, save)

@@ -21,8 +21,8 @@ from lispac.progress import Progress
 from lispac.targets.cross_section import Section
 from lispac.workflow.survey_sections import SectionPoints, cut_between_points, section_at_target
 
-SKETCH = "section"
-COLOUR: Colour = (0, 90, 200)
+SKETCH_NAME = "section"
+SKETCH_COLOUR: Colour = (0, 90, 200)
 HINTS = (N_("Click the start of the section"), N_("Click the end of the section"))
 
 
@@ -44,7 +44,7 @@ class SectionTool(QObject):
         self._viewport, self._mouse_tool, self._bring = viewport, mouse_tool, bring
         self.panel = SectionPanel()
         self._ends: list[Array] = []
-        self._outdated = self._seen = self._drawn = False
+        self._outdated = self._panel_visible = self._drawn = False
         self._shown: tuple[tuple[object, ...], tuple[object, ...]] | None = None
         self._cuts: Sequence[SectionPoints] = ()
         self.panel.changed.connect(self._update_section)
@@ -60,9 +60,9 @@ class SectionTool(QObject):
     def _open(self) -> None:
         self._bring(self.panel)
 
-    def set_panel_visible(self, seen: bool) -> None:
+    def set_panel_visible(self, visible: bool) -> None:
         """Set whether the panel is visible."""
-        self._seen = seen
+        self._panel_visible = visible
         self._update_section()
 
     # -- between two points ------------------------------------------------------------------
@@ -82,7 +82,7 @@ class SectionTool(QObject):
         self._ends.append(np.array(point.position))
         if len(self._ends) == 1:
             self._mouse_tool.hint(gettext(HINTS[1]))
-            self._draw_sketch(Sketch((point.position,), (), COLOUR, dots=True))
+            self._draw_sketch(Sketch((point.position,), (), SKETCH_COLOUR, dots=True))
             return
         self._mouse_tool.end()
         self._open()
@@ -103,7 +103,7 @@ class SectionTool(QObject):
     def _update_section(self) -> None:
         project, survey = self._document.project, self._document.survey
         panel, selected = self.panel, self._scene.selected
-        if not self._seen:
+        if not self._panel_visible:
             self._draw_sketch(None)
             return
         ends = tuple(self._ends) if len(self._ends) == 2 else None
@@ -113,7 +113,7 @@ class SectionTool(QObject):
         if project is None or survey is None or not ready or not (ends or name):
             self._show_nothing(gettext(EMPTY))
             return
-        level, size, thickness = panel.level, panel.size.value(), panel.thickness.value()
+        level, size, thickness = panel.is_horizontal, panel.size.value(), panel.thickness.value()
         target = project.target(name) if name else None
         rests_on = (project.result, target, survey, *(ends or ()))
         requested = (level, size, thickness, *map(id, rests_on))
@@ -169,7 +169,7 @@ class SectionTool(QObject):
     def _draw_sketch(self, sketch: Sketch | None) -> None:
         if sketch is not None or self._drawn:
             self._drawn = sketch is not None
-            self._viewport.show_sketch(SKETCH, sketch)
+            self._viewport.show_sketch(SKETCH_NAME, sketch)
 
 
 def section_box_sketch(section: Section) -> Sketch:
@@ -177,4 +177,4 @@ def section_box_sketch(section: Section) -> Sketch:
     half = 0.5 * np.array([section.width, section.height, section.thickness])
     box = Box(section.centre, np.array([section.right, section.up, section.across]), half)
     places = tuple((float(x), float(y), float(z)) for x, y, z in box.corners)
-    return Sketch(places, EDGES, COLOUR)
+    return Sketch(places, EDGES, SKETCH_COLOUR)

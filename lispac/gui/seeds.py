@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
     from lispac.workflow.seed_lists import SeedOutcome
 
-Picked = tuple[Project, tuple["SeedOutcome", ...]]
+SeedOutcomes = tuple[Project, tuple["SeedOutcome", ...]]
 
 
 class SeedActions(QObject):
@@ -49,10 +49,10 @@ class SeedActions(QObject):
         added = seed_options.line is not None and seed_options.selected is not None
         name = seed_options.selected if added else next_name(project, seed_options.role)
         assert name is not None
-        answer = self._dialogs.seed_at(project, survey.trajectory, seed_options, name)
-        if answer is not None and self._document.project is project:
-            named, place = answer
-            self._controller.seek(place, seed_options, name="" if added else named)
+        entered = self._dialogs.seed_at(project, survey.trajectory, seed_options, name)
+        if entered is not None and self._document.project is project:
+            named, place = entered
+            self._controller.search_at(place, seed_options, name="" if added else named)
 
     def list_seeds(self, path: Path | None = None) -> None:
         """Show a list of coordinates and search for the ticked targets, as one undo step.
@@ -75,14 +75,14 @@ class SeedActions(QObject):
         if not seeds or self._document.project is not project:
             return
 
-        def work(progress: Progress) -> Picked:
+        def work(progress: Progress) -> SeedOutcomes:
             from lispac.workflow.seed_lists import pick_seeds
 
             return pick_seeds(
                 project, survey, seeds, seed_options.finder_arguments, progress=progress
             )
 
-        def done(picked: Picked) -> None:
+        def done(picked: SeedOutcomes) -> None:
             edited, outcomes = picked
             self._apply_outcomes(path, edited, outcomes)
 
@@ -91,7 +91,7 @@ class SeedActions(QObject):
             "Searching for the targets of {count:n} seeds of {file}",
         )
         text = gettext(title, count=len(seeds), file=path.name)
-        task = self._runner.run(text, work, done, shows=True)
+        task = self._runner.run(text, work, done, modal=True)
         self._controller.cancel_on_edit(task)
 
     def _apply_outcomes(
@@ -105,14 +105,14 @@ class SeedActions(QObject):
             self._controller.reject()  # its name is taken now
         for outcome in outcomes:
             for each in thinned_notes(outcome.target) if outcome.target else ():
-                self._controller.noted.emit(message_text(each))
+                self._controller.logged.emit(message_text(each))
         if names:
             self._document.edit(N_("addition of targets from {file}"), edited, file=path.name)
         found = Plural(
             "{file}: a target was found for {found:n} of {count:n} seed",
             "{file}: targets were found for {found:n} of {count:n} seeds",
         )
-        self._controller.noted.emit(
+        self._controller.logged.emit(
             gettext(found, file=path.name, found=len(names), count=len(outcomes))
         )
         self._dialogs.seeds_found(outcomes, len(edited.lines))

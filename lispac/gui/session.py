@@ -22,7 +22,7 @@ from lispac.gui.viewport.base import Viewport
 from lispac.gui.window_state import transfer_window_state
 from lispac.io.project_file import UNSAVED_NAME
 
-LATER_MS = 500
+THEME_DELAY_MS = 500
 """Delay after a change of the system theme; systems send several signals."""
 
 
@@ -35,7 +35,7 @@ class Session(QObject):
     settings, dialogs : others than the user's own, for tests
     """
 
-    _unforeseen = Signal(object)
+    _uncaught = Signal(object)
 
     def __init__(
         self,
@@ -46,12 +46,12 @@ class Session(QObject):
     ) -> None:
         super().__init__(application)
         # Queued: a thread may not open a dialogue
-        self._unforeseen.connect(self._show_error, Qt.ConnectionType.QueuedConnection)
+        self._uncaught.connect(self._show_error, Qt.ConnectionType.QueuedConnection)
         self._application, self._viewport = application, viewport
         self._settings, self._dialogs = settings or AppSettings(), dialogs or Dialogs()
         self.window = self._create_window(None)
-        self._later = QTimer(self, singleShot=True, interval=LATER_MS)
-        self._later.timeout.connect(self._follow_system_theme)
+        self._theme_timer = QTimer(self, singleShot=True, interval=THEME_DELAY_MS)
+        self._theme_timer.timeout.connect(self._follow_system_theme)
         application.styleHints().colorSchemeChanged.connect(self._delay_theme_change)
 
     def _create_window(self, former: MainWindow | None) -> MainWindow:
@@ -85,11 +85,11 @@ class Session(QObject):
         if isinstance(error, KeyboardInterrupt):
             self._application.quit()
         else:
-            self._unforeseen.emit(error)
+            self._uncaught.emit(error)
 
     def crashed_project(self) -> Path | None:
         """Project with unsaved changes that the program did not close; None if there is none."""
-        folder = self._settings.left_open
+        folder = self._settings.last_project
         if folder is None or not (folder / UNSAVED_NAME).is_file():
             return None
         return folder
@@ -97,8 +97,8 @@ class Session(QObject):
     def _show_error(self, error: BaseException) -> None:
         self.window.dialogs.show_error(error)
 
-    def _delay_theme_change(self, _looks: Qt.ColorScheme) -> None:
-        self._later.start()
+    def _delay_theme_change(self, _scheme: Qt.ColorScheme) -> None:
+        self._theme_timer.start()
 
     def _follow_system_theme(self) -> None:
         """Apply the theme of the system, unless a dialogue is open or a plan is dragged."""
@@ -109,14 +109,14 @@ class Session(QObject):
             or QApplication.activePopupWidget()
             or self.window.site_design.workspace.is_dragging
         ):
-            self._later.start()
+            self._theme_timer.start()
         else:
             self.window.rebuild_window()
 
     def rebuild_window(self) -> None:
         """Replace the window by a new one in the language and theme of the settings."""
         former = self.window
-        former.keep_layout()
+        former.save_layout()
         former.recovery_copies.stop()
         self.window = self._create_window(
             former

@@ -13,7 +13,7 @@ from lispac.language import LANGUAGES
 from lispac.untrusted_values import json_values
 from lispac.workflow.sensors import own_sensors
 
-MOST_RECENT = 8
+MAX_RECENT = 8
 REPORT_KEYS = ("template", "page", "convention", "language")
 THEMES = ("system", "light", "dark")
 POINT_SIZES = range(1, 13)  # pixels
@@ -53,20 +53,20 @@ class AppSettings:
     def add_recent(self, folder: Path) -> None:
         """Put a project folder first in the list of recent projects."""
         others = [known for known in self.recent() if known != folder]
-        self._store.setValue("recent", [str(p) for p in [folder, *others][:MOST_RECENT]])
+        self._store.setValue("recent", [str(p) for p in [folder, *others][:MAX_RECENT]])
 
-    def forget_recent(self) -> None:
+    def clear_recent(self) -> None:
         """Clear the list of recent projects."""
         self._store.setValue("recent", [])
 
     @property
-    def left_open(self) -> Path | None:
+    def last_project(self) -> Path | None:
         """The project that was open when the program ended without being closed."""
         name = str(self._store.value("left_open", ""))
         return Path(name) if name else None
 
-    @left_open.setter
-    def left_open(self, folder: Path | None) -> None:
+    @last_project.setter
+    def last_project(self, folder: Path | None) -> None:
         self._store.setValue("left_open", "" if folder is None else str(folder))
         self._store.sync()
 
@@ -77,7 +77,7 @@ class AppSettings:
             return geometry, state
         return None
 
-    def keep_layout(self, geometry: QByteArray, state: QByteArray) -> None:
+    def save_layout(self, geometry: QByteArray, state: QByteArray) -> None:
         """Store geometry and state of the window."""
         self._store.setValue("geometry", geometry)
         self._store.setValue("docks", state)
@@ -90,7 +90,7 @@ class AppSettings:
             return {}
         return {str(k): str(v) for k, v in stored.items()} if isinstance(stored, dict) else {}
 
-    def keep_column_mappings(self, mappings: dict[str, str]) -> None:
+    def save_column_mappings(self, mappings: dict[str, str]) -> None:
         """Store the columns for the next file with the same layout."""
         if mappings:
             kept = self.column_mappings() | mappings
@@ -198,7 +198,7 @@ class AppSettings:
         a, b, c, d = (str(self._store.value(f"report_{k}", "")) for k in REPORT_KEYS)
         return a, b, c, d
 
-    def keep_report_choice(self, choice: tuple[str, str, str, str]) -> None:
+    def save_report_choice(self, choice: tuple[str, str, str, str]) -> None:
         """Store the choices for the next report."""
         for key, text in zip(REPORT_KEYS, choice, strict=True):
             self._store.setValue(f"report_{key}", text)

@@ -20,18 +20,18 @@ Key = tuple[str, str]
 class QualityComputation(QObject):
     """Updates the quality of every sighting after changes of the project."""
 
-    judged = Signal(object)
+    qualities_changed = Signal(object)
     """Qualities by the names of target and line, those that are known by now."""
-    candidate_judged = Signal(object)
+    candidate_rated = Signal(object)
     """Qualities of the candidate, by line."""
 
     def __init__(self, document: Document, runner: TaskRunner, parent: QObject) -> None:
         super().__init__(parent)
         self._document, self._runner = document, runner
         self._known: Mapping[Key, AssessedQuality] = {}
-        self._asked: tuple[Task, Project] | None = None
+        self._request: tuple[Task, Project] | None = None
         self._candidate: Target | None = None
-        self._asked_candidate: tuple[Task, Target] | None = None
+        self._candidate_request: tuple[Task, Target] | None = None
         document.changed.connect(self._on_document_changed)
         runner.idle.connect(self._rate_sightings)
 
@@ -52,18 +52,18 @@ class QualityComputation(QObject):
         While a new result is on its way those of the last one stay: it moves little.
         """
         project, waits = self._document.project, self._document.awaits_result
-        still: dict[Key, SightingQuality] = {}
+        current: dict[Key, SightingQuality] = {}
         for target in () if project is None else project.targets:
             for sighting in target.sightings:
                 each = self._known.get((target.name, sighting.line))
                 if each is None or each.indices is not sighting.indices:
                     continue
                 if waits or each.is_current(project, target, sighting):
-                    still[target.name, sighting.line] = each.quality
-        return still
+                    current[target.name, sighting.line] = each.quality
+        return current
 
     def _emit_qualities(self) -> None:
-        self.judged.emit(self._current_qualities())
+        self.qualities_changed.emit(self._current_qualities())
 
     def _rate_sightings(self) -> None:
         document, known = self._document, self._known
@@ -76,8 +76,8 @@ class QualityComputation(QObject):
             self._candidate, project, survey
         ):
             return
-        task, requested = self._asked or (None, None)
-        if task is not None and requested is project and not task.gave_way:
+        task, requested = self._request or (None, None)
+        if task is not None and requested is project and not task.superseded:
             return  # it failed, or was cancelled by hand
         if len(self._current_qualities()) == sum(
             len(target.sightings) for target in project.targets
@@ -87,31 +87,31 @@ class QualityComputation(QObject):
         def work(progress: Progress) -> dict[Key, AssessedQuality]:
             return assess_sightings(project, survey, known=known, progress=progress)
 
-        def done(judged: dict[Key, AssessedQuality]) -> None:
-            self._known = judged
+        def done(rated: dict[Key, AssessedQuality]) -> None:
+            self._known = rated
             self._emit_qualities()
 
         title = gettext("Computing the quality of the sightings")
         task = self._runner.run(title, work, done, quiet=True, key="quality")
-        self._asked = (task, project)
+        self._request = (task, project)
 
     def _start_candidate_rating(self, candidate: Target, project: Project, survey: Survey) -> bool:
         """Rate the candidate in the worker unless done or failed; return whether it was started."""
-        task, requested = self._asked_candidate or (None, None)
-        if task is not None and requested is candidate and not task.gave_way:
+        task, requested = self._candidate_request or (None, None)
+        if task is not None and requested is candidate and not task.superseded:
             return False
 
         def work(progress: Progress) -> dict[Key, AssessedQuality]:
             alone = replace(project, targets=(candidate,))
             return assess_sightings(alone, survey, progress=progress)
 
-        def done(judged: dict[Key, AssessedQuality]) -> None:
+        def done(rated: dict[Key, AssessedQuality]) -> None:
             if self._candidate is not candidate:
                 return
-            self._known = {**judged, **self._known}  # it holds when it is accepted
-            self.candidate_judged.emit({line: each.quality for (_, line), each in judged.items()})
+            self._known = {**rated, **self._known}  # it holds when it is accepted
+            self.candidate_rated.emit({line: each.quality for (_, line), each in rated.items()})
 
         title = gettext("Computing the quality of {target}", target=candidate.name)
         task = self._runner.run(title, work, done, quiet=True, key="candidate")
-        self._asked_candidate = task, candidate
+        self._candidate_request = task, candidate
         return True

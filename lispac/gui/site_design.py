@@ -101,7 +101,7 @@ class SiteDesign(QObject):
         self.runner.progress_changed.connect(lambda: window.task_bar.show_task(self.runner.current))
         self.runner.failed.connect(self._dialogs.show_error)
         self.paper.failed.connect(self._dialogs.show_error)
-        window.results.following.failed.connect(self._dialogs.show_error)
+        window.results.predictor.failed.connect(self._dialogs.show_error)
         self.runner.stopped.connect(
             lambda title: window.note(gettext("{task}: cancelled", task=title))
         )
@@ -143,12 +143,12 @@ class SiteDesign(QObject):
     def _write(self, path: Path) -> bool:
         try:
             self._require_complete_plan()
-            write_plan(path, self.workspace.history.now)  # not what a drag may still give up
+            write_plan(path, self.workspace.history.current)  # not what a drag may still give up
         except (LispacError, OSError) as error:
             self._dialogs.show_error(error)
             return False
         self._path = path
-        self.workspace.history.keep()
+        self.workspace.history.mark_saved()
         self.workspace.changed.emit()
         self._note(gettext("Saved {file}", file=str(path)))
         return True
@@ -167,7 +167,7 @@ class SiteDesign(QObject):
         self.paper.run(
             gettext("Writing the field plan"),
             lambda _progress: write_field_plan(path, titled),
-            lambda _nothing: self._note(gettext("Saved {file}", file=str(path))), lasting=True,
+            lambda _nothing: self._note(gettext("Saved {file}", file=str(path))), persistent=True,
         )  # fmt: skip
 
     def read_site(self) -> None:
@@ -262,13 +262,13 @@ class SiteDesign(QObject):
 
         def done(result: MonteCarloResult) -> None:
             head = result_heading(titled.title, result, requested.surveys)
-            window.surveys.answer.show_result(head, result, titled.plan)
-            window.surveys.answer.follow(self.workspace.titled.plan)
+            window.surveys.result_table.show_result(head, result, titled.plan)
+            window.surveys.result_table.set_current_plan(self.workspace.titled.plan)
             window.pictures.show_errors(result)
             window.show_figures()
 
-        # Cancelled, it still has an answer where enough surveys were finished.
-        self.runner.run(gettext("Simulating surveys"), work, done, lasting=True)
+        # Cancelled, it still has a result where enough surveys were finished.
+        self.runner.run(gettext("Simulating surveys"), work, done, persistent=True)
 
     def compare(self) -> None:
         """Compare the survey of the main window with this plan."""
@@ -301,10 +301,10 @@ class SiteDesign(QObject):
 
     def _may_discard_plan(self) -> bool:
         """Whether the plan may be discarded; asks to save unsaved changes."""
-        if not self.workspace.history.changed:
+        if not self.workspace.history.is_modified:
             return True
-        answer = self._dialogs.ask_to_save_changes(self.workspace.titled.title)
-        return self.save() if answer == "save" else answer == "discard"
+        choice = self._dialogs.ask_to_save_changes(self.workspace.titled.title)
+        return self.save() if choice == "save" else choice == "discard"
 
     def leave(self) -> bool:
         """End the design with the program; return whether the user agrees."""

@@ -22,26 +22,26 @@ class SlicedCalculation:
     def __init__(self) -> None:
         self._turn, self._back = threading.Semaphore(0), threading.Semaphore(0)
         self._thread: threading.Thread | None = None
-        self._done = self._given_up = False
+        self._done = self._abandoned = False
         self._error: BaseException | None = None
         self._until = 0.0
 
     @property
-    def under_way(self) -> bool:
+    def is_running(self) -> bool:
         """Whether a calculation was begun and is not finished."""
         return self._thread is not None
 
     def begin(self, work: Callable[[], object]) -> None:
-        """Set a calculation, which calls `rest` where it may pause; `go_on` starts it."""
+        """Set a calculation, which calls `pause` where it may pause; `resume` starts it."""
         self.abandon()
-        self._done = self._given_up = False
+        self._done = self._abandoned = False
         self._error = None
 
         def run() -> None:
             self._turn.acquire()
             self._until = time.perf_counter() + SLICE_S
             try:
-                if not self._given_up:
+                if not self._abandoned:
                     work()
             except _CalculationAbandoned:
                 pass
@@ -53,7 +53,7 @@ class SlicedCalculation:
         self._thread = threading.Thread(target=run, daemon=True, name="slices")
         self._thread.start()
 
-    def go_on(self) -> bool:
+    def resume(self) -> bool:
         """Calculate for one slice; return True if finished. Raises errors of the calculation."""
         if self._thread is None:
             return True
@@ -66,17 +66,17 @@ class SlicedCalculation:
             raise self._error
         return self._done
 
-    def rest(self) -> None:
+    def pause(self) -> None:
         """Pause the calculation if its slice is over; called by the calculation."""
         if threading.current_thread() is not self._thread or time.perf_counter() < self._until:
             return
         self._back.release()
         self._turn.acquire()
-        if self._given_up:
+        if self._abandoned:
             raise _CalculationAbandoned
         self._until = time.perf_counter() + SLICE_S
 
     def abandon(self) -> None:
         """Abandon the calculation."""
-        self._given_up = True
-        self.go_on()
+        self._abandoned = True
+        self.resume()

@@ -1,4 +1,4 @@
-"""Start page, shown while no project is open: recent projects and ways to begin."""
+"""Start page, shown while no project is open: recent projects and links to begin."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -22,7 +22,7 @@ from lispac.gui.tab_order import set_tab_order
 from lispac.io.project_file import FILE_NAME, UNSAVED_NAME
 from lispac.language import N_, gettext
 
-WAYS = (
+LINKS = (
     ("tour", "compass-outline", N_("Three-minute tour"),
      N_("Calibrate the demo survey step by step")),
     ("new", "folder-plus-outline", N_("New project…"), N_("Import a trajectory and lines")),
@@ -32,17 +32,17 @@ WAYS = (
     ("design", "vector-square", N_("Design a survey…"),
      N_("Plan boards and lines before the survey")),
 )  # fmt: skip
-"""Name of the action, icon, title and description of each way to begin."""
-LOW = 36
-"""Height of a way without its description, pixels."""
+"""Name of the action, icon, title and description of each link."""
+LOW_LINK_HEIGHT = 36
+"""Height of a link without its description, pixels."""
 QWIDGETSIZE_MAX = (1 << 24) - 1
 
 
 class StartPage(QScrollArea):
-    """Page with recent projects and ways to begin."""
+    """Page with recent projects and links to begin."""
 
-    chosen = Signal(str)
-    """Name of one of the ways."""
+    link_clicked = Signal(str)
+    """Name of the link that was clicked."""
     project_chosen = Signal(object)
     """Folder of a recent project."""
 
@@ -50,7 +50,7 @@ class StartPage(QScrollArea):
         super().__init__()
         self.setObjectName("start_page")
         self.setAccessibleName(gettext("Start page"))
-        # It would have the focus at first, unseen; keys scroll it from the ways, too
+        # It would have the focus at first, unseen; keys scroll it from the links, too
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
@@ -77,14 +77,14 @@ class StartPage(QScrollArea):
             side.setSpacing(4)
             side.addWidget(widgets.label(head, "heading"))
             sides.addLayout(side, 1)
-        self.ways = {
+        self.links = {
             name: _link_button(icon, gettext(title), gettext(description))
-            for name, icon, title, description in WAYS
+            for name, icon, title, description in LINKS
         }
-        for name, way in self.ways.items():
-            way.setObjectName(f"start_{name}")
-            way.clicked.connect(lambda _=False, name=name: self.chosen.emit(name))
-            self._begin.addWidget(way)
+        for name, link in self.links.items():
+            link.setObjectName(f"start_{name}")
+            link.clicked.connect(lambda _=False, name=name: self.link_clicked.emit(name))
+            self._begin.addWidget(link)
         self._begin.addStretch(1)
         self._projects: list[QWidget] = []
         self._recent.addStretch(1)
@@ -93,7 +93,7 @@ class StartPage(QScrollArea):
         self.setWidget(body)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Show descriptions as tooltips in a low window, so that all ways stay visible."""
+        """Show descriptions as tooltips in a low window, so that all links stay visible."""
         super().resizeEvent(event)
         self._show_descriptions(True)
         place = self._begin.geometry()
@@ -104,12 +104,12 @@ class StartPage(QScrollArea):
     def _show_descriptions(self, whole: bool) -> None:
         """Show the descriptions below the titles, or as tooltips."""
         self._outer.setContentsMargins(40, 28 if whole else 12, 40, 28)
-        for name, _, _, description in WAYS:
-            way, text = self.ways[name], gettext(description)
-            way.setDescription(text if whole else "")
-            way.setToolTip("" if whole else text)
-            way.setMaximumHeight(QWIDGETSIZE_MAX if whole else LOW)
-            way.updateGeometry()
+        for name, _, _, description in LINKS:
+            link, text = self.links[name], gettext(description)
+            link.setDescription(text if whole else "")
+            link.setToolTip("" if whole else text)
+            link.setMaximumHeight(QWIDGETSIZE_MAX if whole else LOW_LINK_HEIGHT)
+            link.updateGeometry()
         self._begin.setSpacing(4 if whole else 2)
         self._outer.activate()
 
@@ -124,7 +124,7 @@ class StartPage(QScrollArea):
         ]
         for k, each in enumerate(self._projects):
             self._recent.insertWidget(k + 1, each)
-        set_tab_order(self.ways[WAYS[-1][0]], self._projects)
+        set_tab_order(self.links[LINKS[-1][0]], self._projects)
 
     def _project_button(self, folder: Path) -> QCommandLinkButton:
         made = _link_button("folder-outline", folder.name, _project_state_text(folder))

@@ -42,9 +42,9 @@ class StepStatus:
     ready: bool = False
 
 
-def count_text(number: int, word: str, many: str = "") -> str:
+def count_text(number: int, singular: str, plural: str = "") -> str:
     """Text of a number with its noun: ``1 line``, ``6 lines``."""
-    return f"{number:,} {word if number == 1 else many or word + 's'}"
+    return f"{number:,} {singular if number == 1 else plural or singular + 's'}"
 
 
 def point_count(number: int) -> str:

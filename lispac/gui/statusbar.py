@@ -11,7 +11,7 @@ from lispac.gui.tasks import Task
 from lispac.language import duration_text, gettext
 from lispac.progress import PointProgress
 
-QUIET_FOR = 0.3
+SHOW_DELAY_S = 0.3
 """Seconds a quiet task may take before it is shown."""
 
 
@@ -48,7 +48,7 @@ class TaskStatusBar(QStatusBar):
     def show_task(self, task: Task | None) -> None:
         """Show the progress of the running task; None if none runs."""
         shown = task is not None and not (
-            task.quiet and time.monotonic() - task.started < QUIET_FOR
+            task.quiet and time.monotonic() - task.started < SHOW_DELAY_S
         )
         for each in self._parts:
             each.setVisible(shown)

@@ -61,7 +61,7 @@ class Studies(QObject):
 
         def work(progress: Progress) -> tuple[tuple[CalibrationHistory, ...], tuple[Message, ...]]:
             preload_matplotlib()
-            # An answer that is not saved yet counts too.
+            # A result that is not saved yet counts too.
             current = [] if project is None or project.result is None else [project]
             return read_histories([folder], also=current, progress=progress)
 
@@ -69,7 +69,7 @@ class Studies(QObject):
             gettext("Reading the calibrations"),
             work,
             lambda found: self._dialogs.history(*found),
-            shows=True,
+            modal=True,
         )
 
     def check(self) -> None:
@@ -92,12 +92,12 @@ class Studies(QObject):
             found, notes = checked
             self._document.edit(N_("check against {file}"), found, file=request.path.name)
             for note in notes:
-                self._controller.noted.emit(message_text(note))
+                self._controller.logged.emit(message_text(note))
             assert found.absolute is not None
-            self._dialogs.checked(AbsoluteCheckValues.of(found.absolute))
+            self._dialogs.show_check_result(AbsoluteCheckValues.of(found.absolute))
 
         title = gettext("Checking against {file}", file=request.path.name)
-        task = self._runner.run(title, work, done, shows=True)
+        task = self._runner.run(title, work, done, modal=True)
         self._controller.cancel_on_edit(task)
 
     def budget(self) -> None:
@@ -109,7 +109,7 @@ class Studies(QObject):
             gettext("Computing the error budget"),
             lambda _progress: ErrorBudgetValues.of(error_budget_of(project, survey)),
             self._dialogs.budget,
-            shows=True,
+            modal=True,
         )
         self._controller.cancel_on_edit(task)
 
@@ -125,7 +125,7 @@ class Studies(QObject):
             return line_quality(project, survey, which=which, progress=progress)
 
         task = self._runner.run(
-            gettext("Comparing the lines"), work, self._dialogs.line_quality, shows=True
+            gettext("Comparing the lines"), work, self._dialogs.line_quality, modal=True
         )  # fmt: skip
         self._controller.cancel_on_edit(task)
 
@@ -141,7 +141,7 @@ class Studies(QObject):
 
         task = self._runner.run(
             gettext("Subsampling study"), work,
-            lambda found: self._dialogs.subsampling(found, used), shows=True,
+            lambda found: self._dialogs.subsampling(found, used), modal=True,
         )  # fmt: skip
         self._controller.cancel_on_edit(task)
 
@@ -158,7 +158,7 @@ class Studies(QObject):
                 for k, site in enumerate(sites)
             ]
 
-        self._runner.run(gettext("Simulating boards"), work, self._dialogs.visibility, shows=True)
+        self._runner.run(gettext("Simulating boards"), work, self._dialogs.visibility, modal=True)
 
     def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current

@@ -20,9 +20,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-Kind = TypeVar("Kind", bound=QWidget)
+W = TypeVar("W", bound=QWidget)
 Reason = Qt.FocusReason
-ENTERS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+ENTER_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
 def focus_next(window: QMainWindow, forward: bool) -> bool:
@@ -56,7 +56,7 @@ def press_focused_button(window: QMainWindow, event: QKeyEvent) -> bool:
     """Press the focused button on Enter; return whether it was pressed."""
     focused = window.focusWidget()
     pressed = (
-        event.key() in ENTERS
+        event.key() in ENTER_KEYS
         and not event.isAutoRepeat()
         and isinstance(focused, QPushButton | QToolButton)
         and focused.isEnabled()
@@ -112,7 +112,7 @@ def _scroll_to(widget: QWidget) -> None:
         area = _ancestor(area, QScrollArea)
 
 
-def _ancestor(widget: QWidget, kind: type[Kind]) -> Kind | None:
+def _ancestor(widget: QWidget, kind: type[W]) -> W | None:
     above = widget.parentWidget()
     while above is not None and not isinstance(above, kind):
         above = above.parentWidget()

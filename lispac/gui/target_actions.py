@@ -25,8 +25,8 @@ class TargetActions(QObject):
         self._controller, self._dialogs = window.controller, window.dialogs
         self._targets, self._actions = window.targets, window.actions_
         self.quality_computation = QualityComputation(window.document, window.runner, self)
-        self.quality_computation.judged.connect(window.table.sightings.show_qualities)
-        self.quality_computation.candidate_judged.connect(
+        self.quality_computation.qualities_changed.connect(window.table.sightings.show_qualities)
+        self.quality_computation.candidate_rated.connect(
             window.targets.candidate.lights.show_qualities
         )
         window.controller.candidate_changed.connect(
@@ -68,7 +68,7 @@ class TargetActions(QObject):
             gettext("Searching for targets to propose"),
             work,
             lambda proposal: self._offer_proposal(project, proposal),
-            shows=True,
+            modal=True,
         )
         self._controller.cancel_on_edit(task)
 
@@ -104,15 +104,15 @@ class TargetActions(QObject):
         if self._document.project is not project:
             return
         if not proposal.targets:
-            self._controller.noted.emit(gettext("No other suitable targets were found."))
+            self._controller.logged.emit(gettext("No other suitable targets were found."))
             return
         names = self._dialogs.proposal(proposal)
         if not names:
-            self._controller.noted.emit(gettext("The proposed targets were rejected."))
+            self._controller.logged.emit(gettext("The proposed targets were rejected."))
             return
-        edited, given = with_accepted(project, proposal, names)
+        edited, accepted = with_accepted(project, proposal, names)
         self._document.edit(N_("addition of proposed targets"), edited)
-        self._controller.noted.emit(gettext("Accepted {targets:names}", targets=given))
+        self._controller.logged.emit(gettext("Accepted {targets:names}", targets=accepted))
 
     def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current and not self._runner.busy

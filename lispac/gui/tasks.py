@@ -35,9 +35,9 @@ class Task:
     done : takes the value; runs on the GUI thread
     quiet : nobody waits for it, and it gives way to work that somebody waits for
     key : a later quiet task of the same key takes its place
-    lasting : what it does is on the disk once it has ended, and no longer to be cancelled
-    shows : its value is shown in a dialogue
-    gave_way : it was cancelled for other work, not because the user wanted it to stop
+    persistent : what it does is on the disk once it has ended, and no longer to be cancelled
+    modal : its value is shown in a dialogue
+    superseded : it was cancelled for other work, not because the user wanted it to stop
     """
 
     title: str
@@ -45,9 +45,9 @@ class Task:
     done: Callable[[Any], None]
     quiet: bool = False
     key: str = ""
-    lasting: bool = False
-    shows: bool = False
-    gave_way: bool = False
+    persistent: bool = False
+    modal: bool = False
+    superseded: bool = False
     cancel: threading.Event = field(default_factory=threading.Event)
     fraction: float = 0.0
     step: Step | None = None
@@ -63,7 +63,7 @@ class Task:
         if step is not None:
             self.step = step
 
-    def let_go(self) -> None:
+    def clear_data(self) -> None:
         """Release the data of an ended task; how it ended is kept."""
         self.work, self.done, self.value = _ignore, _ignore, None
         if self.error is not None:
@@ -88,7 +88,7 @@ class TaskRunner(QObject):
     """The exception a task ended with."""
     stopped = Signal(str)
     """Title of a cancelled task."""
-    too_late = Signal(str)
+    cancelled_too_late = Signal(str)
     """Text that a task was completed before it could be cancelled."""
     idle = Signal()
     """Nothing runs and nothing waits."""
@@ -125,16 +125,16 @@ class TaskRunner(QObject):
         *,
         quiet: bool = False,
         key: str = "",
-        lasting: bool = False,
-        shows: bool = False,
+        persistent: bool = False,
+        modal: bool = False,
     ) -> Task:
         """Add a task for the worker; ``done`` gets its value on the GUI thread."""
-        task = Task(title, work, done, quiet, key, lasting, shows)
+        task = Task(title, work, done, quiet, key, persistent, modal)
         for other in self._unfinished_tasks():
             replaced = key and other.key == key
-            gives_way = other.quiet and not quiet
-            if replaced or gives_way:
-                other.gave_way = True
+            superseded = other.quiet and not quiet
+            if replaced or superseded:
+                other.superseded = True
                 other.cancel.set()
         self._waiting = [other for other in self._waiting if not other.cancel.is_set()]
         self._waiting.append(task)
@@ -191,13 +191,13 @@ class TaskRunner(QObject):
     def _finish_task(self) -> None:
         if self.current is None or self._closed:
             return
-        if self.current.shows and QApplication.activeModalWidget() is not None:
+        if self.current.modal and QApplication.activeModalWidget() is not None:
             QTimer.singleShot(REFRESH_MS, self, self._finish_task)
             return
         task, self.current = self.current, None
         self._timer.stop()
         try:
-            wrote = task.lasting and task.error is None
+            wrote = task.persistent and task.error is None
             if (task.cancel.is_set() and not wrote) or isinstance(task.error, Cancelled):
                 if not task.quiet:
                     self.stopped.emit(task.title)
@@ -206,15 +206,15 @@ class TaskRunner(QObject):
                 self.failed.emit(task.error)
             else:
                 if task.cancel.is_set():
-                    self.too_late.emit(
+                    self.cancelled_too_late.emit(
                         gettext("{task}: completed before it could be cancelled", task=task.title)
                     )
-                if task.shows:
+                if task.modal:
                     self.changed.emit()
                 task.done(task.value)
         finally:
             self.changed.emit()
-            task.let_go()
+            task.clear_data()
             self._start_next()
 
 

@@ -27,16 +27,16 @@ CANDIDATE_COLOUR: "Colour" = (255, 196, 0)
 UNUSED_COLOUR: "Colour" = (130, 138, 146)
 """In the view on both grounds."""
 
-SPACE = 8
+SPACING = 8
 """Pixels between neighbours; margins of a panel are twice that."""
 
-_used: ColourScheme = LIGHT
+_scheme: ColourScheme = LIGHT
 
 
 def __getattr__(name: str) -> str:
     """Colour of the scheme in use by upper-case name, such as ``theme.TEXT``."""
     if name.isupper():
-        value = getattr(_used, name.lower(), None)
+        value = getattr(_scheme, name.lower(), None)
         if isinstance(value, str):
             return value
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
@@ -44,12 +44,12 @@ def __getattr__(name: str) -> str:
 
 def current_scheme() -> ColourScheme:
     """Colour scheme in use."""
-    return _used
+    return _scheme
 
 
 def colour(name: str, opacity: float = 1.0) -> QColor:
     """Colour of the scheme in use by field name, with an opacity from 0 to 1."""
-    made = QColor(getattr(_used, name))
+    made = QColor(getattr(_scheme, name))
     made.setAlphaF(opacity)
     return made
 
@@ -63,17 +63,17 @@ def rgb(name: str) -> "Colour":
 @contextmanager
 def paper_colours() -> Iterator[None]:
     """Context with the light scheme, for pictures on white paper."""
-    global _used
-    before, _used = _used, LIGHT
+    global _scheme
+    before, _scheme = _scheme, LIGHT
     try:
         yield
     finally:
-        _used = before
+        _scheme = before
 
 
 def line_colours(lines: Sequence[str]) -> dict[str, "Colour"]:
     """Colour of each line, by its place in the project."""
-    return {line: _used.lines[k % len(_used.lines)] for k, line in enumerate(lines)}
+    return {line: _scheme.lines[k % len(_scheme.lines)] for k, line in enumerate(lines)}
 
 
 def swatch(colour: "Colour", size: int = 12) -> QIcon:
@@ -83,19 +83,19 @@ def swatch(colour: "Colour", size: int = 12) -> QIcon:
     return QIcon(pixmap)
 
 
-LIGHTS = {
+QUALITY_ICONS = {
     "good": ("check-circle", "done"), "doubtful": ("alert-circle", "doubtful"),
     "poor": ("close-circle", "error"),
 }  # fmt: skip
 """Symbols of quality; they differ in shape too, for colour-blind users."""
-PICTURES_PX = (16, 20, 24, 28, 32, 48, 64)
+ICON_SIZES_PX = (16, 20, 24, 28, 32, 48, 64)
 """So that there is one for each scaling of the screen."""
 
 
 def quality_icon(which: str) -> QIcon:
     """Traffic-light icon of a quality: good, doubtful or poor."""
-    name, colour = LIGHTS[which]
-    return _pixmap_icon(name, getattr(_used, colour))
+    name, colour = QUALITY_ICONS[which]
+    return _pixmap_icon(name, getattr(_scheme, colour))
 
 
 @cache
@@ -103,7 +103,7 @@ def _pixmap_icon(name: str, colour: str) -> QIcon:
     """Icon painted to pixmaps once, which is faster in tables than a font icon."""
     written = icon(name, colour)
     pictures = QIcon()
-    for size in PICTURES_PX:
+    for size in ICON_SIZES_PX:
         pictures.addPixmap(written.pixmap(QSize(size, size), 1.0))
     return pictures
 
@@ -111,7 +111,7 @@ def _pixmap_icon(name: str, colour: str) -> QIcon:
 def icon(name: str, colour: str = "") -> QIcon:
     """Material Design icon by name, in the colour of the text or another."""
     return qtawesome.icon(
-        f"mdi6.{name}", color=colour or _used.text, color_disabled=_used.disabled_icon
+        f"mdi6.{name}", color=colour or _scheme.text, color_disabled=_scheme.disabled_icon
     )
 
 
@@ -142,19 +142,19 @@ def apply_theme(application: QApplication, choice: str = "light") -> None:
     ----------
     choice : one of `settings.THEMES`
     """
-    global _used
+    global _scheme
     scheme_of_theme = {"light": Qt.ColorScheme.Light, "dark": Qt.ColorScheme.Dark}
     # The frame of the window and the system's own dialogues follow.
     application.styleHints().setColorScheme(scheme_of_theme.get(choice, Qt.ColorScheme.Unknown))
-    _used = choose_scheme(application, choice)
-    if application.styleSheet() == style_sheet(_used):
+    _scheme = choose_scheme(application, choice)
+    if application.styleSheet() == style_sheet(_scheme):
         return
     application.setStyle(QStyleFactory.create("Fusion"))
-    application.setPalette(palette(_used))
+    application.setPalette(palette(_scheme))
     for name in FRAMED:
-        application.setPalette(framed_palette(_used), name)
+        application.setPalette(framed_palette(_scheme), name)
     application.setFont(_window_font(application.font()))
-    application.setStyleSheet(style_sheet(_used))
+    application.setStyleSheet(style_sheet(_scheme))
 
 
 @contextmanager
@@ -175,8 +175,8 @@ def without_style_sheet() -> Iterator[None]:
 
 def _window_font(default: QFont) -> QFont:
     families = set(QFontDatabase.families())
-    wanted = ("Segoe UI", "SF Pro Text", "Inter", "Noto Sans", "Open Sans", "DejaVu Sans")
-    family = next((name for name in wanted if name in families), default.family())
+    preferred = ("Segoe UI", "SF Pro Text", "Inter", "Noto Sans", "Open Sans", "DejaVu Sans")
+    family = next((name for name in preferred if name in families), default.family())
     font = QFont(family)
     font.setPixelSize(13)
     return font

@@ -30,7 +30,7 @@ class InspectionTools(QObject):
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._window = window
-        view, actions, note = window.viewport, window.actions_, window.controller.noted.emit
+        view, actions, note = window.viewport, window.actions_, window.controller.logged.emit
         self.mouse_tool = MouseTool(view, actions)
         self.measurements = Measurements(view, actions, self.mouse_tool, note)
         self.sections = SectionTool(
@@ -63,7 +63,7 @@ class InspectionTools(QObject):
         )
         window.scene.which_changed.connect(lambda _which: self.measurements.restart())
         window.document.opened.connect(self.mouse_tool.end)
-        window.document.left.connect(self.clipping.reset)
+        window.document.about_to_open.connect(self.clipping.reset)
 
     def _preview_settings(self) -> PreviewSettings:
         targets = self._window.targets

@@ -22,7 +22,7 @@ from lispac.workflow.orientation_check import do_targets_face_one_way
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
-AROUND = 2.5
+VIEW_RADIUS = 2.5
 """Metres about a board that are brought into view with it."""
 
 
@@ -71,7 +71,7 @@ STEPS = (
 )  # fmt: skip
 
 
-ALIKE = N_(
+SAME_ORIENTATION = N_(
     "This target has the same orientation as the other, so the angles are not determined. Undo "
     "with Ctrl+Z, then Ctrl+click the board that leans back and press Enter."
 )
@@ -89,12 +89,12 @@ class TourCard(QFrame):
         self.setProperty("role", "candidate")
         layout = QHBoxLayout(self)
         layout.setContentsMargins(14, 8, 10, 8)
-        words = QVBoxLayout()
+        texts = QVBoxLayout()
         self.head = widgets.label("", "heading", name="tour_head")
         self.text = widgets.label("", wrap=True, name="tour_text")
-        words.addWidget(self.head)
-        words.addWidget(self.text)
-        layout.addLayout(words, 1)
+        texts.addWidget(self.head)
+        texts.addWidget(self.text)
+        layout.addLayout(texts, 1)
         self.end = widgets.button(gettext("End the tour"), "tour_end")
         self.end.clicked.connect(self.ended)
         layout.addWidget(self.end)
@@ -125,10 +125,10 @@ class Tour(QObject):
         window.document.opened.connect(self._on_project_opened)
         window.document.changed.connect(self._show_current_step)
         window.controller.candidate_changed.connect(self._show_current_step)
-        window.scene.drawn.connect(self._look_at_place)
+        window.scene.drawn.connect(self._view_place)
 
     @property
-    def on(self) -> bool:
+    def is_running(self) -> bool:
         """Whether the tour is running."""
         return self._at is not None
 
@@ -142,7 +142,7 @@ class Tour(QObject):
         # Only now: had the demo been cancelled, the next project would lose its targets to the tour
         self._starting = True
 
-    def go_on(self) -> None:
+    def resume(self) -> None:
         """Continue the tour with the project as it is, in a new window."""
         self._at = -1
         self._show_current_step()
@@ -165,7 +165,7 @@ class Tour(QObject):
                 project = project.without_target(target.name)
             document.edit(N_("start of the tour"), project)
         self._window.workflow.open(TARGETS)
-        self.go_on()
+        self.resume()
 
     def _show_current_step(self) -> None:
         project = self._window.document.project
@@ -176,21 +176,21 @@ class Tour(QObject):
         document, text = self._window.document, STEPS[at].text
         if project.result is None and document.survey_is_current:
             assert document.survey is not None
-            text = ALIKE if do_targets_face_one_way(project, document.survey) else text
+            text = SAME_ORIENTATION if do_targets_face_one_way(project, document.survey) else text
         if (at, text) != (self._at, self._text):
             self._at, self._text = at, text
             self._card.show_step(at, text)
             self._place = STEPS[at].place
             if not self._window.scene.awaits_lines:
-                self._look_at_place()
+                self._view_place()
 
-    def _look_at_place(self) -> None:
+    def _view_place(self) -> None:
         place, self._place = self._place, None
         if place is None:
             return
         if place:
             centre = np.array(demo_seeds()[place][1])
-            corners = centre + AROUND * np.array([[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]])
-            self._window.viewport.look_along(np.array([0.0, 1.0, 0.0]), corners)
+            corners = centre + VIEW_RADIUS * np.array([[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]])
+            self._window.viewport.view_along(np.array([0.0, 1.0, 0.0]), corners)
         else:
             self._window.viewport.fit()

@@ -58,9 +58,9 @@ ANGLES: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
         "minutes": {"°": Unit("′", 60.0, -1), "m°": Unit("″", 3.6)},
     }
 )
-ROUNDED = 1e-3
+ROUNDING_TOLERANCE = 1e-3
 """Share by which four digits may be off."""
-_used: dict[Base, Unit] = {**METRES, **DEGREES}
+_units: dict[Base, Unit] = {**METRES, **DEGREES}
 
 _SIGNS: Mapping[Base, str] = {
     "m": r"(?:(?<=[\s(])m(?![\w²³/'’])|\bmetres\b|\bmètres\b)",
@@ -73,23 +73,23 @@ _FORM = re.compile(r"(?P<before>[+,]*)\.(?P<decimals>\d+)f")
 
 def set_units(angles: str, lengths: str) -> None:
     """Set the units by their keys; the window is made again then."""
-    _used.update({**ANGLES[angles], **LENGTHS[lengths]})
+    _units.update({**ANGLES[angles], **LENGTHS[lengths]})
 
 
 @contextmanager
 def standard_units() -> Iterator[None]:
     """Context with metres and degrees, for pictures in files and reports."""
-    kept = dict(_used)
+    kept = dict(_units)
     set_units("degrees", "metres")
     try:
         yield
     finally:
-        _used.update(kept)
+        _units.update(kept)
 
 
 def shown_unit(base: Base) -> Unit:
     """Unit shown instead of a base unit."""
-    return _used[base]
+    return _units[base]
 
 
 def figure(value: float, base: Base, form: str) -> str:
@@ -100,7 +100,7 @@ def figure(value: float, base: Base, form: str) -> str:
     form : str
         Of the figure in the base, as in ``f"{value:{form}}"``; its decimals follow the unit.
     """
-    shown = _used[base]
+    shown = _units[base]
     fixed = _FORM.fullmatch(form)
     if fixed is not None and shown.finer:
         form = f"{fixed['before']}.{shown_decimals(int(fixed['decimals']), base)}f"
@@ -109,7 +109,7 @@ def figure(value: float, base: Base, form: str) -> str:
 
 def amount(value: float, base: Base, form: str) -> str:
     """Text of a value with the sign of the unit shown; the value is in the base unit."""
-    sign = _used[base].sign
+    sign = _units[base].sign
     return figure(value, base, form) + (sign if sign in "°′″" else f" {sign}")
 
 
@@ -128,7 +128,7 @@ def local_figure(value: float, base: Base, form: str) -> str:
 
 def local_sign(base: Base) -> str:
     """Sign of the unit shown, in the user's language."""
-    sign = _used[base].sign
+    sign = _units[base].sign
     return f"{localised(sign[:-1])}°" if sign[0].isdigit() else sign
 
 
@@ -141,7 +141,7 @@ def local_amount(value: float, base: Base, form: str) -> str:
 
 def limit_text(value: float, base: Base) -> str:
     """Text of the end of a range, to four digits if it is converted."""
-    shown = float(f"{value * _used[base].factor:.4g}") if is_converted(base) else value
+    shown = float(f"{value * _units[base].factor:.4g}") if is_converted(base) else value
     return f"{shown:,.10g}"
 
 
@@ -149,19 +149,19 @@ def snap_to_limits(value: float, base: Base | None, low: float, high: float) -> 
     """Value in the base unit, set to the end of the range if only rounding exceeds it."""
     if not is_converted(base):
         return value
-    if low - ROUNDED * abs(low) <= value < low:
+    if low - ROUNDING_TOLERANCE * abs(low) <= value < low:
         return low
-    return high if high < value <= high + ROUNDED * abs(high) else value
+    return high if high < value <= high + ROUNDING_TOLERANCE * abs(high) else value
 
 
 def shown_decimals(usual: int, base: Base) -> int:
     """Number of decimals in the unit shown, for ``usual`` decimals in the base unit."""
-    return max(usual + _used[base].finer, 0)
+    return max(usual + _units[base].finer, 0)
 
 
 def shown_step(usual: float, base: Base) -> float:
     """Step of a field in the base unit, rounded to 1, 2 or 5 of the unit shown."""
-    shown = _used[base]
+    shown = _units[base]
     if shown.factor == 1.0:
         return usual
     usual_step = usual * shown.factor
@@ -173,7 +173,7 @@ def shown_step(usual: float, base: Base) -> float:
 
 def is_converted(base: Base | None) -> bool:
     """Whether the unit shown differs from the base unit."""
-    return base is not None and _used[base].factor != 1.0
+    return base is not None and _units[base].factor != 1.0
 
 
 def convert_unit_signs(text: str, *bases: Base, figures: bool = True) -> str:
@@ -194,7 +194,7 @@ def convert_unit_signs(text: str, *bases: Base, figures: bool = True) -> str:
         return before[0] + ("" if shown.sign in "°′″" else "\N{NO-BREAK SPACE}") + shown.sign
 
     for base in bases:
-        shown = _used[base]
+        shown = _units[base]
         if shown.factor != 1.0:
             text = re.sub(rf"(?P<before>\d\s?)?{_SIGNS[base]}", replaced, text)
     return text

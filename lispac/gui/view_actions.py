@@ -5,24 +5,24 @@ from lispac.gui.settings import THEMES
 from lispac.gui.status import STEP_TITLES
 from lispac.language import N_
 
-Described = tuple[str, str, str, object, str]
+ActionSpec = tuple[str, str, str, object, str]
 """Text, short text for the toolbar, icon, keys, tip."""
 
 VIEWS = ("isometric", "top", "front", "back", "left", "right")
 """Names of the standard views; their actions are called the same."""
-COLOURED = {name: f"colour_{name}" for name in COLOURINGS}
+COLOUR_ACTIONS = {name: f"colour_{name}" for name in COLOURINGS}
 """Action of each colouring."""
 
-THEMED = {choice: f"theme_{choice}" for choice in THEMES}
+THEME_ACTIONS = {choice: f"theme_{choice}" for choice in THEMES}
 """Action of each theme."""
 
-STEP_ACTIONS: dict[str, Described] = {
+STEP_ACTIONS: dict[str, ActionSpec] = {
     f"step_{k}": (title, "", "", f"Ctrl+{k}", N_("Go to step {number:n} of the workflow"))
     for k, title in enumerate(STEP_TITLES, 1)
 }
 """Actions that open the steps, in the order of the steps."""
 
-VIEW_ACTIONS: dict[str, Described] = {
+VIEW_ACTIONS: dict[str, ActionSpec] = {
     "fit": (N_("&Zoom to all"), N_("Zoom to all"), "fit-to-page-outline", "F",
             N_("Show all points in the view")),
     "fit_selection": (N_("Zoom to s&election"), "", "target", "Shift+F",
@@ -71,7 +71,7 @@ VIEW_ACTIONS: dict[str, Described] = {
     "theme_dark": (N_("&Dark"), "", "", "", N_("Use light text on a dark background")),
 }  # fmt: skip
 
-INSPECT_ACTIONS: dict[str, Described] = {
+INSPECT_ACTIONS: dict[str, ActionSpec] = {
     "section": (N_("&Section across the target"), "", "", "S",
                 N_("Show a section of all lines across the selected target at true scale")),
     "section_points": (N_("Section &between two points"), "", "", "Shift+S",
@@ -121,7 +121,7 @@ VIEW_MENU: Menu = (
     "",
     "larger",
     "smaller",
-    (N_("&Colour by"), (*COLOURED.values(), "", "colour_next")),
+    (N_("&Colour by"), (*COLOUR_ACTIONS.values(), "", "colour_next")),
     "",
     "picture",
     "copy_picture",
@@ -129,7 +129,7 @@ VIEW_MENU: Menu = (
     "warnings",
     (N_("S&teps"), tuple(STEP_ACTIONS)),
     (N_("&Panels"), ("DOCKS", "", "arrange")),
-    (N_("T&heme"), tuple(THEMED.values())),
+    (N_("T&heme"), tuple(THEME_ACTIONS.values())),
     (N_("Lan&guage · Langue"), ("english", "french")),
 )
 INSPECT_MENU: Menu = (
@@ -146,7 +146,7 @@ INSPECT_MENU: Menu = (
     "",
     "end_tool",
 )
-SWITCHES = ("orthographic", "section_points", "measure_distance", "measure_angle", "clip",
+TOGGLES = ("orthographic", "section_points", "measure_distance", "measure_angle", "clip",
             "wipe", "lasso_add", "lasso_remove", "hover", "patch_point")  # fmt: skip
 """Actions that are on or off, each by itself."""
 

@@ -8,7 +8,7 @@ from lispac.gui.controller import Controller
 from lispac.gui.point_colours import COLOURINGS, Colouring
 from lispac.gui.scene import Scene
 from lispac.gui.settings import POINT_SIZES, AppSettings
-from lispac.gui.view_actions import COLOURED, VIEWS
+from lispac.gui.view_actions import COLOUR_ACTIONS, VIEWS
 from lispac.gui.viewport.base import Array, Viewport
 from lispac.language import N_, gettext
 from lispac.targets.cross_section import common_normal
@@ -37,13 +37,13 @@ class ViewMenu(QObject):
             "smaller": lambda: self._resize_points(-1),
             "colour_next": self._colour_by_next,
             "fit_selection": self._fit_selection,
-            "normal": self._look_along_normal,
+            "normal": self._view_along_normal,
             "orthographic": lambda: viewport.set_parallel(actions["orthographic"].isChecked()),
         }
         for name in VIEWS:
             slots[name] = lambda name=name: viewport.view(name)
         for name in COLOURINGS:
-            slots[COLOURED[name]] = lambda name=name: self._colour_by(name)
+            slots[COLOUR_ACTIONS[name]] = lambda name=name: self._colour_by(name)
         for name, slot in slots.items():
             actions[name].triggered.connect(lambda _=False, slot=slot: slot())
 
@@ -56,22 +56,22 @@ class ViewMenu(QObject):
         if groups := self._selected():
             self._viewport.fit(np.concatenate(groups))
 
-    def _look_along_normal(self) -> None:
+    def _view_along_normal(self) -> None:
         if groups := self._selected():
-            self._viewport.look_along(common_normal(groups), np.concatenate(groups))
+            self._viewport.view_along(common_normal(groups), np.concatenate(groups))
 
     def _selected(self) -> list[Array]:
         groups = list(self._scene.selected_points.values())
         if not groups:
-            self._controller.noted.emit(gettext(NOTHING_SELECTED))
+            self._controller.logged.emit(gettext(NOTHING_SELECTED))
         return groups
 
     def _colour_by(self, colouring: Colouring) -> bool:
         try:
             self._scene.colour_by(colouring)
         except ValueError as error:
-            self._controller.noted.emit(str(error))
-        self._actions[COLOURED[self._scene.colouring]].setChecked(True)
+            self._controller.logged.emit(str(error))
+        self._actions[COLOUR_ACTIONS[self._scene.colouring]].setChecked(True)
         return self._scene.colouring == colouring
 
     def _colour_by_next(self) -> None:

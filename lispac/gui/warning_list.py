@@ -22,10 +22,10 @@ from lispac.workflow.warnings import warnings_of
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
-REST_MS = 60
+DEBOUNCE_MS = 60
 """Several changes in a row make one list."""
 
-Gathered = tuple[int, tuple[Message, ...]]
+CollectedWarnings = tuple[int, tuple[Message, ...]]
 
 
 class WarningList(QObject):
@@ -35,7 +35,7 @@ class WarningList(QObject):
     """Target and line (or "") to select."""
     shown = Signal()
     """The list is up to date."""
-    _gathered = Signal(object)
+    _collected = Signal(object)
 
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
@@ -43,41 +43,41 @@ class WarningList(QObject):
         self._panel, self._button = window.warnings, window.task_bar.warnings
         self._worker = ThreadPoolExecutor(1, "lispac-warnings")
         self._qualities: Mapping[tuple[str, str], SightingQuality] = {}
-        self._asked = self._told = 0
+        self._requested = self._shown_request = 0
         self._had_result = False
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(REST_MS)
-        self._rest.timeout.connect(self._collect_warnings)
-        self._gathered.connect(self._show)
+        self._debounce = QTimer(self)
+        self._debounce.setSingleShot(True)
+        self._debounce.setInterval(DEBOUNCE_MS)
+        self._debounce.timeout.connect(self._collect_warnings)
+        self._collected.connect(self._show)
         window.document.opened.connect(self._on_project_opened)
         window.document.changed.connect(self._on_project_changed)
-        window.target_work.quality_computation.judged.connect(self._on_qualities_judged)
-        window.recovery_copies.troubled.connect(self._on_project_changed)
+        window.target_work.quality_computation.qualities_changed.connect(self._on_qualities_changed)
+        window.recovery_copies.problem_changed.connect(self._on_project_changed)
         window.actions_["warnings"].triggered.connect(lambda _=False: self.open())
         self._button.clicked.connect(self.open)
-        self._panel.followed.connect(self.follow)
+        self._panel.cause_activated.connect(self.show_cause)
         self._on_project_changed()
 
     @property
     def is_current(self) -> bool:
         """Whether the list is up to date."""
-        return self._asked == self._told and not self._rest.isActive()
+        return self._requested == self._shown_request and not self._debounce.isActive()
 
     def open(self) -> None:
         """Bring the list to the front and give it the focus."""
         raise_panel(self._panel)
-        self._panel.take_focus()
+        self._panel.focus_list()
 
     def stop(self) -> None:
         """Stop the worker."""
-        self._rest.stop()
-        self._asked += 1
+        self._debounce.stop()
+        self._requested += 1
         self._worker.shutdown(wait=True)
 
     # -- gathering -------------------------------------------------------------------------------
 
-    def _on_qualities_judged(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
+    def _on_qualities_changed(self, qualities: Mapping[tuple[str, str], SightingQuality]) -> None:
         self._qualities = qualities
         self._on_project_changed()
 
@@ -87,9 +87,9 @@ class WarningList(QObject):
 
     def _on_project_changed(self) -> None:
         if self._document.project is None:
-            self._rest.stop()
-            self._asked += 1
-            self._told = self._asked
+            self._debounce.stop()
+            self._requested += 1
+            self._shown_request = self._requested
             self._panel.show_nothing()
             self._button.show_warnings(None)
             return
@@ -97,22 +97,22 @@ class WarningList(QObject):
         if self._document.awaits_result:
             self._panel.show_waiting()  # those from before stay until the result is there
         else:
-            self._rest.start()
+            self._debounce.start()
 
     def _collect_warnings(self) -> None:
         document = self._document
         project, refusal = document.project, document.refusal
         refused_since = document.refused_since
         survey = document.survey if document.survey_is_current else None
-        qualities, storage = self._qualities, self._window.recovery_copies.trouble
+        qualities, storage = self._qualities, self._window.recovery_copies.problem
         outdated = self._had_result
         if project is None or document.awaits_result:
             return
-        self._asked += 1
-        requested = self._asked
+        self._requested += 1
+        requested = self._requested
 
-        def work() -> Gathered:
-            if requested != self._asked:
+        def work() -> CollectedWarnings:
+            if requested != self._requested:
                 return requested, ()  # there was another change meanwhile
             found = warnings_of(
                 project, survey, qualities, refusal=refusal, refused_since=refused_since,
@@ -122,24 +122,24 @@ class WarningList(QObject):
 
         self._worker.submit(work).add_done_callback(self._emit_result)
 
-    def _emit_result(self, future: "Future[Gathered]") -> None:
+    def _emit_result(self, future: "Future[CollectedWarnings]") -> None:
         """Pass on the result; called in the worker."""
         if (error := future.exception()) is not None:
             self._window.runner.failed.emit(error)
         else:
-            self._gathered.emit(future.result())
+            self._collected.emit(future.result())
 
-    def _show(self, gathered: Gathered) -> None:
-        requested, found = gathered
-        if requested == self._asked:
-            self._told = requested
+    def _show(self, collected: CollectedWarnings) -> None:
+        requested, found = collected
+        if requested == self._requested:
+            self._shown_request = requested
             self._panel.show_warnings(found)
             self._button.show_warnings(found)
             self.shown.emit()
 
-    # -- following -------------------------------------------------------------------------------
+    # -- causes ----------------------------------------------------------------------------------
 
-    def follow(self, cause: Cause) -> None:
+    def show_cause(self, cause: Cause) -> None:
         """Go to the cause of a warning: open, select and focus it."""
         go = {
             "line": self._go_to_line,
@@ -160,7 +160,7 @@ class WarningList(QObject):
             _focus_widget(data.lines)
         cloud = scene.clouds.get(cause.name)
         if cloud is not None:
-            scene.gone_to.emit(cloud.sample[::50], cause.name)
+            scene.focused.emit(cloud.sample[::50], cause.name)
             self._window.viewport.fit(cloud.sample)
 
     def _go_to_sighting(self, cause: Cause) -> None:

@@ -7,29 +7,29 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QWidget
 from lispac.errors import InputError
 from lispac.gui.panels.fields import OptionalNumber
 from lispac.gui.panels.number_field import NumberField
-from lispac.gui.view_actions import COLOURED
+from lispac.gui.view_actions import COLOUR_ACTIONS
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
 
-Kind = TypeVar("Kind", bound=QWidget)
+W = TypeVar("W", bound=QWidget)
 
 
-def transfer_window_state(former: "MainWindow", heir: "MainWindow") -> None:
+def transfer_window_state(former: "MainWindow", new: "MainWindow") -> None:
     """Transfer fields and choices of the steps, the open step, the view and the candidate."""
     for before, after in (
-        (former.data, heir.data),
-        (former.targets, heir.targets),
-        (former.adjust, heir.adjust),
-        (former.validate, heir.validate),
+        (former.data, new.data),
+        (former.targets, new.targets),
+        (former.adjust, new.adjust),
+        (former.validate, new.validate),
     ):
         copy_fields(before, after)
-    heir.workflow.open(former.workflow.opened)
+    new.workflow.open(former.workflow.opened)
     if former.controller.candidate is not None:
-        heir.controller.set_candidate(former.controller.candidate)
-    _transfer_view(former, heir)
-    if former.tour.on:
-        heir.tour.go_on()
+        new.controller.set_candidate(former.controller.candidate)
+    _transfer_view(former, new)
+    if former.tour.is_running:
+        new.tour.resume()
 
 
 def copy_fields(before: QWidget, after: QWidget) -> None:
@@ -62,14 +62,14 @@ def _copy_numbers(before: QWidget, after: QWidget) -> None:
         own.textChanged.emit(own.text())
 
 
-def _transfer_view(former: "MainWindow", heir: "MainWindow") -> None:
+def _transfer_view(former: "MainWindow", new: "MainWindow") -> None:
     """Transfer the state and the colouring of the view."""
-    heir.scene.copy_state_from(former.scene)
-    for name in ("wipe", COLOURED[former.scene.colouring]):
-        heir.actions_[name].setChecked(former.actions_[name].isChecked())
+    new.scene.copy_state_from(former.scene)
+    for name in ("wipe", COLOUR_ACTIONS[former.scene.colouring]):
+        new.actions_[name].setChecked(former.actions_[name].isChecked())
 
 
-def _matching_fields(kind: type[Kind], before: QWidget, after: QWidget) -> list[tuple[Kind, Kind]]:
+def _matching_fields(kind: type[W], before: QWidget, after: QWidget) -> list[tuple[W, W]]:
     """Pairs of fields of one kind with the same name in both widgets."""
     named = {each.objectName(): each for each in after.findChildren(kind) if each.objectName()}
     return [

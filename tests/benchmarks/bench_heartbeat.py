@@ -57,10 +57,10 @@ def test_the_window_keeps_up(tmp_path: Path, whole_demo: Project) -> None:
 class Heart(Pulse):
     """Keeps every beat: ms by the clock, and ms of them that were computing."""
 
-    def forget(self) -> None:
+    def discard(self) -> None:
         """Begin anew."""
         self.beaten: list[tuple[float, float]] = []
-        super().forget()
+        super().discard()
 
     def _beat(self) -> None:
         before = self._last
@@ -114,7 +114,7 @@ class Way:
         done : whether it is; when no work is left, unless stated
         answer : is given the dialogue that is open, every 100 ms
         """
-        self._heart.forget()
+        self._heart.discard()
         begun = time.monotonic()
         answering = QTimer(interval=100)
         if answer is not None:

@@ -74,7 +74,7 @@ def test_frames(qtbot):
 
     def rested():
         mouse.rotated.emit(3.0, 0.0)
-        view._view_detail.now(view._refinement_steps(view._pace.resting))
+        view._view_detail.compute_now(view._refinement_steps(view._times.rest_points))
         view.canvas.grabFramebuffer()
 
     moved()

@@ -123,7 +123,7 @@ def report(folder: Path) -> None:
 
     def rested() -> None:
         viewport._navigator.mouse.rotated.emit(3.0, 0.0)
-        viewport._view_detail.now(viewport._refinement_steps(viewport._pace.resting))
+        viewport._view_detail.compute_now(viewport._refinement_steps(viewport._times.rest_points))
         viewport.canvas.grabFramebuffer()
 
     viewport.fit()

@@ -175,7 +175,7 @@ class Hands(Driver):
         """Close the window without a question, and see that nothing of it is left."""
         self.window = self.session.window
         self.window.document.undo_stack.setClean()
-        self.window.site_design.workspace.history.keep()
+        self.window.site_design.workspace.history.mark_saved()
         try:
             super().leave()
         finally:

@@ -28,16 +28,16 @@ def plan(design: DesignWindow):
     return design.workspace.titled.plan
 
 
-def followed(design: DesignWindow) -> None:
+def wait_for_plan(design: DesignWindow) -> None:
     """Wait until the numbers are those of the plan."""
     began = time.monotonic()
-    while design.results.following.is_out_of_date:
+    while design.results.predictor.is_out_of_date:
         QApplication.processEvents()
         assert time.monotonic() - began < WAIT_MS / 1000
 
 
 def shown(design: DesignWindow) -> list[float]:
-    followed(design)
+    wait_for_plan(design)
     return [float(design.results.sigma[a].text()) for a in ("roll", "pitch", "yaw")]
 
 
@@ -56,7 +56,7 @@ def drag(driver: Driver, view, start: QPointF, stop: QPointF, modifier=NoModifie
         at = QPointF(first + (last - first) * share)
         event = mouse_move(view, at, modifier)
         QApplication.sendEvent(view, event)
-        followed(design)
+        wait_for_plan(design)
         seen.append(design.results.sigma["roll"].text())
     driver.bot.mouseRelease(view, Left, pos=last)
     return seen

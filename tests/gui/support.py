@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QFormLayout, QLabel, QTableView, QWi
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.dialog_service import Dialogs
-from lispac.gui.dialogs.questions import Answer, CandidateAnswer, DropAnswer
+from lispac.gui.dialogs.questions import CandidateChoice, DropChoice, SaveChoice
 from lispac.gui.idle_tasks import IdleTask
 from lispac.gui.main_window import MainWindow
 from lispac.gui.settings import AppSettings
@@ -37,10 +37,10 @@ class ScriptedDialogs(Dialogs):
         self.request: ImportRequest | None = None
         self.export_request: ExportRequest | None = None
         self.dropped: list[Path] = []
-        self.answer: Answer = "discard"
-        self.about_dropped: DropAnswer = "cancel"
+        self.answer: SaveChoice = "discard"
+        self.about_dropped: DropChoice = "cancel"
         self.lines: tuple[LineSource, ...] | None = None
-        self.about_candidate: CandidateAnswer = "cancel"
+        self.about_candidate: CandidateChoice = "cancel"
         self.folders: list[Path] = []
         """Where the files of a moved project are now, one answer after the other."""
         self.safety: list[str] = []
@@ -56,7 +56,7 @@ class ScriptedDialogs(Dialogs):
         self.dropped = list(paths)
         return self.request
 
-    def add_or_new(self, name: str) -> DropAnswer:
+    def ask_to_add(self, name: str) -> DropChoice:
         self.asked.append(name)
         return self.about_dropped
 
@@ -106,7 +106,7 @@ class ScriptedDialogs(Dialogs):
         self.asked.append(what)
         return self.export_request
 
-    def ask_to_save_changes(self, name: str) -> Answer:
+    def ask_to_save_changes(self, name: str) -> SaveChoice:
         self.asked.append(name)
         return self.answer
 
@@ -126,7 +126,7 @@ class ScriptedDialogs(Dialogs):
         self.safety.append(f"overwrite {name}")
         return self.overwrites
 
-    def ask_about_candidate(self, name: str) -> CandidateAnswer:
+    def ask_about_candidate(self, name: str) -> CandidateChoice:
         self.asked.append(name)
         return self.about_candidate
 

@@ -53,18 +53,21 @@ class Real(Dialogs):
         self.parent = driver.window
         self.answer, self.drive = answer, drive
         self.seen: list[str] = []
-        self.looks = 0
+        self.theme_box = 0
         self.timer = QTimer(driver.window)
         self.timer.timeout.connect(self._look)
         self.timer.start(50)
-        driver.dialogs.add_or_new, driver.dialogs.add_lines = self.add_or_new, self.add_lines
+        driver.dialogs.ask_to_add, driver.dialogs.add_lines = (
+            self.ask_to_add,
+            self.add_lines,
+        )
 
     def _look(self) -> None:
         shown = QApplication.activeModalWidget()
         if shown is None:
             return
-        self.looks += 1
-        if self.looks > MOST_LOOKS:  # nothing the test expects; do not wait for ever
+        self.theme_box += 1
+        if self.theme_box > MOST_LOOKS:  # nothing the test expects; do not wait for ever
             shown.reject()
         elif isinstance(shown, QMessageBox):
             self.seen.append(shown.text())

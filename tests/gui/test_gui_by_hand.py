@@ -177,7 +177,9 @@ def test_after_a_crash_the_work_is_offered(
     killed_after_editing(picked_folder)
     assert names(picked_folder) == before
     # What the program looks at when the same user starts it again
-    hands.settings.left_open = AppSettings(picked_folder.parent / "killed" / SETTINGS).left_open
+    hands.settings.last_project = AppSettings(
+        picked_folder.parent / "killed" / SETTINGS
+    ).last_project
     assert hands.session.crashed_project() == picked_folder
     open_by_keys(hands, picked_folder, then=button)
     back = button == "Restore"

@@ -50,10 +50,14 @@ def test_the_lines_are_shown_as_they_were(
             assert window.actions_[name].isChecked()
         assert window.validate.after.isChecked()
         wiped = looks == "Light"
-        assert (window.viewport.beside is not None) == window.actions_["wipe"].isChecked() == wiped
+        assert (
+            (window.viewport.wipe_clouds is not None)
+            == window.actions_["wipe"].isChecked()
+            == wiped
+        )
         if not wiped:
             qtbot.keyClick(window, Key.Key_W)
-    assert same(window.viewport.beside, before)
+    assert same(window.viewport.wipe_clouds, before)
     qtbot.keyClick(window, Key.Key_B)
     settle(session, qtbot)
     assert same(window.viewport.clouds, before)

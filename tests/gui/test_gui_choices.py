@@ -6,7 +6,7 @@ from math import radians
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QToolButton, QWidget
 
-from lispac.gui.main_window import TITLE_BAR
+from lispac.gui.main_window import TITLE_BAR_HEIGHT
 from lispac.targets.finder_settings import USUAL, FinderChoices
 from tests.gui.support import WAIT_MS, Demo, Driver, Left, click, open_step, seed, type_into
 from tests.gui.test_gui_seed_at import hand
@@ -25,7 +25,7 @@ def test_chosen_for_the_next_seeds_and_told_when_folded(opened: Driver) -> None:
     open_step(opened, 1)
     panel = opened.window.targets
     assert not field(panel, "seed_min_points").isVisible()
-    assert panel.more.fold.head.text() == "More settings"
+    assert panel.search_fields.fold.head.text() == "More settings"
     assert panel.seed_options.choices == USUAL
     unfold(opened, panel, "seed_more")
     type_into(opened, field(panel, "seed_min_points"), "50")
@@ -33,7 +33,7 @@ def test_chosen_for_the_next_seeds_and_told_when_folded(opened: Driver) -> None:
     unfold(opened, panel, "seed_more")
     assert not field(panel, "seed_min_points").isVisible()
     assert (
-        panel.more.fold.head.text()
+        panel.search_fields.fold.head.text()
         == "More settings: at least 50 points, angle between normals at most 8.0°"
     )
     seed(opened, "T1")
@@ -74,7 +74,7 @@ def test_the_answer_to_what_was_found_is_in_sight_on_a_low_screen(
     opened: Driver, demo: Demo
 ) -> None:
     window = opened.window
-    window.resize(1366, 768 - TITLE_BAR)
+    window.resize(1366, 768 - TITLE_BAR_HEIGHT)
     opened.rest()
     window.controller.set_candidate(demo.picked.target("T1"))
     for answer in (window.targets.candidate.accept, window.targets.candidate.reject):

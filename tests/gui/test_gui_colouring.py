@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor
 
 from lispac.gui.colour_schemes import DARK, LIGHT
 from lispac.gui.point_colours import COLOURINGS, SCALES, Scale, point_shading, set_colour_scale
-from lispac.gui.view_actions import COLOURED
+from lispac.gui.view_actions import COLOUR_ACTIONS
 from tests.gui.support import Demo, Driver, Key, press
 
 
@@ -56,7 +56,7 @@ def test_keys_and_menu_change_the_colours(opened: Driver) -> None:
     for colouring in (*COLOURINGS[1:-1], "line"):
         press(opened, Key.Key_C)
         assert opened.window.scene.colouring == colouring
-        assert opened.window.actions_[COLOURED[colouring]].isChecked()
+        assert opened.window.actions_[COLOUR_ACTIONS[colouring]].isChecked()
         assert (opened.viewport.shading is None) == (colouring == "line")
     opened.window.actions_["colour_range"].trigger()
     assert opened.viewport.shading.title == "Range (m)"

@@ -52,7 +52,7 @@ def type_in(bot: QtBot, field: QDoubleSpinBox, text: str) -> None:
 
 
 def type_boresight(bot: QtBot, panel: ConventionPanel, *angles: str) -> None:
-    for field, text in zip(panel.given.boresight.fields, angles, strict=True):
+    for field, text in zip(panel.inputs.boresight.fields, angles, strict=True):
         type_in(bot, field, text)
 
 
@@ -92,18 +92,18 @@ def test_every_digit_can_be_read_and_copied(qtbot: QtBot, panel: ConventionPanel
 
 def test_angles_typed_without_a_project(qtbot: QtBot, panel: ConventionPanel) -> None:
     type_boresight(qtbot, panel, "0.13", "-0.12", "0.28")
-    type_in(qtbot, panel.given.lever_arm.fields[0], "-0.186")
+    type_in(qtbot, panel.inputs.lever_arm.fields[0], "-0.186")
     assert panel.convention.key == "applanix"
     assert heads(panel) == ["Roll", "Pitch", "Heading"]
     assert rows(panel) == {"New angles": [0.13, 0.12, 0.28]}
-    assert "is pitched 0.120° bow up" in panel.words.text()
-    assert "is rolled 0.130° port side up" in panel.words.text()
-    assert "0.186\u00a0m aft of" in panel.words.text()
+    assert "is pitched 0.120° bow up" in panel.mounting_text.text()
+    assert "is rolled 0.130° port side up" in panel.mounting_text.text()
+    assert "0.186\u00a0m aft of" in panel.mounting_text.text()
     assert "Convention verified" in panel.status.text()
     assert theme.DONE in panel.status.text()
     assert not panel.assumption.isVisible()
-    assert not panel.given.take.isEnabled()
-    assert panel.given.source.text() == "User-defined values."
+    assert not panel.inputs.use_project.isEnabled()
+    assert panel.inputs.source.text() == "User-defined values."
 
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS])
@@ -121,7 +121,7 @@ def test_every_system_shows_its_status_and_its_assumption(qtbot, panel, key: str
     assert convention.assumption in panel.assumption.text()
     assert panel.table.isVisible() == convention.has_angles
     if convention.has_angles:
-        stated = convert_to_system(panel.given.mounting, ConventionSetup(convention))
+        stated = convert_to_system(panel.inputs.mounting, ConventionSetup(convention))
         (label, shown), *_ = rows(panel).items()
         assert label == ("New angles" if convention.status == "verified" else "Assumed angles")
         np.testing.assert_allclose(shown, np.degrees(stated.angles), atol=5.1e-5)
@@ -139,8 +139,8 @@ def test_correction_to_what_is_set_there(qtbot: QtBot, panel: ConventionPanel) -
     assert list(shown) == ["Current angles", "Correction", "New angles"]
     assert shown["Current angles"] == [0.1, 1.0, -3.0]
     assert shown["New angles"] == [0.125, 1.192, 0.276]
-    assert "Do not add the correction" in panel.remarks.text()
-    assert "18 mm at 100 m" in panel.remarks.text().replace("\u00a0", " ")
+    assert "Do not add the correction" in panel.notes.text()
+    assert "18 mm at 100 m" in panel.notes.text().replace("\u00a0", " ")
     qtbot.mouseClick(
         panel.current.applied, Left, pos=QPoint(8, panel.current.applied.height() // 2)
     )
@@ -170,7 +170,7 @@ def test_present_settings_as_a_matrix(qtbot: QtBot, panel: ConventionPanel) -> N
     assert not current.as_matrix.isVisible()
     assert current.matrix.toPlainText() == ""
     qtbot.keyClicks(current.matrix, "1 0 0 0 1 0 0 0 1")
-    assert "new = correction · current" in panel.remarks.text()
+    assert "new = correction · current" in panel.notes.text()
     choose(qtbot, panel, "applanix")
     assert current.fields.isVisible()
 
@@ -184,9 +184,9 @@ def test_the_lever_arm_of_a_present_4x4_is_shown_and_kept(qtbot, panel: Conventi
     told = panel.lever.text().replace("&nbsp;", " ")
     assert told.count("X forward <b>+0.1200</b> m, Y starboard <b>−0.3400</b> m") == 2
     assert "No lever arm was entered" in told
-    assert "Correction of the 4x4 matrix" in panel.remarks.text()
+    assert "Correction of the 4x4 matrix" in panel.notes.text()
     # Typed here, it replaces the present one.
-    type_in(qtbot, panel.given.lever_arm.fields[2], "-2.4")
+    type_in(qtbot, panel.inputs.lever_arm.fields[2], "-2.4")
     told = panel.lever.text().replace("&nbsp;", " ")
     assert "Z down <b>+2.4000</b> m" in told
     assert "replaces the lever arm of the current matrix" in told
@@ -197,11 +197,11 @@ def test_the_lever_arm_of_a_present_4x4_is_shown_and_kept(qtbot, panel: Conventi
 
 def test_the_matrix_is_copied_with_all_digits(qtbot: QtBot, panel: ConventionPanel) -> None:
     type_boresight(qtbot, panel, "0.4395", "-1.8681", "0.3992")
-    type_in(qtbot, panel.given.lever_arm.fields[2], "2.4191")
+    type_in(qtbot, panel.inputs.lever_arm.fields[2], "2.4191")
     choose(qtbot, panel, "pdal")
     qtbot.mouseClick(panel.copy, Left)
     copied = np.array(QApplication.clipboard().text().split(), dtype=float).reshape(4, 4)
-    stated = convert_to_system(panel.given.mounting, ConventionSetup(convention_of_key("pdal")))
+    stated = convert_to_system(panel.inputs.mounting, ConventionSetup(convention_of_key("pdal")))
     np.testing.assert_allclose(copied, stated.transform, atol=1e-12)
 
 
@@ -279,25 +279,25 @@ def test_the_window_feeds_the_panel(driver: Driver, calibrated: Calibrated) -> N
     assert project.result is not None
     window.document.open(project, survey)
     driver.rest()
-    assert panel.given.source.text() == f"Estimated boresight of {project.name}."
-    np.testing.assert_array_equal(panel.given.mounting.boresight, project.result.boresight)
+    assert panel.inputs.source.text() == f"Estimated boresight of {project.name}."
+    np.testing.assert_array_equal(panel.inputs.mounting.boresight, project.result.boresight)
     roll, pitch, yaw = np.degrees(project.result.boresight)
     np.testing.assert_allclose(rows(panel)["New angles"], [roll, -pitch, yaw], atol=0.01)
     np.testing.assert_allclose(
         rows(panel)["± 1 σ"], np.degrees(project.result.sigma), rtol=0.05, atol=1e-4
     )
-    type_in(driver.bot, panel.given.boresight.fields[0], "5")
+    type_in(driver.bot, panel.inputs.boresight.fields[0], "5")
     assert "± 1 σ" not in rows(panel), "nobody knows the sigma of a typed angle"
     # An edit that leaves the boresight alone leaves what was typed alone.
     validation = project.targets_of_role("validation")[0]
     window.controller.use_target(validation.name, False)
     driver.rest()
-    assert panel.given.source.text() == "User-defined values."
-    click(driver, panel.given.take)
+    assert panel.inputs.source.text() == "User-defined values."
+    click(driver, panel.inputs.use_project)
     assert "± 1 σ" in rows(panel)
     window.document.edit("settings", driver.project.with_settings(driver.project.settings))
     driver.rest()
-    assert panel.given.source.text().startswith("Prior boresight")
+    assert panel.inputs.source.text().startswith("Prior boresight")
     assert "± 1 σ" not in rows(panel)
 
 

@@ -14,13 +14,13 @@ from tests.gui.design_support import (
     NoModifier,
     Shift,
     drag,
-    followed,
     middle_of,
     mouse_move,
     plan,
     predicted,
     shown,
     type_cell,
+    wait_for_plan,
 )
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, press
 
@@ -32,11 +32,11 @@ def test_begins_with_the_thesis_plan_and_says_what_it_will_give(
     assert len(plan(design).lines) == 6
     # The manual's table: two boards, six lines.
     assert shown(design) == pytest.approx([0.0122, 0.0300, 0.0236], abs=1e-4)
-    driver.bot.waitUntil(lambda: "Least precisely determined" in design.results.words.text())
-    assert "pitch" in design.results.words.text().split(";")[0]
+    driver.bot.waitUntil(lambda: "Least precisely determined" in design.results.messages.text())
+    assert "pitch" in design.results.messages.text().split(";")[0]
     assert design.results.thesis["yaw"].text() == design.results.sigma["yaw"].text()
-    driver.bot.waitUntil(lambda: not design.results.following.active)
-    assert design.results.worth.rowCount() == 8
+    driver.bot.waitUntil(lambda: not design.results.predictor.active)
+    assert design.results.gain_table.rowCount() == 8
     assert "L6" in design.results.points.text()
     assert "9 min for 6 lines" in design.results.minutes.text()
     assert not design.isWindowModified()
@@ -53,7 +53,7 @@ def test_a_line_is_dragged_farther_and_roll_gets_better_on_the_way(
     assert plan(design).lines[0].distance == pytest.approx(25.0, abs=0.3)
     assert shown(design) == predicted(design)
     assert shown(design)[0] < before[0]
-    assert str(design.workspace.history.to_undo) == "Move line 1"
+    assert str(design.workspace.history.undo_name) == "Move line 1"
     assert design.isWindowModified()
     driver.bot.keyClick(design, Key.Key_Z, Control)
     assert plan(design).lines[0].distance == 15.0
@@ -78,7 +78,7 @@ def test_the_arrow_of_a_line_turns_it(
     heading = plan(design).lines[0].heading_deg
     assert (heading % 5.0 == 0.0) is whole
     assert heading == pytest.approx(338.0, abs=3.0 if whole else 0.6)
-    assert str(design.workspace.history.to_undo) == "Turn line 1"
+    assert str(design.workspace.history.undo_name) == "Turn line 1"
 
 
 def test_escape_gives_a_drag_up(driver: Driver, design: DesignWindow) -> None:
@@ -91,7 +91,7 @@ def test_escape_gives_a_drag_up(driver: Driver, design: DesignWindow) -> None:
     driver.bot.keyClick(view, Key.Key_Escape)
     driver.bot.mouseRelease(view, Left, pos=spot.toPoint())
     assert design.workspace.titled is before
-    assert design.workspace.history.to_undo is None
+    assert design.workspace.history.undo_name is None
 
 
 def test_a_board_is_dragged_up_the_wall(driver: Driver, design: DesignWindow) -> None:
@@ -127,9 +127,9 @@ def test_all_of_it_by_keys(driver: Driver, design: DesignWindow) -> None:
     for _ in range(8):
         bot.keyClick(view, Key.Key_Delete)
     assert plan(design).lines == ()
-    followed(design)
+    wait_for_plan(design)
     assert design.results.sigma["yaw"].text() == "–"
-    bot.waitUntil(lambda: "Add a target and at least two lines" in design.results.words.text())
+    bot.waitUntil(lambda: "Add a target and at least two lines" in design.results.messages.text())
     bot.keyClick(view, Key.Key_Insert)
     assert len(plan(design).lines) == 1
     wall = design.wall_view
@@ -150,8 +150,8 @@ def test_boards_that_face_one_way_are_refused_in_words(
     design.tabs.setCurrentWidget(design.targets)
     editor = type_cell(driver, design.targets.table, 1, 4, "90")
     driver.bot.keyClick(editor, Key.Key_Return)
-    driver.bot.waitUntil(lambda: "the same orientation" in design.results.words.text())
-    assert design.results.words.property("role") == "warning"
+    driver.bot.waitUntil(lambda: "the same orientation" in design.results.messages.text())
+    assert design.results.messages.property("role") == "warning"
 
 
 def test_a_mistake_is_said_while_it_is_typed_and_not_taken(
@@ -160,16 +160,16 @@ def test_a_mistake_is_said_while_it_is_typed_and_not_taken(
     table, before = design.lines.table, design.workspace.titled
     editor = type_cell(driver, table, 2, 2, "1e")
     assert editor.property("wrong")
-    assert "“1e” is not a number" in design.mistake.text()
+    assert "“1e” is not a number" in design.error_label.text()
     driver.bot.keyClick(editor, Key.Key_Return)
     assert table.findChild(QLineEdit) is editor, "it stays open until it is right"
     assert design.workspace.titled is before
     editor.selectAll()
     driver.bot.keyClicks(editor, "20000")
-    assert "1 to 200 m" in design.mistake.text()
+    assert "1 to 200 m" in design.error_label.text()
     editor.selectAll()
     driver.bot.keyClicks(editor, "20,5")
-    assert design.mistake.text() == ""
+    assert design.error_label.text() == ""
     driver.bot.keyClick(editor, Key.Key_Return)
     driver.bot.waitUntil(lambda: plan(design).lines[2].distance == 20.5)
     assert design.workspace.line == 2
@@ -252,10 +252,10 @@ def test_in_3d_a_target_is_hung_and_moved_off_the_wall(
     viewport.signals.handle_moved.emit("target 0", 2, 0.25)
     assert wall.wall_coordinates(plan(design).targets[0].centre) == pytest.approx((-0.8, 0.5, 5.0))
     assert shown(design) != before or predicted(design) == before
-    viewport.signals.handle_let_go.emit("target 0")
-    assert str(design.workspace.history.to_undo) == "Move T1"
+    viewport.signals.handle_released.emit("target 0")
+    assert str(design.workspace.history.undo_name) == "Move T1"
     viewport.signals.seed_clicked.emit(PickedPoint("targets", plan(design).targets[1].centre))
-    assert (design.workspace.target, str(design.workspace.history.to_undo)) == (1, "Move T1")
+    assert (design.workspace.target, str(design.workspace.history.undo_name)) == (1, "Move T1")
     viewport.signals.seed_clicked.emit(PickedPoint("targets", plan(design).targets[0].centre))
     viewport.signals.seed_clicked.emit(PickedPoint("wall", wall.local_point(3.02, 0.0, 7.98)))
     assert wall.wall_coordinates(plan(design).targets[0].centre) == pytest.approx((3.0, 0.5, 8.0))

@@ -10,7 +10,7 @@ from lispac.gui.design.search import SearchResult
 from lispac.gui.design.window import DesignWindow
 from lispac.language import gettext, gettext_lazy
 from tests.gui.by_hand import Hands, choose, open_menu
-from tests.gui.design_support import followed, opened_by_keys, plan
+from tests.gui.design_support import opened_by_keys, plan, wait_for_plan
 from tests.gui.support import WAIT_MS, Control, Key, Left, in_front
 from tests.gui.test_gui_design_surveys import surveyed_once
 
@@ -30,7 +30,7 @@ def by_menu(hands: Hands, menu: str, *entries: str) -> DesignWindow:
     assert design is not None
     assert design.isVisible()
     hands.until(lambda: in_front(design))
-    followed(design)
+    wait_for_plan(design)
     return design
 
 
@@ -90,13 +90,13 @@ def test_answers_about_a_plan_stay(hands: Hands) -> None:
     design = opened_by_keys(hands)
     found = surveyed_once()
     head = gettext_lazy("Simulate surveys")
-    design.surveys.answer.show_result(head, found, plan(design))
+    design.surveys.result_table.show_result(head, found, plan(design))
     design.pictures.show_errors(found)
     design.search.show_found(SearchResult(0.0363, PlanObjective(), 250, all_evaluated=True))
     hands.bot.keyClick(design, Key.Key_L, Control)
 
     dark = by_menu(hands, "View", "heme", "Dark")
-    answer = dark.surveys.answer
+    answer = dark.surveys.result_table
     assert answer.head.text() == str(head)
     assert [row[0] for row in answer.cells[1:]] == [row[0] for row in found.rows]
     assert answer.outdated.isVisibleTo(dark.surveys)  # of the plan before

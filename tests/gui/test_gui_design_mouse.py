@@ -53,7 +53,7 @@ def test_a_search_that_ends_during_a_drag_ends_the_drag(
         assert design.workspace.titled is found, "what was dragged is in this plan no more"
     driver.bot.mouseRelease(view, Left, pos=(spot + QPointF(60, -90)).toPoint())
     assert design.workspace.titled is found
-    assert str(design.workspace.history.to_undo) == "best survey design"
+    assert str(design.workspace.history.undo_name) == "best survey design"
     driver.bot.keyClick(design, Key.Key_Z, Control)
     assert design.workspace.titled is before
 
@@ -142,7 +142,7 @@ def test_a_handle_is_dragged_with_the_mouse_until_the_plan_is_another(
     now = edits.placed_targets(work.titled)[0]
     assert (now.along, now.off) == (before.along, before.off)
     assert now.up == pytest.approx(before.up + 2.0, abs=0.2)
-    assert str(work.history.to_undo) == "Move T1"
+    assert str(work.history.undo_name) == "Move T1"
     real.bot.keyClick(design, Key.Key_Z, Control)
 
     searching(real, design, tmp_path)

@@ -11,7 +11,7 @@ from lispac.gui.design import edits
 from lispac.gui.design.window import DesignWindow
 from lispac.message_texts import message_text
 from lispac.workflow.plan_checks import plan_warnings
-from tests.gui.design_support import NoModifier, followed, mouse_move, plan, predicted, shown
+from tests.gui.design_support import NoModifier, mouse_move, plan, predicted, shown, wait_for_plan
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left
 
 WAITS_MS = 200
@@ -42,12 +42,12 @@ def test_a_large_plan_is_weighed_beside_the_window(driver: Driver, design: Desig
     for _ in range(2):
         driver.bot.keyClick(design, Key.Key_B, Control)
     assert (len(plan(design).lines), len(plan(design).targets)) == (12, 4)
-    following = design.results.following
+    predictor = design.results.predictor
     heart = Heartbeat(design)
-    driver.bot.waitUntil(lambda: not following.active, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: not predictor.active, timeout=WAIT_MS)
     assert heart.longest < WAITS_MS
     assert shown(design) == predicted(design)
-    rows = design.results.worth
+    rows = design.results.gain_table
     best = information_gains(plan(design), PlanObjective())[0]
     assert (rows.rowCount(), rows.item(0, 0).text()) == (16, best.name)
 
@@ -55,17 +55,19 @@ def test_a_large_plan_is_weighed_beside_the_window(driver: Driver, design: Desig
 def test_an_edit_stops_what_was_being_weighed(driver: Driver, design: DesignWindow) -> None:
     for _ in range(6):
         driver.bot.keyClick(design, Key.Key_D, Control)
-    following = design.results.following
-    driver.bot.waitUntil(lambda: following._slow is not None, timeout=WAIT_MS)
-    slow = following._slow
+    predictor = design.results.predictor
+    driver.bot.waitUntil(lambda: predictor._slow is not None, timeout=WAIT_MS)
+    slow = predictor._slow
     driver.bot.keyClick(design.plan_view, Key.Key_Up)
     assert slow.cancel.is_set()
     assert shown(design) == predicted(design)
-    driver.bot.waitUntil(lambda: following.has_said, timeout=WAIT_MS)
-    following.late.emit()
-    assert "Least precisely determined" in design.results.words.text(), "said, and not taken back"
-    driver.bot.waitUntil(lambda: not following.active, timeout=WAIT_MS)
-    assert design.results.worth.rowCount() == 14
+    driver.bot.waitUntil(lambda: predictor.messages_current, timeout=WAIT_MS)
+    predictor.out_of_date.emit()
+    assert "Least precisely determined" in design.results.messages.text(), (
+        "said, and not taken back"
+    )
+    driver.bot.waitUntil(lambda: not predictor.active, timeout=WAIT_MS)
+    assert design.results.gain_table.rowCount() == 14
 
 
 def test_sigmas_follow_a_drag_before_it_ends(driver: Driver, design: DesignWindow) -> None:
@@ -74,7 +76,7 @@ def test_sigmas_follow_a_drag_before_it_ends(driver: Driver, design: DesignWindo
     before = shown(design)
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -80), NoModifier))
-    followed(design)
+    wait_for_plan(design)
     assert design.workspace.is_dragging
     assert shown(design) == predicted(design) != before
     driver.bot.mouseRelease(view, Left, pos=spot.toPoint())

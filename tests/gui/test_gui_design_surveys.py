@@ -64,12 +64,12 @@ def test_simulated_surveys_say_what_the_command_line_says(
     settled(driver)
     assert driver.dialogs.errors == []
     found = run_monte_carlo(before.plan, 32, seed=7, flatness_known=True)
-    shown = surveys.answer
+    shown = surveys.result_table
     assert shown.head.text() == "Site: 32 surveys simulated and adjusted"
     rows = [[cell.replace("−", "-") for cell in row] for row in shown.cells]
     said = [line.replace(" %", "%").split()[-3:] for line in scatter_table(found).splitlines()]
     assert said == [[cell.replace(" %", "%") for cell in row[-3:]] for row in rows]
-    assert tuple(shown.words.text().split("\n")) == found.summary_texts
+    assert tuple(shown.messages.text().split("\n")) == found.summary_texts
     assert not shown.outdated.isVisible()
     driver.bot.keyClick(coarse, Key.Key_L, Control)
     assert shown.outdated.isVisible(), "it is no answer about another plan"
@@ -100,12 +100,12 @@ def test_a_cancelled_campaign_shows_what_was_finished_if_it_is_enough(
     driver.bot.waitUntil(lambda: " left" in coarse.task_bar.text.text(), timeout=WAIT_MS)
     click(driver, surveys.cancel)
     settled(driver)
-    head = surveys.answer.head.text()
+    head = surveys.result_table.head.text()
     assert head.startswith("Site: cancelled after ")
     assert head.endswith(" of 5,000 simulated surveys")
     finished = int(head.split()[3].replace(",", ""))
     assert 40 <= finished < 5000
-    assert f"{finished} surveys allow" in surveys.answer.words.text()
+    assert f"{finished} surveys allow" in surveys.result_table.messages.text()
 
 
 def test_too_few_finished_surveys_show_nothing(driver: Driver, coarse: DesignWindow) -> None:
@@ -113,7 +113,7 @@ def test_too_few_finished_surveys_show_nothing(driver: Driver, coarse: DesignWin
     driver.bot.keyClick(surveys.start, Key.Key_Space)
     driver.bot.keyClick(coarse, Key.Key_Period, Control)
     settled(driver)
-    assert surveys.answer.cells == []
+    assert surveys.result_table.cells == []
     assert coarse.task_bar.currentMessage() == "Simulating surveys: cancelled"
     assert coarse.pictures.which.count() == 0
     assert surveys.start.isEnabled()
@@ -130,11 +130,11 @@ def test_a_campaign_that_ends_during_a_drag_lets_it_go_on(
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -30), NoModifier))
     settled(driver)
-    assert "20 surveys" in surveys.answer.head.text()
+    assert "20 surveys" in surveys.result_table.head.text()
     assert coarse.views.currentWidget() is view
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -60), NoModifier))
     driver.bot.mouseRelease(view, Left, pos=(spot + QPointF(0, -60)).toPoint())
-    assert str(coarse.workspace.history.to_undo) == "Move T1"
+    assert str(coarse.workspace.history.undo_name) == "Move T1"
     assert plan(coarse).targets[0].centre[2] > 5.0
 
 
@@ -164,7 +164,7 @@ def test_closing_the_program_stops_the_surveys(driver: Driver, coarse: DesignWin
 
 
 def test_an_answer_leaves_nothing_of_the_one_before(driver: Driver, coarse: DesignWindow) -> None:
-    shown, plan_ = coarse.surveys.answer, plan(coarse)
+    shown, plan_ = coarse.surveys.result_table, plan(coarse)
     counts, head = [], gettext_lazy("Simulate surveys")
     for k in range(30):
         rows = [("standard deviation of errors (deg)", f"{k}", "0.2", "-0.3")] * 7
@@ -180,15 +180,15 @@ def test_the_open_project_is_compared_with_the_plan(adjusted: Driver) -> None:
     design, document = opened_by_keys(adjusted), adjusted.window.document
     adjusted.dialogs.path = PORT
     adjusted.bot.keyClick(design, Key.Key_O, Control)
-    design.workspace.add_line(again=True)
+    design.workspace.add_line(duplicate=True)
     adjusted.bot.keyClick(design, Key.Key_F11)
     settled(adjusted)
     assert adjusted.dialogs.errors == []
     found = compare_with_plan(document.project, document.survey, design.workspace.titled)
     shown = design.compared
     assert [row for row in shown.cells if row[0]] == [list(row) for row in found.rows]
-    assert shown.words.text().split("\n") == list(found.summary_texts)
-    assert str(found.costs[0]) in shown.words.text()
+    assert shown.messages.text().split("\n") == list(found.summary_texts)
+    assert str(found.costs[0]) in shown.messages.text()
     assert document.project.name in shown.head.text()
     assert read_plan(PORT).title in shown.head.text()
     assert shown.isVisible()

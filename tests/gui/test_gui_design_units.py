@@ -42,8 +42,8 @@ def test_a_table_takes_feet_and_keeps_headings_in_degrees(qapp: QApplication) ->
 
 
 def test_an_end_of_a_range_may_be_typed_as_it_is_said(qapp: QApplication) -> None:
-    assert LINE["distance"].limit(edits.FARTHEST) == "656.2"
-    assert LINE["distance"].read("656.2") == edits.FARTHEST
+    assert LINE["distance"].limit(edits.FAR_M) == "656.2"
+    assert LINE["distance"].read("656.2") == edits.FAR_M
     with pytest.raises(
         InputError, match=r"700 ft is out of range\. Enter a value from 3\.281 to 656\.2 ft"
     ):

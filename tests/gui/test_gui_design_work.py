@@ -46,7 +46,7 @@ def test_the_best_plan_is_one_undo_step(driver: Driver, design: DesignWindow, tm
     field.selectAll()
     driver.bot.keyClicks(field, "10, x")
     assert not search.find.isEnabled()
-    assert "“x” is not a number" in search.mistake.text()
+    assert "“x” is not a number" in search.error_label.text()
     field.selectAll()
     driver.bot.keyClicks(field, "10, 15")
     click(driver, search.find)

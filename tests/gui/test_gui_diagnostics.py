@@ -11,7 +11,7 @@ from lispac.adjustment.result import CrossCheck
 from lispac.design.further_line_advice import further_line_advice
 from lispac.gui import theme
 from lispac.gui.panels.diagnostics_pages import PAGES
-from lispac.gui.viewport.base import BESIDE_COLOUR, CHOSEN_COLOUR
+from lispac.gui.viewport.base import SELECTED_COLOUR, UNSELECTED_COLOUR
 from lispac.message_texts import message_text
 from lispac.messages import note
 from lispac.project import Project
@@ -64,13 +64,13 @@ def test_without_a_result_every_page_says_what_to_do(picked: Driver):
     picked.window.docks["Diagnostics"].raise_()
     for kind in PAGES:
         page = turn_to(picked, kind.title)
-        assert page.advice == kind.without_result
+        assert page.advice == kind.empty_text
         assert page.advice.startswith("Nothing estimated yet. Press Estimate in step 3 to see ")
         assert getattr(page, "canvas", None) is None
 
 
 def test_no_figure_is_made_before_its_page_is_turned_to(shown: Driver):
-    figures = [kind.title for kind in PAGES if hasattr(kind, "draws")]
+    figures = [kind.title for kind in PAGES if hasattr(kind, "draw_function")]
     assert len(figures) == 4
     for k, title in enumerate(figures):
         panel = shown.window.diagnostics
@@ -100,7 +100,7 @@ def test_the_figures_show_the_result(shown: Driver, estimated: Project):
     half = 2 * item.pos_sigma[0] * 1000
     assert (band.y0, band.y1) == (pytest.approx(-half), pytest.approx(half))
     assert (band.x0 + band.x1) / 2 == pytest.approx(position.lines[0].get_xdata()[0])
-    words = turn_to(shown, "Observability").words.text()
+    words = turn_to(shown, "Observability").text_label.text()
     for remark in result.observability.messages:
         assert message_text(remark) in words
     assert f"Condition number {result.observability.condition:.1f}" in words
@@ -153,8 +153,8 @@ def test_a_row_leads_to_its_points_by_mouse_and_by_key(shown: Driver, estimated:
     assert shown.viewport.selected == (sighting.target, sighting.line)
     drawn = shown.viewport.highlight_styles
     beside = [drawn[key].colour for key in drawn if key[0] == sighting.target]
-    assert drawn[sighting.target, sighting.line].colour == CHOSEN_COLOUR
-    assert sorted(beside) == sorted([CHOSEN_COLOUR] + [BESIDE_COLOUR] * (len(beside) - 1))
+    assert drawn[sighting.target, sighting.line].colour == SELECTED_COLOUR
+    assert sorted(beside) == sorted([SELECTED_COLOUR] + [UNSELECTED_COLOUR] * (len(beside) - 1))
     name, (points,) = shown.viewport.calls[-1]
     assert name == "fit"
     assert len(points) == len(estimated.target(sighting.target).sighting(sighting.line).indices)
@@ -232,7 +232,7 @@ def test_a_further_line_is_sought_after_what_follows_from_a_tick(
         )
 
     monkeypatch.setattr("lispac.workflow.calibration.further_line_advice", advised)
-    monkeypatch.setattr(shown.window.estimation, "_wants_checks", checked)
+    monkeypatch.setattr(shown.window.estimation, "_cross_check", checked)
     shown.window.docks["Targets by line"].raise_()
     ticks = shown.window.table
     click_check(shown, ticks, ticks.sightings.index(0, 2))

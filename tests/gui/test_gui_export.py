@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.actions import dialog_title
-from lispac.gui.dialogs.export import CONTENTS, REST_MS, ExportDialog
+from lispac.gui.dialogs.export import CONTENTS, DELAY_MS, ExportDialog
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.export_request import ENDINGS, ExportRequest
 from lispac.workflow.output_crs import utm_zone
@@ -60,7 +60,7 @@ def test_a_wrong_system_is_told_of_while_it_is_typed(dialog: ExportDialog, qtbot
     field.selectAll()
     qtbot.keyClicks(field, "EPSG:2")
     assert not ok(dialog).isEnabled()
-    qtbot.wait(REST_MS + 200)
+    qtbot.wait(DELAY_MS + 200)
     assert not ok(dialog).isEnabled()
     assert "EPSG:2" in dialog.message_label.text()
     qtbot.keyClicks(field, "959")

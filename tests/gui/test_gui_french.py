@@ -34,7 +34,7 @@ from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.visibility_study import study_visibility
 from lispac.workflow.budget import error_budget_of
 from lispac.workflow.validation import validate
-from tests.gui.design_support import followed, opened_by_keys, type_cell
+from tests.gui.design_support import opened_by_keys, type_cell, wait_for_plan
 from tests.gui.french_support import english
 from tests.gui.import_support import drop, raw, rest
 from tests.gui.support import WAIT_MS, Demo, Driver, Key, open_step, seed, type_into
@@ -167,8 +167,8 @@ def test_numbers_are_typed_with_comma_or_point(french: Driver, demo: Demo) -> No
 
 def test_a_site_is_designed(french: Driver) -> None:
     design = opened_by_keys(french)
-    followed(design)
-    french.bot.waitUntil(lambda: not design.results.following.active, timeout=WAIT_MS)
+    wait_for_plan(design)
+    french.bot.waitUntil(lambda: not design.results.predictor.active, timeout=WAIT_MS)
     for view in range(design.views.count()):
         design.views.setCurrentIndex(view)
     for tab in range(design.tabs.count()):
@@ -189,12 +189,12 @@ def test_a_site_is_designed(french: Driver) -> None:
     limits.lists["heights"].setText("4,5; 6")
     assert limits.site(design.workspace.titled)[1].heights == (4.5, 6.0)
     limits.lists["heights"].setText("4,5,6")
-    assert "n'est pas un nombre" in design.search.mistake.text().replace("’", "'")
+    assert "n'est pas un nombre" in design.search.error_label.text().replace("’", "'")
     limits.lists["heights"].setText("4,5; 6")
     design.actions_["add_ball"].trigger()
-    french.bot.waitUntil(lambda: not design.results.following.active, timeout=WAIT_MS)
+    french.bot.waitUntil(lambda: not design.results.predictor.active, timeout=WAIT_MS)
     all_french(design)
-    design.workspace.history.keep()
+    design.workspace.history.mark_saved()
 
 
 def test_files_are_written_alike_in_both_languages(

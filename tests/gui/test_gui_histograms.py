@@ -11,7 +11,7 @@ from PySide6.QtGui import QGuiApplication, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
 from lispac.gui import units
-from lispac.gui.panels.histograms import AGAINST, ZOOM, HistogramsPanel
+from lispac.gui.panels.histograms import PROFILE_PLOT, ZOOM_HINT, HistogramsPanel
 from lispac.project import Project
 from tests.gui.support import Demo, Driver
 
@@ -56,7 +56,7 @@ def test_a_hidden_plot_is_drawn_once_when_it_is_seen(
     panel.canvas.mpl_connect("draw_event", lambda _event: drawn.append(1))
     driver.window.docks["Diagnostics"].raise_()
     driver.bot.waitUntil(lambda: panel.canvas.visibleRegion().isEmpty())
-    for choice in (1, AGAINST, 0, AGAINST):
+    for choice in (1, PROFILE_PLOT, 0, PROFILE_PLOT):
         panel.plot.setCurrentIndex(choice)
     driver.bot.wait(100)
     assert not drawn
@@ -90,7 +90,7 @@ def test_distances_at_a_height_and_a_range_are_read_off_under_the_mouse(
 ) -> None:
     units.set_units("degrees", lengths)
     try:
-        panel.plot.setCurrentIndex(AGAINST)
+        panel.plot.setCurrentIndex(PROFILE_PLOT)
         panel.canvas.draw()
         for axes, title in zip(panel.canvas.figure.axes, ("Height", "Range"), strict=True):
             middle = (np.mean(axes.get_xlim()), np.mean(axes.get_ylim()))
@@ -144,8 +144,8 @@ def test_numbers_and_picture_are_copied(
     driver.bot.mouseClick(panel.copy_picture, Left)
     picture = QGuiApplication.clipboard().pixmap()
     assert picture.size() == panel.canvas.size() * panel.canvas.devicePixelRatioF()
-    panel.plot.setCurrentIndex(AGAINST)
-    assert panel.reading.text() == ZOOM
+    panel.plot.setCurrentIndex(PROFILE_PLOT)
+    assert panel.reading.text() == ZOOM_HINT
     driver.bot.mouseClick(panel.copy_numbers, Left)
     text = QGuiApplication.clipboard().text()
     height = validated.validation[0].by_height

@@ -71,7 +71,7 @@ def test_a_folder_is_searched_and_a_stranger_listed_with_the_reason(
     assert texts(dialog, ROLE) == ["Line", "Not imported", "Not imported"]
     assert texts(dialog, STATE)[1:] == ["Unknown", "Unknown"]
     dialog.table.selectRow(1)
-    shown = [label.text() for label in dialog.file_page.remarks.findChildren(QWidget)
+    shown = [label.text() for label in dialog.file_page.messages.findChildren(QWidget)
              if hasattr(label, "text")]  # fmt: skip
     assert any("the format of this file is not recognised" in text for text in shown)
     assert "The trajectory is missing" in dialog.reason.text()
@@ -120,11 +120,11 @@ def test_lines_in_another_time_base_are_mended_by_a_button(
     dialog.tabs.setCurrentIndex(TIMELINE)
     assert dialog.tabs.tabText(TIMELINE) == "Timeline (2 lines to check)"
     bars = timeline_bars(dialog.input_files)
-    assert [bar.sound for bar in bars] == [True, True, False, False]
-    assert bars[2].words == "100.0 % outside trajectory"
+    assert [bar.is_usable for bar in bars] == [True, True, False, False]
+    assert bars[2].text == "100.0 % outside trajectory"
     assert not dialog.ok.isEnabled()
     assert dialog.timeline.all.isVisible()
-    first = dialog.timeline.remarks.buttons[0]
+    first = dialog.timeline.messages.buttons[0]
     assert first.text() == "Add +86,400 s"
     qtbot.mouseClick(first, Left)
     rest(qtbot, dialog)
@@ -152,7 +152,7 @@ def test_a_line_is_left_out_by_its_button_and_the_timeline_goes_by_keys(
     assert dialog.table.current == other
     assert "after" in view.accessibleDescription() or "outside" in view.accessibleDescription()
     for left_out in (other, far):  # the last button is the last line's
-        button = dialog.timeline.remarks.buttons[-1]
+        button = dialog.timeline.messages.buttons[-1]
         assert button.text() == "Exclude the file"
         qtbot.mouseClick(button, Left)
         rest(qtbot, dialog)
@@ -222,7 +222,7 @@ def test_a_coordinate_system_is_typed_and_its_name_shown(
     rest(qtbot, dialog)
     dialog.table.selectRow(1)
     rest(qtbot, dialog)
-    button = dialog.file_page.remarks.buttons[0]
+    button = dialog.file_page.messages.buttons[0]
     assert button.text() == "Choose the coordinate system"
     qtbot.mouseClick(button, Left)
     field = dialog.file_page.options.fields["crs"]

@@ -174,8 +174,8 @@ def test_dropped_files_are_a_project_in_the_window_at_the_end(
 def test_what_the_dialogue_remembers_is_read_back(tmp_path: Path) -> None:
     settings = AppSettings(tmp_path / "s.ini")
     assert settings.column_mappings() == {}
-    settings.keep_column_mappings({"text/4/": "time x y z"})
-    settings.keep_column_mappings({"text/5/": "x y z time -"})
+    settings.save_column_mappings({"text/4/": "time x y z"})
+    settings.save_column_mappings({"text/5/": "x y z time -"})
     settings.sync()
     read = AppSettings(tmp_path / "s.ini").column_mappings()
     assert read == {"text/4/": "time x y z", "text/5/": "x y z time -"}

@@ -46,12 +46,12 @@ def test_the_tour_goes_on_in_another_language(
 ) -> None:
     monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
     english = session.window
-    qtbot.mouseClick(english.central_widget.start.ways["tour"], Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: english.tour.on and not english.runner.active, timeout=SOON_MS)
+    qtbot.mouseClick(english.central_widget.start.links["tour"], Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: english.tour.is_running and not english.runner.active, timeout=SOON_MS)
     choose(qtbot, open_menu(qtbot, english, "View"), "Langue", "ran")
     qtbot.waitUntil(lambda: session.window is not english, timeout=SOON_MS)
     french = session.window
-    assert french.tour.on
+    assert french.tour.is_running
     assert french.central_widget.card.isVisible()
     assert french.central_widget.card.head.text() == "Visite, étape 1 sur 7"
 
@@ -164,7 +164,7 @@ def test_what_is_typed_and_not_applied_stays(session: Session, qtbot: QtBot, dem
     fields = {each.objectName(): each for each in french.adjust.findChildren(OptionalNumber)}
     assert fields[number].text() == "0,125"
     assert fields[wrong].text() == "0,1 2"
-    assert not french.adjust.sound
+    assert not french.adjust.is_valid
     QTest.mouseClick(french.data.revert, Qt.MouseButton.LeftButton)
     assert french.data.lever_arm.value() == used.lever_arm
 

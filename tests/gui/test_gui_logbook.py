@@ -49,7 +49,7 @@ def test_an_error_is_written_down_with_its_origin(tmp_path: Path, driver: Driver
     book = LogFile(tmp_path, driver.dialogs.show_error)
     book.begin()
     try:
-        driver.window.controller.noted.emit("Opened a project")
+        driver.window.controller.logged.emit("Opened a project")
 
         def work(_progress: object) -> None:
             raise KeyError("no such thing")
@@ -79,7 +79,7 @@ def test_a_folder_that_cannot_be_written_stops_nothing(tmp_path: Path) -> None:
 def test_the_end_of_long_work_is_told_elsewhere(
     driver: Driver, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, ending: str
 ) -> None:
-    monkeypatch.setattr(desktop_notifications, "LONG", 30.0 if ending == "short" else 0.05)
+    monkeypatch.setattr(desktop_notifications, "MIN_TASK_S", 30.0 if ending == "short" else 0.05)
     told: list[str] = []
     DesktopNotifications(driver.window, driver.window.runner, told.append)
     other = QWidget()
@@ -103,7 +103,7 @@ def test_the_end_of_long_work_is_told_elsewhere(
 
 
 def test_one_who_is_there_is_not_told(driver: Driver, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(desktop_notifications, "LONG", 0.0)
+    monkeypatch.setattr(desktop_notifications, "MIN_TASK_S", 0.0)
     told: list[str] = []
     DesktopNotifications(driver.window, driver.window.runner, told.append)
     driver.window.runner.run("Working", lambda _progress: None, lambda _value: None)

@@ -55,8 +55,8 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
         assert names == ["Targets", "Natural planes", "Targetless", "Patch test"]
         assert dialog.table.item(2, 3).text() == "\N{EN DASH}"
         assert not dialog.message_label.isVisible()
-        assert dialog.ask.isEnabled()
-        adjusted.bot.mouseClick(dialog.ask, Left)
+        assert dialog.run_missing.isEnabled()
+        adjusted.bot.mouseClick(dialog.run_missing, Left)
 
     compare(adjusted)
     answered(adjusted, first)
@@ -71,7 +71,7 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
         differs = "Significant difference between the targetless method and the targets in roll"
         assert differs in words
         assert "natural surfaces: 30." in words
-        assert not dialog.ask.isEnabled()
+        assert not dialog.run_missing.isEnabled()
 
     answered(adjusted, second)
     settle(adjusted)
@@ -102,14 +102,14 @@ def test_what_a_method_cannot_answer_is_told(
     monkeypatch.setattr(method_runs, "run_method", refuse)
     before = adjusted.project
     compare(adjusted)
-    answered(adjusted, lambda dialog: adjusted.bot.mouseClick(dialog.ask, Left))
+    answered(adjusted, lambda dialog: adjusted.bot.mouseClick(dialog.run_missing, Left))
 
     def told(dialog: MethodsDialog) -> None:
         assert (
             "Natural planes: the lines share too little for natural planes"
             in dialog.message_label.text()
         )
-        assert not dialog.ask.isEnabled()
+        assert not dialog.run_missing.isEnabled()
 
     answered(adjusted, told)
     assert adjusted.project is before

@@ -94,7 +94,7 @@ def test_a_changed_sign_goes_to_the_other_side_as_it_is_typed(opened: Driver) ->
     starboard = dot_in_picture(sketch, "above", theme.ACCENT)
     assert port[0] < -5 < 5 < starboard[0]
     assert port[1] == pytest.approx(starboard[1], abs=0.6)
-    words = opened.window.data.mounting.words.text()
+    words = opened.window.data.mounting.text_label.text()
     assert "1.200\u00a0m to starboard of" in words
     assert sketch.accessibleDescription() == words
 
@@ -210,7 +210,7 @@ def test_the_import_dialogue_draws_it_too(filled: ImportDialog, qtbot) -> None:
     page.lever_arm.fields[1].selectAll()
     qtbot.keyClicks(page.lever_arm.fields[1], "-0.8")
     assert offsets(page.view.sketch, "above")[0] == pytest.approx(0.8)
-    assert "0.800\u00a0m to starboard" in page.view.words.text()
+    assert "0.800\u00a0m to starboard" in page.view.text_label.text()
 
 
 @pytest.mark.parametrize("size", [(1326, 708), (1240, 840)])

@@ -80,7 +80,7 @@ def test_nothing_runs_any_more_while_a_dialogue_shows_what_was_found(qtbot, runn
 
     told: list[Task | None] = []
     runner.changed.connect(lambda: told.append(runner.current))
-    runner.run("Setting the pages", lambda progress: 1, show, shows=True)
+    runner.run("Setting the pages", lambda progress: 1, show, modal=True)
     qtbot.waitUntil(lambda: bool(seen))
     assert seen == [False]
     first = next(k for k, task in enumerate(told) if task is None)
@@ -91,7 +91,7 @@ def test_what_ends_under_a_dialogue_waits_for_it(qtbot, runner):
     got: list[int] = []
     dialog = QDialog()
     seen = []
-    runner.run("Work", lambda progress: 1, got.append, shows=True)
+    runner.run("Work", lambda progress: 1, got.append, modal=True)
     QTimer.singleShot(400, lambda: (seen.append(list(got)), dialog.accept()))
     dialog.exec()
     assert seen == [[]]
@@ -123,31 +123,31 @@ def test_an_ended_task_holds_nothing_it_worked_on(qtbot, runner, fails):
     assert isinstance(kept.error, InputError) == fails
 
 
-@pytest.mark.parametrize("lasting", [False, True])
-def test_what_is_written_when_it_is_cancelled_counts_as_done(qtbot, runner, tmp_path, lasting):
+@pytest.mark.parametrize("persistent", [False, True])
+def test_what_is_written_when_it_is_cancelled_counts_as_done(qtbot, runner, tmp_path, persistent):
     """The work has ended; the window has not heard of it yet when Cancel is pressed."""
     written, ended, got, told = tmp_path / "line.laz", threading.Event(), [], []
     runner.stopped.connect(lambda title: told.append(f"{title}: cancelled"))
-    runner.too_late.connect(told.append)
+    runner.cancelled_too_late.connect(told.append)
 
     def work(_progress):
         written.write_text("points")
         ended.set()
         return written
 
-    runner.run("Export", work, got.append, lasting=lasting)
+    runner.run("Export", work, got.append, persistent=persistent)
     assert ended.wait(10)
     runner.cancel()
     qtbot.waitUntil(lambda: bool(told))
     late = "Export: completed before it could be cancelled"
-    assert told == [late if lasting else "Export: cancelled"]
-    assert got == ([written] if lasting else [])
+    assert told == [late if persistent else "Export: cancelled"]
+    assert got == ([written] if persistent else [])
     assert written.exists()
 
 
 def test_lasting_work_that_stops_when_asked_is_cancelled(qtbot, runner):
     got = []
-    runner.run("Export", endless, got.append, lasting=True)
+    runner.run("Export", endless, got.append, persistent=True)
     qtbot.waitUntil(lambda: runner.current.step == "going on")
     with qtbot.waitSignal(runner.stopped):
         runner.cancel()

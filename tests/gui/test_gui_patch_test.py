@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QListWidget, QSlider, QStyle, QStyleOptionSlider
 
-from lispac.gui.panels.patch_angles import FINE
+from lispac.gui.panels.patch_angles import STEP_DEG
 from lispac.gui.panels.patch_test import EMPTY, PatchTestPanel
 from tests.gui.support import Control, Driver, Key, Left, click, press, type_into
 
@@ -54,8 +54,8 @@ def tick(driver: Driver, made: QListWidget, row: int) -> None:
 
 def test_it_teaches_while_there_is_nothing(opened: Driver) -> None:
     shown = opened_panel(opened)
-    assert shown.words.isVisible()
-    assert shown.words.text() == EMPTY
+    assert shown.text_label.isVisible()
+    assert shown.text_label.text() == EMPTY
     assert not shown.all.isEnabled()
     assert not shown.angles.isEnabled()
     assert shown.propose.isEnabled()
@@ -72,7 +72,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     assert shown.objects.count() > 10
     click(opened, shown.all)
     opened.rest()
-    answer = window.tools.patch_test_controller.answer
+    answer = window.tools.patch_test_controller.last_result
     assert answer is not None
     assert answer.sigma is not None
     assert "result" in shown.angles.result_labels[PITCH].text()
@@ -81,7 +81,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     assert (np.abs(answer.boresight - truth) < 3 * answer.sigma).all()
 
     assert opened.project.alternative_result("patch test") is None
-    click(opened, shown.keep)
+    click(opened, shown.save_button)
     kept = opened.project.alternative_result("patch test")
     assert kept is not None
     np.testing.assert_array_equal(kept.boresight, answer.boresight)
@@ -98,7 +98,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     lowest = shown.curve.minimum
     assert lowest is not None
     assert shown.angles.boresight[PITCH] != start[PITCH], "the drag turned nothing"
-    drag(opened, slider, round(np.degrees(lowest - answer.boresight[PITCH]) / FINE))
+    drag(opened, slider, round(np.degrees(lowest - answer.boresight[PITCH]) / STEP_DEG))
     follow(opened)
     assert shown.angles.boresight[PITCH] != start[PITCH]
     assert abs(shown.angles.boresight[PITCH] - answer.boresight[PITCH]) < answer.sigma[PITCH]
@@ -112,7 +112,7 @@ def test_a_slider_dragged_to_the_minimum_gives_the_optimisers_angle(opened: Driv
     assert shown.angles.fields[PITCH].value() == pytest.approx(np.degrees(turned[PITCH]))
 
     # The button for one angle goes to the same place.
-    click(opened, shown.angles.finds[PITCH])
+    click(opened, shown.angles.find_buttons[PITCH])
     opened.rest()
     alone = shown.angles.boresight
     assert abs(alone[PITCH] - answer.boresight[PITCH]) < 0.2 * answer.sigma[PITCH]
@@ -171,7 +171,7 @@ def test_boxes_by_hand_are_added_looked_at_and_removed(opened: Driver) -> None:
     while shown.objects.count():
         click(opened, shown.remove)
         opened.rest()
-    assert shown.words.isVisible()
+    assert shown.text_label.isVisible()
     assert "patch" not in opened.viewport.sketches
 
 
@@ -179,7 +179,7 @@ def test_what_was_found_is_forgotten_with_another_choice(opened: Driver) -> None
     shown = opened_panel(opened)
     click(opened, shown.propose)
     opened.rest()
-    click(opened, shown.angles.finds[ROLL])
+    click(opened, shown.angles.find_buttons[ROLL])
     opened.rest()
     assert "mismatch is smallest" in shown.message_label.text()
     tick(opened, shown.objects, 0)

@@ -160,7 +160,7 @@ def test_control_and_arrows_move_the_line_between_before_and_after(viewport) -> 
     viewport.show_clouds(clouds, colours)
     QTest.keyClick(viewport.canvas, Key.Key_Left, Control)
     assert viewport._sketch_layer.share == 0.5
-    viewport.show_beside(clouds)
+    viewport.show_wipe(clouds)
     QTest.keyClick(viewport.canvas, Key.Key_Left, Control)
     assert viewport._sketch_layer.share == pytest.approx(0.5 - 24 / viewport.canvas.width())
 
@@ -182,10 +182,10 @@ def test_labels_of_targets_beside_each_other_can_both_be_read(qapp) -> None:
 def test_labels_of_targets_keep_clear_of_the_scale_of_colours(qapp) -> None:
     stage = OverlaidView()
     overlay = stage.overlay
-    assert overlay.taken() == []
+    assert overlay.occupied() == []
     overlay.shading = PointColouring({}, "Distance (mm)", "-1", "+1", np.zeros((3, 3), np.uint8))
-    (scale,) = overlay.taken()
+    (scale,) = overlay.occupied()
     metrics = QFontMetricsF(qapp.font())
     spot = QPointF(scale.left() + 30.0, scale.bottom() + 10.0)
     assert free_label_place(spot, metrics, "V3", []).intersects(scale)
-    assert not free_label_place(spot, metrics, "V3", overlay.taken()).intersects(scale)
+    assert not free_label_place(spot, metrics, "V3", overlay.occupied()).intersects(scale)

@@ -237,7 +237,7 @@ def test_both_pictures_are_there_as_soon_as_there_is_a_result(
     assert 0.01 < np.median(moved) < 2.0
     names = [name for name, _ in calls]
     between = names[names.index("picture") : len(names) - names[::-1].index("picture")]
-    assert not {"fit", "view", "look_along", "set_parallel"} & set(between)
+    assert not {"fit", "view", "view_along", "set_parallel"} & set(between)
     assert scene.which == "prior"
 
 
@@ -342,7 +342,7 @@ def test_what_the_mouse_does_is_on_the_screen_and_in_no_picture(
     real: Driver, demo: Demo, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # How many points fit into a picture is measured with each frame, and is another each time
-    monkeypatch.setattr(FrameTimes, "picture", property(lambda _: 20_000))
+    monkeypatch.setattr(FrameTimes, "picture_points", property(lambda _: 20_000))
     real.window.document.open(demo.project, demo.survey)
     real.rest()
     overlay = real.viewport.widget.overlay

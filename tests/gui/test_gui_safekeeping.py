@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.recovery_copies import ELSEWHERE, LOCK_NAME
+from lispac.gui.recovery_copies import LOCK_NAME, LOCKED_ELSEWHERE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.project_file import (
     FILE_NAME,
@@ -103,8 +103,10 @@ def test_a_project_open_twice_is_noticed(
     other.window.controller.rename("T2", "South wall")
     other.window.actions_["save"].trigger()
     assert "South wall" in names(read_project(folder))
-    assert other.window.recovery_copies.trouble == ELSEWHERE, "for as long as it has no protection"
-    assert driver.window.recovery_copies.trouble is None
+    assert other.window.recovery_copies.problem == LOCKED_ELSEWHERE, (
+        "for as long as it has no protection"
+    )
+    assert driver.window.recovery_copies.problem is None
     kept = read_unsaved(folder)
     assert kept is not None
     assert "North wall" in names(kept), "the first window's work, with its points"
@@ -166,7 +168,7 @@ def test_where_nothing_can_be_kept_it_is_said(driver: Driver, folder: Path) -> N
     driver.bot.waitUntil(
         lambda: "recovery copy" in driver.window.log.toPlainText(), timeout=WAIT_MS
     )
-    trouble = driver.window.recovery_copies.trouble
+    trouble = driver.window.recovery_copies.problem
     assert trouble is not None
     assert trouble.code == "window.unsaved_work_not_kept"
     assert driver.dialogs.errors == []
@@ -179,12 +181,12 @@ def test_what_could_not_be_kept_once_is_kept_as_soon_as_it_can(
     (folder / UNSAVED_NAME).mkdir()
     (folder / UNSAVED_NAME / "held").touch()
     driver.window.controller.rename("T1", "North wall")
-    driver.bot.waitUntil(lambda: driver.window.recovery_copies.trouble is not None, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: driver.window.recovery_copies.problem is not None, timeout=WAIT_MS)
     (folder / UNSAVED_NAME / "held").unlink()
     (folder / UNSAVED_NAME).rmdir()
     driver.window.controller.rename("T2", "South wall")
     driver.bot.waitUntil(lambda: (folder / UNSAVED_NAME).is_file(), timeout=5000)
-    driver.bot.waitUntil(lambda: driver.window.recovery_copies.trouble is None, timeout=5000)
+    driver.bot.waitUntil(lambda: driver.window.recovery_copies.problem is None, timeout=5000)
 
 
 def test_a_folder_that_was_renamed_is_not_made_anew_without_its_lines(
@@ -194,7 +196,7 @@ def test_a_folder_that_was_renamed_is_not_made_anew_without_its_lines(
     away = folder.with_name("renamed")
     folder.rename(away)
     driver.window.controller.rename("T1", "North wall")
-    driver.bot.waitUntil(lambda: driver.window.recovery_copies.trouble is not None, timeout=5000)
+    driver.bot.waitUntil(lambda: driver.window.recovery_copies.problem is not None, timeout=5000)
     driver.window.activateWindow()
     press(driver, Key.Key_S, Control)
     driver.bot.waitUntil(lambda: driver.dialogs.errors != [], timeout=5000)
@@ -207,7 +209,7 @@ def test_a_folder_that_was_renamed_is_not_made_anew_without_its_lines(
     driver.bot.waitUntil(lambda: not driver.window.isWindowModified(), timeout=5000)
     assert "North wall" in names(read_project(folder))
     assert driver.dialogs.safety == [], "nobody else wrote it"
-    assert driver.window.recovery_copies.trouble is None
+    assert driver.window.recovery_copies.problem is None
 
 
 def test_damaged_unsaved_work_does_not_keep_the_project_shut(driver: Driver, folder: Path) -> None:

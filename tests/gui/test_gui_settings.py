@@ -83,9 +83,9 @@ def test_what_is_cancelled_changes_nothing(driver: Driver, monkeypatch: pytest.M
 
 def test_the_system_speaks_where_no_language_is_chosen(tmp_path: Path) -> None:
     settings = AppSettings(tmp_path / "settings.ini")
-    OTHERS.keep(settings)
+    OTHERS.save(settings)
     assert settings.language == "fr"
-    Preferences().keep(settings)
+    Preferences().save(settings)
     system = QLocale.system().name().partition("_")[0]
     assert settings.language == ("fr" if system == "fr" else "en")
 
@@ -232,7 +232,7 @@ def test_what_cannot_be_kept_is_said_while_it_is_typed(qtbot: QtBot, tmp_path: P
     assert pos.message_label.text() == ""
     qtbot.mouseClick(pos.keep, Left)
     assert "source of the specifications" in pos.message_label.text()
-    pos.parts[1].stated.setChecked(False)
+    pos.parts[1].is_specified.setChecked(False)
     assert "at least one GNSS solution" in pos.message_label.text()
 
 
@@ -307,9 +307,9 @@ def test_a_cache_is_shown_and_emptied_after_a_question(
     (place / "numba").mkdir(parents=True)
     (place / "numba" / "kernel").write_bytes(bytes(2_500_000))
     (tmp_path / "file").write_text("")
-    page.cache.take(tmp_path / "file")
+    page.cache.choose_folder(tmp_path / "file")
     assert "the cache cannot be written here" in page.cache.message_label.text()
-    page.cache.take(tmp_path / "disk")
+    page.cache.choose_folder(tmp_path / "disk")
     assert page.preferences.cache == tmp_path / "disk"
     assert page.cache.place.text() == str(place)
     assert page.cache.size.text() == "2.5 MB"
@@ -329,7 +329,7 @@ def test_an_open_demo_is_not_removed(page: SettingsDialog, qtbot: QtBot, tmp_pat
     demo = tmp_path / "lispac" / "demo"
     (demo / "raw").mkdir(parents=True)
     (demo / "raw" / "demo").write_text("ours")
-    page.cache.take(tmp_path)
+    page.cache.choose_folder(tmp_path)
     lock = QLockFile(str(demo / LOCK_NAME))
     assert lock.tryLock(0)
     qtbot.mouseClick(page.cache.empty, Left)

@@ -26,7 +26,7 @@ def two_scanners(line: Path, to: Path) -> Path:
 
 
 def said(dialog: ImportDialog) -> list[str]:
-    return [label.text() for label in dialog.file_page.remarks.findChildren(QLabel)
+    return [label.text() for label in dialog.file_page.messages.findChildren(QLabel)
             if label.isVisible()]  # fmt: skip
 
 
@@ -43,7 +43,7 @@ def survey(demo: Demo, dialog: ImportDialog, qtbot: QtBot, tmp_path: Path) -> Pa
 def test_a_file_of_two_sources_is_split_by_a_click(
     survey: Path, dialog: ImportDialog, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    buttons = dialog.file_page.remarks.buttons
+    buttons = dialog.file_page.messages.buttons
     (split,) = [each for each in buttons if each.text().startswith("Split")]
     assert len(dialog.input_files.sources()) == 1
     qtbot.mouseClick(split, Left)
@@ -67,12 +67,12 @@ def test_a_file_of_two_sources_is_split_by_a_click(
 
 def test_a_split_can_be_taken_back(survey: Path, dialog: ImportDialog, qtbot: QtBot) -> None:
     (split,) = [
-        each for each in dialog.file_page.remarks.buttons if each.text().startswith("Split")
+        each for each in dialog.file_page.messages.buttons if each.text().startswith("Split")
     ]
     qtbot.mouseClick(split, Left)
     rest(qtbot, dialog)
     (back,) = [
-        each for each in dialog.file_page.remarks.buttons if each.text() == "Keep as one line"
+        each for each in dialog.file_page.messages.buttons if each.text() == "Keep as one line"
     ]
     qtbot.mouseClick(back, Left)
     rest(qtbot, dialog)
@@ -95,12 +95,12 @@ def test_findings_are_shown_before_the_project_is_made(
     rest(qtbot, dialog)
     dialog.table.select(path)
     texts = " ".join(said(dialog))
-    view = dialog.file_page.remarks
+    view = dialog.file_page.messages
     assert view.height() >= min(len(view.buttons), 3) * view.buttons[0].height()
     assert "20 points" in texts
     assert "class 7" in texts
     (keep,) = [
-        each for each in dialog.file_page.remarks.buttons if each.text() == "Set withheld to keep"
+        each for each in dialog.file_page.messages.buttons if each.text() == "Set withheld to keep"
     ]
     qtbot.mouseClick(keep, Left)
     rest(qtbot, dialog)

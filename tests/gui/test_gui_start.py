@@ -10,9 +10,9 @@ from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import QCommandLinkButton
 
 from lispac.gui.language import set_language
-from lispac.gui.main_window import TITLE_BAR, MainWindow
+from lispac.gui.main_window import TITLE_BAR_HEIGHT, MainWindow
 from lispac.gui.start_page import StartPage
-from lispac.gui.tour import ALIKE, STEPS
+from lispac.gui.tour import SAME_ORIENTATION, STEPS
 from lispac.io.project_file import FILE_NAME
 from tests.gui.support import WAIT_MS, Driver, click, press, seed
 
@@ -58,7 +58,7 @@ def test_a_project_was_saved_when_the_users_language_says(driver: Driver, demo_c
 
 
 def test_every_way_to_begin_is_an_action(driver: Driver) -> None:
-    for name, way in driver.window.central_widget.start.ways.items():
+    for name, way in driver.window.central_widget.start.links.items():
         assert driver.window.actions_[name].isEnabled(), name
         assert way.isVisible()
         assert way.description()
@@ -68,7 +68,7 @@ def test_every_way_to_begin_is_an_action(driver: Driver) -> None:
 def test_every_way_to_begin_is_in_sight_on_a_low_screen(
     driver: Driver, code: str, height: int
 ) -> None:
-    driver.window.resize(1366, height - TITLE_BAR)
+    driver.window.resize(1366, height - TITLE_BAR_HEIGHT)
     set_language(code)
     try:
         page = StartPage()
@@ -77,12 +77,12 @@ def test_every_way_to_begin_is_in_sight_on_a_low_screen(
     driver.bot.addWidget(page)
     page.resize(driver.window.central_widget.start.size())
     page.show()
-    for name, way in page.ways.items():
+    for name, way in page.links.items():
         assert (
             page.viewport().rect().contains(QRect(way.mapTo(page.viewport(), QPoint()), way.size()))
         ), name
         assert way.description() or way.toolTip()
-    assert bool(page.ways["tour"].description()) == (height == 1000)
+    assert bool(page.links["tour"].description()) == (height == 1000)
     page.close()
 
 
@@ -95,8 +95,8 @@ def at_the_demo(monkeypatch: pytest.MonkeyPatch, demo_copy: Path) -> Path:
 @pytest.mark.long  # by mouse and keyboard alone: `test_gui_tour_by_hand`
 def test_the_tour_leads_to_a_validated_boresight(driver: Driver, at_the_demo: Path) -> None:
     window = driver.window
-    driver.bot.mouseClick(window.central_widget.start.ways["tour"], Qt.MouseButton.LeftButton)
-    driver.bot.waitUntil(lambda: window.tour.on, timeout=WAIT_MS)
+    driver.bot.mouseClick(window.central_widget.start.links["tour"], Qt.MouseButton.LeftButton)
+    driver.bot.waitUntil(lambda: window.tour.is_running, timeout=WAIT_MS)
     driver.rest()
     card = window.central_widget.card
     assert card.isVisible()
@@ -140,8 +140,8 @@ def test_the_tour_says_how_to_go_on_from_two_targets_that_face_one_way(
     driver: Driver, at_the_demo: Path
 ) -> None:
     window, card = driver.window, driver.window.central_widget.card
-    click(driver, window.central_widget.start.ways["tour"])
-    driver.bot.waitUntil(lambda: window.tour.on, timeout=WAIT_MS)
+    click(driver, window.central_widget.start.links["tour"])
+    driver.bot.waitUntil(lambda: window.tour.is_running, timeout=WAIT_MS)
     driver.rest()
     seed(driver, "T1")
     press(driver, Qt.Key.Key_Return)
@@ -149,7 +149,7 @@ def test_the_tour_says_how_to_go_on_from_two_targets_that_face_one_way(
     driver.rest()
     seed(driver, "V1", role="target")
     press(driver, Qt.Key.Key_Return)
-    driver.bot.waitUntil(lambda: card.text.text() == ALIKE, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: card.text.text() == SAME_ORIENTATION, timeout=WAIT_MS)
     driver.rest()
     press(driver, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     driver.bot.waitUntil(lambda: card.text.text() == STEPS[2].text, timeout=WAIT_MS)
@@ -158,10 +158,10 @@ def test_the_tour_says_how_to_go_on_from_two_targets_that_face_one_way(
 
 def test_another_project_ends_the_tour(driver: Driver, at_the_demo: Path) -> None:
     driver.window.tour.start()
-    driver.bot.waitUntil(lambda: driver.window.tour.on, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: driver.window.tour.is_running, timeout=WAIT_MS)
     driver.rest()
     driver.window.open_project(at_the_demo)
-    driver.bot.waitUntil(lambda: not driver.window.tour.on, timeout=WAIT_MS)
+    driver.bot.waitUntil(lambda: not driver.window.tour.is_running, timeout=WAIT_MS)
     assert not driver.window.central_widget.card.isVisible()
     driver.rest()
 
@@ -170,7 +170,7 @@ def test_a_tour_that_was_cancelled_leaves_the_next_project_its_targets(
     driver: Driver, at_the_demo: Path, picked_folder: Path
 ) -> None:
     window = driver.window
-    click(driver, window.central_widget.start.ways["tour"])
+    click(driver, window.central_widget.start.links["tour"])
     click(driver, window.task_bar.cancel)
     driver.rest()
     assert window.document.project is None
@@ -179,4 +179,4 @@ def test_a_tour_that_was_cancelled_leaves_the_next_project_its_targets(
     driver.rest()
     assert driver.project.targets
     assert not window.isWindowModified()
-    assert not window.tour.on
+    assert not window.tour.is_running

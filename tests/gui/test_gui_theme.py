@@ -17,7 +17,7 @@ from lispac.gui.dialogs.about import about_box
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.panels.chart import Chart
 from lispac.gui.panels.dark_pictures import with_inverted_lightness
-from lispac.gui.session import LATER_MS, Session
+from lispac.gui.session import THEME_DELAY_MS, Session
 from lispac.gui.settings import AppSettings
 from lispac.project import Project
 from tests.gui.support import Demo, in_front
@@ -172,7 +172,7 @@ def test_the_window_follows_the_system(
     told = qapp.styleHints().colorSchemeChanged
     menu = open_menu(qtbot, window, "File")
     told.emit(Scheming.Dark if other else Scheming.Light)
-    qtbot.wait(3 * LATER_MS)
+    qtbot.wait(3 * THEME_DELAY_MS)
     assert session.window is window  # nothing goes from under an open menu or dialogue
     menu.close()
     qtbot.waitUntil(lambda: session.window is not window, timeout=SOON_MS)
@@ -190,7 +190,7 @@ def test_the_design_window_follows_the_system_and_stays_in_front(
     monkeypatch.setattr(theme, "is_system_dark", lambda _application: other)
     design.workspace.drag(edits.default_plan(90.0))
     qapp.styleHints().colorSchemeChanged.emit(Scheming.Dark if other else Scheming.Light)
-    qtbot.wait(3 * LATER_MS)
+    qtbot.wait(3 * THEME_DELAY_MS)
     assert session.window is window  # nothing goes from under a drag
     design.workspace.cancel_drag()
     qtbot.waitUntil(lambda: session.window is not window, timeout=SOON_MS)
@@ -205,7 +205,7 @@ def test_a_chosen_look_does_not_follow_the_system(
     window = session.window
     monkeypatch.setattr(theme, "is_system_dark", lambda _application: True)
     qapp.styleHints().colorSchemeChanged.emit(Scheming.Dark)
-    qtbot.wait(3 * LATER_MS)
+    qtbot.wait(3 * THEME_DELAY_MS)
     assert session.window is window
     assert theme.current_scheme() is LIGHT
 
@@ -300,7 +300,7 @@ def test_charts_have_the_looks_of_the_window_and_are_copied_on_white(
     window._select("T1", "")
     qtbot.keyClick(window, Qt.Key.Key_S)
     section = window.tools.sections.panel
-    qtbot.waitUntil(lambda: section.shows and not window.runner.active, timeout=SOON_MS)
+    qtbot.waitUntil(lambda: section.has_section and not window.runner.active, timeout=SOON_MS)
     pictures["section"] = seen_in_front(session, qtbot, "Section", section.canvas)
     QGuiApplication.clipboard().clear()
     qtbot.mouseClick(section.copy_picture, Qt.MouseButton.LeftButton)
@@ -323,7 +323,7 @@ def test_charts_have_the_looks_of_the_window_and_are_copied_on_white(
 def test_what_is_drawn_on_white_is_read_on_dark_in_its_own_hue(
     monkeypatch: pytest.MonkeyPatch, colour: str
 ) -> None:
-    monkeypatch.setattr(theme, "_used", DARK)
+    monkeypatch.setattr(theme, "_scheme", DARK)
     on_white = QColor(colour)
     pixel = np.array([[[*on_white.getRgb()]]], dtype=np.uint8)
     shown = QColor(*(int(each) for each in with_inverted_lightness(pixel)[0, 0]))

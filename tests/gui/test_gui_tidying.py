@@ -18,10 +18,10 @@ from PySide6.QtWidgets import QApplication, QDialog, QMainWindow
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.garbage_collection import (
-    ALL_S,
-    NEW_MODULES,
-    REST_S,
-    YOUNG,
+    FULL_INTERVAL_S,
+    MIN_NEW_MODULES,
+    MIN_YOUNG,
+    TRIM_INTERVAL_S,
     GuiThreadGarbageCollector,
     MemoryTrimming,
     collect_all,
@@ -41,7 +41,7 @@ def busy(stop: threading.Event) -> None:
     """Make objects as a worker does that reads, so many that Python would collect."""
     kept = []
     while not stop.is_set():
-        kept = [[each] for each in range(50 * YOUNG)]
+        kept = [[each] for each in range(50 * MIN_YOUNG)]
         time.sleep(0.001)
     del kept
 
@@ -75,8 +75,8 @@ def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.Mo
     monkeypatch.setattr(gc, "collect", collected.append)
     try:
         for later, counts in (
-            (ALL_S, (YOUNG, 99, 999)), (0.0, (YOUNG + 1, 3, 999)), (0.1, (800, 11, 0)),
-            (0.1, (800, 0, 0)), (ALL_S, (800, 0, 0)),
+            (FULL_INTERVAL_S, (MIN_YOUNG, 99, 999)), (0.0, (MIN_YOUNG + 1, 3, 999)),
+            (0.1, (800, 11, 0)), (0.1, (800, 0, 0)), (FULL_INTERVAL_S, (800, 0, 0)),
         ):  # fmt: skip
             now[0] += later
             monkeypatch.setattr(gc, "get_count", lambda counts=counts: counts)
@@ -90,23 +90,23 @@ def test_modules_that_came_are_not_looked_at_again(
     qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     now, done = [100.0], []
-    monkeypatch.setattr(GuiThreadGarbageCollector, "left_alone", 0)
-    monkeypatch.setattr(GuiThreadGarbageCollector, "with_windows", False)
+    monkeypatch.setattr(GuiThreadGarbageCollector, "frozen_modules", 0)
+    monkeypatch.setattr(GuiThreadGarbageCollector, "with_window", False)
     monkeypatch.setattr(time, "monotonic", lambda: now[0])
     monkeypatch.setattr(gc, "collect", lambda generation: done.append(f"collect {generation}"))
     monkeypatch.setattr(gc, "freeze", lambda: done.append("leave alone"))
-    monkeypatch.setattr(gc, "get_count", lambda: (YOUNG + 1, 0, 0))
+    monkeypatch.setattr(gc, "get_count", lambda: (MIN_YOUNG + 1, 0, 0))
     tidying = GuiThreadGarbageCollector()
 
     def later() -> list[str]:
         done.clear()
-        now[0] += ALL_S + 1
+        now[0] += FULL_INTERVAL_S + 1
         tidying.collect_due()
         return done
 
     try:
         assert later() == ["collect 2"]
-        for k in range(NEW_MODULES + 1):
+        for k in range(MIN_NEW_MODULES + 1):
             monkeypatch.setitem(sys.modules, f"came_{k}", types.ModuleType("came"))
         dialogue = QDialog(modal=True)
         dialogue.show()
@@ -121,7 +121,7 @@ def test_modules_that_came_are_not_looked_at_again(
 def test_what_a_window_leaves_goes_though_modules_came_while_it_was_there(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    for name, now in (("left_alone", len(sys.modules)), ("with_windows", True)):
+    for name, now in (("frozen_modules", len(sys.modules)), ("with_window", True)):
         monkeypatch.setattr(GuiThreadGarbageCollector, name, now)
     gone: list[str] = []
     window = Cycle()
@@ -172,7 +172,7 @@ def test_what_lies_in_holes_is_given_back_after_work(monkeypatch: pytest.MonkeyP
     memory = MemoryTrimming()
     memory.trim_if_due()  # just begun
     assert resident() > held - 20e6
-    later = time.monotonic() + REST_S + 1
+    later = time.monotonic() + TRIM_INTERVAL_S + 1
     monkeypatch.setattr(time, "monotonic", lambda: later)
     memory.trim_if_due()
     assert resident() < held - 150e6

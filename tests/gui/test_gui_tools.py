@@ -84,7 +84,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     window, panel = adjusted.window, adjusted.window.tools.sections.panel
     press(adjusted, Key.Key_S)
     adjusted.rest()
-    assert panel.words.text() == EMPTY
+    assert panel.text_label.text() == EMPTY
     assert panel.canvas is None
     window._select("T1", "")
     adjusted.rest()
@@ -99,7 +99,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     assert apart[0] > 100 > 45 > apart[1]
     cuts = window.tools.sections._cuts
     assert adjusted.viewport.sketches["section"] == section_box_sketch(cuts[0].section)
-    panel.laid.setCurrentIndex(1)
+    panel.orientation.setCurrentIndex(1)
     adjusted.rest()
     assert panel.canvas.figure.axes[0].get_xlabel() == "Distance to the right (m)"
     panel.size.setValue(5.0)
@@ -118,7 +118,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     window.controller.remove("V1")
     press(adjusted, Key.Key_S)
     settle(adjusted)
-    assert panel.words.text() == EMPTY
+    assert panel.text_label.text() == EMPTY
     assert not panel.canvas.isVisible()
 
 
@@ -126,7 +126,7 @@ def test_what_was_accepted_is_selected_and_has_its_section(opened: Driver) -> No
     window, panel = opened.window, opened.window.tools.sections.panel
     press(opened, Key.Key_S)
     opened.rest()
-    words = panel.words
+    words = panel.text_label
     assert words.isVisible()
     assert words.height() >= words.heightForWidth(words.width()), "all of it is seen"
     seed(opened, "T1")
@@ -157,7 +157,7 @@ def test_a_section_between_two_points(picked: Driver) -> None:
     picked.rest()
     assert picked.viewport.mouse_mode == "navigate"
     assert panel.through.text() == "Between two points"
-    assert not panel.laid.isEnabled()
+    assert not panel.orientation.isEnabled()
     (axes,) = panel.canvas.figure.axes
     length = np.hypot(*(second - first)[:2])
     assert np.ptp(axes.get_xlim()) == pytest.approx(length)
@@ -223,7 +223,7 @@ def test_the_clip_box_is_laid_about_the_target_and_changed_by_fields_and_handles
     view.signals.handle_moved.emit("clip", 5, 0.4)
     assert view.box is was, "the points follow when the handle is let go"
     assert view.sketches["clip"].handles[5].position[2] == pytest.approx(handle.position[2] + 0.4)
-    view.signals.handle_let_go.emit("clip")
+    view.signals.handle_released.emit("clip")
     assert view.box.half[2] == pytest.approx(was.half[2] + 0.2)
     assert view.box.centre[2] - view.box.half[2] == pytest.approx(was.centre[2] - was.half[2])
     click(picked, clipping.panel.reset)
@@ -250,7 +250,7 @@ def test_the_clip_box_goes_along_to_what_it_would_hide(picked: Driver) -> None:
         window.task_bar.currentMessage()
         == "T2 was outside the clip box. The clip box was moved around it."
     )
-    window.warning_list.follow(Cause.of_line(picked.project.lines[1].name))
+    window.warning_list.show_cause(Cause.of_line(picked.project.lines[1].name))
     sample = window.scene.clouds[picked.project.lines[1].name].sample[::50]
     assert len(view.box.inside(sample)) > 0.99 * len(sample)
 
@@ -261,23 +261,25 @@ def test_before_and_after_in_one_picture(adjusted: Driver) -> None:
     adjusted.rest()
     assert window.scene.which == "estimated"
     line = window.document.survey.lines[0]
-    np.testing.assert_array_equal(view.beside[line], window.document.survey.clouds[line].sample)
-    assert not np.array_equal(view.beside[line], view.clouds[line])
+    np.testing.assert_array_equal(
+        view.wipe_clouds[line], window.document.survey.clouds[line].sample
+    )
+    assert not np.array_equal(view.wipe_clouds[line], view.clouds[line])
     press(adjusted, Key.Key_W)
-    assert view.beside is None
+    assert view.wipe_clouds is None
     assert window.scene.which == "estimated"
     press(adjusted, Key.Key_W)
-    assert view.beside is not None
+    assert view.wipe_clouds is not None
     press(adjusted, Key.Key_B)  # before alone ends it
     adjusted.rest()
-    assert view.beside is None
+    assert view.wipe_clouds is None
     assert not window.actions_["wipe"].isChecked()
 
 
 def test_nothing_to_compare_is_said(picked: Driver) -> None:
     press(picked, Key.Key_W)
     assert "Estimate the boresight first" in picked.window.log.toPlainText()
-    assert picked.viewport.beside is None
+    assert picked.viewport.wipe_clouds is None
     assert not picked.window.actions_["wipe"].isChecked()
 
 

@@ -34,7 +34,7 @@ def test_the_tour_from_the_start_page_to_its_end(
         assert card.isVisible()
 
     assert start.isVisible()
-    click(hands, start.ways["tour"])
+    click(hands, start.links["tour"])
     at(1)
     ctrl_click(hands, middle(hands))
     at(2)
@@ -59,7 +59,7 @@ def test_the_tour_from_the_start_page_to_its_end(
     assert card.end.text() == "Close"
     click(hands, card.end)
     assert not card.isVisible()
-    assert not hands.window.tour.on
+    assert not hands.window.tour.is_running
 
     press(hands, Key.Key_S, Control)
     kept = open_project(demo_copy)

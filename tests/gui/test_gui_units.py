@@ -30,7 +30,7 @@ from lispac.gui.viewport.overlay import legend_texts, length_text, scale_bar_len
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.viewport.sketches import label_text
 from lispac.project import Project
-from tests.gui.design_support import followed
+from tests.gui.design_support import wait_for_plan
 from tests.gui.metric import METRIC, metric_words
 from tests.gui.support import Demo, Driver, ScriptedDialogs
 
@@ -318,7 +318,7 @@ def test_no_metric_word_is_left_in_a_window_in_feet(
     for page in range(window.diagnostics.list.count()):
         window.diagnostics.list.setCurrentRow(page)
     panel = window.tools.sections.panel
-    qtbot.waitUntil(lambda: panel.shows and not window.runner.active, timeout=SOON_MS)
+    qtbot.waitUntil(lambda: panel.has_section and not window.runner.active, timeout=SOON_MS)
     for system in range(window.convention.system.count()):
         window.convention.system.setCurrentIndex(system)
     window.actions_["design"].trigger()
@@ -326,7 +326,7 @@ def test_no_metric_word_is_left_in_a_window_in_feet(
     for tabs in (design.tabs, design.views):
         for page in range(tabs.count()):
             tabs.setCurrentIndex(page)
-    followed(design)
+    wait_for_plan(design)
     assert window.isAncestorOf(design) or design.parent() is window
     known = re.compile("|".join(METRIC_FOR_ALL))
     left = {

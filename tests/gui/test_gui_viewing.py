@@ -36,14 +36,14 @@ def test_o_switches_between_orthographic_and_perspective(opened: Driver) -> None
 def test_the_selected_target_is_fitted_and_looked_at_squarely(picked: Driver) -> None:
     window = picked.window
     notes: list[str] = []
-    window.controller.noted.connect(notes.append)
+    window.controller.logged.connect(notes.append)
     press(picked, Key.Key_7)
     window.actions_["fit_selection"].trigger()
     assert notes == [NOTHING_SELECTED] * 2
     window._select("T1", "")
     picked.viewport.calls.clear()
     press(picked, Key.Key_7)
-    ((direction, points),) = asked(picked, "look_along")
+    ((direction, points),) = asked(picked, "view_along")
     target = picked.project.target("T1")
     groups = [window.scene.clouds[s.line][s.indices] for s in target.sightings]
     for group in groups:

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
 from lispac.gui.panels.adjust import AdjustPanel
-from lispac.gui.panels.warnings import NO_PROJECT, NOTHING, TITLE, WAITING
+from lispac.gui.panels.warnings import NO_PROJECT, NO_WARNINGS, TITLE, WAITING
 from lispac.gui.status import ADJUST, DATA, TARGETS
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note, warning
@@ -182,23 +182,23 @@ def test_what_is_folded_away_is_unfolded(
 ) -> None:
     panel = adjusted.window.adjust
     assert isinstance(panel, AdjustPanel)
-    adjusted.window.warning_list.follow(cause)
+    adjusted.window.warning_list.show_cause(cause)
     assert adjusted.window.workflow.opened == step
     assert has_focus(focused(panel))
 
 
 def test_pages_and_the_result_come_to_the_front(adjusted: Driver) -> None:
-    adjusted.window.warning_list.follow(Cause.of_page("Cross-checks"))
+    adjusted.window.warning_list.show_cause(Cause.of_page("Cross-checks"))
     assert in_front(adjusted, "Diagnostics")
     assert adjusted.window.diagnostics.current.title == "Cross-checks"
-    adjusted.window.warning_list.follow(Cause("result"))
+    adjusted.window.warning_list.show_cause(Cause("result"))
     assert in_front(adjusted, "Results")
     assert has_focus(adjusted.window.results.angles)
 
 
 def test_a_cause_that_is_gone_is_no_error(adjusted: Driver) -> None:
     before = QApplication.focusWidget()
-    adjusted.window.warning_list.follow(Cause.of_sighting("gone", "nowhere"))
+    adjusted.window.warning_list.show_cause(Cause.of_sighting("gone", "nowhere"))
     assert QApplication.focusWidget() is before
 
 
@@ -268,7 +268,7 @@ def test_nothing_to_warn_of_is_said(picked: Driver) -> None:
     picked.window.warnings.show_warnings(())
     picked.window.task_bar.warnings.show_warnings(())
     press(picked, Key.Key_F12)
-    assert picked.window.warnings.empty.text() == NOTHING
+    assert picked.window.warnings.empty.text() == NO_WARNINGS
     assert picked.window.task_bar.warnings.text() == "No warnings"
 
 

@@ -29,24 +29,24 @@ def test_it_rests_and_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
     def work() -> None:
         for k in range(3):
             did.append(k)
-            steps.rest()
+            steps.pause()
 
-    assert not steps.under_way
-    assert steps.go_on()
+    assert not steps.is_running
+    assert steps.resume()
     steps.begin(work)
     assert did == []
     seen = []
-    while not steps.go_on():
-        assert steps.under_way
+    while not steps.resume():
+        assert steps.is_running
         seen.append(list(did))
     assert seen == [[0], [0, 1], [0, 1, 2]]
-    assert not steps.under_way
+    assert not steps.is_running
 
 
 def test_what_is_short_does_not_rest() -> None:
     steps = SlicedCalculation()
-    steps.begin(steps.rest)
-    assert steps.go_on()
+    steps.begin(steps.pause)
+    assert steps.resume()
 
 
 def test_what_is_abandoned_ends_where_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -56,20 +56,20 @@ def test_what_is_abandoned_ends_where_it_is(monkeypatch: pytest.MonkeyPatch) -> 
     def work() -> None:
         try:
             while True:
-                steps.rest()
+                steps.pause()
         finally:
             did.append("tidied")
 
     steps.begin(work)
-    assert not steps.go_on()
+    assert not steps.resume()
     steps.abandon()
     assert did == ["tidied"]
-    assert not steps.under_way
+    assert not steps.is_running
     steps.begin(lambda: did.append("never"))
     steps.abandon()
     assert did == ["tidied"]
     steps.begin(lambda: did.append("again"))
-    assert steps.go_on()
+    assert steps.resume()
     assert did == ["tidied", "again"]
 
 
@@ -77,8 +77,8 @@ def test_errors_come_to_the_caller() -> None:
     steps = SlicedCalculation()
     steps.begin(lambda: 1 // 0)
     with pytest.raises(ZeroDivisionError):
-        steps.go_on()
-    assert not steps.under_way
+        steps.resume()
+    assert not steps.is_running
 
 
 @pytest.fixture

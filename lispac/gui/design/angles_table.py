@@ -1,4 +1,4 @@
-"""Table of roll, pitch and yaw with remarks: result of simulated surveys or of a comparison."""
+"""Table of roll, pitch and yaw with messages: result of simulated surveys or of a comparison."""
 
 from collections.abc import Sequence
 from typing import Protocol
@@ -20,7 +20,7 @@ ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
 
 
 class AnglesResult(Protocol):
-    """Result with rows of a title and three angles, and with remarks."""
+    """Result with rows of a title and three angles, and with messages."""
 
     @property
     def rows(self) -> Sequence[Sequence[str]]:
@@ -28,7 +28,7 @@ class AnglesResult(Protocol):
 
     @property
     def summary_texts(self) -> Sequence[str]:
-        """Remarks."""
+        """Texts of the messages."""
 
 
 class AnglesTable(QWidget):
@@ -41,7 +41,7 @@ class AnglesTable(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         self.head = widgets.label("", "heading", wrap=True, name=f"{name}_head")
         self.hint = widgets.label(hint, "muted", wrap=True)
-        self.words = widgets.label("", "hint", wrap=True, name=f"{name}_words")
+        self.messages = widgets.label("", "hint", wrap=True, name=f"{name}_words")
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(18)
         self._grid.setVerticalSpacing(3)
@@ -49,18 +49,18 @@ class AnglesTable(QWidget):
         layout.addWidget(self.head)
         layout.addWidget(self.hint)
         layout.addLayout(self._grid)
-        layout.addWidget(self.words)
+        layout.addWidget(self.messages)
         layout.addStretch(1)
         self.outdated = widgets.label(
             gettext(OUT_OF_DATE), "warning", wrap=True, name=f"{name}_stale"
         )
         layout.insertWidget(1, self.outdated)
-        for each in (self.head, self.outdated, self.words):
+        for each in (self.head, self.outdated, self.messages):
             each.hide()
         self._plan: Plan | None = None
         self._shown: tuple[LazyText, AnglesResult, Plan] | None = None
 
-    def follow(self, plan: Plan) -> None:
+    def set_current_plan(self, plan: Plan) -> None:
         """Mark the result as out of date if it belongs to another plan."""
         self.outdated.setVisible(self._plan is not None and self._plan is not plan)
 
@@ -78,9 +78,9 @@ class AnglesTable(QWidget):
                 if row:
                     shown.setAccessibleName(f"{name}, {angle}")
                 self._grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
-        self.words.setText("\n".join(result.summary_texts))
+        self.messages.setText("\n".join(result.summary_texts))
         self.hint.hide()
-        for each in (self.head, self.words):
+        for each in (self.head, self.messages):
             each.show()
 
     def copy_state_from(self, former: "AnglesTable") -> None:

@@ -12,10 +12,10 @@ from lispac.language import gettext
 from lispac.messages import Message
 from lispac.progress import Progress
 
-PAUSE_MS = 250
-"""Stillness after which what takes longer is computed."""
-LATE_MS = 400
-"""Numbers of an earlier plan that stand for longer than this are shown as such."""
+DEBOUNCE_MS = 250
+"""Pause after an edit before the slow results are computed."""
+OUT_OF_DATE_MS = 400
+"""Delay after which the values of an earlier plan are marked as out of date."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,13 +24,13 @@ class SlowResults:
 
     Attributes
     ----------
-    remarks : tuple of Message
+    messages : tuple of Message
         Observability of the angles.
     thesis : PredictedPrecision
         Plan of the thesis on this wall, with this system.
     """
 
-    remarks: tuple[Message, ...]
+    messages: tuple[Message, ...]
     thesis: PredictedPrecision
 
 
@@ -41,15 +41,15 @@ class BackgroundPrediction(QObject):
 
     Attributes
     ----------
-    has_said : whether the remarks shown are the plan's
+    messages_current : whether the messages shown are those of the plan
     """
 
     predicted = Signal(object)
     """The `PredictedPrecision` of a plan, which in a drag may be one of a moment ago."""
     slow_results_ready = Signal(object)
-    weighed = Signal(object)
+    gains_ready = Signal(object)
     """Information gain of each target and line; everything has been computed."""
-    late = Signal()
+    out_of_date = Signal()
     """What is shown is that of an earlier plan."""
     failed = Signal(object)
 
@@ -59,23 +59,23 @@ class BackgroundPrediction(QObject):
         self._titled = workspace.titled
         self._runner = TaskRunner(self)
         self._runner.failed.connect(self._report_failure)
-        self._foretelling = self.has_said = False
+        self._predicting = self.messages_current = False
         self._slow: Task | None = None
-        self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
-        self._pause.timeout.connect(self._check_plan)
-        self._late = QTimer(self, singleShot=True, interval=LATE_MS)
-        self._late.timeout.connect(self.late)
+        self._debounce = QTimer(self, singleShot=True, interval=DEBOUNCE_MS)
+        self._debounce.timeout.connect(self._check_plan)
+        self._late_timer = QTimer(self, singleShot=True, interval=OUT_OF_DATE_MS)
+        self._late_timer.timeout.connect(self.out_of_date)
         workspace.changed.connect(self._on_plan_changed)
 
     @property
     def is_out_of_date(self) -> bool:
         """Whether the standard deviations shown are those of an earlier plan."""
-        return self._foretelling
+        return self._predicting
 
     @property
     def active(self) -> bool:
         """Whether a prediction is running or waiting."""
-        return self._runner.active or self._pause.isActive()
+        return self._runner.active or self._debounce.isActive()
 
     def start(self) -> None:
         """Predict now and after each change of the plan."""
@@ -83,8 +83,8 @@ class BackgroundPrediction(QObject):
 
     def stop(self) -> None:
         """Stop all predictions."""
-        self._pause.stop()
-        self._late.stop()
+        self._debounce.stop()
+        self._late_timer.stop()
         self._runner.close()
 
     def _on_plan_changed(self) -> None:
@@ -92,16 +92,16 @@ class BackgroundPrediction(QObject):
             self._start_prediction()
 
     def _start_prediction(self) -> None:
-        self._titled, self.has_said = self._work.titled, False
+        self._titled, self.messages_current = self._work.titled, False
         if self._slow is not None:
             self._slow.cancel.set()
-        self._pause.start()
-        self._late.start()
-        if not self._foretelling:
+        self._debounce.start()
+        self._late_timer.start()
+        if not self._predicting:
             self._predict_sigmas()
 
     def _predict_sigmas(self) -> None:
-        self._foretelling = True
+        self._predicting = True
         plan = self._titled.plan
         self._runner.run(
             gettext("Predicting the precision"),
@@ -111,14 +111,14 @@ class BackgroundPrediction(QObject):
         )
 
     def _emit_prediction(self, prediction: PredictedPrecision) -> None:
-        self._foretelling = False
+        self._predicting = False
         if prediction.plan is not self._titled.plan:
             self._predict_sigmas()
         self.predicted.emit(prediction)
 
     def _check_plan(self) -> None:
-        if self._foretelling:
-            self._pause.start()
+        if self._predicting:
+            self._debounce.start()
             return
         titled = self._titled
 
@@ -127,7 +127,7 @@ class BackgroundPrediction(QObject):
             return SlowResults(predicted_precision.plan_messages(titled.plan, progress), thesis)
 
         def done(results: SlowResults) -> None:
-            self.has_said = True
+            self.messages_current = True
             self.slow_results_ready.emit(results)
             self._compute_information_gain()
 
@@ -137,8 +137,8 @@ class BackgroundPrediction(QObject):
         plan = self._titled.plan
 
         def done(results: object) -> None:
-            self._late.stop()
-            self.weighed.emit(results)
+            self._late_timer.stop()
+            self.gains_ready.emit(results)
 
         self._slow = self._runner.run(
             gettext("Computing the information gain"),
@@ -148,6 +148,6 @@ class BackgroundPrediction(QObject):
         )
 
     def _report_failure(self, error: BaseException) -> None:
-        self._foretelling = False
-        self._late.stop()
+        self._predicting = False
+        self._late_timer.stop()
         self.failed.emit(error)

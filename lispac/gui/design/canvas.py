@@ -15,13 +15,13 @@ from lispac.language import LazyText
 
 Array = NDArray[np.float64]
 
-MARGIN = 34.0
-"""Pixels round what is to be seen."""
-REACH = 9.0
-"""Pixels about a thing within which it is taken."""
-STEPS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
+MARGIN_PX = 34.0
+"""Pixels around the visible area."""
+GRAB_RADIUS_PX = 9.0
+"""Pixels about an object within which a press grabs it."""
+GRID_STEPS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 """Of the unit shown, between the lines of the grid; the least that leaves so many pixels."""
-GRID_PIXELS = 42.0
+MIN_GRID_PX = 42.0
 
 
 class DesignCanvas(QWidget):
@@ -61,7 +61,7 @@ class DesignCanvas(QWidget):
     def _end_drag(self) -> LazyText:
         """End the drag and return the name of the undo step."""
         self._frozen = None
-        return self.dropped()
+        return self.end_edit()
 
     def hideEvent(self, event) -> None:
         """Cancel the drag."""
@@ -89,8 +89,8 @@ class DesignCanvas(QWidget):
     def _fitted_view(self) -> tuple[float, Array]:
         places = self.bounds()
         low, high = places.min(axis=0), places.max(axis=0)
-        room = np.array([self.width(), self.height()]) - 2 * MARGIN
-        scale = float((np.maximum(room, 20.0) / np.maximum(high - low, 2.0)).min())
+        available = np.array([self.width(), self.height()]) - 2 * MARGIN_PX
+        scale = float((np.maximum(available, 20.0) / np.maximum(high - low, 2.0)).min())
         return scale, (low + high) / 2
 
     def pixel(self, place: Array) -> QPointF:
@@ -126,7 +126,7 @@ class DesignCanvas(QWidget):
     def _draw_grid(self, painter: QPainter) -> None:
         factor = units.shown_unit("m").factor
         scale = self._view[0] / factor
-        shown = next((s for s in STEPS if s * scale >= GRID_PIXELS), STEPS[-1])
+        shown = next((s for s in GRID_STEPS if s * scale >= MIN_GRID_PX), GRID_STEPS[-1])
         step = shown / factor
         low = self.place(QPointF(0, self.height()))
         high = self.place(QPointF(self.width(), 0))
@@ -156,7 +156,7 @@ class DesignCanvas(QWidget):
         painter.drawText(corner, Qt.AlignmentFlag.AlignRight, across)
         painter.drawText(QPointF(4, 13), up)
 
-    def words(self, painter: QPainter, at: QPointF, text: str, colour: str = "") -> None:
+    def draw_text(self, painter: QPainter, at: QPointF, text: str, colour: str = "") -> None:
         """Draw a text on a background that keeps it readable over lines."""
         font = QFont(self.font())
         font.setPixelSize(11)
@@ -170,19 +170,19 @@ class DesignCanvas(QWidget):
     # -- mouse and keys ----------------------------------------------------------------------
 
     @abstractmethod
-    def take(self, at: QPointF) -> bool:
-        """Take the object at a pixel for a drag; return whether there is one."""
+    def start_drag(self, at: QPointF) -> bool:
+        """Start a drag of the object at a pixel; return whether there is one."""
 
     @abstractmethod
-    def pull(self, at: QPointF, free: bool) -> None:
+    def drag_to(self, at: QPointF, free: bool) -> None:
         """Drag the object to a pixel; ``free`` turns snapping off."""
 
     @abstractmethod
-    def dropped(self) -> LazyText:
+    def end_edit(self) -> LazyText:
         """Release the object and return the name of the undo step."""
 
     @abstractmethod
-    def key(self, key: Qt.Key, free: bool) -> bool:
+    def handle_key(self, key: Qt.Key, free: bool) -> bool:
         """Carry out the action of a key; return whether it has one."""
 
     @abstractmethod
@@ -191,14 +191,14 @@ class DesignCanvas(QWidget):
 
     def mousePressEvent(self, event) -> None:
         """Take the object under the mouse and fix the scale."""
-        if event.button() == Qt.MouseButton.LeftButton and self.take(event.position()):
+        if event.button() == Qt.MouseButton.LeftButton and self.start_drag(event.position()):
             self._frozen = self._view
 
     def mouseMoveEvent(self, event) -> None:
         """Drag the object, or set the cursor for what is under the mouse."""
         if self._frozen is not None and event.buttons() & Qt.MouseButton.LeftButton:
             free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-            self.pull(event.position(), free)
+            self.drag_to(event.position(), free)
         else:
             self.setCursor(self.cursor_shape_at(event.position()))
 
@@ -209,12 +209,12 @@ class DesignCanvas(QWidget):
             self.update()
 
     def keyPressEvent(self, event) -> None:
-        """Cancel a drag with Escape; pass other keys to `key`, with Shift as ``free``."""
+        """Cancel a drag with Escape; pass other keys to `handle_key`, with Shift as ``free``."""
         free = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if event.key() == Qt.Key.Key_Escape and self._frozen is not None:
             self._end_drag()
             self.workspace.cancel_drag()
         elif event.modifiers() & ~(
             Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
-        ) or not self.key(Qt.Key(event.key()), free):
+        ) or not self.handle_key(Qt.Key(event.key()), free):
             super().keyPressEvent(event)

@@ -14,14 +14,14 @@ from lispac.io.plan_file import TitledPlan
 from lispac.io.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.simulation.closed_form_survey import Ball, Board
 
-NEAREST, FARTHEST = 1.0, 200.0
+NEAR_M, FAR_M = 1.0, 200.0
 """Metres: distances a line can be dragged to."""
 SNAP_DEG = 5.0
 """Headings are dragged in steps of this."""
-MOST_LINES, MOST_TARGETS = 24, 12
+MAX_LINES, MAX_TARGETS = 24, 12
 """More than a day on the water and a lorry can carry; every one of them costs time while dragging.
 """
-TITLE = "Site"
+DEFAULT_TITLE = "Site"
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ class PlacedTarget:
 def default_plan(facing_deg: float = 270.0) -> TitledPlan:
     """Plan with the boards and lines that the thesis recommends, as a start."""
     site = Site((0.0, 0.0, 0.0), facing_deg)
-    return TitledPlan(TITLE, thesis_plan(site), site.wall)
+    return TitledPlan(DEFAULT_TITLE, thesis_plan(site), site.wall)
 
 
 def thesis_plan_at_wall(titled: TitledPlan) -> Plan:
@@ -145,7 +145,7 @@ def round_to_step(metres: float, step: float) -> float:
 
 def with_distance(line: Line, distance: float) -> Line:
     """Line at another distance from the wall, rounded to about a decimetre."""
-    return replace(line, distance=float(np.clip(round_to_step(distance, 0.1), NEAREST, FARTHEST)))
+    return replace(line, distance=float(np.clip(round_to_step(distance, 0.1), NEAR_M, FAR_M)))
 
 
 def placed_targets(titled: TitledPlan) -> list[PlacedTarget]:

@@ -15,13 +15,13 @@ from lispac.language import N_, LazyText, gettext
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-NOTHING = N_(
+NO_FIGURES = N_(
     "There are no figures yet. Press F9 to predict the precision while one quantity varies, or "
     "F10 to check the prediction with simulated surveys."
 )
-LESS_TIME = N_("precision and time on site")
-ERRORS = N_("errors of simulated surveys")
-OF_THESIS = N_("{scenario} (for the wall and boards of Shahraji's thesis)")
+TRADE_OFF = N_("precision and time on site")
+SIMULATED_ERRORS = N_("errors of simulated surveys")
+THESIS_SCENARIO = N_("{scenario} (for the wall and boards of Shahraji's thesis)")
 
 
 class FiguresPanel(QWidget):
@@ -32,9 +32,9 @@ class FiguresPanel(QWidget):
         self.setObjectName("design_pictures")
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 8, 8, 8)
-        self.empty = widgets.label(gettext(NOTHING), "muted", wrap=True)
+        self.empty = widgets.label(gettext(NO_FIGURES), "muted", wrap=True)
         self.which = widgets.ChoiceBox(
-            "design_picture", [gettext(LESS_TIME)], gettext("Figure to show")
+            "design_picture", [gettext(TRADE_OFF)], gettext("Figure to show")
         )
         self.which.setAccessibleName(gettext("Figure to show"))
         self.which.clear()
@@ -57,7 +57,7 @@ class FiguresPanel(QWidget):
         names = list(dict.fromkeys(each.scenario for each in outcomes))
         for name in names:
             own = [each for each in outcomes if each.scenario == name]
-            title = LazyText(OF_THESIS, {"scenario": LazyText(name, {})})
+            title = LazyText(THESIS_SCENARIO, {"scenario": LazyText(name, {})})
             title = title if name in OF_THE_THESIS else LazyText(name, {})
             self._add_figure(name, title, lambda figure, own=own: scenario_figure(own, figure))
         self.which.setCurrentIndex(0)
@@ -67,20 +67,22 @@ class FiguresPanel(QWidget):
         from lispac.report.design_figures import pareto_front_figure
 
         self._add_figure(
-            LESS_TIME,
-            LazyText(LESS_TIME, {}),
+            TRADE_OFF,
+            LazyText(TRADE_OFF, {}),
             lambda figure: pareto_front_figure(front, label, figure),
         )
-        self.which.setCurrentIndex(self.which.findData(LESS_TIME))
+        self.which.setCurrentIndex(self.which.findData(TRADE_OFF))
 
     def show_errors(self, result: MonteCarloResult) -> None:
         """Show the errors of simulated surveys."""
         from lispac.report.design_figures import simulated_errors_figure
 
         self._add_figure(
-            ERRORS, LazyText(ERRORS, {}), lambda figure: simulated_errors_figure(result, figure)
+            SIMULATED_ERRORS,
+            LazyText(SIMULATED_ERRORS, {}),
+            lambda figure: simulated_errors_figure(result, figure),
         )
-        self.which.setCurrentIndex(self.which.findData(ERRORS))
+        self.which.setCurrentIndex(self.which.findData(SIMULATED_ERRORS))
 
     def copy_state_from(self, former: "FiguresPanel") -> None:
         """Copy the figures of another panel, redrawn in the language and theme in use."""

@@ -17,7 +17,7 @@ from lispac.language import N_, gettext
 from lispac.messages import error
 
 # name of the site's field: (label, unit, low, high, tip)
-LISTS = {
+LIST_FIELDS = {
     "along": (N_("Board positions"), "m", -500.0, 500.0,
               N_("Board positions along the wall to be tried in the search, positive to the "
                  "right")),
@@ -31,7 +31,7 @@ LISTS = {
     "distances": (N_("Line distances"), "m", 1.0, 200.0,
                   N_("Distances between line and site to be tried in the search")),
 }  # fmt: skip
-LEANS = (90.0, 60.0, 45.0, 120.0, 135.0)
+INCLINATIONS_DEG = (90.0, 60.0, 45.0, 120.0, 135.0)
 """Degrees from level, as in the site files that come with the program."""
 
 
@@ -90,7 +90,7 @@ class LimitsForm(QWidget):
         self.lists: dict[str, QLineEdit] = {}
         self._values: dict[str, tuple[float, ...] | None] = {}
         """Values of each list; None where the text is not a list of numbers."""
-        self._filled = {name: ("", ()) for name in LISTS}
+        self._filled = {name: ("", ()) for name in LIST_FIELDS}
         """Text that was filled in and its values with all digits, until something is typed."""
         self.boards = _integer_field(
             "limit_boards", 0, 6, 2, gettext("Number of boards in the survey plan")
@@ -116,7 +116,7 @@ class LimitsForm(QWidget):
         ):  # fmt: skip
             form.addRow(label, field)
             field.valueChanged.connect(lambda _value: self.changed.emit())
-        for name, (label, unit, low, high, tip) in LISTS.items():
+        for name, (label, unit, low, high, tip) in LIST_FIELDS.items():
             field = QLineEdit()
             field.setObjectName(f"limit_{name}")
             base = BASES.get(f" {unit}")
@@ -132,7 +132,7 @@ class LimitsForm(QWidget):
             field.textChanged.connect(self._check_lists)
             self.lists[name] = field
             form.addRow(f"{gettext(label)} ({shown})", field)
-        self._fill_fields(Site((0.0, 0.0, 0.0), 270.0, inclinations_deg=LEANS))
+        self._fill_fields(Site((0.0, 0.0, 0.0), 270.0, inclinations_deg=INCLINATIONS_DEG))
 
     def use_file(self, title: str, site: Site) -> None:
         """Use the limits of a site file."""
@@ -180,13 +180,13 @@ class LimitsForm(QWidget):
             base = replace(base, minutes_per_line=plan.interval / 60, time_on_site=float("inf"))
         else:
             title, base = self._file
-        lists = {name: self._read_list(name) for name in LISTS}
+        lists = {name: self._read_list(name) for name in LIST_FIELDS}
         return title, replace(
             base, boards=round(self.boards.value()), lines=round(self.lines.value()),
             closest=self.closest.value(), time_on_site=self.minutes.value(), **lists,
         )  # fmt: skip
 
-    def mistake(self, titled: TitledPlan) -> str:
+    def input_error(self, titled: TitledPlan) -> str:
         """Text of the error in the form; empty if there is none."""
         try:
             self.site(titled)
@@ -195,7 +195,7 @@ class LimitsForm(QWidget):
         return ""
 
     def _read_list(self, name: str) -> tuple[float, ...]:
-        label, unit, low, high, _ = LISTS[name]
+        label, unit, low, high, _ = LIST_FIELDS[name]
         text, (filled, values) = self.lists[name].text(), self._filled[name]
         if text == filled:
             return values
@@ -213,7 +213,7 @@ class LimitsForm(QWidget):
         self.changed.emit()
 
     def _fill_list(self, name: str, field: QLineEdit, values: tuple[float, ...]) -> None:
-        self._filled[name] = _list_text(values, LISTS[name][1]), values
+        self._filled[name] = _list_text(values, LIST_FIELDS[name][1]), values
         field.setText(self._filled[name][0])
 
     def copy_state_from(self, former: "LimitsForm") -> None:

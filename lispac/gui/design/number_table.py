@@ -39,7 +39,7 @@ class TableColumn:
         Values to choose from instead of typing, texts of the catalogue.
     empty : str
         Meaning of an empty cell, a text of the catalogue; "" where it may not be empty.
-    words : bool
+    is_text : bool
         Whether the values are names.
     """
 
@@ -52,7 +52,7 @@ class TableColumn:
     decimals: int = 2
     choices: tuple[str, ...] = ()
     empty: str = ""
-    words: bool = False
+    is_text: bool = False
 
     @property
     def base(self) -> Base | None:
@@ -79,7 +79,7 @@ class TableColumn:
             Where it is not a number, or out of range.
         """
         text = text.strip()
-        if self.words:
+        if self.is_text:
             if not text or len(text) > 24:
                 raise InputError(error("window.name_length", field=gettext(self.title), longest=24))
             return text
@@ -126,8 +126,8 @@ class NumberTable(QTableWidget):
 
     edited = Signal(int, str, object)
     """Row, name of the field, and the value; None for an empty cell."""
-    chosen = Signal(int)
-    mistake = Signal(str)
+    row_selected = Signal(int)
+    input_error = Signal(str)
     """Error of the text being typed; empty where there is none."""
 
     def __init__(self, name: str, title: str, fields: Sequence[TableColumn]) -> None:
@@ -168,7 +168,7 @@ class NumberTable(QTableWidget):
 
     def _tip(self, field: TableColumn) -> str:
         tip = gettext(field.tip)
-        if field.words or field.choices:
+        if field.is_text or field.choices:
             return tip
         tip = gettext(
             "{tip}. Allowed values: {low} to {high} {unit}",
@@ -204,7 +204,7 @@ class NumberTable(QTableWidget):
 
     def _emit_chosen(self, row: int, _column: int, before: int, _was: int) -> None:
         if not self._showing and row != before and row >= 0:
-            self.chosen.emit(row)
+            self.row_selected.emit(row)
 
 
 class _Delegate(QStyledItemDelegate):
@@ -233,21 +233,21 @@ class _Delegate(QStyledItemDelegate):
 
     def _on_editor_closed(self) -> None:
         try:
-            self._table.mistake.emit("")
+            self._table.input_error.emit("")
         except RuntimeError:  # the table went first
             return
 
     def _check_input(self, editor: QLineEdit, field: TableColumn) -> bool:
         try:
             field.read(editor.text())
-            mistake = ""
+            input_error = ""
         except InputError as failure:
-            mistake = str(failure)
-        editor.setProperty("wrong", bool(mistake))
+            input_error = str(failure)
+        editor.setProperty("wrong", bool(input_error))
         editor.style().unpolish(editor)
         editor.style().polish(editor)
-        self._table.mistake.emit(mistake)
-        return not mistake
+        self._table.input_error.emit(input_error)
+        return not input_error
 
     def setEditorData(self, editor, index) -> None:
         if isinstance(editor, QComboBox):
@@ -284,6 +284,6 @@ class _Delegate(QStyledItemDelegate):
 
 def _alignment(field: TableColumn) -> Qt.AlignmentFlag:
     """Alignment of a column: names to the left, numbers to the right."""
-    words = bool(field.words or field.choices)
-    side = Qt.AlignmentFlag.AlignLeft if words else Qt.AlignmentFlag.AlignRight
+    is_text = bool(field.is_text or field.choices)
+    side = Qt.AlignmentFlag.AlignLeft if is_text else Qt.AlignmentFlag.AlignRight
     return side | Qt.AlignmentFlag.AlignVCenter

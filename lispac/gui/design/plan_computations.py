@@ -21,7 +21,7 @@ from lispac.progress import Progress, Step
 from lispac.workflow.parallel_map import process_pool_mapper
 from lispac.workflow.plan_checks import simulate_surveys
 
-FEW = 600
+MAX_SERIAL_PLANS = 600
 """Plans that are examined sooner than other processes are started."""
 
 
@@ -57,7 +57,7 @@ def find_best_plan(
     site: Site, objective: PlanObjective, plans: int, start: Plan, progress: Progress
 ) -> DesignResult:
     """Search for the best plan of a site, on all cores if there are many plans."""
-    workers = 1 if plans * len(objective.pos_factors) <= FEW else os.cpu_count() or 1
+    workers = 1 if plans * len(objective.pos_factors) <= MAX_SERIAL_PLANS else os.cpu_count() or 1
     progress(0.0, gettext_lazy("Starting the search for the best survey plan"))
     with process_pool_mapper(workers) as mapper:
         rated = CountingMapper(mapper, progress, N_("{rate:x} survey plans/s"))

@@ -22,7 +22,7 @@ LINE_FIELDS = (
         N_("Position of the line in the survey order"),
         "",
         1,
-        edits.MOST_LINES,
+        edits.MAX_LINES,
         0,
     ),
     TableColumn(
@@ -39,8 +39,8 @@ LINE_FIELDS = (
         N_("Distance"),
         N_("Perpendicular distance between the line and the centre of the site"),
         "m",
-        edits.NEAREST,
-        edits.FARTHEST,
+        edits.NEAR_M,
+        edits.FAR_M,
         1,
     ),
     TableColumn(
@@ -49,7 +49,7 @@ LINE_FIELDS = (
     TableColumn("speed", N_("Speed"), N_("Speed of the vessel over ground"), "m/s", 0.05, 10.0, 2),
 )
 TARGET_FIELDS = (
-    TableColumn("name", N_("Name"), N_("Name of the target, as marked on it"), words=True),
+    TableColumn("name", N_("Name"), N_("Name of the target, as marked on it"), is_text=True),
     TableColumn(
         "along",
         N_("Position"),
@@ -110,8 +110,8 @@ TARGET_FIELDS = (
         empty=N_("plan default"),
     ),
 )
-NAME_OF_EDIT = N_("Line {line:n}: {field}"), N_("{target}: {field}")
-BALL_LEAST = 0.04
+EDIT_NAMES = N_("Line {line:n}: {field}"), N_("{target}: {field}")
+MIN_BALL_SIZE = 0.04
 """Metres: smallest diameter."""
 
 
@@ -123,14 +123,14 @@ class LinesList(QWidget):
         self._work = workspace
         self.table = NumberTable("design_lines", gettext("Lines of the survey plan"), LINE_FIELDS)
         self.table.edited.connect(self._edit)
-        self.table.chosen.connect(lambda row: workspace.select(line=row))
+        self.table.row_selected.connect(lambda row: workspace.select(line=row))
         buttons = _button_row(
             (gettext("Add line"), "add_line",
              gettext("Add a line in the direction opposite to the selected line (Insert)"),
              workspace.add_line),
             (gettext("Duplicate"), "duplicate_line",
              gettext("Add a copy of the selected line (Ctrl+D)"),
-             lambda: workspace.add_line(again=True)),
+             lambda: workspace.add_line(duplicate=True)),
             (gettext("Remove"), "remove_line", gettext("Remove the selected line (Delete)"),
              workspace.remove_line),
             (gettext("Move earlier"), "line_earlier",
@@ -167,7 +167,7 @@ class LinesList(QWidget):
             return
         self._work.select(line=row)
         self._work.change_line(
-            LazyText(NAME_OF_EDIT[0], {"field": _field_title(LINE_FIELDS, name), "line": row + 1}),
+            LazyText(EDIT_NAMES[0], {"field": _field_title(LINE_FIELDS, name), "line": row + 1}),
             lambda line: self._changed_line(line, name, value),
         )
 
@@ -189,7 +189,7 @@ class TargetsList(QWidget):
             "design_targets", gettext("Targets of the survey plan"), TARGET_FIELDS
         )
         self.table.edited.connect(self._edit)
-        self.table.chosen.connect(lambda row: workspace.select(target=row))
+        self.table.row_selected.connect(lambda row: workspace.select(target=row))
         buttons = _button_row(
             (gettext("Add board"), "add_board",
              gettext("Add a board {distance} to the right of the selected target (Insert)",
@@ -228,7 +228,7 @@ class TargetsList(QWidget):
 
         def change(each: PlacedTarget) -> PlacedTarget:
             if each.ball and name == "width":
-                wide = max(value, BALL_LEAST)
+                wide = max(value, MIN_BALL_SIZE)
                 return replace(each, width=wide, height=wide)
             return replace(each, **{name: value})
 
@@ -236,7 +236,7 @@ class TargetsList(QWidget):
         target = edits.placed_targets(self._work.titled)[row].name
         title = _field_title(TARGET_FIELDS, name)
         self._work.change_target(
-            LazyText(NAME_OF_EDIT[1], {"field": title, "target": target}), change
+            LazyText(EDIT_NAMES[1], {"field": title, "target": target}), change
         )
 
 

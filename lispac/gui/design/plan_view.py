@@ -7,17 +7,17 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 from lispac.design.plan import Line
 from lispac.gui import theme, units
 from lispac.gui.design import edits
-from lispac.gui.design.canvas import REACH, Array, DesignCanvas
+from lispac.gui.design.canvas import GRAB_RADIUS_PX, Array, DesignCanvas
 from lispac.gui.design.workspace import Workspace
 from lispac.language import LazyText, gettext, gettext_lazy
 from lispac.simulation.closed_form_survey import Board
 
-ASIDE = 6.0
+LINE_OFFSET_PX = 6.0
 """Pixels a line is drawn to starboard of its course: opposite lines lie beside each other."""
-BADGE = 9.0
+BADGE_RADIUS_PX = 9.0
 """Pixels: radius of a line's number."""
 
-SNAP = 0.5
+SNAP_STEP = 0.5
 """Metres, about: a line is dragged in steps of a round length."""
 
 Key = Qt.Key
@@ -64,8 +64,8 @@ class PlanView(DesignCanvas):
 
     def _line_pixels(self, k: int, ends: tuple[Array, Array]) -> tuple[QPointF, QPointF]:
         along = _line_direction(self.workspace.titled.plan.lines[k])
-        aside = ASIDE * QPointF(along[1], along[0])  # to starboard, in pixels: y runs down
-        return self.pixel(ends[0]) + aside, self.pixel(ends[1]) + aside
+        offset = LINE_OFFSET_PX * QPointF(along[1], along[0])  # to starboard; y runs down
+        return self.pixel(ends[0]) + offset, self.pixel(ends[1]) + offset
 
     def bounds(self) -> Array:
         """Centre of the site, ends of the lines, targets: shape (n, 2), metres, east and north."""
@@ -103,7 +103,7 @@ class PlanView(DesignCanvas):
             draw(round(spot.x()) - 4, round(spot.y()) - 4, 8, 8)
             if chosen or len(titled.plan.targets) <= 2:
                 lower = 13.0 if k % 2 else -6.0
-                self.words(painter, spot + QPointF(8, lower), target.name)
+                self.draw_text(painter, spot + QPointF(8, lower), target.name)
 
     def _draw_line(self, painter: QPainter, k: int, first: QPointF, last: QPointF) -> None:
         chosen = k == self.workspace.line
@@ -112,15 +112,15 @@ class PlanView(DesignCanvas):
         painter.drawLine(first, last)
         along = last - first
         length = max(float(np.hypot(along.x(), along.y())), 1.0)
-        along, aside = along / length, QPointF(-along.y(), along.x()) / length
+        along, offset = along / length, QPointF(-along.y(), along.x()) / length
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QBrush(colour))
         painter.drawPolygon(
             QPolygonF(
-                [last + 4 * along, last - 9 * along + 5 * aside, last - 9 * along - 5 * aside]
+                [last + 4 * along, last - 9 * along + 5 * offset, last - 9 * along - 5 * offset]
             )
         )
-        painter.drawEllipse(first, BADGE, BADGE)
+        painter.drawEllipse(first, BADGE_RADIUS_PX, BADGE_RADIUS_PX)
         painter.setPen(QColor(theme.ON_SERIES))
         font = self.font()
         font.setPixelSize(11)
@@ -134,7 +134,7 @@ class PlanView(DesignCanvas):
             distance = units.localised(units.limit_text(line.distance, "m"))
             label = f"{line.heading_deg:03.0f}°, {distance} {units.shown_unit('m').sign}"
             at = (first + last) / 2 + QPointF(8, -8)
-            self.words(painter, at, label, theme.MOVED)
+            self.draw_text(painter, at, label, theme.MOVED)
 
     # -- mouse -------------------------------------------------------------------------------
 
@@ -143,11 +143,11 @@ class PlanView(DesignCanvas):
         drawn = [self._line_pixels(k, ends) for k, ends in enumerate(self._line_ends())]
         order = sorted(range(len(drawn)), key=lambda k: k != self.workspace.line)
         for k in order:
-            if _segment_distance(at, drawn[k][1], drawn[k][1]) <= REACH:
+            if _segment_distance(at, drawn[k][1], drawn[k][1]) <= GRAB_RADIUS_PX:
                 return k, True
         near = [(_segment_distance(at, *drawn[k]), k) for k in order]
         best = min(near, default=(np.inf, -1), key=lambda each: round(each[0]))
-        return (best[1], False) if best[0] <= REACH else None
+        return (best[1], False) if best[0] <= GRAB_RADIUS_PX else None
 
     def cursor_shape_at(self, at: QPointF) -> Qt.CursorShape:
         """Cross cursor where a line can be turned, hand cursor where it can be moved."""
@@ -156,7 +156,7 @@ class PlanView(DesignCanvas):
             return Qt.CursorShape.ArrowCursor
         return Qt.CursorShape.CrossCursor if found[1] else Qt.CursorShape.OpenHandCursor
 
-    def take(self, at: QPointF) -> bool:
+    def start_drag(self, at: QPointF) -> bool:
         """Take the line at a pixel, to move or turn it."""
         found = self._line_at(at)
         if found is None:
@@ -167,7 +167,7 @@ class PlanView(DesignCanvas):
         self._from = self.place(at) - self._middle
         return True
 
-    def pull(self, at: QPointF, free: bool) -> None:
+    def drag_to(self, at: QPointF, free: bool) -> None:
         """Move or turn the line."""
         if self._line is None:
             return
@@ -182,10 +182,10 @@ class PlanView(DesignCanvas):
             away = np.array([-along[1], along[0]]) * (1 if line.starboard else -1)
             line = edits.with_distance(line, line.distance + float((now - self._from) @ away))
             if not free:
-                line = edits.with_distance(line, edits.round_to_step(line.distance, SNAP))
+                line = edits.with_distance(line, edits.round_to_step(line.distance, SNAP_STEP))
         self.workspace.drag(edits.with_line(self.workspace.titled, self.workspace.line, line))
 
-    def dropped(self) -> LazyText:
+    def end_edit(self) -> LazyText:
         """Release the line and return the name of the undo step."""
         self._line = None
         return (
@@ -196,7 +196,7 @@ class PlanView(DesignCanvas):
 
     # -- keys --------------------------------------------------------------------------------
 
-    def key(self, key: Qt.Key, free: bool) -> bool:
+    def handle_key(self, key: Qt.Key, free: bool) -> bool:
         """Select, turn, move, add or remove a line with a key."""
         work, wall = self.workspace, self.workspace.titled.wall
         count = len(work.titled.plan.lines)

@@ -16,7 +16,7 @@ from lispac.messages import Message, note
 from lispac.progress import Progress, no_progress
 from lispac.workflow.plan_checks import observability_messages
 
-UNKNOWN, OPEN = "–", N_("undetermined")
+NO_VALUE, UNDETERMINED = "–", N_("undetermined")
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +46,7 @@ class PredictedPrecision:
     def sigmas(self) -> tuple[str, str, str]:
         """Standard deviations of roll, pitch and yaw as texts."""
         if self.prediction is None or not self.prediction.determined:
-            return UNKNOWN, UNKNOWN, UNKNOWN
+            return NO_VALUE, NO_VALUE, NO_VALUE
         a, b, c = (sigma_text(float(v)) for v in np.degrees(self.prediction.sigma))
         return a, b, c
 
@@ -54,7 +54,7 @@ class PredictedPrecision:
     def correlations(self) -> tuple[str, str, str]:
         """Correlations roll-pitch, roll-yaw, pitch-yaw as texts."""
         if self.prediction is None or not self.prediction.determined:
-            return UNKNOWN, UNKNOWN, UNKNOWN
+            return NO_VALUE, NO_VALUE, NO_VALUE
         rows = self.prediction.correlation
         a, b, c = (
             number(float(v), 2, sign=True).replace("-", "−")
@@ -66,7 +66,7 @@ class PredictedPrecision:
 def sigma_text(degrees: float) -> str:
     """Text of a standard deviation in the unit and the language of the user."""
     if not np.isfinite(degrees):
-        return gettext(OPEN)
+        return gettext(UNDETERMINED)
     return units.localised(units.figure(degrees, "°", sigma_format(degrees)))
 
 
@@ -76,7 +76,7 @@ def sigma_format(degrees: float) -> str:
 
 
 def plan_messages(plan: Plan, progress: Progress = no_progress) -> tuple[Message, ...]:
-    """Remarks on the observability of the angles, as after an adjustment."""
+    """Messages on the observability of the angles, as after an adjustment."""
     if not plan.targets or not plan.lines:
         return (note("plan.empty"),)
     return observability_messages(plan, progress=progress)

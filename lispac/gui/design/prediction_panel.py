@@ -20,7 +20,7 @@ from lispac.language import N_, current_language, gettext, number
 from lispac.message_texts import message_text
 from lispac.workflow.plan_checks import plan_warnings
 
-HEADS = ("plan", "thesis")
+PLAN_KEYS = ("plan", "thesis")
 TITLES = N_("this plan"), N_("Shahraji's plan")
 ANGLE_NAMES = dict(zip(ANGLES, (N_("roll"), N_("pitch"), N_("yaw")), strict=True))
 PAIRS = (N_("roll–pitch"), N_("roll–yaw"), N_("pitch–yaw"))
@@ -36,8 +36,8 @@ class PredictionPanel(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setMinimumWidth(330)
         self._work = workspace
-        self.following = BackgroundPrediction(workspace, self)
-        self._told = PredictedPrecision(workspace.titled.plan, None, True)
+        self.predictor = BackgroundPrediction(workspace, self)
+        self._last = PredictedPrecision(workspace.titled.plan, None, True)
         body = QWidget()
         layout = widgets.vertical_layout(body, 12)
         unit = units.shown_unit("°").sign
@@ -54,8 +54,8 @@ class PredictionPanel(QScrollArea):
         for row, angle in enumerate(ANGLES, start=1):
             named = gettext(ANGLE_NAMES[angle])
             grid.addWidget(widgets.label(named), row, 0)
-            for column, (held, size) in enumerate(((self.sigma, 20), (self.thesis, 14)), start=1):
-                shown = widgets.label("", name=f"design_{HEADS[column - 1]}_{angle}")
+            for column, (labels, size) in enumerate(((self.sigma, 20), (self.thesis, 14)), start=1):
+                shown = widgets.label("", name=f"design_{PLAN_KEYS[column - 1]}_{angle}")
                 font = theme.tabular_font(shown.font(), bold=column == 1)
                 font.setPixelSize(size)
                 shown.setFont(font)
@@ -69,7 +69,7 @@ class PredictionPanel(QScrollArea):
                     )
                 )  # fmt: skip
                 grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
-                held[angle] = shown
+                labels[angle] = shown
         grid.setColumnStretch(3, 1)
         layout.addLayout(grid)
         self.correlation = widgets.label("", "muted", wrap=True, name="design_correlation")
@@ -84,34 +84,34 @@ class PredictionPanel(QScrollArea):
         layout.addWidget(self.minutes)
         self.warnings = widgets.label("", "warning", wrap=True, name="design_cautions")
         layout.addWidget(self.warnings)
-        self.words = widgets.label("", "hint", wrap=True, name="design_words")
-        self.words.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
-        layout.addWidget(self.words)
+        self.messages = widgets.label("", "hint", wrap=True, name="design_words")
+        self.messages.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
+        layout.addWidget(self.messages)
         layout.addWidget(widgets.label(gettext("Points per sighting"), "heading"))
         self.points = widgets.label("", name="design_points", rich=True)
         self.points.setAccessibleName(gettext("Points per sighting"))
-        self._beside = QScrollArea()
-        self._beside.setFrameShape(QFrame.Shape.NoFrame)
-        self._beside.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._beside.setWidgetResizable(True)
-        self._beside.setWidget(self.points)
-        layout.addWidget(self._beside)
+        self._points_area = QScrollArea()
+        self._points_area.setFrameShape(QFrame.Shape.NoFrame)
+        self._points_area.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._points_area.setWidgetResizable(True)
+        self._points_area.setWidget(self.points)
+        layout.addWidget(self._points_area)
         layout.addWidget(widgets.label(gettext("Information gain"), "heading"))
-        self.worth = DiagnosticsTable(
+        self.gain_table = DiagnosticsTable(
             "design_worth",
             gettext("Information gain of each target and line"),
             _information_gain_columns(),
         )
-        self.worth.setMinimumHeight(170)
-        layout.addWidget(self.worth, 1)
+        self.gain_table.setMinimumHeight(170)
+        layout.addWidget(self.gain_table, 1)
         self.setWidget(body)
-        self.following.predicted.connect(self._show_sigmas)
-        self.following.slow_results_ready.connect(self._show_remarks)
-        self.following.weighed.connect(self._show_information_gains)
-        self.following.late.connect(self._mark_out_of_date)
+        self.predictor.predicted.connect(self._show_sigmas)
+        self.predictor.slow_results_ready.connect(self._show_messages)
+        self.predictor.gains_ready.connect(self._show_information_gains)
+        self.predictor.out_of_date.connect(self._mark_out_of_date)
         workspace.changed.connect(self._show)
         self._show()
-        self.following.start()
+        self.predictor.start()
 
     def _show(self) -> None:
         """Show the values that need no computation."""
@@ -123,20 +123,20 @@ class PredictionPanel(QScrollArea):
 
     def _mark_out_of_date(self) -> None:
         """Mark the values of the former plan as out of date."""
-        if self.following.is_out_of_date:
+        if self.predictor.is_out_of_date:
             for label in self.sigma.values():
                 label.setStyleSheet(f"color: {theme.MUTED};")
-        if not self.following.has_said:
-            self.words.setText(gettext("Computing…"))
-        self.worth.show_rows([])
+        if not self.predictor.messages_current:
+            self.messages.setText(gettext("Computing…"))
+        self.gain_table.show_rows([])
 
     def _show_sigmas(self, prediction: PredictedPrecision) -> None:
         """Show standard deviations and correlations, also during a drag."""
-        self._told = prediction
-        for angle, sigma in zip(ANGLES, self._told.sigmas, strict=True):
+        self._last = prediction
+        for angle, sigma in zip(ANGLES, self._last.sigmas, strict=True):
             self.sigma[angle].setText(sigma)
-            self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._told.refused else "")
-        pairs = zip(map(gettext, PAIRS), self._told.correlations, strict=True)
+            self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._last.refused else "")
+        pairs = zip(map(gettext, PAIRS), self._last.correlations, strict=True)
         separator = ", " if current_language() == "en" else " ; "
         self.correlation.setText(
             gettext("Correlations: {pairs}", pairs=separator.join(f"{p} {c}" for p, c in pairs))
@@ -144,7 +144,7 @@ class PredictionPanel(QScrollArea):
         self._show_point_counts()
 
     def _show_point_counts(self) -> None:
-        found, plan = self._told.prediction, self._told.plan
+        found, plan = self._last.prediction, self._last.plan
         counts = {} if found is None else found.points
         lines = [course.name for course in plan.courses] if plan.targets else []
         names = [target.name for target in plan.targets]
@@ -161,23 +161,23 @@ class PredictionPanel(QScrollArea):
         )  # fmt: skip
         self.points.setText(f"<table><tr><td></td>{head}</tr>{rows}</table>")
         size = self.points.sizeHint()
-        bar = self._beside.horizontalScrollBar().sizeHint().height()
-        self._beside.setFixedHeight(size.height() + bar)
+        bar = self._points_area.horizontalScrollBar().sizeHint().height()
+        self._points_area.setFixedHeight(size.height() + bar)
 
-    def _show_remarks(self, results: SlowResults) -> None:
-        refused = self._told.refused
-        self.words.setProperty("role", "warning" if refused else "hint")
-        self.words.style().unpolish(self.words)
-        self.words.style().polish(self.words)
-        self.words.setText("\n".join(map(message_text, results.remarks)))
+    def _show_messages(self, results: SlowResults) -> None:
+        refused = self._last.refused
+        self.messages.setProperty("role", "warning" if refused else "hint")
+        self.messages.style().unpolish(self.messages)
+        self.messages.style().polish(self.messages)
+        self.messages.setText("\n".join(map(message_text, results.messages)))
         for angle, sigma in zip(ANGLES, results.thesis.sigmas, strict=True):
             self.thesis[angle].setText(sigma)
 
-    def _show_information_gains(self, worths: tuple[InformationGain, ...]) -> None:
-        known = self._told.prediction is not None and self._told.prediction.determined
-        largest = float(np.degrees(self._told.prediction.sigma.max())) if known else np.nan
+    def _show_information_gains(self, gains: tuple[InformationGain, ...]) -> None:
+        known = self._last.prediction is not None and self._last.prediction.determined
+        largest = float(np.degrees(self._last.prediction.sigma.max())) if known else np.nan
         rows = []
-        for each in worths:
+        for each in gains:
             without = float(np.degrees(each.without))
             times = without / largest if known and np.isfinite(without) else None
             cells = [
@@ -185,23 +185,23 @@ class PredictionPanel(QScrollArea):
                 Cell("" if times is None else number(times, 2), times),
             ]  # fmt: skip
             rows.append(Row(cells))
-        self.worth.show_rows(rows)
+        self.gain_table.show_rows(rows)
 
     def stop(self) -> None:
         """Stop all computations."""
-        self.following.stop()
+        self.predictor.stop()
 
 
 def _sigma_cell(degrees: float) -> Cell:
     if not np.isfinite(degrees):
-        return Cell(gettext(predicted_precision.OPEN), degrees)
+        return Cell(gettext(predicted_precision.UNDETERMINED), degrees)
     form = predicted_precision.sigma_format(degrees)
     return Cell(f"{degrees:{form}}", degrees, figure=(form, 1.0))
 
 
 def _point_count_text(counts, target: str, line: str) -> str:
     found = counts.get((target, line))
-    return number(found, 0) if found is not None else predicted_precision.UNKNOWN
+    return number(found, 0) if found is not None else predicted_precision.NO_VALUE
 
 
 def _information_gain_columns() -> tuple[Column, Column, Column]:
@@ -209,7 +209,7 @@ def _information_gain_columns() -> tuple[Column, Column, Column]:
         Column(
             gettext("Omitted item"),
             gettext("Target or line omitted from the survey plan"),
-            words=True,
+            is_text=True,
         ),
         Column(
             gettext("Largest σ (deg)"),

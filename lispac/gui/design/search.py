@@ -63,7 +63,7 @@ class SearchPanel(QScrollArea):
             tip=gettext("Read the wall, the survey system, the limits and the existing targets "
                         "from a site file"),
         )  # fmt: skip
-        self.forget = widgets.button(
+        self.clear_file = widgets.button(
             gettext("Close site file"),
             "search_no_file",
             tip=gettext(
@@ -84,7 +84,7 @@ class SearchPanel(QScrollArea):
         self.about_file = widgets.label("", "muted", wrap=True, name="search_about_file")
         self.message_label = widgets.label("", "hint", wrap=True, name="search_said")
         self.message_label.hide()
-        self.mistake = widgets.label("", "error", wrap=True, name="search_mistake")
+        self.error_label = widgets.label("", "error", wrap=True, name="search_mistake")
         body = QWidget()
         left, right = QVBoxLayout(), QVBoxLayout()
         left.addWidget(self.limits)
@@ -95,14 +95,14 @@ class SearchPanel(QScrollArea):
         form.addRow(gettext("Plans to evaluate"), self.plans)
         files = QHBoxLayout()
         files.addWidget(self.read)
-        files.addWidget(self.forget)
+        files.addWidget(self.clear_file)
         files.addStretch(1)
         buttons = QHBoxLayout()
         buttons.addWidget(self.find)
         buttons.addWidget(self.cancel)
         buttons.addStretch(1)
         right.addLayout(buttons)
-        right.addWidget(self.mistake)
+        right.addWidget(self.error_label)
         right.addWidget(self.message_label)
         right.addLayout(form)
         right.addLayout(files)
@@ -111,12 +111,12 @@ class SearchPanel(QScrollArea):
         both = QHBoxLayout(body)
         both.setSpacing(20)
         for each in (left, right, form, files, buttons):  # else they take that of the whole
-            each.setSpacing(theme.SPACE)
+            each.setSpacing(theme.SPACING)
         both.addLayout(left, 1)
         both.addLayout(right, 1)
         self.setWidget(body)
         self.read.clicked.connect(lambda: self.file_requested.emit())
-        self.forget.clicked.connect(self.limits.use_form)
+        self.clear_file.clicked.connect(self.limits.use_form)
         self.find.clicked.connect(lambda: self.requested.emit())
         self.cancel.clicked.connect(lambda: self.cancel_requested.emit())
         self.limits.changed.connect(self._check_limits)
@@ -148,11 +148,11 @@ class SearchPanel(QScrollArea):
         self._check_limits()
 
     def _check_limits(self) -> None:
-        mistake = self.limits.mistake(self._work.titled)
-        self.mistake.setText(mistake)
-        self.mistake.setVisible(bool(mistake))
+        mistake = self.limits.input_error(self._work.titled)
+        self.error_label.setText(mistake)
+        self.error_label.setVisible(bool(mistake))
         self.about_file.setText(self.limits.file_text)
-        self.forget.setEnabled(self.limits.has_file)
+        self.clear_file.setEnabled(self.limits.has_file)
         self.find.update_enabled(not mistake and not self._busy)
 
 

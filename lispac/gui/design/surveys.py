@@ -12,7 +12,7 @@ from lispac.gui.panels import widgets
 from lispac.gui.window_state import copy_fields
 from lispac.language import N_, gettext
 
-MOST = 5000
+MAX_SURVEYS = 5000
 HINT = N_(
     "Each survey is simulated with form errors of the targets, LiDAR noise, correlated POS errors "
     "and vessel roll, and then adjusted like a real survey. The scatter of the estimated angles "
@@ -40,10 +40,10 @@ class SurveysPanel(QScrollArea):
         self.setObjectName("design_surveys")
         self.setWidgetResizable(True)
         self.surveys = widgets.number(
-            "surveys_count", suffix="", decimals=0, low=MIN_SURVEYS, high=MOST, step=100,
+            "surveys_count", suffix="", decimals=0, low=MIN_SURVEYS, high=MAX_SURVEYS, step=100,
             tip=gettext(
                 "Number of surveys to simulate and adjust, {low:n} to {high:n}",
-                low=MIN_SURVEYS, high=MOST,
+                low=MIN_SURVEYS, high=MAX_SURVEYS,
             ),
         )  # fmt: skip
         self.surveys.setValue(200)
@@ -74,7 +74,7 @@ class SurveysPanel(QScrollArea):
                         "are finished.",
                         count=MIN_SURVEYS),
         )  # fmt: skip
-        self.answer = AnglesTable("surveys_answer", gettext(HINT))
+        self.result_table = AnglesTable("surveys_answer", gettext(HINT))
         body = QWidget()
         both, left = QHBoxLayout(body), QVBoxLayout()
         form = QFormLayout()
@@ -90,9 +90,9 @@ class SurveysPanel(QScrollArea):
         left.addStretch(1)
         both.setSpacing(20)
         for each in (left, form, buttons):  # else they take that of the whole
-            each.setSpacing(theme.SPACE)
+            each.setSpacing(theme.SPACING)
         both.addLayout(left, 2)
-        both.addWidget(self.answer, 3)
+        both.addWidget(self.result_table, 3)
         self.setWidget(body)
         self.start.clicked.connect(lambda: self.requested.emit())
         self.cancel.clicked.connect(lambda: self.cancel_requested.emit())
@@ -100,7 +100,7 @@ class SurveysPanel(QScrollArea):
     def copy_state_from(self, former: "SurveysPanel") -> None:
         """Copy the choices and the result of another panel."""
         copy_fields(former, self)
-        self.answer.copy_state_from(former.answer)
+        self.result_table.copy_state_from(former.result_table)
 
     @property
     def simulation_request(self) -> SimulationRequest:

@@ -12,11 +12,11 @@ from lispac.design.scenarios import GRADES
 from lispac.gui.design import edits
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
-from lispac.gui.panels.number_field import ALIKE
+from lispac.gui.panels.number_field import EQUAL_TOLERANCE
 from lispac.language import N_, LazyText, gettext, gettext_lazy
 from lispac.report.stochastic_model_names import NAMES
 
-OWN = N_("user-defined")
+USER_DEFINED = N_("user-defined")
 AXES = {"north": N_("north"), "east": N_("east"), "up": N_("up")}
 ANGLES = {"roll": N_("roll"), "pitch": N_("pitch"), "heading": N_("heading")}
 
@@ -32,7 +32,7 @@ class SystemPanel(QScrollArea):
     """Form that edits the system of the plan and follows undo and redo."""
 
     library_requested = Signal()
-    """The user wants the standard deviations of sensors of the library."""
+    """The user requests the standard deviations of sensors of the library."""
 
     def __init__(self, workspace: Workspace) -> None:
         super().__init__()
@@ -45,7 +45,7 @@ class SystemPanel(QScrollArea):
         self.title.setToolTip(gettext("Title of the survey plan, printed on the field plan"))
         self.title.setMaxLength(80)
         self.grade = widgets.ChoiceBox(
-            "design_grade", [*map(gettext, GRADES), gettext(OWN)],
+            "design_grade", [*map(gettext, GRADES), gettext(USER_DEFINED)],
             gettext("Class of the POS, with typical standard deviations from data sheets"),
         )  # fmt: skip
         self.model = widgets.ChoiceBox(
@@ -147,7 +147,7 @@ class SystemPanel(QScrollArea):
         for field, value in zip(
             [*self._numbers, self.facing], [*values, titled.wall.facing_deg], strict=True
         ):
-            if not isclose(field.value(), value, abs_tol=ALIKE):
+            if not isclose(field.value(), value, abs_tol=EQUAL_TOLERANCE):
                 field.setValue(float(value))
         grades = [each == pos for each in GRADES.values()]
         self.grade.setCurrentIndex(grades.index(True) if any(grades) else len(grades))

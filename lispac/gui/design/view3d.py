@@ -9,19 +9,19 @@ from lispac.gui import theme
 from lispac.gui.design import edits
 from lispac.gui.design.canvas import Array
 from lispac.gui.design.edits import PlacedTarget
-from lispac.gui.design.wall_view import FINE, STEP, moved_target
+from lispac.gui.design.wall_view import FINE_STEP, SNAP_STEP, moved_target
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.viewport.base import DragHandle, PickedPoint, Sketch, Viewport
 from lispac.io.plan_file import TitledPlan
 from lispac.language import gettext_lazy
 from lispac.simulation.closed_form_survey import Ball, Board
 
-SQUARE = ((0, 1), (1, 2), (2, 3), (3, 0))
+SQUARE_EDGES = ((0, 1), (1, 2), (2, 3), (3, 0))
 RING = 16
 """Corners of the circles a ball is drawn with."""
-WALL_POINTS, TARGET_POINTS = 0.15, 0.03
+WALL_STEP, TARGET_STEP = 0.15, 0.03
 """Metres between the points that surfaces are drawn with."""
-BARB = 1.5
+ARROW_LENGTH = 1.5
 """Metres: an arrow's."""
 
 
@@ -32,20 +32,20 @@ class View3D(QObject):
         super().__init__(workspace)
         self._work, self.viewport = workspace, viewport
         self._names: set[str] = set()
-        self._held: PlacedTarget | None = None
+        self._dragged: PlacedTarget | None = None
         self._lost = False  # the dragged object was in another plan
-        self._by = np.zeros(3)
+        self._shift = np.zeros(3)
         self._clouds: dict[str, Array] = {}
         viewport.signals.seed_clicked.connect(self._place_target)
         viewport.signals.handle_moved.connect(self._drag_target)
-        viewport.signals.handle_let_go.connect(self._on_handle_released)
+        viewport.signals.handle_released.connect(self._on_handle_released)
         workspace.changed.connect(self._on_plan_changed)
         workspace.selected.connect(self.show)
 
     def _on_plan_changed(self) -> None:
         """Redraw the plan; a drag ends if the plan was replaced."""
-        if self._held is not None and not self._work.is_dragging:
-            self._held, self._lost = None, True
+        if self._dragged is not None and not self._work.is_dragging:
+            self._dragged, self._lost = None, True
         self.show()
 
     def show(self) -> None:
@@ -75,7 +75,7 @@ class View3D(QObject):
         station = np.array(plan.middle) + 20.0 * out
         self.viewport.set_station((float(station[0]), float(station[1]), float(station[2])))
         side = np.array([*wall.rightward, 0.0])
-        self.viewport.look_along(-out + 0.5 * side - 0.55 * np.array([0.0, 0.0, 1.0]), everything)
+        self.viewport.view_along(-out + 0.5 * side - 0.55 * np.array([0.0, 0.0, 1.0]), everything)
 
     def _place_target(self, at: PickedPoint) -> None:
         """Select the clicked target, or move the selected one to the clicked place.
@@ -92,7 +92,7 @@ class View3D(QObject):
             self._work.select(target=int(np.argmin(away)))
             return
         along, _, up = (
-            edits.round_to_step(metres, STEP)
+            edits.round_to_step(metres, SNAP_STEP)
             for metres in titled.wall.wall_coordinates(at.position)
         )
         if self._work.target < 0:
@@ -105,21 +105,21 @@ class View3D(QObject):
     def _drag_target(self, name: str, handle: int, metres: float) -> None:
         if self._lost or name != f"target {self._work.target}":
             return
-        if self._held is None:
-            self._held, self._by = (
+        if self._dragged is None:
+            self._dragged, self._shift = (
                 edits.placed_targets(self._work.titled)[self._work.target],
                 np.zeros(3),
             )
-        self._by[handle] += metres
-        along, up, off = self._by
-        to = moved_target(self._held, float(along), float(up), FINE)
-        to = replace(to, off=edits.round_to_step(self._held.off + float(off), FINE))
+        self._shift[handle] += metres
+        along, up, off = self._shift
+        to = moved_target(self._dragged, float(along), float(up), FINE_STEP)
+        to = replace(to, off=edits.round_to_step(self._dragged.off + float(off), FINE_STEP))
         self._work.drag(edits.with_target(self._work.titled, self._work.target, to))
 
     def _on_handle_released(self, _name: str) -> None:
         self._lost = False
-        if self._held is not None:
-            name, self._held = self._held.name, None
+        if self._dragged is not None:
+            name, self._dragged = self._dragged.name, None
             self._work.end_drag(gettext_lazy("Move {target}", target=name))
 
 
@@ -129,8 +129,8 @@ def plan_sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketc
     drawn = {"wall": _wall_sketch(titled)}
     for k, (first, last) in enumerate(_line_ends(titled)):
         along = (last - first) / max(float(np.linalg.norm(last - first)), 1e-9)
-        aside = np.array([-along[1], along[0], 0.0])
-        barbs = [last - BARB * along + 0.5 * s * BARB * aside for s in (1, -1)]
+        lateral = np.array([-along[1], along[0], 0.0])
+        barbs = [last - ARROW_LENGTH * along + 0.5 * s * ARROW_LENGTH * lateral for s in (1, -1)]
         drawn[f"line {k}"] = Sketch(
             tuple(map(_as_tuple, (first, last, *barbs))), ((0, 1), (1, 2), (1, 3)),
             theme.rgb("moved" if k == line else "before"), label=f"{k + 1}", at=_as_tuple(first),
@@ -156,14 +156,14 @@ def plan_sketches(titled: TitledPlan, line: int, target: int) -> dict[str, Sketc
 def plan_surfaces(titled: TitledPlan) -> dict[str, Array]:
     """Wall and targets as points (n, 3), metres, which are drawn and can be clicked."""
     wide, high = _wall_extent(titled)
-    along, up = np.meshgrid(np.arange(-wide, wide, WALL_POINTS), np.arange(-1.0, high, WALL_POINTS))
+    along, up = np.meshgrid(np.arange(-wide, wide, WALL_STEP), np.arange(-1.0, high, WALL_STEP))
     wall = titled.wall
     right, out = np.array([*wall.rightward, 0.0]), np.array([*wall.outward, 0.0])
     face = np.array(wall.middle) - 0.05 * out + along.reshape(-1, 1) * right
     face[:, 2] += up.ravel()
     generator = np.random.default_rng(1)
     scanner = np.array(wall.middle) + 15.0 * out
-    targets = [t.points(TARGET_POINTS, generator, scanner) for t in titled.plan.targets]
+    targets = [t.points(TARGET_STEP, generator, scanner) for t in titled.plan.targets]
     return {"wall": face, "targets": np.concatenate([np.empty((0, 3)), *targets])}
 
 
@@ -181,7 +181,7 @@ def _wall_sketch(titled: TitledPlan) -> Sketch:
     place = titled.wall.local_point
     corners = [place(-wide, 0, -1.0), place(wide, 0, -1.0), place(wide, 0, high),
                place(-wide, 0, high)]  # fmt: skip
-    return Sketch(tuple(corners), SQUARE, theme.rgb("wall"))
+    return Sketch(tuple(corners), SQUARE_EDGES, theme.rgb("wall"))
 
 
 def _target_outline(target: Board | Ball) -> tuple[Array, tuple[tuple[int, int], ...]]:
@@ -190,7 +190,7 @@ def _target_outline(target: Board | Ball) -> tuple[Array, tuple[tuple[int, int],
         grid = target.grid(2)
         middle = grid.mean(axis=0)
         corners = middle + (grid - middle) * (0.5 / np.sqrt(1 / 12))
-        return corners[[0, 1, 3, 2]], SQUARE
+        return corners[[0, 1, 3, 2]], SQUARE_EDGES
     turn = np.linspace(0, 2 * np.pi, RING, endpoint=False)
     level = np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=1)
     circles = np.concatenate([level, level[:, [0, 2, 1]], level[:, [2, 0, 1]]])

@@ -13,12 +13,12 @@ from lispac.gui.design.edits import PlacedTarget
 from lispac.gui.design.workspace import Workspace
 from lispac.language import LazyText, current_language, gettext, gettext_lazy
 
-LEAST = 8.0
+MIN_BOARD_PX = 8.0
 """Pixels: a board is drawn at least as large."""
-STEP, FINE = 0.1, 0.01
+SNAP_STEP, FINE_STEP = 0.1, 0.01
 """Metres, about: a target moves in steps of a round length."""
-ABOVE = 2.0
-"""Metres of wall and water that are seen beyond the targets."""
+VIEW_MARGIN = 2.0
+"""Metres of wall and water that are visible beyond the targets."""
 
 Key = Qt.Key
 
@@ -37,7 +37,7 @@ class WallView(DesignCanvas):
         )  # fmt: skip
         wide, fine = (
             f"{units.localised(units.limit_text(units.shown_step(step, 'm'), 'm'))} {unit}"
-            for step in (STEP, FINE)
+            for step in (SNAP_STEP, FINE_STEP)
         )
         self.setToolTip(
             gettext(
@@ -48,21 +48,21 @@ class WallView(DesignCanvas):
                 fine=fine,
             )
         )
-        self._held: PlacedTarget | None = None
+        self._dragged: PlacedTarget | None = None
         self._from = np.zeros(2)
 
     def bounds(self) -> Array:
         """Corners of the targets with a margin: shape (n, 2), metres, along the wall and up."""
         places = [(0.0, 0.0), (-4.0, 0.0), (4.0, 4.0)]
         for each in edits.placed_targets(self.workspace.titled):
-            places += [(each.along - each.width, each.up - ABOVE)]
-            places += [(each.along + each.width, each.up + ABOVE)]
+            places += [(each.along - each.width, each.up - VIEW_MARGIN)]
+            places += [(each.along + each.width, each.up + VIEW_MARGIN)]
         return np.array(places)
 
     def _target_rect(self, each: PlacedTarget) -> QRectF:
         scale, _ = self._view
         tall = each.height if each.ball else each.height * abs(np.sin(np.radians(each.lean)))
-        wide, tall = max(scale * each.width, LEAST), max(scale * float(tall), LEAST)
+        wide, tall = max(scale * each.width, MIN_BOARD_PX), max(scale * float(tall), MIN_BOARD_PX)
         spot = self.pixel(np.array([each.along, each.up]))
         return QRectF(spot.x() - wide / 2, spot.y() - tall / 2, wide, tall)
 
@@ -82,14 +82,14 @@ class WallView(DesignCanvas):
             painter.setBrush(QBrush(colour))
             (painter.drawEllipse if each.ball else painter.drawRect)(box)
             label = each.name if each.ball else f"{each.name} {each.lean:.0f}°"
-            self.words(painter, box.topLeft() + QPointF(0, -3), label)
+            self.draw_text(painter, box.topLeft() + QPointF(0, -3), label)
             if k == self.workspace.target:
                 along, up = (
                     units.localised(units.figure(v, "m", "+.2f")) for v in (each.along, each.up)
                 )
                 separator = ", " if current_language() == "en" else "; "
                 place = f"{along}{separator}{up} {units.shown_unit('m').sign}".replace("-", "−")
-                self.words(painter, box.bottomLeft() + QPointF(0, 14), place, theme.MOVED)
+                self.draw_text(painter, box.bottomLeft() + QPointF(0, 14), place, theme.MOVED)
 
     # -- mouse -------------------------------------------------------------------------------
 
@@ -103,35 +103,35 @@ class WallView(DesignCanvas):
         is_on_target = self._target_at(at) is not None
         return Qt.CursorShape.OpenHandCursor if is_on_target else Qt.CursorShape.ArrowCursor
 
-    def take(self, at: QPointF) -> bool:
+    def start_drag(self, at: QPointF) -> bool:
         """Take the target at a pixel."""
         k = self._target_at(at)
         if k is None:
             return False
         self.workspace.select(target=k)
-        self._held = edits.placed_targets(self.workspace.titled)[k]
+        self._dragged = edits.placed_targets(self.workspace.titled)[k]
         self._from = self.place(at)
         return True
 
-    def pull(self, at: QPointF, free: bool) -> None:
+    def drag_to(self, at: QPointF, free: bool) -> None:
         """Move the target along the wall and up."""
-        if self._held is None:
+        if self._dragged is None:
             return
         along, up = self.place(at) - self._from
-        to = moved_target(self._held, float(along), float(up), FINE if free else STEP)
+        to = moved_target(self._dragged, float(along), float(up), FINE_STEP if free else SNAP_STEP)
         self.workspace.drag(edits.with_target(self.workspace.titled, self.workspace.target, to))
 
-    def dropped(self) -> LazyText:
+    def end_edit(self) -> LazyText:
         """Release the target and return the name of the undo step."""
-        name = "" if self._held is None else self._held.name
-        self._held = None
+        name = "" if self._dragged is None else self._dragged.name
+        self._dragged = None
         return gettext_lazy("Move {target}", target=name)
 
     # -- keys --------------------------------------------------------------------------------
 
-    def key(self, key: Qt.Key, free: bool) -> bool:
+    def handle_key(self, key: Qt.Key, free: bool) -> bool:
         """Select, move, add or remove a target with a key."""
-        work, step = self.workspace, units.shown_step(FINE if free else STEP, "m")
+        work, step = self.workspace, units.shown_step(FINE_STEP if free else SNAP_STEP, "m")
         count = len(work.titled.plan.targets)
         arrows = {
             Key.Key_Left: (-step, 0.0), Key.Key_Right: (step, 0.0),
@@ -142,7 +142,7 @@ class WallView(DesignCanvas):
         elif key in arrows:
             work.change_target(
                 gettext_lazy("Move target"),
-                lambda each: moved_target(each, *arrows[key], FINE),
+                lambda each: moved_target(each, *arrows[key], FINE_STEP),
                 f"hang {work.target}",
             )
         elif key == Key.Key_Insert:

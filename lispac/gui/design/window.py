@@ -124,7 +124,7 @@ class DesignWindow(QMainWindow):
         for name, slot in {
             "close": self.close, "undo": workspace.undo, "redo": workspace.redo,
             "add_line": workspace.add_line, "add_board": workspace.add_target,
-            "duplicate": lambda: workspace.add_line(again=True),
+            "duplicate": lambda: workspace.add_line(duplicate=True),
             "earlier": lambda: workspace.move_line_in_order(True),
             "later": lambda: workspace.move_line_in_order(False),
             "add_ball": lambda: workspace.add_target(ball=True), "fit": self.fit,
@@ -178,11 +178,11 @@ class DesignWindow(QMainWindow):
         for splitter in (above, left, both):
             splitter.setChildrenCollapsible(False)
         self.task_bar = TaskStatusBar()
-        self.mistake = widgets.label("", "error", name="design_mistake")
-        self.task_bar.addWidget(self.mistake, 1)
+        self.error_label = widgets.label("", "error", name="design_mistake")
+        self.task_bar.addWidget(self.error_label, 1)
         self.setStatusBar(self.task_bar)
         for table in (self.lines.table, self.targets.table):
-            table.mistake.connect(self.mistake.setText)
+            table.input_error.connect(self.error_label.setText)
         for title, names in MENUS.items():
             menu = self.menuBar().addMenu(gettext(title))
             for name in names:
@@ -218,19 +218,19 @@ class DesignWindow(QMainWindow):
     def _show(self) -> None:
         history = self.workspace.history
         for name, title, edit in (
-            ("undo", N_("&Undo: {edit}"), history.to_undo),
-            ("redo", N_("&Redo: {edit}"), history.to_redo),
+            ("undo", N_("&Undo: {edit}"), history.undo_name),
+            ("redo", N_("&Redo: {edit}"), history.redo_name),
         ):
             action, (usual, *_) = self.actions_[name], ACTIONS[name]
             action.setEnabled(edit is not None)
             action.setText(gettext(usual) if edit is None else gettext(title, edit=str(edit)))
             action.setIconText(gettext(ACTIONS[name][1]))
-        for answer in (self.surveys.answer, self.compared):
-            answer.follow(self.workspace.titled.plan)
+        for table in (self.surveys.result_table, self.compared):
+            table.set_current_plan(self.workspace.titled.plan)
         design = gettext("Survey design")
         self.setWindowTitle(f"{self.workspace.titled.title}[*] – {design} – LISPAC")
-        self.setWindowModified(history.changed)
-        self.actions_["save"].setEnabled(history.changed)
+        self.setWindowModified(history.is_modified)
+        self.actions_["save"].setEnabled(history.is_modified)
 
     def show_busy(self, busy: bool) -> None:
         """Enable or disable the controls while a task runs."""
@@ -265,7 +265,7 @@ class DesignWindow(QMainWindow):
             project=project, plan=titled.title,
         )  # fmt: skip
         self.compared.show_result(head, comparison, titled.plan)
-        self.compared.follow(self.workspace.titled.plan)
+        self.compared.set_current_plan(self.workspace.titled.plan)
         self.tabs.setCurrentIndex(self.tabs.count() - 1)
 
     def fit(self) -> None:

@@ -37,7 +37,7 @@ class Workspace(QObject):
     @property
     def titled(self) -> TitledPlan:
         """Plan as displayed, including a drag that has not ended."""
-        return self._dragged or self.history.now
+        return self._dragged or self.history.current
 
     @property
     def is_dragging(self) -> bool:
@@ -91,7 +91,7 @@ class Workspace(QObject):
         self._emit_changes()
 
     def _emit_changes(self) -> None:
-        plan = self.history.now.plan
+        plan = self.history.current.plan
         self.line = min(max(self.line, 0), len(plan.lines) - 1)
         self.target = min(max(self.target, 0), len(plan.targets) - 1)
         self.changed.emit()
@@ -123,14 +123,14 @@ class Workspace(QObject):
 
     # -- more and less -----------------------------------------------------------------------
 
-    def add_line(self, *, again: bool = False) -> None:
+    def add_line(self, *, duplicate: bool = False) -> None:
         """Add a line after the selected one: the same, or in the opposite direction."""
         lines, wall = self.titled.plan.lines, self.titled.wall
-        if len(lines) >= edits.MOST_LINES:
+        if len(lines) >= edits.MAX_LINES:
             self.refused.emit(
                 gettext(
                     "A survey plan can have at most {most:n} lines. Remove a line first.",
-                    most=edits.MOST_LINES,
+                    most=edits.MAX_LINES,
                 )
             )
             return
@@ -138,11 +138,11 @@ class Workspace(QObject):
             line = edits.with_heading(Line(0.0), wall, wall.facing_deg + 90.0)
         else:
             line = lines[self.line]
-            if not again:
+            if not duplicate:
                 line = edits.with_heading(line, wall, line.heading_deg + 180.0)
         titled = edits.with_line_inserted(self.titled, self.line + 1, line)
         self.line += 1
-        self.edit(gettext_lazy("Duplicate line") if again else gettext_lazy("Add line"), titled)
+        self.edit(gettext_lazy("Duplicate line") if duplicate else gettext_lazy("Add line"), titled)
 
     def remove_line(self) -> None:
         """Remove the selected line."""
@@ -166,11 +166,11 @@ class Workspace(QObject):
             Along the wall and up.
         """
         present = edits.placed_targets(self.titled)
-        if len(present) >= edits.MOST_TARGETS:
+        if len(present) >= edits.MAX_TARGETS:
             self.refused.emit(
                 gettext(
                     "A survey plan can have at most {most:n} targets. Remove a target first.",
-                    most=edits.MOST_TARGETS,
+                    most=edits.MAX_TARGETS,
                 )
             )
             return

@@ -10,7 +10,7 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.report.budget_values import ErrorBudgetValues
 
-COMPONENTS = (
+COMPONENT_COLUMNS = (
     (
         N_("Horizontal error (cm) at {distance:m.0} m"),
         N_("Horizontal error, 1 σ, {distance:m.0} m from the scanner"),
@@ -35,11 +35,11 @@ class BudgetDialog(StudyDialog):
 
     def __init__(self, budget: ErrorBudgetValues, parent: QWidget | None = None) -> None:
         columns = (
-            Column(gettext("Source"), gettext("Source of error"), words=True),
+            Column(gettext("Source"), gettext("Source of error"), is_text=True),
             *(
                 Column(gettext(title, distance=far), gettext(tip, distance=far))
                 for far in budget.distances_m
-                for title, tip, _ in COMPONENTS
+                for title, tip, _ in COMPONENT_COLUMNS
             ),
         )
         table = DiagnosticsTable("budget_table", gettext("Error budget"), columns)
@@ -75,7 +75,7 @@ class BudgetDialog(StudyDialog):
                 else [
                     number_cell(getattr(spread, name), ".2f", 100.0)
                     for spread in each.at_distance
-                    for _, _, name in COMPONENTS
+                    for _, _, name in COMPONENT_COLUMNS
                 ]
             )
             tip = (

@@ -69,7 +69,7 @@ class CacheBox(QWidget):
         self._show_size(place)
         self._show_problem("")
 
-    def take(self, folder: Path) -> None:
+    def choose_folder(self, folder: Path) -> None:
         """Choose a folder, or show why it cannot be used."""
         try:
             caches.require_writable(folder)
@@ -82,7 +82,7 @@ class CacheBox(QWidget):
         start = self._folder or caches.default_folder()
         found = QFileDialog.getExistingDirectory(self, gettext("Folder for the cache"), str(start))
         if found:
-            self.take(Path(found))
+            self.choose_folder(Path(found))
 
     def _empty_cache(self) -> None:
         place = caches.cache_folder_in(self._folder)

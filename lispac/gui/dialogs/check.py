@@ -31,7 +31,7 @@ from lispac.workflow.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE
 from lispac.workflow.output_crs import LOCAL
 
 AS_IN_FILE = N_("System of the file, or local frame if it has none")
-DISTANCES = (
+DISTANCE_COLUMNS = (
     (
         N_("Mean before calibration (mm)"),
         N_(
@@ -152,7 +152,7 @@ class CheckDialog(QDialog):
         )  # fmt: skip
         self.reach.setValue(SEARCH_DISTANCE)
         form = QFormLayout()
-        form.setVerticalSpacing(theme.SPACE)
+        form.setVerticalSpacing(theme.SPACING)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.addRow(gettext("Reference"), row)
         form.addRow(gettext("Coordinate system"), self.system)
@@ -243,7 +243,7 @@ def _columns() -> tuple[Column, ...]:
         Column(
             gettext("Line"),
             gettext("Line compared with the reference, or all lines together"),
-            words=True,
+            is_text=True,
         ),
         Column(
             gettext("Compared places"),
@@ -252,14 +252,14 @@ def _columns() -> tuple[Column, ...]:
                 "after calibration"
             ),
         ),
-        *(Column(gettext(title), gettext(tip), base="mm") for title, tip in DISTANCES),
+        *(Column(gettext(title), gettext(tip), base="mm") for title, tip in DISTANCE_COLUMNS),
         Column(
             gettext("Result"),
             gettext(
                 "The line agrees with the reference if the 95 % confidence interval of the "
                 "mean after calibration includes zero"
             ),
-            words=True,
+            is_text=True,
         ),
     )
 

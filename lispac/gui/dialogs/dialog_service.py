@@ -84,9 +84,9 @@ class Dialogs(Questions):
         dialog = ImportDialog(settings, self.parent)
         dialog.add(paths)
         accepted = dialog.exec() == QDialog.DialogCode.Accepted
-        answer = dialog.request() if accepted else dialog.project
+        result = dialog.request() if accepted else dialog.project
         dialog.deleteLater()
-        return answer
+        return result
 
     def add_lines(
         self, settings: AppSettings, project: Project, paths: Sequence[Path] = ()
@@ -101,9 +101,9 @@ class Dialogs(Questions):
         dialog = AddLinesDialog(settings, project, self.parent)
         dialog.add(paths)
         accepted = dialog.exec() == QDialog.DialogCode.Accepted
-        answer = dialog.sources() if accepted else dialog.project
+        result = dialog.sources() if accepted else dialog.project
         dialog.deleteLater()
-        return answer
+        return result
 
     def project_to_open(self, start: Path) -> Path | None:
         """File of a project to open."""
@@ -137,11 +137,11 @@ class Dialogs(Questions):
     def check(self, project: Project, trajectory: LocalTrajectory) -> CheckRequest | None:
         """Ask for the reference of a check of the lines; None if cancelled."""
         dialog = CheckDialog(project, trajectory, self.parent)
-        answer = dialog.request if dialog.exec() == QDialog.DialogCode.Accepted else None
+        result = dialog.request if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
-        return answer
+        return result
 
-    def checked(self, values: AbsoluteCheckValues) -> None:
+    def show_check_result(self, values: AbsoluteCheckValues) -> None:
         """Show the result of a check: distances of the lines from the reference."""
         dialog = CheckResultDialog(values, self.parent)
         dialog.exec()
@@ -153,9 +153,9 @@ class Dialogs(Questions):
         dialog.exec()
         dialog.deleteLater()
 
-    def history(self, histories: Sequence[CalibrationHistory], remarks: Sequence[Message]) -> None:
+    def history(self, histories: Sequence[CalibrationHistory], messages: Sequence[Message]) -> None:
         """Show the calibrations of each system."""
-        dialog = HistoryDialog(histories, remarks, self.parent)
+        dialog = HistoryDialog(histories, messages, self.parent)
         dialog.exec()
         dialog.deleteLater()
 
@@ -181,7 +181,7 @@ class Dialogs(Questions):
         dialog = MethodsDialog(results, absent, refused, self.parent)
         dialog.exec()
         dialog.deleteLater()
-        return dialog.asks
+        return dialog.runs_missing
 
     def visibility(self, studies: Sequence[VisibilityStudy]) -> None:
         """Show the visibility of errors on each site."""
@@ -192,8 +192,8 @@ class Dialogs(Questions):
     def design_file(self, what: DesignFile, start: Path) -> Path | None:
         """A file of a plan, a site or a field plan, to read or to write."""
         title, filter_, writes = DESIGN_FILES[what]
-        ask = QFileDialog.getSaveFileName if writes else QFileDialog.getOpenFileName
-        name, _ = ask(self.parent, gettext(title), str(start), gettext(filter_))
+        get_file_name = QFileDialog.getSaveFileName if writes else QFileDialog.getOpenFileName
+        name, _ = get_file_name(self.parent, gettext(title), str(start), gettext(filter_))
         if not name:
             return None
         path = Path(name)
@@ -266,53 +266,53 @@ class Dialogs(Questions):
     ) -> ExportRequest | None:
         """Ask for the options of an export; None if cancelled."""
         dialog = ExportDialog(what, which, project, trajectory, self.parent)
-        answer = dialog.request() if dialog.exec() == QDialog.DialogCode.Accepted else None
+        result = dialog.request() if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
-        return answer
+        return result
 
     def identity(self, identity: Identity, dates: Callable[[], str]) -> Identity | None:
         """Ask for the details of the report; ``dates`` returns the days of the lines."""
         dialog = IdentityDialog(identity, dates, self.parent)
-        answer = dialog.identity if dialog.exec() == QDialog.DialogCode.Accepted else None
+        result = dialog.identity if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
-        return answer
+        return result
 
     def preferences(self, present: Preferences, settings: AppSettings) -> Preferences | None:
         """Preferences for all projects; the dialogue also edits the sensor library."""
         dialog = SettingsDialog(present, settings.sensors, self.parent)
-        answer = dialog.preferences if dialog.exec() == QDialog.DialogCode.Accepted else None
+        result = dialog.preferences if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
-        return answer
+        return result
 
     def sensors_of_plan(self, settings: AppSettings) -> Sensors | None:
         """Sensors of the library for a plan; None where the dialogue is cancelled."""
         dialog = PlanSensorsDialog(settings.sensors, QApplication.activeWindow() or self.parent)
-        answer = dialog.sensors if dialog.exec() == QDialog.DialogCode.Accepted else None
+        result = dialog.sensors if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
-        return answer
+        return result
 
     def proposal(self, proposal: Proposal) -> tuple[str, ...]:
         """Names of the accepted targets of a proposal."""
         dialog = ProposalDialog(proposal, self.parent)
-        answer = dialog.ticked_entries if dialog.exec() == QDialog.DialogCode.Accepted else ()
+        result = dialog.ticked_entries if dialog.exec() == QDialog.DialogCode.Accepted else ()
         dialog.deleteLater()
-        return answer
+        return result
 
     def find_again(self, target: Target) -> tuple[float, float, FinderChoices] | None:
         """Threshold and search radius (metres) and other settings to find a target again."""
         dialog = FindAgainDialog(target, self.parent)
-        answer = dialog.settings if dialog.exec() == QDialog.DialogCode.Accepted else None
+        result = dialog.settings if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
-        return answer
+        return result
 
     def seed_at(
         self, project: Project, trajectory: LocalTrajectory, seed_options: SeedOptions, name: str
     ) -> tuple[str, Triple] | None:
         """Name and place of a typed seed; ``name`` is proposed."""
         dialog = SeedDialog(project, trajectory, seed_options, name, self.parent)
-        answer = dialog.seed if dialog.exec() == QDialog.DialogCode.Accepted else None
+        result = dialog.seed if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
-        return answer
+        return result
 
     def seed_list_file(self, start: Path) -> Path | None:
         """A list of target coordinates."""
@@ -335,9 +335,9 @@ class Dialogs(Questions):
     ) -> tuple[ListedSeed, ...]:
         """Seeds of a list to pick; ``how`` describes the search."""
         dialog = SeedListDialog(path, project, trajectory, how, self.parent)
-        answer = dialog.ticked_entries if dialog.exec() == QDialog.DialogCode.Accepted else ()
+        result = dialog.ticked_entries if dialog.exec() == QDialog.DialogCode.Accepted else ()
         dialog.deleteLater()
-        return answer
+        return result
 
     def seeds_found(self, outcomes: Sequence[SeedOutcome], lines: int) -> None:
         """Show which seeds of a list led to a target."""

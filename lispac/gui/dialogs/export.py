@@ -21,7 +21,7 @@ from lispac.errors import InputError, LispacError
 from lispac.gui import theme
 from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.error import exception_text
-from lispac.gui.dialogs.system_choice import HEIGHTS, HEIGHTS_TIP, REST_MS, system_box, system_text
+from lispac.gui.dialogs.system_choice import DELAY_MS, HEIGHTS, HEIGHTS_TIP, system_box, system_text
 from lispac.gui.panels import widgets
 from lispac.installation_paths import expand_user
 from lispac.language import N_, gettext
@@ -103,11 +103,11 @@ class ExportDialog(QDialog):
         browse = widgets.button(gettext("Browse…"), "export_browse", icon="folder-open-outline")
         browse.clicked.connect(self._browse)
         place = QHBoxLayout()
-        place.setSpacing(theme.SPACE)
+        place.setSpacing(theme.SPACING)
         place.addWidget(self.folder, 1)
         place.addWidget(browse)
         form = QFormLayout()
-        form.setVerticalSpacing(theme.SPACE)
+        form.setVerticalSpacing(theme.SPACING)
         self._rows = form
         form.addRow(gettext("Data"), self.what)
         form.addRow(gettext("Boresight"), self.boresight)
@@ -130,14 +130,14 @@ class ExportDialog(QDialog):
         self.buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(16, 14, 16, 14)
-        layout.setSpacing(theme.SPACE * 2)
+        layout.setSpacing(theme.SPACING * 2)
         layout.addLayout(form)
         layout.addStretch(1)
         layout.addWidget(self.buttons)
-        self._settle = QTimer(self)
-        self._settle.setSingleShot(True)
-        self._settle.setInterval(REST_MS)
-        self._settle.timeout.connect(self._check_input)
+        self._debounce = QTimer(self)
+        self._debounce.setSingleShot(True)
+        self._debounce.setInterval(DELAY_MS)
+        self._debounce.timeout.connect(self._check_input)
         self.what.currentIndexChanged.connect(self._show_fields)
         self.system.editTextChanged.connect(self._on_typed)
         for field in (self.height, self.datum, self.epoch):
@@ -230,11 +230,11 @@ class ExportDialog(QDialog):
             self._check_input()  # chosen, not typed
             return
         self.buttons.button(QDialogButtonBox.StandardButton.Ok).setEnabled(False)
-        self._settle.start()
+        self._debounce.start()
 
     def _check_input(self) -> None:
         """Show the meaning of the coordinates, or what is wrong with them."""
-        self._settle.stop()
+        self._debounce.stop()
         local = self._system_text == LOCAL
         self.height.setEnabled(not local)
         for field in (self.datum, self.epoch):  # the lines' own system has them already

@@ -42,9 +42,9 @@ class FindAgainDialog(QDialog):
         form.addRow(gettext("Threshold"), self._threshold)
         form.addRow(gettext("Search radius"), self._radius)
         layout.addLayout(form)
-        self._more = SearchOptionFields("again")
-        self._more.show_value(target.choices)
-        layout.addWidget(self._more)
+        self._search_fields = SearchOptionFields("again")
+        self._search_fields.show_value(target.choices)
+        layout.addWidget(self._search_fields)
         find = widgets.button(gettext("Find"), "again_find", primary=True)
         find.setDefault(True)
         find.clicked.connect(self.accept)
@@ -59,4 +59,4 @@ class FindAgainDialog(QDialog):
     @property
     def settings(self) -> tuple[float, float, FinderChoices]:
         """Threshold and search radius, metres, and the other settings."""
-        return self._threshold.value() / 1000, self._radius.value(), self._more.value
+        return self._threshold.value() / 1000, self._radius.value(), self._search_fields.value

@@ -19,10 +19,10 @@ from lispac.workflow.calibration_history import (
     change_message,
 )
 
-DISTANCE = 50.0
+EFFECT_DISTANCE = 50.0
 """Metres from the scanner, for the displacement of a point in the table."""
 
-DIFFERENCES = (
+DIFFERENCE_COLUMNS = (
     (
         N_("Δ roll (σ)"),
         N_(
@@ -54,7 +54,7 @@ class HistoryDialog(StudyDialog):
     def __init__(
         self,
         histories: Sequence[CalibrationHistory],
-        remarks: Sequence[Message],
+        messages: Sequence[Message],
         parent: QWidget | None = None,
     ) -> None:
         title = dialog_title("history")
@@ -68,7 +68,7 @@ class HistoryDialog(StudyDialog):
             ),
             table, parent,
         )  # fmt: skip
-        self._histories, self._remarks = tuple(histories), tuple(remarks)
+        self._histories, self._notes = tuple(histories), tuple(messages)
         self.system = widgets.ChoiceBox("history_system", [""], gettext("System to show"))
         self.system.clear()
         self.system.addItems([_system_name(each.system) for each in histories])
@@ -83,7 +83,7 @@ class HistoryDialog(StudyDialog):
 
         history = self._histories[self.system.currentIndex()]
         self.show_rows([_row(each) for each in history.entries])
-        messages = map(message_text, (*history.messages, *self._remarks))
+        messages = map(message_text, (*history.messages, *self._notes))
         self.message_label.setText("\n".join(messages))
         self.message_label.setVisible(bool(self.message_label.text()))
         control_chart_figure(
@@ -104,12 +104,12 @@ def _system_name(system: CalibratedSystem) -> str:
 
 def _columns() -> list[Column]:
     return [
-        Column(gettext("Date"), gettext("First day of the survey"), words=True),
-        Column(gettext("Calibration"), gettext("Name of the calibration project"), words=True),
+        Column(gettext("Date"), gettext("First day of the survey"), is_text=True),
+        Column(gettext("Calibration"), gettext("Name of the calibration project"), is_text=True),
         *angle_columns(),
-        *(Column(gettext(title), gettext(tip)) for title, tip in DIFFERENCES),
+        *(Column(gettext(title), gettext(tip)) for title, tip in DIFFERENCE_COLUMNS),
         Column(
-            gettext("Displacement at {distance:m.0} m (cm)", distance=DISTANCE),
+            gettext("Displacement at {distance:m.0} m (cm)", distance=EFFECT_DISTANCE),
             gettext(
                 "Largest displacement of a point at this distance from the scanner, caused by "
                 "the change of the boresight since the earlier calibrations"
@@ -121,7 +121,7 @@ def _columns() -> list[Column]:
                 "The mounting is reported as moved if the change of one angle, or of the three "
                 "angles together, exceeds 3 σ"
             ),
-            words=True,
+            is_text=True,
         ),
     ]
 
@@ -140,7 +140,7 @@ def _row(entry: HistoryEntry) -> Row:
         cells += [number_cell(None, "")] * 4
     else:
         cells += [number_cell(value, "+.1f") for value in change.significance]
-        cells.append(number_cell(change.largest_displacement(DISTANCE), ".1f", 100.0))
+        cells.append(number_cell(change.largest_displacement(EFFECT_DISTANCE), ".1f", 100.0))
     if change is None:
         result = gettext("first calibration")
     else:

@@ -53,7 +53,7 @@ class IdentityDialog(QDialog):
             )
         )
         form = QFormLayout()
-        form.setVerticalSpacing(theme.SPACE)
+        form.setVerticalSpacing(theme.SPACING)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self.fields = {name: _field(name, getattr(identity, name)) for name in NAMES}
         for name, field in self.fields.items():
@@ -86,7 +86,7 @@ class IdentityDialog(QDialog):
         take.setAutoDefault(False)
         take.clicked.connect(self._fill_in_dates)
         row = QHBoxLayout()
-        row.setSpacing(theme.SPACE)
+        row.setSpacing(theme.SPACING)
         row.addWidget(field, 1)
         row.addWidget(take)
         return row

@@ -11,7 +11,7 @@ from lispac.validation.line_differences import Facing
 from lispac.workflow.georeferencing import Which
 from lispac.workflow.line_quality import DifferenceStatistics, LineQuality
 
-STATISTICS = (
+STATISTIC_COLUMNS = (
     (
         N_("Median (mm)"),
         N_(
@@ -28,7 +28,7 @@ STATISTICS = (
     (N_("Maximum (mm)"), N_("Largest absolute difference")),
 )
 """Titles and tips of the columns of differences, in millimetres."""
-FACING: dict[Facing, str] = {
+FACING_TEXTS: dict[Facing, str] = {
     "all": N_("all surfaces"),
     "level": N_("horizontal surfaces"),
     "upright": N_("vertical surfaces"),
@@ -72,17 +72,17 @@ class LineQualityDialog(StudyDialog):
 
 def _columns() -> list[Column]:
     return [
-        Column(gettext("First line"), gettext("Line whose surface normals are used"), words=True),
-        Column(gettext("Second line"), gettext("Line compared with the first line"), words=True),
+        Column(gettext("First line"), gettext("Line whose surface normals are used"), is_text=True),
+        Column(gettext("Second line"), gettext("Line compared with the first line"), is_text=True),
         Column(
             gettext("Orientation"),
             gettext(
                 "Orientation of the surfaces: horizontal or vertical within 10°, inclined, or all"
             ),
-            words=True,
+            is_text=True,
         ),
         Column(gettext("Compared places"), gettext("Number of flat places observed in both lines")),
-        *(Column(gettext(title), gettext(tip), base="mm") for title, tip in STATISTICS),
+        *(Column(gettext(title), gettext(tip), base="mm") for title, tip in STATISTIC_COLUMNS),
     ]
 
 
@@ -92,7 +92,7 @@ def _row(first: str, second: str, facing: Facing, figures: DifferenceStatistics)
     sizes = (figures.rmsd, figures.robust_sigma, figures.p95, figures.largest)
     return Row(
         (
-            *names, Cell(gettext(FACING[facing])),
+            *names, Cell(gettext(FACING_TEXTS[facing])),
             number_cell(figures.places, ",.0f"), number_cell(figures.median, "+.1f", 1000),
             *(number_cell(size, ".1f", 1000) for size in sizes),
         )

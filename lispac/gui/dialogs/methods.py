@@ -37,7 +37,7 @@ NOT_RUN: dict[Method, str] = {
     ),
 }
 """Tips of the rows of methods without a result."""
-DIFFERENCES = (
+DIFFERENCE_COLUMNS = (
     (
         N_("Δ roll (σ)"),
         N_(
@@ -61,8 +61,8 @@ DIFFERENCES = (
     ),
 )
 """Titles and tips of the columns of differences."""
-BLANK = Cell("\N{EN DASH}")
-COLUMNS = 12
+BLANK_CELL = Cell("\N{EN DASH}")
+COLUMN_COUNT = 12
 
 
 class MethodsDialog(StudyDialog):
@@ -70,7 +70,7 @@ class MethodsDialog(StudyDialog):
 
     Attributes
     ----------
-    asks : whether to run the missing methods after the dialogue is closed
+    runs_missing : whether to run the missing methods after the dialogue is closed
     """
 
     def __init__(
@@ -90,48 +90,48 @@ class MethodsDialog(StudyDialog):
             ),
             table, parent,
         )  # fmt: skip
-        self.asks = False
+        self.runs_missing = False
         self.show_rows(
             [*(_method_row(each) for each in results), *(_row_not_run(each) for each in absent)]
         )
-        remarks = [
+        messages = [
             *refused.items(),
-            *((each.method, remark) for each in results for remark in each.messages),
+            *((each.method, message) for each in results for message in each.messages),
         ]
         texts = [
             *map(message_text, comparison_messages(tuple(results))),
-            *(_with_method_name(*each) for each in remarks),
+            *(_with_method_name(*each) for each in messages),
         ]
         self.message_label.setText("\n".join(texts))
         self.message_label.setVisible(bool(texts))
-        self.ask = widgets.button(
+        self.run_missing = widgets.button(
             gettext("Run the methods without a result"), "methods_ask",
             tip=gettext(
                 "Run the adjustments on validation planes and on natural surfaces, and the patch "
                 "test on detected objects. One undo step removes all results."
             ),
         )  # fmt: skip
-        self.ask.setEnabled(any(each not in refused for each in absent))
-        self.ask.clicked.connect(self._request_missing)
-        self._buttons.insertWidget(self._buttons.count() - 1, self.ask)
+        self.run_missing.setEnabled(any(each not in refused for each in absent))
+        self.run_missing.clicked.connect(self._request_missing)
+        self._buttons.insertWidget(self._buttons.count() - 1, self.run_missing)
         self.resize(940, 360)
 
     def _request_missing(self) -> None:
-        self.asks = True
+        self.runs_missing = True
         self.accept()
 
 
 def _columns() -> list[Column]:
     angles = angle_columns()
     columns = [
-        Column(gettext("Method"), gettext("Method of estimation"), words=True),
+        Column(gettext("Method"), gettext("Method of estimation"), is_text=True),
         Column(gettext("Lines"), gettext("Number of lines used")),
         Column(
             gettext("Surfaces"),
             gettext("Number of targets, planes, natural surfaces or objects used"),
         ),
     ]
-    for k, (title, tip) in enumerate(DIFFERENCES):
+    for k, (title, tip) in enumerate(DIFFERENCE_COLUMNS):
         columns += [*angles[2 * k : 2 * k + 2], Column(gettext(title), gettext(tip))]
     return columns
 
@@ -140,9 +140,9 @@ def _method_name(method: str) -> str:
     return gettext(METHODS[method])
 
 
-def _with_method_name(method: str, remark: Message) -> str:
+def _with_method_name(method: str, message: Message) -> str:
     """Message on a method, preceded by its name."""
-    return gettext("{method}: {text}", method=_method_name(method), text=message_text(remark))
+    return gettext("{method}: {text}", method=_method_name(method), text=message_text(message))
 
 
 def _method_row(each: MethodResult) -> Row:
@@ -157,11 +157,11 @@ def _method_row(each: MethodResult) -> Row:
         np.degrees(found.boresight), np.degrees(found.sigma), differences, strict=True
     ):
         cells += [number_cell(angle, "+.4f"), number_cell(sigma, ".4f")]
-        cells.append(BLANK if difference is None else number_cell(difference, "+.1f"))
+        cells.append(BLANK_CELL if difference is None else number_cell(difference, "+.1f"))
     tip = "\n".join(map(message_text, each.messages))
     return Row(cells, marked=against is not None and against.differ, tip=tip)
 
 
 def _row_not_run(method: Method) -> Row:
-    cells = [Cell(_method_name(method)), *[BLANK] * (COLUMNS - 1)]
+    cells = [Cell(_method_name(method)), *[BLANK_CELL] * (COLUMN_COUNT - 1)]
     return Row(cells, tip=gettext(NOT_RUN[method]))

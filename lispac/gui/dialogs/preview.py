@@ -51,7 +51,7 @@ class PreviewDialog(QDialog):
         close.setAutoDefault(False)
         close.clicked.connect(self.accept)
         row = QHBoxLayout()
-        row.setSpacing(theme.SPACE)
+        row.setSpacing(theme.SPACING)
         row.addWidget(self.place)
         row.addWidget(self.message_label, 1)
         row.addWidget(keep)

@@ -99,14 +99,14 @@ class ProposalDialog(QDialog):
             name.setToolTip(gettext("Untick to exclude this target or plane"))
             role = QTableWidgetItem(gettext(ROLES[target.role]))
             lines = [sighting.line for sighting in target.sightings]
-            seen = QTableWidgetItem(str(len(lines)))
-            seen.setToolTip(
+            count_item = QTableWidgetItem(str(len(lines)))
+            count_item.setToolTip(
                 widgets.plain_tip(gettext("Observed on lines: {lines:names}", lines=lines))
             )
             text = message_text(proposal.reasons[target.name])
             reason = QTableWidgetItem(text)
             reason.setToolTip(widgets.plain_tip(text))
-            for column, item in enumerate((name, role, seen, reason)):
+            for column, item in enumerate((name, role, count_item, reason)):
                 self.table.setItem(row, column, item)
 
     def _show_count(self) -> None:

@@ -12,10 +12,10 @@ from lispac.gui.log_file import LOG
 from lispac.gui.panels import widgets
 from lispac.language import Plural, gettext
 
-Answer = Literal["save", "discard", "cancel"]
-CandidateAnswer = Literal["accept", "reject", "cancel"]
-DropAnswer = Literal["add", "new", "cancel"]
-MAX_NAMED = 8
+SaveChoice = Literal["save", "discard", "cancel"]
+CandidateChoice = Literal["accept", "reject", "cancel"]
+DropChoice = Literal["add", "new", "cancel"]
+MAX_NAMED_FILES = 8
 """Missing files that are listed by name."""
 
 
@@ -26,7 +26,7 @@ class Questions:
         self.parent: QWidget | None = None
         self._error_open = False
 
-    def add_or_new(self, name: str) -> DropAnswer:
+    def ask_to_add(self, name: str) -> DropChoice:
         """Ask whether dropped files are added to the open project or make a new one."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
@@ -52,7 +52,7 @@ class Questions:
             return "add"
         return "new" if chosen is new else "cancel"
 
-    def ask_to_save_changes(self, name: str) -> Answer:
+    def ask_to_save_changes(self, name: str) -> SaveChoice:
         """Ask whether to save a changed project before it is closed."""
         buttons = QMessageBox.StandardButton
         box = widgets.MessageBox(
@@ -72,7 +72,7 @@ class Questions:
             return "save"
         return "discard" if chosen == buttons.Discard else "cancel"
 
-    def ask_about_candidate(self, name: str) -> CandidateAnswer:
+    def ask_about_candidate(self, name: str) -> CandidateChoice:
         """Ask whether to accept or reject the candidate before estimating."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC",
@@ -126,7 +126,7 @@ class Questions:
             QMessageBox.StandardButton.Cancel, self.parent,
         )  # fmt: skip
         box.setObjectName("files_dialog")
-        shown = [str(path) for path in missing[:MAX_NAMED]]
+        shown = [str(path) for path in missing[:MAX_NAMED_FILES]]
         if more := len(missing) - len(shown):
             shown.append(
                 gettext(Plural("and {count:n} more file", "and {count:n} more files"), count=more)
@@ -182,7 +182,7 @@ class Questions:
         return self._is_confirmed(box, anyway, default=cancel)
 
     @staticmethod
-    def leave(dialog: QWidget) -> bool:
+    def confirm_leave(dialog: QWidget) -> bool:
         """Ask whether to close the import dialogue without importing its files."""
         box = widgets.MessageBox(
             QMessageBox.Icon.Question, "LISPAC", gettext("Close without importing the files?"),
@@ -193,11 +193,11 @@ class Questions:
             gettext("The import settings will be lost. The files are not changed.")
         )
         stay = box.addButton(gettext("Continue importing"), QMessageBox.ButtonRole.RejectRole)
-        leave = box.addButton(
+        confirm_leave = box.addButton(
             gettext("Close without importing"), QMessageBox.ButtonRole.DestructiveRole
         )
         box.setEscapeButton(stay)
-        return Questions._is_confirmed(box, leave, default=stay)
+        return Questions._is_confirmed(box, confirm_leave, default=stay)
 
     @staticmethod
     def _is_confirmed(

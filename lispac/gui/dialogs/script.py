@@ -39,9 +39,9 @@ class ScriptDialog(QDialog):
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(gettext(INTRODUCTION), wrap=True))
         if script.messages:
-            remarks = widgets.label(wrap=True, name="script_remarks")
-            remarks.setText("\n".join(map(message_text, script.messages)))
-            layout.addWidget(remarks)
+            messages = widgets.label(wrap=True, name="script_remarks")
+            messages.setText("\n".join(map(message_text, script.messages)))
+            layout.addWidget(messages)
         self.text = QPlainTextEdit(script.text)
         self.text.setObjectName("script_text")
         self.text.setAccessibleName(gettext("Script"))
@@ -57,7 +57,7 @@ class ScriptDialog(QDialog):
         close = widgets.button(gettext("Close"), "script_close")
         close.clicked.connect(self.accept)
         row = QHBoxLayout()
-        row.setSpacing(theme.SPACE)
+        row.setSpacing(theme.SPACING)
         row.addWidget(self.message_label, 1)
         for button in (copy, keep, close):
             button.setAutoDefault(False)

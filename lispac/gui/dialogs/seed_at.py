@@ -77,7 +77,7 @@ class SeedDialog(QDialog):
         self.choice = CoordinateSystemFields(project, trajectory, "seed", self)
         self.fields = tuple(_field(f"seed_coordinate_{k}") for k in range(3))
         self._form = QFormLayout()
-        self._form.setVerticalSpacing(theme.SPACE)
+        self._form.setVerticalSpacing(theme.SPACING)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self._form.addRow(gettext("Name"), self.name)
         self.choice.add_to(self._form)

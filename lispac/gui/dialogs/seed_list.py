@@ -31,11 +31,11 @@ from lispac.workflow.coordinates import distances_from_trajectory
 from lispac.workflow.seed_lists import ListedSeed, SeedList, SeedOutcome, read_seeds
 
 ROLES: dict[Role, str] = {"target": N_("Target"), "validation": N_("Validation plane")}
-READ = (
+READ_HEADS = (
     N_("Name"), N_("Role"), N_("North (m)"), N_("West (m)"), N_("Up (m)"),
     N_("Distance from trajectory (m)"), N_("Remark"),
 )  # fmt: skip
-FOUND = (N_("Name"), N_("Role"), N_("Lines"), N_("Points"), N_("Remark"))
+FOUND_HEADS = (N_("Name"), N_("Role"), N_("Lines"), N_("Points"), N_("Remark"))
 Right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -78,11 +78,11 @@ class SeedListDialog(QDialog):
         )
         self.choice = CoordinateSystemFields(project, trajectory, "list", self)
         form = QFormLayout()
-        form.setVerticalSpacing(theme.SPACE)
+        form.setVerticalSpacing(theme.SPACING)
         form.addRow(gettext("Columns"), self.columns)
         self.choice.add_to(form)
         layout.addLayout(form)
-        self.table = _create_table("seed_list_table", gettext("Seeds of the list"), READ)
+        self.table = _create_table("seed_list_table", gettext("Seeds of the list"), READ_HEADS)
         self.table.itemChanged.connect(lambda _item: self._show_count())
         layout.addWidget(self.table, 1)
         self.message_label = widgets.label("", "muted", wrap=True, name="list_said")
@@ -151,10 +151,10 @@ class SeedListDialog(QDialog):
             name.setCheckState(Qt.CheckState.Unchecked if seed.exists else Qt.CheckState.Checked)
             name.setToolTip(gettext("Row {row:n} of the list; untick to exclude", row=seed.row))
             numbers = [*(number(each, 3) for each in seed.place), number(distances[row], 1)]
-            remark = (
+            comment = (
                 gettext("A target with this name exists; tick to replace it") if seed.exists else ""
             )
-            _set_row(self.table, row, name, seed.role, numbers, remark)
+            _set_row(self.table, row, name, seed.role, numbers, comment)
         self.table.blockSignals(False)
         self._show_count()
 
@@ -178,7 +178,7 @@ class SeedsFoundDialog(QDialog):
         self.resize(860, 520)
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(_summary(outcomes), wrap=True, name="seeds_found"))
-        self.table = _create_table("seeds_found_table", gettext("Targets found"), FOUND)
+        self.table = _create_table("seeds_found_table", gettext("Targets found"), FOUND_HEADS)
         self.table.setRowCount(len(outcomes))
         for row, outcome in enumerate(outcomes):
             seed, target = outcome.seed, outcome.target
@@ -186,14 +186,14 @@ class SeedsFoundDialog(QDialog):
                 numbers = [gettext("none"), ""]
             else:
                 points = sum(len(sighting.indices) for sighting in target.sightings)
-                seen = gettext("{seen:n} of {total:n}", seen=len(target.sightings), total=lines)
-                numbers = [seen, number(points)]
-            remarks = [] if outcome.message is None else [message_text(outcome.message)]
+                visible = gettext("{seen:n} of {total:n}", seen=len(target.sightings), total=lines)
+                numbers = [visible, number(points)]
+            messages = [] if outcome.message is None else [message_text(outcome.message)]
             if target is not None:
-                remarks += _missing_lines_text(target)
+                messages += _missing_lines_text(target)
             _set_row(
                 self.table, row, _name_item(seed.name, seed.role), seed.role, numbers,
-                "\n".join(remarks),
+                "\n".join(messages),
             )  # fmt: skip
         layout.addWidget(self.table, 1)
         close = widgets.button(gettext("Close"), "close_found", primary=True)
@@ -264,13 +264,13 @@ def _name_item(name: str, role: Role) -> QTableWidgetItem:
 
 def _set_row(
     table: QTableWidget, row: int, name: QTableWidgetItem, role: Role, numbers: Sequence[str],
-    remark: str,
+    comment: str,
 ) -> None:  # fmt: skip
     items = [QTableWidgetItem(text) for text in numbers]
     for item in items:
         item.setTextAlignment(Right)
         item.setFont(theme.tabular_font(table.font()))
-    last = QTableWidgetItem(remark)
-    last.setToolTip(widgets.plain_tip(remark))
+    last = QTableWidgetItem(comment)
+    last.setToolTip(widgets.plain_tip(comment))
     for column, item in enumerate((name, QTableWidgetItem(gettext(ROLES[role])), *items, last)):
         table.setItem(row, column, item)

@@ -31,9 +31,9 @@ WITH_SOLUTION = {
 
 
 class _TextField(QLineEdit):
-    """Text field that emits `left` when it loses the focus."""
+    """Text field that emits `focus_lost` when it loses the focus."""
 
-    left = Signal()
+    focus_lost = Signal()
     """The focus has left the field, whether or not it was edited."""
 
     def __init__(self, name: str, label: str, text: str) -> None:
@@ -43,9 +43,9 @@ class _TextField(QLineEdit):
         self.setAccessibleName(label)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Emit `left`."""
+        """Emit `focus_lost`."""
         super().focusOutEvent(event)
-        self.left.emit()
+        self.focus_lost.emit()
 
 
 class SensorEditor(QDialog):
@@ -73,7 +73,7 @@ class SensorEditor(QDialog):
         self.setMinimumWidth(620)
         layout = widgets.vertical_layout(self, 16)
         form = QFormLayout()
-        form.setVerticalSpacing(theme.SPACE)
+        form.setVerticalSpacing(theme.SPACING)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         self.title = _TextField("sensor_title", gettext("Maker and model"), figures.title)
         form.addRow(gettext("Maker and model"), self.title)
@@ -81,8 +81,8 @@ class SensorEditor(QDialog):
         if isinstance(figures, ScannerSpecification):
             self.parts = [_ScannerFields(figures, form)]
         else:
-            given = {state.name: state for state in figures.states}
-            self.parts = [_PosStateFields(each, given.get(each), form) for each in STATES]
+            states = {state.name: state for state in figures.states}
+            self.parts = [_PosStateFields(each, states.get(each), form) for each in STATES]
         layout.addLayout(form)
         self.message_label = widgets.label("", "error", wrap=True, name="sensor_editor_said")
         layout.addWidget(self.message_label)
@@ -99,7 +99,7 @@ class SensorEditor(QDialog):
         self.keep.clicked.connect(self._save_sensor)
         for line in self._lines:
             line.textChanged.connect(self._check_input)
-            line.left.connect(lambda line=line: self._on_field_left(line))
+            line.focus_lost.connect(lambda line=line: self._on_field_left(line))
         for part in self.parts:
             part.value_changed.connect(self._check_input)
         self._check_input()
@@ -207,8 +207,8 @@ class _PosStateFields:
     def __init__(self, name: str, specification: PosAccuracy | None, form: QFormLayout) -> None:
         self._name = name
         usual = specification or NEW_POS.states[0]
-        self.stated = QCheckBox(gettext(WITH_SOLUTION[name]))
-        self.stated.setObjectName(f"sensor_{name}")
+        self.is_specified = QCheckBox(gettext(WITH_SOLUTION[name]))
+        self.is_specified.setObjectName(f"sensor_{name}")
         self.position = widgets.TripleField(
             (gettext("North"), gettext("East"), gettext("Down")),
             [_sigma_field(f"sensor_{name}_{axis}", " m", 100) for axis in ("n", "e", "d")],
@@ -227,18 +227,18 @@ class _PosStateFields:
             usual.source if specification else "",
             specification is not None and specification.unverified,
         )
-        self.value_changed = self.stated.toggled
-        form.addRow(self.stated)
+        self.value_changed = self.is_specified.toggled
+        form.addRow(self.is_specified)
         form.addRow(gettext("Position (1 σ)"), self.position)
         form.addRow(gettext("Attitude (1 σ)"), self.attitude)
         form.addRow(gettext("Source"), self.origin)
         for each in (self.position, self.attitude, self.origin):
-            self.stated.toggled.connect(each.setEnabled)
+            self.is_specified.toggled.connect(each.setEnabled)
             each.setEnabled(False)
-        self.stated.setChecked(specification is not None)
+        self.is_specified.setChecked(specification is not None)
 
     def state(self) -> PosAccuracy | None:
-        if not self.stated.isChecked():
+        if not self.is_specified.isChecked():
             return None
         return PosAccuracy(
             self._name, self.position.value(), self.attitude.value(),

@@ -43,7 +43,7 @@ class PlanSensorsDialog(QDialog):
         self.choice.scanner_chosen.connect(self._set_scanner)
         self.choice.pos_chosen.connect(self._set_pos)
         form = QFormLayout()
-        form.setVerticalSpacing(theme.SPACE)
+        form.setVerticalSpacing(theme.SPACING)
         form.addRow(gettext("Scanner"), self.choice.scanner)
         form.addRow("", self.choice.scanner_origin)
         form.addRow(gettext("INS/GNSS"), self.choice.pos)

@@ -10,7 +10,7 @@ from lispac.gui.dialogs.cache_box import CacheBox
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.dialogs.sensor_library import SensorLibraryPage
 from lispac.gui.panels import widgets
-from lispac.gui.panels.report import OTHERS
+from lispac.gui.panels.report import OTHER_SYSTEMS
 from lispac.gui.point_colours import Scale
 from lispac.gui.preferences import Preferences
 from lispac.gui.settings import POINT_BUDGETS, POINT_SIZES
@@ -58,7 +58,7 @@ class SettingsDialog(QDialog):
         self.tabs = QTabWidget()
         self.tabs.setObjectName("settings_tabs")
         self._form = QFormLayout()
-        self._form.setVerticalSpacing(theme.SPACE)
+        self._form.setVerticalSpacing(theme.SPACING)
         self._build()
         general = QWidget()
         outer = QVBoxLayout(general)
@@ -81,13 +81,13 @@ class SettingsDialog(QDialog):
             ["", *LANGUAGES][self.language.currentIndex()],
             round(self.point_size.value()),
             round(self.point_budget.value() * MILLION),
-            ["", *(each.key for each in OTHERS)][self.convention.currentIndex()],
+            ["", *(each.key for each in OTHER_SYSTEMS)][self.convention.currentIndex()],
             scanner,
             pos,
             list(ANGLES)[self.angles.currentIndex()],
             list(LENGTHS)[self.lengths.currentIndex()],
             self.cache.folder,
-            list(THEMES)[self.looks.currentIndex()],
+            list(THEMES)[self.theme_box.currentIndex()],
             list(SCALES)[self.scale.currentIndex()],
         )
 
@@ -96,7 +96,7 @@ class SettingsDialog(QDialog):
         self.language.setCurrentIndex(["", *LANGUAGES].index(preferences.language))
         self.point_size.setValue(preferences.point_size)
         self.point_budget.setValue(preferences.point_budget / MILLION)
-        keys = ["", *(each.key for each in OTHERS)]
+        keys = ["", *(each.key for each in OTHER_SYSTEMS)]
         self.convention.setCurrentIndex(
             keys.index(preferences.convention) if preferences.convention in keys else 0
         )
@@ -104,7 +104,7 @@ class SettingsDialog(QDialog):
         self.angles.setCurrentIndex(list(ANGLES).index(preferences.angles))
         self.lengths.setCurrentIndex(list(LENGTHS).index(preferences.lengths))
         self.cache.show_folder(preferences.cache)
-        self.looks.setCurrentIndex(list(THEMES).index(preferences.theme))
+        self.theme_box.setCurrentIndex(list(THEMES).index(preferences.theme))
         self.scale.setCurrentIndex(list(SCALES).index(preferences.scale))
 
     def _build(self) -> None:
@@ -137,7 +137,7 @@ class SettingsDialog(QDialog):
             "settings_lengths", [gettext(UNITS[key]) for key in LENGTHS],
             gettext("Unit of lengths in the window. Files, reports and scripts remain metric."),
         )  # fmt: skip
-        self.looks = widgets.ChoiceBox(
+        self.theme_box = widgets.ChoiceBox(
             "settings_looks", [gettext(each) for each in THEMES.values()],
             gettext(
                 "Light or dark colours of the window. The line colours of all themes suit "
@@ -152,7 +152,7 @@ class SettingsDialog(QDialog):
             ),
         )  # fmt: skip
         self.convention = widgets.ChoiceBox(
-            "settings_convention", [gettext("(none)"), *(each.name for each in OTHERS)],
+            "settings_convention", [gettext("(none)"), *(each.name for each in OTHER_SYSTEMS)],
             gettext("The report also gives the boresight angles in the convention of the chosen "
                     "program"),
         )  # fmt: skip
@@ -161,7 +161,7 @@ class SettingsDialog(QDialog):
             field.setMaximumWidth(160)
         self._form.addRow(widgets.label(gettext("Window"), "heading"))
         self._form.addRow(gettext("Language"), self.language)
-        self._form.addRow(gettext("Theme"), self.looks)
+        self._form.addRow(gettext("Theme"), self.theme_box)
         self._form.addRow(gettext("Colour scale of points"), self.scale)
         self._form.addRow(gettext("Point size"), self.point_size)
         self._form.addRow(gettext("Maximum number of points drawn"), self.point_budget)

@@ -10,11 +10,11 @@ from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Column, DiagnosticsTable, Row
 from lispac.language import N_, gettext
 
-HEAD, ROW, MOST_SHOWN = 64, 24, 10
+HEADER_HEIGHT, ROW_HEIGHT, MAX_ROWS = 64, 24, 10
 """Pixels of the table's headings and of a row, and rows shown at the least."""
-OFF_THE_EDGE = 40
+SCREEN_MARGIN = 40
 """Pixels of the screen that are left beside the dialogue."""
-TABLE_AT_LEAST, PLOT_AT_LEAST = HEAD + 3 * ROW, 180
+MIN_TABLE_HEIGHT, MIN_PLOT_HEIGHT = HEADER_HEIGHT + 3 * ROW_HEIGHT, 180
 """Pixels, on a screen too low for all of it."""
 ANGLE_COLUMNS = (
     (N_("Roll (deg)"), N_("Estimated roll angle of the boresight, in degrees")),
@@ -88,12 +88,12 @@ class StudyDialog(QDialog):
     @property
     def available_size(self) -> QSize:
         """Size of the screen without its margin, pixels."""
-        return self.screen().availableGeometry().size() - QSize(OFF_THE_EDGE, OFF_THE_EDGE)
+        return self.screen().availableGeometry().size() - QSize(SCREEN_MARGIN, SCREEN_MARGIN)
 
     def show_rows(self, rows: Sequence[Row]) -> None:
         """Show rows in the table, which grows with them up to a limit."""
         self.table.show_rows(rows)
-        self.table.setMinimumHeight(HEAD + ROW * min(len(rows), MOST_SHOWN))
+        self.table.setMinimumHeight(HEADER_HEIGHT + ROW_HEIGHT * min(len(rows), MAX_ROWS))
         if self.isVisible():
             self._fit_width()
 
@@ -121,19 +121,19 @@ class StudyDialog(QDialog):
 
     def _fit_height(self) -> None:
         """Lower the dialogue to the height of the screen, so that its buttons are visible."""
-        room = self.available_size.height()
-        parts = [(self.table, TABLE_AT_LEAST)]
+        available = self.available_size.height()
+        parts = [(self.table, MIN_TABLE_HEIGHT)]
         if self.canvas is not None:
-            parts.insert(0, (self.canvas, PLOT_AT_LEAST))
+            parts.insert(0, (self.canvas, MIN_PLOT_HEIGHT))
         for part, least in parts:
-            excess = self.body.minimumHeightForWidth(self.width()) - room
+            excess = self.body.minimumHeightForWidth(self.width()) - available
             if excess > 0:
                 part.setMinimumHeight(max(least, part.minimumHeight() - excess))
                 self.body.invalidate()
         # Qt's own minimum is for texts wrapped at the smallest width
-        self.setMinimumHeight(min(self.body.minimumHeightForWidth(self.width()), room))
-        if self.height() > room:
-            self.resize(self.width(), room)
+        self.setMinimumHeight(min(self.body.minimumHeightForWidth(self.width()), available))
+        if self.height() > available:
+            self.resize(self.width(), available)
 
     def numbers(self) -> str:
         """Table as text for a spreadsheet."""

@@ -14,7 +14,7 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.export_request import output_system_of
 from lispac.workflow.output_crs import LOCAL, common_system, utm_zone
 
-REST_MS = 300
+DELAY_MS = 300
 LOCAL_NAME = N_("Local frame – North, West, Up")
 HEIGHTS = N_("From the coordinate system, otherwise ellipsoidal heights")
 HEIGHTS_TIP = N_("EPSG code of a vertical system, path of a geoid grid (.gtx, .tif) or “ellipsoid”")
@@ -79,10 +79,10 @@ class CoordinateSystemFields(QObject):
         self.problem: LispacError | None = None
         self.waiting = False
         self._form: QFormLayout | None = None
-        self._settle = QTimer(self)
-        self._settle.setSingleShot(True)
-        self._settle.setInterval(REST_MS)
-        self._settle.timeout.connect(self._resolve_system)
+        self._debounce = QTimer(self)
+        self._debounce.setSingleShot(True)
+        self._debounce.setInterval(DELAY_MS)
+        self._debounce.timeout.connect(self._resolve_system)
         self.box.editTextChanged.connect(self._on_typed)
         self.height.textChanged.connect(self._on_typed)
 
@@ -98,11 +98,11 @@ class CoordinateSystemFields(QObject):
             self._resolve_system()  # chosen, not typed
             return
         self.waiting = True
-        self._settle.start()
+        self._debounce.start()
         self.changed.emit()
 
     def _resolve_system(self) -> None:
-        self._settle.stop()
+        self._debounce.stop()
         self.waiting, self.problem, self.system = False, None, None
         text, chosen = system_text(self.box), self.box.findText(self.box.currentText().strip()) >= 0
         self._show_heights(text != LOCAL)

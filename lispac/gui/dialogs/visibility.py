@@ -56,7 +56,7 @@ COLUMNS = (
     ),
 )
 """Titles and tips of the columns."""
-READ = N_("Move the mouse over the chart to read values")
+READ_HINT = N_("Move the mouse over the chart to read values")
 SITES = {"terrestrial": N_("Terrestrial site"), "marine": N_("Marine site")}
 
 
@@ -71,7 +71,7 @@ class VisibilityDialog(StudyDialog):
     def __init__(self, studies: "Sequence[VisibilityStudy]", parent: QWidget | None = None) -> None:
         from lispac.report.visibility_figures import CRITERIA, systematic_error_label
 
-        columns = [Column(gettext(title), gettext(tip), words=True) for title, tip in COLUMNS]
+        columns = [Column(gettext(title), gettext(tip), is_text=True) for title, tip in COLUMNS]
         table = DiagnosticsTable(
             "visibility_table", gettext("Best inclination and lines for each error"), columns
         )
@@ -110,7 +110,7 @@ class VisibilityDialog(StudyDialog):
             choices.addWidget(choice)
         choices.addStretch(1)
         self.body.insertLayout(1, choices)
-        self.reading = widgets.label(gettext(READ), "muted", name="visibility_reading")
+        self.reading = widgets.label(gettext(READ_HINT), "muted", name="visibility_reading")
         self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.body.insertWidget(self.body.indexOf(self._buttons), self.reading)
         self.copy_numbers.setToolTip(
@@ -196,7 +196,7 @@ class VisibilityDialog(StudyDialog):
         self.message_label.setText("\n".join(texts))
 
     def _clear_reading(self) -> None:
-        self.reading.setText(gettext(READ))
+        self.reading.setText(gettext(READ_HINT))
 
     def _show_values_at(self, event) -> None:
         """Show the values of the lines under the mouse."""

@@ -109,15 +109,15 @@ class AdjustPanel(QWidget):
             primary=True,
             tip=gettext("Adjust boresight and targets together by least squares (F9)"),
         )  # fmt: skip
-        self.estimate.clicked.connect(self.ask)
+        self.estimate.clicked.connect(self.request_estimate)
         layout.addWidget(self.estimate)
         layout.addWidget(self._progress_row())
         self.advice = widgets.label("", "muted", wrap=True, name="adjust_advice")
         layout.addWidget(self.advice)
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(DEBOUNCE_MS)
-        self._rest.timeout.connect(lambda: self.subsample_changed.emit(self._metres))
+        self._debounce = QTimer(self)
+        self._debounce.setSingleShot(True)
+        self._debounce.setInterval(DEBOUNCE_MS)
+        self._debounce.timeout.connect(lambda: self.subsample_changed.emit(self._metres))
         self._models.idToggled.connect(lambda _id, on: self._check_input() if on else None)
         self.parameters.changed.connect(self._check_input)
         self.model.changed.connect(self._check_input)
@@ -153,10 +153,10 @@ class AdjustPanel(QWidget):
         chosen.require_sound()
         return chosen
 
-    def ask(self) -> None:
+    def request_estimate(self) -> None:
         """Request an adjustment with the values of the panel."""
         if self.estimate.isEnabled():
-            self._rest.stop()
+            self._debounce.stop()
             self.estimate_requested.emit(self.settings(), self.cross_check.isChecked())
 
     def show_project(self, project: Project | None, status: StepStatus, busy: bool) -> None:
@@ -175,7 +175,7 @@ class AdjustPanel(QWidget):
         self._check_input()
 
     @property
-    def sound(self) -> bool:
+    def is_valid(self) -> bool:
         """Whether all typed values are valid."""
         return self.problem.isHidden()
 
@@ -192,7 +192,7 @@ class AdjustPanel(QWidget):
         else:
             self.problem.setText("")
             self.problem.hide()
-        self.estimate.update_enabled(self._ready and self.sound)
+        self.estimate.update_enabled(self._ready and self.is_valid)
         self._update_count()
 
     def _show_problem(self, text: str) -> None:
@@ -264,7 +264,7 @@ class AdjustPanel(QWidget):
 
     def stop(self) -> None:
         """Stop the timer."""
-        self._rest.stop()
+        self._debounce.stop()
 
     def _progress_row(self) -> QWidget:
         self._progress = QProgressBar()
@@ -317,4 +317,4 @@ class AdjustPanel(QWidget):
 
     def _distance_changed(self, value: float) -> None:
         self._metres = value / UNITS[self.unit.currentIndex()][1]
-        self._rest.start()
+        self._debounce.start()

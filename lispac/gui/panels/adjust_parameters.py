@@ -10,7 +10,7 @@ from lispac.adjustment.parameters import Parameter
 from lispac.gui import theme, units
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import OptionalNumber
-from lispac.gui.panels.number_field import ALIKE
+from lispac.gui.panels.number_field import EQUAL_TOLERANCE
 from lispac.gui.units import Base
 from lispac.language import N_, Plural, gettext, number
 from lispac.project import Settings
@@ -222,7 +222,7 @@ class ParameterSwitches(QWidget):
     def _value(self, name: str) -> float:
         """Value in metres, degrees or seconds, with all digits if it was not changed."""
         typed, shown = self.priors[name].value(), self._shown.get(name, 0.0)
-        if abs(typed - shown * _unit_scale(name)) < ALIKE:
+        if abs(typed - shown * _unit_scale(name)) < EQUAL_TOLERANCE:
             return shown
         return typed / _unit_scale(name)
 

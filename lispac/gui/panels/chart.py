@@ -16,7 +16,7 @@ from lispac.gui.panels.dark_pictures import with_inverted_lightness
 from lispac.gui.panels.ticks import localise_ticks
 from lispac.gui.sliced_calculation import SlicedCalculation
 
-AFTER_MS = 20
+DRAW_DELAY_MS = 20
 """Delay before drawing. A plot takes 0.2 to 0.5 s, half of it for the layout of its texts: other
 changes are painted first, and keys are handled between its parts."""
 
@@ -27,12 +27,12 @@ WHITE = "white"
 class _Renderer(RendererAgg):
     """The Agg renderer, which can be interrupted during the layout of texts."""
 
-    rest: Callable[[], None] | None = None
+    pause: Callable[[], None] | None = None
 
     def points_to_pixels(self, points: float) -> float:
         """Convert a length; Matplotlib calls this for every text and tick."""
-        if self.rest is not None:
-            self.rest()
+        if self.pause is not None:
+            self.pause()
         pixels: float = super().points_to_pixels(points)
         return pixels
 
@@ -59,7 +59,7 @@ class Chart(FigureCanvasQTAgg):
         self._drawn_with: tuple[float, float, float] | None = None
         super().__init__(Figure(layout="constrained", facecolor=ground))
         self.destroyed.connect(self._layout.abandon)
-        self._due = IdleTask(self._begin_drawing, self, AFTER_MS)
+        self._due = IdleTask(self._begin_drawing, self, DRAW_DELAY_MS)
         self._next = IdleTask(self._continue_steps, self)
         self.setMinimumSize(width, height)
 
@@ -83,7 +83,7 @@ class Chart(FigureCanvasQTAgg):
         if key != self._drawn_with:
             self._drawn_with = key
             self.renderer = _Renderer(*key)
-            self.renderer.rest = self._layout.rest
+            self.renderer.pause = self._layout.pause
         return self.renderer
 
     def _abandon_drawing(self) -> None:
@@ -125,12 +125,12 @@ class Chart(FigureCanvasQTAgg):
 
     def _continue_steps(self) -> None:
         """Draw the next part; later changes are drawn after this picture is complete."""
-        if self._layout.under_way:
+        if self._layout.is_running:
             if self._outdated:
                 self._abandon_drawing()
                 self._hurried = True
                 self.update()
-            elif self._layout.go_on():
+            elif self._layout.resume():
                 self._begin_parts()
             else:
                 self._next.start()
@@ -156,7 +156,7 @@ class Chart(FigureCanvasQTAgg):
     @property
     def is_drawing(self) -> bool:
         """Whether a picture was started and is not complete."""
-        return self._layout.under_way or bool(self._left)
+        return self._layout.is_running or bool(self._left)
 
     def _rendered_image(self, *, dims: bool = False) -> QImage:
         pixels = np.asarray(self.buffer_rgba())

@@ -5,7 +5,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QWidget
 
 from lispac.gui.panels import widgets
-from lispac.gui.viewport.clipping import SMALLEST, Box
+from lispac.gui.viewport.clipping import MIN_SIDE, Box
 from lispac.language import N_, gettext
 
 TITLE = N_("Clip box")
@@ -26,9 +26,9 @@ LENGTHS = (
 class ClippingPanel(QWidget):
     """The three lengths of the box, and buttons that place and remove it."""
 
-    sized = Signal(object)
+    lengths_changed = Signal(object)
     """Lengths, ndarray of shape (3,), metres."""
-    about_requested = Signal()
+    fit_requested = Signal()
     reset_requested = Signal()
 
     def __init__(self) -> None:
@@ -39,12 +39,12 @@ class ClippingPanel(QWidget):
         self.fields = []
         for key, title, tip in LENGTHS:
             field = widgets.number(
-                f"clip_{key}", suffix=" m", decimals=2, low=SMALLEST, high=10_000,
+                f"clip_{key}", suffix=" m", decimals=2, low=MIN_SIDE, high=10_000,
                 step=0.1, tip=gettext(tip),
             )  # fmt: skip
             field.setFixedWidth(130)
             field.setKeyboardTracking(False)
-            field.valueChanged.connect(lambda _value: self.sized.emit(self.lengths))
+            field.valueChanged.connect(lambda _value: self.lengths_changed.emit(self.lengths))
             self.fields.append(field)
             form.addRow(gettext(title), field)
         column.addLayout(form)
@@ -56,7 +56,7 @@ class ClippingPanel(QWidget):
         self.reset = widgets.button(
             gettext("Reset"), "clip_reset", tip=gettext("Remove the box and show all points")
         )
-        self.about.clicked.connect(lambda _on: self.about_requested.emit())
+        self.about.clicked.connect(lambda _on: self.fit_requested.emit())
         self.reset.clicked.connect(lambda _on: self.reset_requested.emit())
         row.addWidget(self.about)
         row.addWidget(self.reset)
@@ -76,6 +76,6 @@ class ClippingPanel(QWidget):
             field.setEnabled(box is not None)
             field.setSpecialValueText("" if box is not None else NO_BOX)
             field.blockSignals(True)
-            field.setValue(SMALLEST if box is None else 2.0 * float(box.half[k]))
+            field.setValue(MIN_SIDE if box is None else 2.0 * float(box.half[k]))
             field.blockSignals(False)
         self.reset.setEnabled(box is not None)

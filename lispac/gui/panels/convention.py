@@ -77,9 +77,9 @@ class ConventionPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._all_digits = self._all_angles = ""
-        self.given, self.current, self.imu = BoresightInputs(), CurrentSettingsInputs(), ImuAxes()
+        self.inputs, self.current, self.imu = BoresightInputs(), CurrentSettingsInputs(), ImuAxes()
         self._build()
-        for inputs in (self.given, self.current, self.imu):
+        for inputs in (self.inputs, self.current, self.imu):
             inputs.changed.connect(self._refresh)
         self.system.currentIndexChanged.connect(self._set_program)
         self._set_program(1)
@@ -91,7 +91,7 @@ class ConventionPanel(QWidget):
 
     def show_project(self, project: Project | None) -> None:
         """Take the boresight and lever arm of the project if they changed."""
-        self.given.show_project(project)
+        self.inputs.show_project(project)
 
     # -- assembly ----------------------------------------------------------------------------
 
@@ -120,19 +120,19 @@ class ConventionPanel(QWidget):
         layout.addWidget(self.values_head)
         self.table = ConventionAnglesTable()
         layout.addWidget(self.table)
-        self.remarks = widgets.label("", "muted", wrap=True, name="convention_remarks", rich=True)
-        layout.addWidget(self.remarks)
+        self.notes = widgets.label("", "muted", wrap=True, name="convention_remarks", rich=True)
+        layout.addWidget(self.notes)
         self.rules = widgets.label("", "muted", wrap=True, name="convention_rules", rich=True)
         self.lever = widgets.label(wrap=True, name="convention_lever", rich=True)
         self.lever.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         layout.addWidget(self.lever)
-        self.words = widgets.label(wrap=True, name="convention_words", rich=True)
-        layout.addWidget(self.words)
+        self.mounting_text = widgets.label(wrap=True, name="convention_words", rich=True)
+        layout.addWidget(self.mounting_text)
         self.gizmo = ScannerAxesView()
         layout.addWidget(self.gizmo)
         layout.addWidget(self.rules)
         layout.addWidget(self.current)
-        layout.addWidget(self.given)
+        layout.addWidget(self.inputs)
         layout.addWidget(self._matrix_box())
         layout.addStretch(1)
         area = widgets.VerticalScrollArea(body, 380)
@@ -205,13 +205,13 @@ class ConventionPanel(QWidget):
     # -- what is shown -----------------------------------------------------------------------
 
     def _refresh(self) -> None:
-        convention, given = self.convention, self.given
+        convention, inputs = self.convention, self.inputs
         try:
             body_axes = self.imu.axes if convention.open_axes else None
             setup = ConventionSetup(convention, body_axes, self.scanner.currentData())
             new = replace_settings(
-                setup, given.mounting, given.covariance, self.current.of(setup),
-                applied=self.current.applied.isChecked(), has_lever_arm=given.has_lever_arm,
+                setup, inputs.mounting, inputs.covariance, self.current.of(setup),
+                applied=self.current.applied.isChecked(), has_lever_arm=inputs.has_lever_arm,
             )  # fmt: skip
         except InputError as error:
             self._show_refusal(str(error))
@@ -224,7 +224,7 @@ class ConventionPanel(QWidget):
     def _show_refusal(self, text: str) -> None:
         self.assumption.setText(escape(text))
         self.assumption.show()
-        for widget in (self.table, self.remarks, self.lever, self.rules, self.matrix):
+        for widget in (self.table, self.notes, self.lever, self.rules, self.matrix):
             widget.setVisible(False)
         self.values_head.setText(gettext("No angles computed"))
         for button in (self.copy, self.copy_angles):
@@ -258,31 +258,31 @@ class ConventionPanel(QWidget):
         self.assumption.setVisible(setup.assumption is not None)
 
     def _show_values(self, new: ReplacementSettings) -> None:
-        stated, correction = new.in_system, new.correction
-        setup = stated.setup
+        in_system, correction = new.in_system, new.correction
+        setup = in_system.setup
         convention = setup.convention
-        sure = setup.status == "verified"
-        for widget in (self.remarks, self.lever, self.rules, self.matrix):
+        is_verified = setup.status == "verified"
+        for widget in (self.notes, self.lever, self.rules, self.matrix):
             widget.setVisible(True)
         self.copy.setEnabled(True)
-        self.copy_angles.setEnabled(stated.angles is not None)
+        self.copy_angles.setEnabled(in_system.angles is not None)
         self.table.setVisible(convention.has_angles)
-        if stated.angles is None:
+        if in_system.angles is None:
             self.values_head.setText(
                 gettext("This program uses a matrix instead of angles: see below")
             )
-            self.remarks.setVisible(correction is not None)
+            self.notes.setVisible(correction is not None)
             if correction is not None:
-                self.remarks.setText(_correction_text(correction.rotation, new.transform))
+                self.notes.setText(_correction_text(correction.rotation, new.transform))
         else:
             self.values_head.setText(
                 gettext("Angles to enter, degrees")
-                if sure
+                if is_verified
                 else gettext("Angles to enter if the assumption is correct, degrees")
             )
-            decimals = 4 if stated.note is None else 8
-            title = gettext("New angles") if sure else gettext("Assumed angles")
-            last = (title, stated.angles, "+", True)
+            decimals = 4 if in_system.note is None else 8
+            title = gettext("New angles") if is_verified else gettext("Assumed angles")
+            last = (title, in_system.angles, "+", True)
             rows: list[tuple[str, np.ndarray, str, bool]] = [last]
             if correction is not None:
                 assert correction.current is not None
@@ -292,12 +292,12 @@ class ConventionPanel(QWidget):
                     (gettext("Correction"), correction.correction, "+", False),
                     last,
                 ]
-            if stated.sigmas is not None:
-                rows.append((gettext("± 1 σ"), stated.sigmas, "", False))
+            if in_system.sigmas is not None:
+                rows.append((gettext("± 1 σ"), in_system.sigmas, "", False))
             self.table.fill(convention, rows, decimals)
-            self._all_angles = _angle_lines(convention, stated.angles, decimals)
-            self._show_remarks(new)
-        arm = _lever_arm_text(setup.axes, stated.lever_arm)
+            self._all_angles = _angle_lines(convention, in_system.angles, decimals)
+            self._show_notes(new)
+        arm = _lever_arm_text(setup.axes, in_system.lever_arm)
         texts = [
             gettext("Lever arm in that program, from the POS centre: {lever_arm}", lever_arm=arm)
         ]
@@ -307,9 +307,9 @@ class ConventionPanel(QWidget):
             texts += map(message_text, filter(None, [new.lever_arm_note]))
         self.lever.setText("<br>".join(texts))
 
-    def _show_remarks(self, new: ReplacementSettings) -> None:
-        stated, correction = new.in_system, new.correction
-        signs = str(stated.setup.signs)
+    def _show_notes(self, new: ReplacementSettings) -> None:
+        in_system, correction = new.in_system, new.correction
+        signs = str(in_system.setup.signs)
         lines = [f"{signs[:1].upper()}{signs[1:]}."]
         if correction is not None:
             lines.append(
@@ -324,11 +324,11 @@ class ConventionPanel(QWidget):
         if new.transform is not None:
             title = gettext("Correction of the 4x4 matrix:")
             lines.append(f"{title}<br>{_matrix_html(new.transform)}")
-        if stated.note is not None:
-            lines.append(f"<b>{message_text(stated.note)}</b>")
-        if stated.sigmas is not None and self.given.caution:
-            lines.append(self.given.caution)
-        self.remarks.setText("<br>".join(lines))
+        if in_system.note is not None:
+            lines.append(f"<b>{message_text(in_system.note)}</b>")
+        if in_system.sigmas is not None and self.inputs.sigma_warning:
+            lines.append(self.inputs.sigma_warning)
+        self.notes.setText("<br>".join(lines))
 
     def _show_mounting_text(self, mounting: Mounting) -> None:
         sentences = (
@@ -336,17 +336,17 @@ class ConventionPanel(QWidget):
             lever_arm_sentence(mounting.lever_arm),
             *map(message_text, filter(None, [offsets_note(mounting)])),
         )
-        self.words.setText("<br>".join(sentence for sentence in sentences if sentence))
+        self.mounting_text.setText("<br>".join(sentence for sentence in sentences if sentence))
         self.gizmo.show_boresight(np.asarray(mounting.without_nominal_axes.boresight, dtype=float))
 
-    def _show_matrix(self, stated: MountingInSystem) -> None:
-        name = program_name(stated.setup.convention)
+    def _show_matrix(self, in_system: MountingInSystem) -> None:
+        name = program_name(in_system.setup.convention)
         self.matrix_head.setText(
             gettext("Matrix from scanner to body in {program}, with the lever arm", program=name)
         )
-        self.matrix.setPlainText(_matrix_rows(stated.transform, 7))
-        self._all_digits = _matrix_rows(stated.transform, 12)
-        self.matrix.setToolTip(gettext(SCANNER_WORDS[stated.setup.scanner_frame]))
+        self.matrix.setPlainText(_matrix_rows(in_system.transform, 7))
+        self._all_digits = _matrix_rows(in_system.transform, 12)
+        self.matrix.setToolTip(gettext(SCANNER_WORDS[in_system.setup.scanner_frame]))
 
 
 def _correction_text(rotation: np.ndarray, transform: np.ndarray | None) -> str:

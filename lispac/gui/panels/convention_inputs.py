@@ -50,7 +50,7 @@ class BoresightInputs(QWidget):
     mounting : Mounting
         With all digits where it is that of the project.
     covariance : ndarray of shape (3, 3), radians squared, or None
-    caution : warning about the sigmas, in the user's language, or empty
+    sigma_warning : warning about the sigmas, in the user's language, or empty
     has_lever_arm : whether the lever arm is that of a project, or user-defined
     """
 
@@ -60,9 +60,9 @@ class BoresightInputs(QWidget):
         super().__init__()
         self.mounting = Mounting(np.zeros(3), np.zeros(3))
         self.covariance: np.ndarray | None = None
-        self.caution = ""
+        self.sigma_warning = ""
         self.has_lever_arm = False
-        self._offered: tuple[Mounting, np.ndarray | None, str, str] | None = None
+        self._project_values: tuple[Mounting, np.ndarray | None, str, str] | None = None
         self._key: tuple[object, ...] = ()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -79,33 +79,33 @@ class BoresightInputs(QWidget):
             field.valueChanged.connect(self._on_typed)
         layout.addWidget(self.boresight)
         layout.addWidget(self.lever_arm)
-        self.take = widgets.button(
+        self.use_project = widgets.button(
             gettext("Use project values"), "convention_take",
             tip=gettext(
                 "Use the estimated boresight of the project, or the prior boresight if nothing "
                 "has been estimated"
             ),
         )  # fmt: skip
-        self.take.clicked.connect(self._take_from_project)
-        self.take.setEnabled(False)
-        layout.addWidget(self.take, alignment=Qt.AlignmentFlag.AlignLeft)
+        self.use_project.clicked.connect(self._use_project)
+        self.use_project.setEnabled(False)
+        layout.addWidget(self.use_project, alignment=Qt.AlignmentFlag.AlignLeft)
 
     def show_project(self, project: Project | None) -> None:
         """Take the boresight of the project where it changed."""
-        self._offered = None if project is None else _project_boresight(project)
-        self.take.setEnabled(self._offered is not None)
+        self._project_values = None if project is None else _project_boresight(project)
+        self.use_project.setEnabled(self._project_values is not None)
         key: tuple[object, ...] = ()
         if project is not None:
             key = (project.folder, project.result, *project.mounting("prior").values)
         # Other edits of the project keep the typed values.
         if key != self._key:
             self._key = key
-            self._take_from_project()
+            self._use_project()
 
-    def _take_from_project(self) -> None:
-        if self._offered is None:
+    def _use_project(self) -> None:
+        if self._project_values is None:
             return
-        self.mounting, self.covariance, self.caution, source = self._offered
+        self.mounting, self.covariance, self.sigma_warning, source = self._project_values
         self.boresight.set_value(np.degrees(self.mounting.boresight))
         self.lever_arm.set_value(self.mounting.lever_arm)
         self.has_lever_arm = True
@@ -116,7 +116,7 @@ class BoresightInputs(QWidget):
         self.mounting = Mounting(
             np.array(self.lever_arm.value()), np.radians(self.boresight.value())
         )
-        self.covariance, self.caution = None, ""
+        self.covariance, self.sigma_warning = None, ""
         self.has_lever_arm = bool(np.any(self.mounting.lever_arm))
         self.source.setText(gettext(USER_DEFINED))
         self.changed.emit()
@@ -284,7 +284,7 @@ def _project_boresight(project: Project) -> tuple[Mounting, np.ndarray | None, s
             )
         )  # fmt: skip
     independent = result.model.pos_errors == "independent"
-    caution = (
+    sigma_warning = (
         gettext("Uncorrelated POS errors: these standard deviations are several times too small.")
         if independent
         else ""
@@ -292,6 +292,6 @@ def _project_boresight(project: Project) -> tuple[Mounting, np.ndarray | None, s
     return (
         project.mounting("estimated"),
         np.asarray(result.covariance)[:3, :3],
-        caution,
+        sigma_warning,
         gettext("Estimated boresight of {project}.", project=project.name),
     )

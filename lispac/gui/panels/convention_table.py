@@ -13,7 +13,7 @@ from lispac.language import gettext
 from lispac.survey.conventions.systems import Convention
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_ROW = 25
+_ROW_PX = 25
 Row = tuple[str, np.ndarray, str, bool]
 """Title in the user's language, angles in radians, format of the sign, bold."""
 
@@ -31,7 +31,7 @@ class ConventionAnglesTable(QTableWidget):
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         side = self.verticalHeader()
-        side.setDefaultSectionSize(_ROW)
+        side.setDefaultSectionSize(_ROW_PX)
         side.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         side.setHighlightSections(False)
         head = self.horizontalHeader()
@@ -70,4 +70,4 @@ class ConventionAnglesTable(QTableWidget):
         for column, width in enumerate(needed):
             self.setColumnWidth(column, width + spare + (column < rest))
         bar = self.horizontalScrollBar().sizeHint().height() if sum(needed) > inside else 0
-        self.setFixedHeight(head.sizeHint().height() + _ROW * self.rowCount() + 3 + bar)
+        self.setFixedHeight(head.sizeHint().height() + _ROW_PX * self.rowCount() + 3 + bar)

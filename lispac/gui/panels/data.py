@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.gui.panels.mounting_sketch import MountingView
-from lispac.gui.panels.number_field import ALIKE
+from lispac.gui.panels.number_field import EQUAL_TOLERANCE
 from lispac.language import gettext, number
 from lispac.project import Project, Settings
 from lispac.workflow.survey import Survey
@@ -107,7 +107,7 @@ class DataPanel(QWidget):
         for field in (*self.lever_arm.fields, *self.boresight.fields, self.lidar_sigma):
             field.valueChanged.connect(self._show_changes)
         for field in (*self.lever_arm.fields, *self.boresight.fields):
-            field.valueChanged.connect(lambda _value, field=field: self._keep_in_sight(field))
+            field.valueChanged.connect(lambda _value, field=field: self._ensure_visible(field))
         self.show_project(None, None)
 
     def show_project(self, project: Project | None, survey: Survey | None) -> None:
@@ -199,7 +199,7 @@ class DataPanel(QWidget):
         self.apply.setEnabled(differs)
         self.revert.setEnabled(differs)
 
-    def _keep_in_sight(self, field: QWidget) -> None:
+    def _ensure_visible(self, field: QWidget) -> None:
         """Scroll so that a low screen shows the sketch with the field that has the focus."""
         above = self.parentWidget()
         while above is not None and not isinstance(above, QScrollArea):
@@ -229,15 +229,15 @@ class _EmptyState(QWidget):
                 "hint", wrap=True,
             )
         )  # fmt: skip
-        make = widgets.button(
+        new = widgets.button(
             gettext("New project…"), "empty_new", icon="folder-plus-outline", primary=True
         )
         load = widgets.button(gettext("Open project…"), "empty_open", icon="folder-open-outline")
         demo = widgets.button(gettext("Open the demo survey"), "empty_demo", icon="ferry")
-        make.clicked.connect(panel.new_requested)
+        new.clicked.connect(panel.new_requested)
         load.clicked.connect(panel.open_requested)
         demo.clicked.connect(panel.demo_requested)
-        for each in (make, load, demo):
+        for each in (new, load, demo):
             layout.addWidget(each)
 
 
@@ -273,9 +273,9 @@ def _show_file_name(label: QLabel, path: Path | None, otherwise: str) -> None:
     label.setToolTip(widgets.plain_tip(str(path) if path is not None else otherwise))
 
 
-def _is_changed(shown: tuple[float, ...], kept: tuple[float, ...]) -> bool:
+def _is_changed(shown: tuple[float, ...], stored: tuple[float, ...]) -> bool:
     # A field keeps all digits of the value that it shows.
-    return any(abs(a - b) > ALIKE for a, b in zip(shown, kept, strict=True))
+    return any(abs(a - b) > EQUAL_TOLERANCE for a, b in zip(shown, stored, strict=True))
 
 
 def _heading_degrees(heading: float) -> int:

@@ -7,7 +7,7 @@ from lispac.duplicate_targets import overlap_warning
 from lispac.gui import units
 from lispac.gui.panels import widgets
 from lispac.gui.panels.line_lights import LineQualityLights
-from lispac.gui.tab_order import ENTERS
+from lispac.gui.tab_order import ENTER_KEYS
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.project import Project, Role, Shape, Target
@@ -21,7 +21,7 @@ TITLES: dict[Role, tuple[str, str]] = {
     ),
 }
 """Titles of a new target and of one with a known name."""
-FOUND: dict[Shape, str] = {
+FOUND_TEXTS: dict[Shape, str] = {
     "plane": N_(
         "Found in {found:n} of {lines:n} lines: {points:n} points, RMS distance to the plane "
         "at most {rms}."
@@ -64,7 +64,7 @@ class DetectedTargetPanel(QFrame):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Leave Enter to "Reject" where that has the focus; elsewhere it accepts."""
-        if event.type() == QEvent.Type.ShortcutOverride and event.key() in ENTERS:
+        if event.type() == QEvent.Type.ShortcutOverride and event.key() in ENTER_KEYS:
             event.accept()
             return True
         return super().eventFilter(watched, event)
@@ -77,7 +77,7 @@ class DetectedTargetPanel(QFrame):
         worst = max((sighting.rms for sighting in found), default=0.0)
         sentences = [
             gettext(
-                FOUND[candidate.shape],
+                FOUND_TEXTS[candidate.shape],
                 found=len(found), lines=len(project.lines),
                 points=sum(len(sighting.indices) for sighting in found),
                 rms=units.local_amount(1000 * worst, "mm", ".1f"),

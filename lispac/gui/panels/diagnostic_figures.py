@@ -14,13 +14,13 @@ from lispac.language import N_, gettext
 
 MARKERS = ("o", "s", "^")
 """One for each angle, so that colours are not needed to distinguish them."""
-TEXT, SMALL = 9, 8
+FONT_SIZE, SMALL_SIZE = 9, 8
 DIRECTIONS = (N_("weakest direction"), N_("middle direction"), N_("strongest direction"))
-SMALLEST_DEG = 1e-12
+MIN_SIGMA_DEG = 1e-12
 """Smaller differences are rounding errors; the limit keeps the logarithm finite."""
 
 
-def convergence(result: AdjustmentResult, figure: Figure) -> None:
+def draw_convergence(result: AdjustmentResult, figure: Figure) -> None:
     """Draw the distance of each angle from its last value over the iterations; 0 is the prior."""
     axes = _new_axes(figure)
     path = np.degrees(np.vstack([result.prior_boresight, result.path]))
@@ -28,7 +28,7 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
     count, last = np.arange(len(path)), np.degrees(result.angles)
     for k, title in enumerate(ANGLE_TITLES):
         value = units.local_amount(float(last[k]), "°", "+.4f")
-        shown = np.where(away[:-1, k] > SMALLEST_DEG, away[:-1, k], np.nan)
+        shown = np.where(away[:-1, k] > MIN_SIGMA_DEG, away[:-1, k], np.nan)
         axes.plot(
             count[:-1],
             shown,
@@ -43,19 +43,19 @@ def convergence(result: AdjustmentResult, figure: Figure) -> None:
     axes.axhline(sigma, color=theme.MUTED, linewidth=1, linestyle="--")
     axes.annotate(
         gettext("smallest σ"), (1, sigma), xycoords=("axes fraction", "data"), xytext=(-4, 3),
-        textcoords="offset points", ha="right", fontsize=SMALL, color=theme.MUTED,
+        textcoords="offset points", ha="right", fontsize=SMALL_SIZE, color=theme.MUTED,
     )  # fmt: skip
     axes.set_yscale("log")
-    axes.set_xlabel(gettext("Iteration"), fontsize=TEXT)
+    axes.set_xlabel(gettext("Iteration"), fontsize=FONT_SIZE)
     axes.set_ylabel(
         gettext("Difference from the final value, {unit}", unit=units.local_sign("°")),
-        fontsize=TEXT,
+        fontsize=FONT_SIZE,
     )
     axes.xaxis.get_major_locator().set_params(integer=True)
-    axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="lower left")
+    axes.legend(fontsize=SMALL_SIZE, frameon=False, labelcolor=theme.TEXT, loc="lower left")
 
 
-def correlations(result: AdjustmentResult, figure: Figure) -> None:
+def draw_correlations(result: AdjustmentResult, figure: Figure) -> None:
     """Draw a heat map of the correlations of all estimated values, with numbers."""
     axes = _new_axes(figure)
     names = [short_title(name) for name in result.estimated]
@@ -66,17 +66,18 @@ def correlations(result: AdjustmentResult, figure: Figure) -> None:
     for (row, column), value in np.ndenumerate(result.correlation_all):
         axes.text(
             column, row, units.localised(f"{value:+.2f}"),
-            ha="center", va="center", fontsize=SMALL,
+            ha="center", va="center", fontsize=SMALL_SIZE,
             color=theme.TEXT,
         )  # fmt: skip
     axes.set_xticks(range(len(names)), names)
     axes.set_yticks(range(len(names)), names)
     axes.tick_params(length=0)
     axes.spines[:].set_visible(False)
-    figure.colorbar(image, ax=axes, shrink=0.9).ax.tick_params(labelsize=SMALL, colors=theme.TEXT)
+    bar = figure.colorbar(image, ax=axes, shrink=0.9)
+    bar.ax.tick_params(labelsize=SMALL_SIZE, colors=theme.TEXT)
 
 
-def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
+def draw_pos_errors(result: AdjustmentResult, figure: Figure) -> None:
     """Draw the estimated POS error of each sighting, with the band of its prior ± 2 σ."""
     figure.clear()
     parts = (
@@ -117,12 +118,12 @@ def pos_errors(result: AdjustmentResult, figure: Figure) -> None:
         axes.set_xticks(place, names, rotation=60, ha="right", rotation_mode="anchor")
         for text in axes.get_xticklabels():
             text.set_parse_math(False)
-            text.set_fontsize(SMALL if len(items) < 20 else SMALL - 2)
-        axes.set_ylabel(gettext(title, unit=units.local_sign(base)), fontsize=TEXT)
+            text.set_fontsize(SMALL_SIZE if len(items) < 20 else SMALL_SIZE - 2)
+        axes.set_ylabel(gettext(title, unit=units.local_sign(base)), fontsize=FONT_SIZE)
         _legend_above(axes)
 
 
-def directions(result: AdjustmentResult, figure: Figure) -> None:
+def draw_directions(result: AdjustmentResult, figure: Figure) -> None:
     """Draw the shares of roll, pitch and yaw in the three eigenvectors."""
     observability = result.observability
     assert observability is not None
@@ -137,7 +138,7 @@ def directions(result: AdjustmentResult, figure: Figure) -> None:
             if share[k, row] > 0.12:
                 text = gettext("{angle} {share:percent.0} %", angle=title, share=share[k, row])
                 axes.text((left[row] + share[k, row] / 2) * 100, row, text, ha="center",
-                          va="center", fontsize=SMALL, color=theme.ON_SERIES)  # fmt: skip
+                          va="center", fontsize=SMALL_SIZE, color=theme.ON_SERIES)  # fmt: skip
         left = left + share[k]
     names = [
         f"{gettext(name)}\nσ {units.local_amount(value, '°', '.4f')}"
@@ -146,7 +147,7 @@ def directions(result: AdjustmentResult, figure: Figure) -> None:
     axes.set_yticks(range(3), names)
     axes.invert_yaxis()
     axes.set_xlim(0, 100)
-    axes.set_xlabel(gettext("Contribution of each angle to the direction, %"), fontsize=TEXT)
+    axes.set_xlabel(gettext("Contribution of each angle to the direction, %"), fontsize=FONT_SIZE)
 
 
 def short_title(name: str) -> str:
@@ -165,7 +166,7 @@ def _new_axes(figure: Figure) -> Axes:
 
 def _style_axes(axes: Axes) -> None:
     axes.set_facecolor(theme.PAPER)
-    axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
+    axes.tick_params(labelsize=SMALL_SIZE, colors=theme.TEXT)
     axes.spines[["top", "right"]].set_visible(False)
     axes.spines[["left", "bottom"]].set_color(theme.MUTED)
     for label in (axes.xaxis.label, axes.yaxis.label):
@@ -174,6 +175,6 @@ def _style_axes(axes: Axes) -> None:
 
 def _legend_above(axes: Axes) -> None:
     axes.legend(
-        fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, ncols=4, loc="lower center",
+        fontsize=SMALL_SIZE, frameon=False, labelcolor=theme.TEXT, ncols=4, loc="lower center",
         bbox_to_anchor=(0.5, 1.0), borderaxespad=0.1,
     )  # fmt: skip

@@ -21,7 +21,7 @@ TITLE = N_("Diagnostics")
 class DiagnosticsPanel(QWidget):
     """A list of pages; only the visible page is filled."""
 
-    followed = Signal(str, str)
+    row_activated = Signal(str, str)
     """Target and line (or "") whose points are to be shown."""
 
     def __init__(self) -> None:
@@ -42,7 +42,7 @@ class DiagnosticsPanel(QWidget):
             self._stack.addWidget(page)
             table = getattr(page, "table", None)
             if table is not None:
-                table.followed.connect(self.followed)
+                table.row_activated.connect(self.row_activated)
         self.list.setFixedWidth(max(128, self.list.sizeHintForColumn(0) + 8))
         self._waiting = widgets.label(
             gettext("Estimation in progress. These values are from before the change."), "hint",

@@ -34,7 +34,7 @@ class DiagnosticsPage(QWidget):
     """Page with its content, or with advice on how to get it."""
 
     title = ""
-    without_result = ""
+    empty_text = ""
     """English text that is shown before an estimation."""
 
     def __init__(self) -> None:
@@ -57,7 +57,7 @@ class DiagnosticsPage(QWidget):
         """Show the result, or why there is nothing to show."""
         result = None if project is None else project.result
         if project is None or result is None:
-            self._show_advice(gettext(self.without_result))
+            self._show_advice(gettext(self.empty_text))
             return
         lacking = self.empty_page_advice(project, result)
         if lacking:
@@ -85,7 +85,7 @@ class DiagnosticsPage(QWidget):
 class FigurePage(DiagnosticsPage):
     """Page with one figure."""
 
-    draws = ""
+    draw_function = ""
     """Name of the function in `diagnostic_figures`."""
 
     def __init__(self) -> None:
@@ -109,15 +109,15 @@ class FigurePage(DiagnosticsPage):
             self.canvas.setObjectName(f"{self.objectName()}_canvas")
             self.canvas.setAccessibleName(gettext(self.title))
             self._row.addWidget(self.canvas, 1)
-        getattr(diagnostic_figures, self.draws)(result, self.canvas.figure)
+        getattr(diagnostic_figures, self.draw_function)(result, self.canvas.figure)
         self.canvas.draw_idle()
 
 
 class ConvergencePage(FigurePage):
     """Page with the convergence of each angle."""
 
-    title, draws = N_("Convergence"), "convergence"
-    without_result = N_(
+    title, draw_function = N_("Convergence"), "draw_convergence"
+    empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the convergence of each angle."
     )
 
@@ -131,8 +131,8 @@ class ConvergencePage(FigurePage):
 class CorrelationsPage(FigurePage):
     """Page with the correlations of all estimated values."""
 
-    title, draws = N_("Correlations"), "correlations"
-    without_result = N_(
+    title, draw_function = N_("Correlations"), "draw_correlations"
+    empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the correlations between all "
         "estimated values."
     )
@@ -141,8 +141,8 @@ class CorrelationsPage(FigurePage):
 class PosErrorsPage(FigurePage):
     """Page with the estimated POS error of each sighting."""
 
-    title, draws = N_("POS error"), "pos_errors"
-    without_result = N_(
+    title, draw_function = N_("POS error"), "draw_pos_errors"
+    empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the estimated POS error of each "
         "sighting with its prior standard deviation."
     )
@@ -155,19 +155,19 @@ class PosErrorsPage(FigurePage):
 class ObservabilityPage(FigurePage):
     """Page on how well lines and targets determine the angles."""
 
-    title, draws = N_("Observability"), "directions"
-    without_result = N_(
+    title, draw_function = N_("Observability"), "draw_directions"
+    empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see how well lines and targets "
         "determine the angles."
     )
 
     def __init__(self) -> None:
         super().__init__()
-        self.words = widgets.label("", wrap=True, name="observability_words", rich=True)
-        self.words.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.text_label = widgets.label("", wrap=True, name="observability_words", rich=True)
+        self.text_label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.text_label.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._row.setContentsMargins(8, 6, 4, 4)
-        self._row.addWidget(_scroll_area(self.words), 1)
+        self._row.addWidget(_scroll_area(self.text_label), 1)
 
     def empty_page_advice(self, project: Project, result: AdjustmentResult) -> str:
         """Advice if the observability was not computed."""
@@ -186,7 +186,7 @@ class ObservabilityPage(FigurePage):
                 condition=observability.condition, ratio=sigma[0] / sigma[2],
             ),
         ]  # fmt: skip
-        self.words.setText(
+        self.text_label.setText(
             "".join(f"<p style='margin:0 0 6px 0'>{escape(each)}</p>" for each in paragraphs)
         )
         self.draw(result)
@@ -221,7 +221,7 @@ class SightingsPage(TablePage):
     title, name = N_("Sightings"), "diagnostics_sightings_table"
     columns = staticmethod(rows.sighting_columns)
     content_of = staticmethod(rows.sighting_rows)
-    without_result = N_(
+    empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the residuals and tests of each "
         "sighting."
     )
@@ -233,7 +233,7 @@ class TargetsPage(TablePage):
     title, name = N_("Targets"), "diagnostics_targets_table"
     columns = staticmethod(rows.target_columns)
     content_of = staticmethod(rows.target_rows)
-    without_result = N_(
+    empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the residuals of each target."
     )
 
@@ -248,7 +248,7 @@ class ParametersPage(TablePage):
     title, name = N_("Parameters"), "diagnostics_parameters_table"
     columns = staticmethod(rows.parameter_columns)
     content_of = staticmethod(rows.parameter_rows)
-    without_result = N_(
+    empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see each estimated value with its "
         "prior and its significance."
     )
@@ -258,7 +258,7 @@ class CrossChecksPage(DiagnosticsPage):
     """Page with the results from parts of the data."""
 
     title = N_("Cross-checks")
-    without_result = N_(
+    empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the results from subsets of "
         "the data."
     )

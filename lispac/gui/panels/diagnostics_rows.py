@@ -26,7 +26,7 @@ from lispac.report.diagnostics import cross_check_values
 from lispac.report.text_format import named_cross_check_parts
 
 MM, MDEG = 1e3, float(np.degrees(1e3))
-FOLLOW = N_("Double-click or press Enter to show the points of this row in the view")
+ROW_HINT = N_("Double-click or press Enter to show the points of this row in the view")
 ANGLE_TITLES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
 
 
@@ -213,14 +213,14 @@ def _sighting_row(
     names = [Cell(sighting.target), Cell(sighting.line)]
     if test is None:
         cells = [*names, *fit, *[number_cell(None, "")] * 9, Cell(gettext("not tested"))]
-        return Row(cells, key, tip=gettext(FOLLOW))
-    remark, disagrees = "", sighting_status(test, critical) == "disagrees"
+        return Row(cells, key, tip=gettext(ROW_HINT))
+    comment, disagrees = "", sighting_status(test, critical) == "disagrees"
     if test.rejected:
-        remark = gettext("rejected: disagrees with other sightings")
+        comment = gettext("rejected: disagrees with other sightings")
     elif disagrees:
-        remark = gettext("w beyond {limit:x.2}", limit=critical)
+        comment = gettext("w beyond {limit:x.2}", limit=critical)
     elif test.outliers > 0.05 * residual.points:
-        remark = gettext("many outliers")
+        comment = gettext("many outliers")
     tests = (
         [number_cell(None, "")] * 3
         if test.rejected
@@ -240,9 +240,9 @@ def _sighting_row(
         number_cell(test.redundancy, ".2f"),
         _error_cell(test.pos_error[:3], test.pos_sigma[:3], MM, "mm"),
         _error_cell(test.pos_error[3:], test.pos_sigma[3:], MDEG, "m°"),
-        Cell(remark),
+        Cell(comment),
     ]
-    return Row(cells, key, marked=test.rejected or disagrees, tip=gettext(FOLLOW))
+    return Row(cells, key, marked=test.rejected or disagrees, tip=gettext(ROW_HINT))
 
 
 def _worst_point_cell(test: SightingReliability) -> Cell:
@@ -268,9 +268,9 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
         rejected = [r.sighting.line for r in tests if r.rejected]
         lines = sum(s.sighting.target == target.target for s in result.sightings)
         rough = target.noise > NOISE_FACTOR_LIMIT
-        remark = gettext("noise larger than given") if rough else ""
+        comment = gettext("noise larger than given") if rough else ""
         if rejected:
-            remark = gettext("rejected in {lines:names}", lines=rejected)
+            comment = gettext("rejected in {lines:names}", lines=rejected)
         test_values = [abs(r.w) for r in tests if not r.rejected]
         cells = [
             Cell(target.target),
@@ -282,9 +282,9 @@ def target_rows(result: AdjustmentResult) -> list[Row]:
             number_cell(target.noise, ".2f") if result.model.correlated else number_cell(None, ""),
             number_cell(max(test_values, default=None), ".2f"),
             number_cell(sum(r.outliers for r in tests), ",.0f") if tests else number_cell(None, ""),
-            Cell(remark),
+            Cell(comment),
         ]
-        rows.append(Row(cells, (target.target, ""), marked=bool(rejected), tip=gettext(FOLLOW)))
+        rows.append(Row(cells, (target.target, ""), marked=bool(rejected), tip=gettext(ROW_HINT)))
     return rows
 
 
@@ -367,7 +367,7 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
             return Cell(kind.amount(value, signed=signed), value)
 
         reason = estimate.reason
-        remark = _significance_text(estimate) if reason is None else message_text(reason)
+        comment = _significance_text(estimate) if reason is None else message_text(reason)
         cells = [
             Cell(gettext(kind.title)),
             cell(estimate.value),
@@ -377,9 +377,9 @@ def parameter_rows(result: AdjustmentResult) -> list[Row]:
             if estimate.prior_sigma is None
             else cell(estimate.prior_sigma, signed=False),
             number_cell(estimate.significance, "+.1f"),
-            Cell(remark),
+            Cell(comment),
         ]
-        rows.append(Row(cells, marked=estimate.value is None, tip=remark))
+        rows.append(Row(cells, marked=estimate.value is None, tip=comment))
     return rows
 
 

@@ -23,7 +23,7 @@ class Column:
 
     title: str
     tip: str
-    words: bool = False
+    is_text: bool = False
     """Whether it holds texts rather than numbers."""
     base: Base | None = None
     """Unit of its numbers, where the user can choose another."""
@@ -82,9 +82,9 @@ class _SortedItem(QTableWidgetItem):
 
 
 class DiagnosticsTable(QTableWidget):
-    """Table sortable by any column; a double click or Enter emits `followed`."""
+    """Table sortable by any column; a double click or Enter emits `row_activated`."""
 
-    followed = Signal(str, str)
+    row_activated = Signal(str, str)
 
     def __init__(self, name: str, title: str, columns: Sequence[Column]) -> None:
         super().__init__(0, len(columns))
@@ -102,7 +102,7 @@ class DiagnosticsTable(QTableWidget):
             head = self.horizontalHeaderItem(k)
             tip = _convert_units(column.tip, column)
             head.setToolTip(f"{tip}\n{sorting}")
-            head.setTextAlignment(_LEFT if column.words else _RIGHT)
+            head.setTextAlignment(_LEFT if column.is_text else _RIGHT)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(24)
         self.setShowGrid(False)
@@ -114,13 +114,13 @@ class DiagnosticsTable(QTableWidget):
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setStretchLastSection(columns[-1].words)
+        header.setStretchLastSection(columns[-1].is_text)
         header.setSortIndicatorClearable(True)
         header.setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
         self.setSortingEnabled(True)
         header.sortIndicatorChanged.connect(self._show_sort_arrow)
         self._show_sort_arrow(-1)
-        self.activated.connect(lambda index: self._emit_followed(index.row()))
+        self.activated.connect(lambda index: self._emit_row_activated(index.row()))
 
     def show_rows(self, rows: Sequence[Row]) -> None:
         """Show other rows, sorted as before."""
@@ -135,7 +135,7 @@ class DiagnosticsTable(QTableWidget):
             for column, cell in enumerate(row.cells):
                 item = _SortedItem(cell, self._columns[column].base)
                 item.setData(Qt.ItemDataRole.UserRole, number)
-                item.setTextAlignment(_LEFT if self._columns[column].words else _RIGHT)
+                item.setTextAlignment(_LEFT if self._columns[column].is_text else _RIGHT)
                 item.setFont(font)
                 if row.marked:
                     item.setBackground(QBrush(QColor(theme.WARNING_GROUND)))
@@ -176,10 +176,10 @@ class DiagnosticsTable(QTableWidget):
         """Reserve space for the sort arrow only while a column is sorted."""
         self.horizontalHeader().setSortIndicatorShown(section >= 0)
 
-    def _emit_followed(self, row: int) -> None:
+    def _emit_row_activated(self, row: int) -> None:
         key = self.key(row)
         if key is not None:
-            self.followed.emit(*key)
+            self.row_activated.emit(*key)
 
 
 def _spreadsheet_text(text: str) -> str:

@@ -9,7 +9,7 @@ from lispac.gui.panels import widgets
 from lispac.language import gettext
 from lispac.targets.expected_target import ExpectedTarget
 
-USUAL = (1.23, 1.22)
+DEFAULT_SIZE = (1.23, 1.22)
 """Metres: width and height of the usual board."""
 
 
@@ -18,7 +18,7 @@ class ExpectedFields(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        width, height = (units.local_amount(side, "m", ".2f") for side in USUAL)
+        width, height = (units.local_amount(side, "m", ".2f") for side in DEFAULT_SIZE)
         self._width = widgets.number(
             "expected_width", suffix=" m", decimals=2, low=0, high=100, step=0.1,
             tip=gettext(
@@ -41,7 +41,7 @@ class ExpectedFields(QWidget):
         self._tilt.setValue(90)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(theme.SPACE // 2)
+        row.setSpacing(theme.SPACING // 2)
         for field in (self._width, self._height, self._tilt):
             field.setMinimumWidth(60)
             row.addWidget(field, 1)

@@ -55,7 +55,7 @@ class OptionalNumber(QLineEdit):
         self.setFont(theme.tabular_font(self.font()))
         self.setMinimumWidth(48)
         self._title, self._unit, self._scale = title, shown.sign, scale * shown.factor
-        self._given: tuple[str, float] | None = None
+        self._shown_value: tuple[str, float] | None = None
         self.textChanged.connect(self._mark_invalid)
 
     def value(self) -> float | None:
@@ -66,8 +66,8 @@ class OptionalNumber(QLineEdit):
         InputError
             Where the text is not a number.
         """
-        if self._given is not None and self.text() == self._given[0]:
-            return self._given[1]  # an unchanged value keeps all its digits
+        if self._shown_value is not None and self.text() == self._shown_value[0]:
+            return self._shown_value[1]  # an unchanged value keeps all its digits
         text = self.text().strip().replace(",", ".").replace("−", "-")
         if not text:
             return None
@@ -89,7 +89,7 @@ class OptionalNumber(QLineEdit):
         self.blockSignals(True)
         shown = "" if value is None else f"{value * self._scale:.6g}"
         self.setText(shown.replace(".", QLocale().decimalPoint()))
-        self._given = None if value is None else (self.text(), value)
+        self._shown_value = None if value is None else (self.text(), value)
         self.blockSignals(False)
         self._mark_invalid()
 

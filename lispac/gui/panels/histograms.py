@@ -35,13 +35,13 @@ _COLUMNS = (
 )
 """Heading and tooltip of each column."""
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_SHARES = (3, 4)
+_PART_STRETCH = (3, 4)
 """Of the width, for the tables and for the plot, until the user moves the handle between them."""
 PLOTS = (N_("Histogram"), N_("Histogram, percent"), N_("Distance by height, range"))
-SHARES, AGAINST = 1, 2
+PERCENT_PLOT, PROFILE_PLOT = 1, 2
 """Places of two of the plots."""
-ZOOM = N_("Wheel: zoom. Drag: move. Double-click: show all.")
-POOLED = {
+ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
+POOLED_TIPS = {
     "reciprocal pairs": N_("{plane}: distances between reciprocal lines, {model}"),
     "all pairs": N_("{plane}: distances between all pairs of lines, {model}"),
 }
@@ -101,7 +101,7 @@ class HistogramsPanel(QWidget):
         self._plots.addLayout(self._create_tool_row())
         self._plots.addWidget(self.reading)
         filled.addWidget(plots)
-        for part, share in enumerate(_SHARES):
+        for part, share in enumerate(_PART_STRETCH):
             filled.setStretchFactor(part, share)
         self._parts = filled
         self._stack.addWidget(filled)
@@ -116,9 +116,9 @@ class HistogramsPanel(QWidget):
                 "height or range."
             ),
         )  # fmt: skip
-        self.plot.setMinimumContentsLength(len(PLOTS[AGAINST]))
+        self.plot.setMinimumContentsLength(len(PLOTS[PROFILE_PLOT]))
         self.plot.currentIndexChanged.connect(self._redraw_selected)
-        self.reading = widgets.label(gettext(ZOOM), "muted", name="comparison_reading")
+        self.reading = widgets.label(gettext(ZOOM_HINT), "muted", name="comparison_reading")
         # A long text is cut off, so that it does not widen the plot.
         self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.copy_picture = widgets.button(
@@ -156,14 +156,14 @@ class HistogramsPanel(QWidget):
         if comparisons is self._comparisons:
             return
         if self.canvas is None:
-            self._parts.setSizes([share * self.width() for share in _SHARES])
+            self._parts.setSizes([share * self.width() for share in _PART_STRETCH])
         self._comparisons = comparisons
         self.table.blockSignals(True)
         self.table.setRowCount(len(comparisons))
         font = theme.tabular_font(self.table.font())
         for row, each in enumerate(comparisons):
             model = message_text(each.model.name)
-            tip = gettext(POOLED[each.pooled_from], plane=each.name, model=model)
+            tip = gettext(POOLED_TIPS[each.pooled_from], plane=each.name, model=model)
             for column, text in enumerate(_comparison_texts(each)):
                 item = QTableWidgetItem(text)
                 item.setFont(font)
@@ -205,13 +205,14 @@ class HistogramsPanel(QWidget):
         self.pairs.show_rows(pairs_table.pair_rows(comparison))
         self.tabs.setTabText(1, gettext("Pairs of lines on {plane}", plane=comparison.name))
         canvas = self._plot_canvas()
-        if self.plot.currentIndex() == AGAINST:
+        if self.plot.currentIndex() == PROFILE_PLOT:
             profile_figure(comparison, canvas.figure)
         else:
-            histogram_figure(comparison, canvas.figure, share=self.plot.currentIndex() == SHARES)
+            share = self.plot.currentIndex() == PERCENT_PLOT
+            histogram_figure(comparison, canvas.figure, share=share)
         self._show_units(canvas.figure)
-        self._zooming.keep(upright=self.plot.currentIndex() == AGAINST)
-        self.reading.setText(gettext(ZOOM))
+        self._zooming.set_home(upright=self.plot.currentIndex() == PROFILE_PLOT)
+        self.reading.setText(gettext(ZOOM_HINT))
         canvas.draw_idle()
         canvas.setAccessibleName(
             gettext(
@@ -224,8 +225,8 @@ class HistogramsPanel(QWidget):
     def _show_units(self, figure) -> None:
         from lispac.gui.panels.ticks import convert_axis_units
 
-        against = self.plot.currentIndex() == AGAINST
-        legend = None if against or not units.is_converted("mm") else figure.axes[0].get_legend()
+        is_profile = self.plot.currentIndex() == PROFILE_PLOT
+        legend = None if is_profile or not units.is_converted("mm") else figure.axes[0].get_legend()
         if legend is not None and self._current_comparison is not None:
             each = self._current_comparison
             for text, template, state in zip(
@@ -233,8 +234,8 @@ class HistogramsPanel(QWidget):
             ):
                 text.set_text(_statistics_text(template, state))
         for axes in figure.axes:
-            convert_axis_units(axes.xaxis, "m" if against else "mm")
-            if against:
+            convert_axis_units(axes.xaxis, "m" if is_profile else "mm")
+            if is_profile:
                 convert_axis_units(axes.yaxis, "mm")
 
     def _plot_canvas(self):
@@ -245,7 +246,7 @@ class HistogramsPanel(QWidget):
             self.canvas = Chart(260, 120)
             self.canvas.setObjectName("histogram_canvas")
             self._zooming = PlotZoom(self.canvas)
-            canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM))
+            canvas, leave = self.canvas, lambda _event: self.reading.setText(gettext(ZOOM_HINT))
             connections = (
                 canvas.mpl_connect("motion_notify_event", self._show_values_at),
                 canvas.mpl_connect("axes_leave_event", leave),
@@ -262,7 +263,7 @@ class HistogramsPanel(QWidget):
         comparison, axes = self._current_comparison, event.inaxes
         if comparison is None or axes is None:
             return
-        if self.plot.currentIndex() == AGAINST:
+        if self.plot.currentIndex() == PROFILE_PLOT:
             profiles: tuple[tuple[distances.Against, DistanceProfile | None], ...] = (
                 ("height", comparison.by_height), ("range", comparison.by_range)
             )  # fmt: skip
@@ -286,7 +287,7 @@ class HistogramsPanel(QWidget):
         comparison = self._current_comparison
         if comparison is None or self.canvas is None:
             return
-        if self.plot.currentIndex() == AGAINST:
+        if self.plot.currentIndex() == PROFILE_PLOT:
             text = distances.profiles_text(comparison)
         else:
             from lispac.report.histograms import BARS

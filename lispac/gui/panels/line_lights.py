@@ -13,9 +13,9 @@ from lispac.language import Plural, gettext
 from lispac.project import PickedSighting, Target
 from lispac.targets.sighting_quality import SightingQuality
 
-SIZE, GAP = 16, 14
+ICON_SIZE, ICON_GAP = 16, 14
 """Pixels: side of a light, and between one line and the next."""
-WAITS = "circle-outline"
+PENDING_ICON = "circle-outline"
 POINTS = Plural("{line}: {count:n} point, {rms} RMS", "{line}: {count:n} points, {rms} RMS")
 
 
@@ -43,7 +43,7 @@ class LineQualityLights(QWidget):
             light, name = QLabel(self), QLabel(sighting.line, self)
             name.setTextFormat(Qt.TextFormat.PlainText)
             light.setObjectName(f"light_{sighting.line}")
-            light.setFixedSize(SIZE, SIZE)
+            light.setFixedSize(ICON_SIZE, ICON_SIZE)
             name.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
             self._cells[sighting.line] = sighting, light, name
         self.show_qualities({})
@@ -55,11 +55,11 @@ class LineQualityLights(QWidget):
         for line, (sighting, light, name) in self._cells.items():
             quality = qualities.get(line)
             icon = (
-                theme.icon(WAITS, theme.MUTED)
+                theme.icon(PENDING_ICON, theme.MUTED)
                 if quality is None
                 else theme.quality_icon(quality.rating)
             )
-            light.setPixmap(icon.pixmap(SIZE, SIZE))
+            light.setPixmap(icon.pixmap(ICON_SIZE, ICON_SIZE))
             if quality is None:
                 judgement = gettext("The quality is being computed")
             else:
@@ -80,7 +80,7 @@ class LineQualityLights(QWidget):
         if not self._cells:
             return
         widest = max(name.sizeHint().width() for _, _, name in self._cells.values())
-        columns = max(1, (self.width() + GAP) // (SIZE + 4 + widest + GAP))
+        columns = max(1, (self.width() + ICON_GAP) // (ICON_SIZE + 4 + widest + ICON_GAP))
         columns = min(columns, len(self._cells))
         if columns == self._columns:
             return
@@ -93,5 +93,5 @@ class LineQualityLights(QWidget):
             row, column = divmod(k, columns)
             self._grid.addWidget(light, row, 2 * column, left)
             self._grid.addWidget(name, row, 2 * column + 1, left)
-            self._grid.setColumnMinimumWidth(2 * column + 1, widest + GAP - 8)
+            self._grid.setColumnMinimumWidth(2 * column + 1, widest + ICON_GAP - 8)
         self._grid.setColumnStretch(2 * columns, 1)

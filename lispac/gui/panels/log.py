@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QPlainTextEdit
 
 from lispac.language import N_, gettext
 
-MOST_LINES = 2000
+MAX_LINES = 2000
 EMPTY = N_("Actions, assumptions and errors of the program are listed here with their time.")
 
 
@@ -20,7 +20,7 @@ class LogPanel(QPlainTextEdit):
         self.setAccessibleName(gettext("Log"))
         self.setReadOnly(True)
         self.setPlaceholderText(gettext(EMPTY))
-        self.setMaximumBlockCount(MOST_LINES)
+        self.setMaximumBlockCount(MAX_LINES)
         self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.setFrameShape(QPlainTextEdit.Shape.NoFrame)
 

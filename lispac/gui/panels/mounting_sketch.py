@@ -52,7 +52,7 @@ _HULLS: dict[View, tuple[tuple[float, float], ...]] = {
 }  # fmt: skip
 """Outline of a vessel, not to scale: right and up, in halves of the picture."""
 
-REACHES = (
+EXTENTS = (
     0.5,
     0.75,
     1.0,
@@ -75,14 +75,14 @@ _BARS = (0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
 """Lengths of the scale bar, in the unit shown."""
 HEIGHT = 220
 """Pixels."""
-_USED = 0.66
+_MAX_ARM_SHARE = 0.66
 """Largest part of a lever arm, as a share of the distance to the edge."""
-_AXIS, _BODY_AXIS, _DOT, _LABELLED = 22.0, 20.0, 5.0, 24.0
+_AXIS, _BODY_AXIS, _DOT, _MIN_LABEL = 22.0, 20.0, 5.0, 24.0
 """Pixels: axes of the scanner, axes of the body, dot of the scanner, and shortest distance that
 gets a label. The axes of the body are shorter, so that they cross no letter of the scanner's."""
-_SIDEWAYS = 0.86
+_SIDE_LABEL_Y = 0.86
 """Place of the labels at the left and the right, as a share of the way down: below the hull."""
-_SEEN = 0.25
+_MIN_AXIS_SHARE = 0.25
 """Smallest share of its length with which an axis is drawn: a shorter one points at the eye."""
 
 
@@ -103,7 +103,7 @@ class MountingSketch(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.lever_arm = np.zeros(3)
         self.factor, self._rotation_body_scanner = 1, np.eye(3)
-        self.doubtful = False
+        self.has_warning = False
 
     def sizeHint(self) -> QSize:
         """Preferred size, in pixels."""
@@ -117,21 +117,21 @@ class MountingSketch(QWidget):
         """Draw a lever arm (metres; forward, left, up) and a boresight (roll, pitch, yaw)."""
         self.lever_arm = np.array(lever_arm, dtype=float)
         self.factor, self._rotation_body_scanner = exaggerated_rotation(np.radians(boresight_deg))
-        self.doubtful = bool(lever_arm_warnings(lever_arm))
+        self.has_warning = bool(lever_arm_warnings(lever_arm))
         self.update()
 
     # -- where things are ------------------------------------------------------------------------
 
     @property
-    def reach(self) -> float:
+    def extent(self) -> float:
         """Metres from the POS centre to the edge of a view."""
         longest = float(np.abs(self.lever_arm).max())
-        return next((each for each in REACHES if longest <= _USED * each), REACHES[-1])
+        return next((each for each in EXTENTS if longest <= _MAX_ARM_SHARE * each), EXTENTS[-1])
 
     @property
     def pixels_per_metre(self) -> float:
         """Scale of both views, along all axes."""
-        return self._half_size / self.reach
+        return self._half_size / self.extent
 
     def at(self, view: View, point_body: Sequence[float] | np.ndarray) -> QPointF:
         """Pixel of a point of the body frame (metres from the POS centre) in a view."""
@@ -159,7 +159,7 @@ class MountingSketch(QWidget):
         wide = {
             each: metrics.horizontalAdvance(each) + 2 for each in (top, bottom, port, starboard)
         }
-        side, middle = y + half * _SIDEWAYS, left + width / 2
+        side, middle = y + half * _SIDE_LABEL_Y, left + width / 2
         return {
             top: QRectF(middle - wide[top] / 2, y - half - line - 3, wide[top], line),
             bottom: QRectF(middle - wide[bottom] / 2, side + line, wide[bottom], line),
@@ -243,7 +243,7 @@ class MountingSketch(QWidget):
             (np.abs(along_up).max(), (self._centre(view) + corner) / 2),
             (np.abs(across).max(), (corner + end) / 2),
         ):
-            if amount * self.pixels_per_metre < _LABELLED:
+            if amount * self.pixels_per_metre < _MIN_LABEL:
                 continue  # the text below the sketch has it
             label = length_with_unit(amount, ".2f")
             width, high = painter.fontMetrics().horizontalAdvance(label), 12.0
@@ -260,8 +260,8 @@ class MountingSketch(QWidget):
     def _paint_scanner(self, painter: QPainter, view: View) -> None:
         for axis, (letter, colour) in enumerate(SCANNER_AXES):
             start, tip = self.axis_ends(view, axis)
-            way = tip - start
-            if np.hypot(way.x(), way.y()) < _SEEN * _AXIS:
+            direction = tip - start
+            if np.hypot(direction.x(), direction.y()) < _MIN_AXIS_SHARE * _AXIS:
                 continue
             painter.setPen(QPen(theme.colour(colour), 2.2))
             painter.drawLine(start, tip)
@@ -272,12 +272,12 @@ class MountingSketch(QWidget):
 
     @property
     def _colour(self) -> QColor:
-        return QColor(theme.WARNING if self.doubtful else theme.ACCENT)
+        return QColor(theme.WARNING if self.has_warning else theme.ACCENT)
 
     def _paint_scale(self, painter: QPainter) -> None:
         metres = 1 / units.shown_unit("m").factor  # of one of the unit shown
         length = metres * max(
-            (bar for bar in _BARS if metres * bar <= self.reach / 2), default=_BARS[0]
+            (bar for bar in _BARS if metres * bar <= self.extent / 2), default=_BARS[0]
         )
         y, x = self.height() - 9, self.width() - 8.0
         bar = length * self.pixels_per_metre
@@ -300,12 +300,12 @@ class MountingView(QWidget):
     def __init__(self, prefix: str) -> None:
         super().__init__()
         self.sketch = MountingSketch()
-        self.words = widgets.label("", "muted", wrap=True, name=f"{prefix}_words")
+        self.text_label = widgets.label("", "muted", wrap=True, name=f"{prefix}_words")
         self.file_warnings = widgets.label("", "warning", wrap=True, name=f"{prefix}_doubts")
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
-        for each in (self.file_warnings, self.sketch, self.words):
+        for each in (self.file_warnings, self.sketch, self.text_label):
             column.addWidget(each)
         self.show_mounting((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 
@@ -313,7 +313,7 @@ class MountingView(QWidget):
         """Show a lever arm (metres; forward, left, up) and a boresight (degrees)."""
         self.sketch.show_mounting(lever_arm, boresight_deg)
         text = f"{lever_arm_sentence(lever_arm)} {boresight_sentence(np.radians(boresight_deg))}"
-        self.words.setText(text)
+        self.text_label.setText(text)
         self.sketch.setAccessibleDescription(text)
         file_warnings = lever_arm_warnings(lever_arm)
         self.file_warnings.setText("\n".join(map(message_text, file_warnings)))
@@ -327,8 +327,8 @@ def length_with_unit(length: float, form: str) -> str:
 
 def _paint_axis_letter(painter: QPainter, start: QPointF, tip: QPointF, letter: str) -> None:
     """Paint the letter of an axis beyond its tip."""
-    way = tip - start
-    place = tip + way * (7.0 / max(float(np.hypot(way.x(), way.y())), 1e-9))
+    direction = tip - start
+    place = tip + direction * (7.0 / max(float(np.hypot(direction.x(), direction.y())), 1e-9))
     painter.drawText(
         QRectF(place.x() - 8, place.y() - 8, 16, 16), Qt.AlignmentFlag.AlignCenter, letter
     )

@@ -12,9 +12,9 @@ from lispac.language import gettext
 
 BASES: Mapping[str, Base] = {" m": "m", " mm": "mm", " °": "°"}
 """Base of a field by its suffix; other units are never converted."""
-ALIKE = 1e-9
+EQUAL_TOLERANCE = 1e-9
 """Relative difference below which a converted value is the same."""
-KEPT = 12
+STORED_DECIMALS = 12
 """Decimals of the value: enough for a value typed in another unit."""
 TIP_DELAY_MS = 300
 """Delay of the tip after the field was left: Qt hides every tip when the focus moves."""
@@ -41,7 +41,7 @@ class NumberField(QDoubleSpinBox):
         # A hidden field in the unit shown, which validates and formats.
         self._face = QDoubleSpinBox()
         self._before: float | None = None
-        super().setDecimals(KEPT)
+        super().setDecimals(STORED_DECIMALS)
         line = self.lineEdit()
         line.textEdited.connect(self._on_typed)
         line.textChanged.connect(self._mark_invalid)
@@ -173,7 +173,7 @@ class NumberField(QDoubleSpinBox):
 
     def _reformat_text(self) -> None:
         """Format the text again, which Qt would not do."""
-        super().setDecimals(KEPT)
+        super().setDecimals(STORED_DECIMALS)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Change the value with the wheel only if the field has the focus."""

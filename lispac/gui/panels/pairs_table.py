@@ -41,7 +41,7 @@ def create_pairs_table() -> DiagnosticsTable:
         Column(
             gettext("Lines"),
             gettext("The two lines; ⇄: surveyed in opposite directions"),
-            words=True,
+            is_text=True,
         ),
         Column(
             gettext("Points"),

@@ -12,13 +12,13 @@ from lispac.patchtest.mismatch_minimisation import ANGLES
 
 Array = NDArray[np.float64]
 
-FINE = 0.001
+STEP_DEG = 0.001
 """Step of a slider, degrees."""
-FAR = 3.0
+RANGE_DEG = 3.0
 """Range of a slider to either side of its start, degrees; a field takes any angle."""
-NEAR = 0.3
+RESULT_RANGE_DEG = 0.3
 """Range of a slider after a search, degrees: a pixel is then a few thousandths."""
-WORDS = (N_("Roll"), N_("Pitch"), N_("Yaw"))
+ANGLE_TITLES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
 _SLIDERS = (N_("Change the roll"), N_("Change the pitch"), N_("Change the yaw"))
 _FIELDS = (
     N_("Roll of the lines in the pictures"),
@@ -33,9 +33,9 @@ _SEARCHES = (
 
 
 class PatchAngles(QWidget):
-    """Sliders and fields of three angles; `turned` is emitted on each change."""
+    """Sliders and fields of three angles; `angle_changed` is emitted on each change."""
 
-    turned = Signal(int)
+    angle_changed = Signal(int)
     """An angle was changed: 0 roll, 1 pitch, 2 yaw."""
     find_requested = Signal(int)
 
@@ -45,7 +45,7 @@ class PatchAngles(QWidget):
         self._boresight = np.zeros(3)
         self.sliders: list[QSlider] = []
         self.fields: list[NumberField] = []
-        self.finds: list[widgets.Button] = []
+        self.find_buttons: list[widgets.Button] = []
         self.result_labels = [
             widgets.label("", "muted", wrap=True, name=f"patch_{angle}_found") for angle in ANGLES
         ]
@@ -59,18 +59,18 @@ class PatchAngles(QWidget):
             slider.setToolTip(
                 gettext("Drag, or use the arrow keys (0.001°) or Page Up and Page Down (0.01°)")
             )
-            slider.setRange(-round(FAR / FINE), round(FAR / FINE))
+            slider.setRange(-round(RANGE_DEG / STEP_DEG), round(RANGE_DEG / STEP_DEG))
             slider.setSingleStep(1)
             slider.setPageStep(10)
             slider.setMinimumWidth(70)
             field = widgets.number(
-                f"patch_{angle}", suffix=" °", decimals=4, low=-360, high=360, step=FINE,
+                f"patch_{angle}", suffix=" °", decimals=4, low=-360, high=360, step=STEP_DEG,
                 tip=gettext(_FIELDS[k]),
             )  # fmt: skip
             find = widgets.button(
                 gettext("Find this angle"), f"patch_find_{angle}", tip=gettext(_SEARCHES[k])
             )  # fmt: skip
-            title = widgets.label(gettext(WORDS[k]))
+            title = widgets.label(gettext(ANGLE_TITLES[k]))
             title.setBuddy(field)
             grid.addWidget(title, 2 * k, 0)
             grid.addWidget(slider, 2 * k, 1)
@@ -82,7 +82,7 @@ class PatchAngles(QWidget):
             find.clicked.connect(lambda _on, k=k: self.find_requested.emit(k))
             self.sliders.append(slider)
             self.fields.append(field)
-            self.finds.append(find)
+            self.find_buttons.append(find)
         grid.setColumnStretch(1, 1)
 
     @property
@@ -90,7 +90,7 @@ class PatchAngles(QWidget):
         """Roll, pitch and yaw as set, shape (3,), radians."""
         return self._boresight.copy()
 
-    def start_at(self, boresight: Array, reach: float = FAR) -> None:
+    def set_start(self, boresight: Array, reach: float = RANGE_DEG) -> None:
         """Set all angles and the middles of the sliders, without a signal.
 
         Parameters
@@ -101,7 +101,7 @@ class PatchAngles(QWidget):
         self._start = np.array(boresight, dtype=float)
         for slider in self.sliders:
             slider.blockSignals(True)
-            slider.setRange(-round(reach / FINE), round(reach / FINE))
+            slider.setRange(-round(reach / STEP_DEG), round(reach / STEP_DEG))
             slider.blockSignals(False)
         self.set_angles(boresight)
 
@@ -145,11 +145,11 @@ class PatchAngles(QWidget):
 
     def update_enabled(self, allowed: bool) -> None:
         """Enable or disable the searches; the angles can be changed in either case."""
-        for find in self.finds:
+        for find in self.find_buttons:
             find.update_enabled(allowed)
 
     def _on_slider_moved(self, angle: int, steps: int) -> None:
-        self._set_angle(angle, float(self._start[angle] + np.radians(steps * FINE)))
+        self._set_angle(angle, float(self._start[angle] + np.radians(steps * STEP_DEG)))
 
     def _on_typed(self, angle: int, degrees: float) -> None:
         self._set_angle(angle, float(np.radians(degrees)))
@@ -157,11 +157,11 @@ class PatchAngles(QWidget):
     def _set_angle(self, angle: int, value: float) -> None:
         self._boresight[angle] = value
         self._show_angle(angle)
-        self.turned.emit(angle)
+        self.angle_changed.emit(angle)
 
     def _show_angle(self, angle: int) -> None:
         degrees = float(np.degrees(self._boresight[angle]))
-        steps = round((degrees - float(np.degrees(self._start[angle]))) / FINE)
+        steps = round((degrees - float(np.degrees(self._start[angle]))) / STEP_DEG)
         for shown, value in ((self.fields[angle], degrees), (self.sliders[angle], steps)):
             if shown.hasFocus() and shown is self.fields[angle] and shown.value() == value:
                 continue  # being typed into

@@ -20,9 +20,9 @@ from lispac.patchtest.line_mismatch import curve_minimum
 
 Array = NDArray[np.float64]
 
-MARGIN, LEFT, LOW = 10, 62, 36
+MARGIN, LEFT_PX, BOTTOM_PX = 10, 62, 36
 """Margins in pixels: of a picture, and to the left of and below the curve."""
-DOT = 2.0
+POINT_SIZE = 2.0
 """Size of a point in pixels."""
 
 
@@ -84,7 +84,7 @@ class LinesPicture(PaperPicture):
         scale = min(wide / (2 * self._half[0]), high / (2 * self._half[1]))
         middle = np.array([0.5 * self.width(), 0.5 * self.height()])
         for line, points in self._points.items():
-            pen = QPen(QColor(*self._colours[line]), DOT)
+            pen = QPen(QColor(*self._colours[line]), POINT_SIZE)
             pen.setCapStyle(Qt.PenCapStyle.SquareCap)
             painter.setPen(pen)
             places = middle + scale * points * [1.0, -1.0]
@@ -104,7 +104,7 @@ class LinesPicture(PaperPicture):
 class CurvePicture(PaperPicture):
     """Mismatch over one angle with its current value and minimum; a click chooses a value."""
 
-    chosen = Signal(float)
+    value_clicked = Signal(float)
     """Radians."""
 
     def __init__(self) -> None:
@@ -152,7 +152,7 @@ class CurvePicture(PaperPicture):
     @property
     def _frame(self) -> QRectF:
         top = 26
-        return QRectF(LEFT, top, self.width() - LEFT - 14, self.height() - top - LOW)
+        return QRectF(LEFT_PX, top, self.width() - LEFT_PX - 14, self.height() - top - BOTTOM_PX)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Choose the value under the mouse."""
@@ -162,7 +162,7 @@ class CurvePicture(PaperPicture):
         across = (event.position().x() - frame.left()) / frame.width()
         if 0.0 <= across <= 1.0:
             first, last = float(self._values[0]), float(self._values[-1])
-            self.chosen.emit(first + across * (last - first))
+            self.value_clicked.emit(first + across * (last - first))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the curve, its axes and marks."""
@@ -197,7 +197,7 @@ class CurvePicture(PaperPicture):
                 painter.drawText(box, flag, text)
         for share in (0.0, 0.5, 1.0):
             text = quantities.amount(1000 * share * self._largest_mismatch, "mm", 0)
-            box = QRectF(0, frame.bottom() - share * frame.height() - 8, LEFT - 6, 16)
+            box = QRectF(0, frame.bottom() - share * frame.height() - 8, LEFT_PX - 6, 16)
             painter.drawText(box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text)
 
     def _draw_marks(self, painter: QPainter) -> None:
@@ -209,8 +209,8 @@ class CurvePicture(PaperPicture):
             value = quantities.amount(float(np.degrees(lowest)), "°", 3, sign=True)
             text = gettext("minimum {angle}", angle=value)
             right = x > frame.center().x()
-            room = (x - frame.left() if right else frame.right() - x) - 8
-            if painter.fontMetrics().horizontalAdvance(text) > room:
+            width = (x - frame.left() if right else frame.right() - x) - 8
+            if painter.fontMetrics().horizontalAdvance(text) > width:
                 text = value
             box = QRectF(x - 204 if right else x + 4, frame.top() + 2, 200, 16)
             side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft

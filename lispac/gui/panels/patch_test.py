@@ -46,7 +46,7 @@ KINDS: dict[Kind, str] = {
     "same direction": N_("lines in the same direction"),
 }
 """Signs and names of the kinds of pairs."""
-SIDE, LISTED, SPACE = 316, 100, 6
+SIDE_WIDTH, LIST_WIDTH, SPACING = 316, 100, 6
 """Pixels: width of both lists, of the list of objects, and space between the pictures."""
 
 
@@ -58,13 +58,13 @@ class PatchTestPanel(QWidget):
     target_requested = Signal()
     box_requested = Signal()
     remove_requested = Signal(str)
-    go_requested = Signal(str)
+    zoom_requested = Signal(str)
     shown_changed = Signal()
     """Another object, another side of it, or another curve is to be shown."""
     ticked_changed = Signal()
     """Other objects or pairs are to be compared."""
-    all_requested = Signal()
-    keep_requested = Signal()
+    find_all_requested = Signal()
+    save_requested = Signal()
     prior_requested = Signal()
 
     def __init__(self) -> None:
@@ -85,9 +85,9 @@ class PatchTestPanel(QWidget):
             "patch_curve_of", [gettext(each) for each in CURVES],
             gettext("Plot the mismatch of the displayed object or of all ticked objects"),
         )  # fmt: skip
-        self.words = widgets.label(gettext(EMPTY), "muted", wrap=True, name="patch_words")
-        self.words.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.words.setContentsMargins(24, 0, 24, 0)
+        self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="patch_words")
+        self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.text_label.setContentsMargins(24, 0, 24, 0)
         self.message_label = widgets.label("", wrap=True, name="patch_said")
         self.message_label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._buttons()
@@ -96,10 +96,10 @@ class PatchTestPanel(QWidget):
         row.setContentsMargins(8, 4, 8, 4)
         left = QWidget()
         left.setLayout(self._create_left_column())
-        left.setFixedWidth(SIDE)
+        left.setFixedWidth(SIDE_WIDTH)
         row.addWidget(left)
         self._middle = QStackedLayout()
-        self._middle.addWidget(self.words)
+        self._middle.addWidget(self.text_label)
         self._middle.addWidget(self._create_pictures())
         row.addLayout(self._middle, 1)
         row.addLayout(self._create_right_column())
@@ -115,69 +115,69 @@ class PatchTestPanel(QWidget):
         self.pairs.itemChanged.connect(lambda _item: self.ticked_changed.emit())
         self.objects.currentItemChanged.connect(lambda _now, _before: self._emit_shown_changed())
         self.objects.itemDoubleClicked.connect(
-            lambda item: self.go_requested.emit(_item_name(item))
+            lambda item: self.zoom_requested.emit(_item_name(item))
         )
         self.view.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
         self.of.currentIndexChanged.connect(lambda _index: self.shown_changed.emit())
-        self.update_enabled(ready=False, busy=False, answer=False)
+        self.update_enabled(ready=False, busy=False, has_result=False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Place the pictures side by side, or one below the other in a narrow panel."""
         super().resizeEvent(event)
-        more = max(self.of.minimumSizeHint().width(), self.curve.minimumWidth()) + SPACE
-        wide = self._inside.minimumSizeHint().width() + (0 if self._beside else more)
+        curve_width = max(self.of.minimumSizeHint().width(), self.curve.minimumWidth()) + SPACING
+        wide = self._inside.minimumSizeHint().width() + (0 if self._beside else curve_width)
         width = event.size().width() - self._area.verticalScrollBar().sizeHint().width()
         self._place_curve(beside=wide <= width)
 
     def _buttons(self) -> None:
-        make = widgets.button
-        self.propose = make(
+        add_button = widgets.button
+        self.propose = add_button(
             gettext("Find objects"), "patch_propose", primary=True,
             tip=gettext("Find objects that are visible in several lines, and put boxes around "
                         "them"),
         )  # fmt: skip
-        self.point = make(
+        self.point = add_button(
             gettext("Click object"), "patch_point",
             tip=gettext("Put a box around the next point that you click in the view"),
         )  # fmt: skip
-        self.target = make(
+        self.target = add_button(
             gettext("Target"), "patch_target", tip=gettext("Put a box around the selected target")
         )
-        self.box = make(
+        self.box = add_button(
             gettext("Clip box"),
             "patch_box",
             tip=gettext("Use the clip box of the view as the box of an object"),
         )
-        self.remove = make(
+        self.remove = add_button(
             gettext("Remove"), "patch_remove", tip=gettext("Remove the object from the list")
         )
-        self.go = make(
+        self.go = add_button(
             gettext("Go to object"), "patch_go", tip=gettext("Zoom the view to the object")
         )
-        self.all = make(
+        self.all = add_button(
             gettext("Find all angles"), "patch_find_all", primary=True,
             tip=gettext(
                 "Find the three angles at which the mismatch of the ticked objects is smallest, "
                 "with their standard deviations"
             ),
         )  # fmt: skip
-        self.keep = make(
+        self.save_button = add_button(
             gettext("Keep result"), "patch_keep",
             tip=gettext("Keep the result in the project as an alternative method"),
         )  # fmt: skip
-        self.prior = make(
+        self.prior = add_button(
             gettext("Reset angles"), "patch_prior",
             tip=gettext("Reset all angles to the prior boresight"),
         )  # fmt: skip
-        for button, asked in (
+        for button, signal in (
             (self.propose, self.propose_requested), (self.point, self.point_requested),
             (self.target, self.target_requested), (self.box, self.box_requested),
-            (self.all, self.all_requested), (self.keep, self.keep_requested),
+            (self.all, self.find_all_requested), (self.save_button, self.save_requested),
             (self.prior, self.prior_requested),
         ):  # fmt: skip
-            button.clicked.connect(lambda _on, asked=asked: asked.emit())
+            button.clicked.connect(lambda _on, signal=signal: signal.emit())
         self.remove.clicked.connect(lambda _on: self.remove_requested.emit(self.shown))
-        self.go.clicked.connect(lambda _on: self.go_requested.emit(self.shown))
+        self.go.clicked.connect(lambda _on: self.zoom_requested.emit(self.shown))
 
     def _create_left_column(self) -> QGridLayout:
         grid = QGridLayout()
@@ -188,7 +188,7 @@ class PatchTestPanel(QWidget):
             by_hand.addWidget(button)
         grid.addLayout(by_hand, 1, 0, 1, 3)
         lists = QHBoxLayout()
-        self.objects.setFixedWidth(LISTED)
+        self.objects.setFixedWidth(LIST_WIDTH)
         lists.addWidget(self.objects)
         lists.addWidget(self.pairs, 1)
         grid.addLayout(lists, 2, 0, 1, 3)
@@ -199,15 +199,15 @@ class PatchTestPanel(QWidget):
         return grid
 
     def _create_pictures(self) -> QWidget:
-        held = QWidget()
-        self._grid = grid = QGridLayout(held)
+        container = QWidget()
+        self._grid = grid = QGridLayout(container)
         grid.setContentsMargins(0, 0, 0, 0)
-        grid.setSpacing(SPACE)
+        grid.setSpacing(SPACING)
         grid.addWidget(self.view, 0, 0)
         grid.addWidget(self.picture, 1, 0)
         grid.setRowStretch(1, 1)
         self._place_curve(beside=True)
-        return held
+        return container
 
     def _place_curve(self, *, beside: bool) -> None:
         self._beside = beside
@@ -223,7 +223,7 @@ class PatchTestPanel(QWidget):
         column.addWidget(self.angles)
         column.addWidget(self.all)
         row = QHBoxLayout()
-        for button in (self.keep, self.prior):
+        for button in (self.save_button, self.prior):
             row.addWidget(button)
         column.addLayout(row)
         area = widgets.VerticalScrollArea(self.message_label, 200)
@@ -272,22 +272,22 @@ class PatchTestPanel(QWidget):
                     Qt.ItemDataRole.AccessibleTextRole, f"{pair.name}, {kind}"
                 )
 
-    def mark_objects(self, remarks: Mapping[str, Message]) -> None:
-        """Mark objects by name with remarks, which their tooltips show."""
+    def mark_objects(self, messages: Mapping[str, Message]) -> None:
+        """Mark objects by name with messages, which their tooltips show."""
         with QSignalBlocker(self.objects):
             for row in range(self.objects.count()):
                 item = self.objects.item(row)
-                remark = remarks.get(_item_name(item))
-                item.setText(f"{_item_name(item)} ⚠" if remark else _item_name(item))
-                tip = "" if remark is None else units.convert_unit_signs(message_text(remark), "°")
+                found = messages.get(_item_name(item))
+                item.setText(f"{_item_name(item)} ⚠" if found else _item_name(item))
+                tip = "" if found is None else units.convert_unit_signs(message_text(found), "°")
                 item.setToolTip(widgets.plain_tip(tip))
 
     def show_empty(self, reason: str) -> None:
         """Show why there are no objects: `EMPTY` or `NO_DATA`."""
-        self.words.setText(gettext(reason))
+        self.text_label.setText(gettext(reason))
         self.show_objects((), (), "")
 
-    def update_enabled(self, *, ready: bool, busy: bool, answer: bool) -> None:
+    def update_enabled(self, *, ready: bool, busy: bool, has_result: bool) -> None:
         """Enable the buttons that can be used now."""
         some, free = bool(self.objects.count()), ready and not busy
         for button in (self.propose, self.point, self.target, self.box):
@@ -295,7 +295,7 @@ class PatchTestPanel(QWidget):
         for button in (self.remove, self.go):
             button.update_enabled(some and ready)
         self.all.update_enabled(some and free)
-        self.keep.update_enabled(answer and free)
+        self.save_button.update_enabled(has_result and free)
         self.prior.update_enabled(some and ready)
         self.angles.setEnabled(some and ready)
         self.angles.update_enabled(some and free)

@@ -3,7 +3,7 @@
 from matplotlib.axes import Axes
 from matplotlib.backend_bases import FigureCanvasBase, MouseEvent
 
-STEP = 0.8
+ZOOM_STEP = 0.8
 """Factor on the width for one notch of the wheel."""
 
 Limits = tuple[tuple[float, float], tuple[float, float]]
@@ -22,7 +22,7 @@ class PlotZoom:
         canvas.mpl_connect("motion_notify_event", self._move)
         canvas.mpl_connect("button_release_event", self._release)
 
-    def keep(self, *, upright: bool = True) -> None:
+    def set_home(self, *, upright: bool = True) -> None:
         """Store the present limits as those of the whole plot.
 
         Parameters
@@ -36,7 +36,7 @@ class PlotZoom:
     def _zoom(self, event: MouseEvent) -> None:
         if event.inaxes is None or event.xdata is None or event.ydata is None:
             return
-        factor = STEP**event.step
+        factor = ZOOM_STEP**event.step
         axes = event.inaxes
         axes.set_xlim(*(event.xdata + factor * (x - event.xdata) for x in axes.get_xlim()))
         if self._upright:

@@ -14,7 +14,7 @@ from lispac.report.options import PAGES, USUAL, ReportOptions
 from lispac.survey.conventions.systems import LISPAC, SYSTEMS, Status
 from lispac.workflow.report_options import report_options
 
-OTHERS = tuple(each for each in SYSTEMS if each.key != LISPAC.key)
+OTHER_SYSTEMS = tuple(each for each in SYSTEMS if each.key != LISPAC.key)
 STATUS: dict[Status, str] = {
     "verified": N_("{program} (verified)"),
     "partly": N_("{program} (partly verified)"),
@@ -24,9 +24,9 @@ STATUS: dict[Status, str] = {
 _NAMES = (N_("Phoenix SpatialExplorer 6 and later"), N_("Phoenix SpatialExplorer 1 to 5"))
 """Names of programs that have a translation."""
 NO_TEMPLATE = N_("None")
-OF_WINDOW = "window"
+AS_WINDOW = "window"
 """The language of the report is that of the window."""
-LANGUAGE_KEYS = (OF_WINDOW, *LANGUAGES)
+LANGUAGE_KEYS = (AS_WINDOW, *LANGUAGES)
 
 
 class ReportPanel(QWidget):
@@ -109,7 +109,7 @@ class ReportPanel(QWidget):
             self.page.setCurrentIndex(list(PAGES).index(page))
         if language_key in LANGUAGE_KEYS:
             self.language.setCurrentIndex(LANGUAGE_KEYS.index(language_key))
-        keys = ["", *(each.key for each in OTHERS)]
+        keys = ["", *(each.key for each in OTHER_SYSTEMS)]
         self.convention.setCurrentIndex(keys.index(convention) if convention in keys else 0)
 
     def show_template(self, path: Path | None) -> None:
@@ -127,7 +127,7 @@ class ReportPanel(QWidget):
             else:
                 self.page.setCurrentIndex(list(PAGES).index(options.page))
                 self.language.setCurrentIndex(LANGUAGE_KEYS.index(options.language))
-                keys = ["", *(each.key for each in OTHERS)]
+                keys = ["", *(each.key for each in OTHER_SYSTEMS)]
                 if options.convention in keys:
                     self.convention.setCurrentIndex(keys.index(options.convention))
         self.template_error.setVisible(bool(self.template_error.text()))
@@ -148,7 +148,7 @@ class ReportPanel(QWidget):
             "report_language", [gettext("Same as window"), *LANGUAGES.values()],
             gettext("Language of the report. JSON is always in English."),
         )  # fmt: skip
-        names = [gettext(STATUS[each.status], program=gettext(each.name)) for each in OTHERS]
+        names = [gettext(STATUS[each.status], program=gettext(each.name)) for each in OTHER_SYSTEMS]
         self.convention = widgets.ChoiceBox(
             "report_convention", [gettext("(none)"), *names],
             gettext("Give the boresight also in the convention of another program"),
@@ -186,12 +186,12 @@ class ReportPanel(QWidget):
         self.changed.emit()
 
     def _with_choices(self, options: ReportOptions) -> ReportOptions:
-        keys = ["", *(each.key for each in OTHERS)]
+        keys = ["", *(each.key for each in OTHER_SYSTEMS)]
         return replace(
             options,
             page=list(PAGES)[self.page.currentIndex()],
             convention=keys[self.convention.currentIndex()],
-            language=current_language() if self._language_key == OF_WINDOW else self._language_key,
+            language=current_language() if self._language_key == AS_WINDOW else self._language_key,
         )
 
     @property

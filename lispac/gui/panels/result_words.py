@@ -14,7 +14,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.report.settings_section import COMPONENTS
 
-LEAST_SURFACE = 5e-5
+MIN_ROUGHNESS = 5e-5
 """Metres: a smaller surface sigma is shown as 0.0 mm."""
 _TENTH_MM = 1e-4
 
@@ -40,7 +40,7 @@ def roughness_text(result: AdjustmentResult) -> str:
         return "–"
     if result.model.surface == 0:
         return gettext("fixed at 0")
-    if result.surfaces.max() < LEAST_SURFACE:
+    if result.surfaces.max() < MIN_ROUGHNESS:
         return gettext("not detected")
     if result.offset is None:
         return _roughness_value_text(result.surface)
@@ -51,7 +51,7 @@ def roughness_text(result: AdjustmentResult) -> str:
 
 
 def _roughness_value_text(metres: float) -> str:
-    if metres < LEAST_SURFACE:
+    if metres < MIN_ROUGHNESS:
         return gettext("below {limit}", limit=quantities.amount(1000 * _TENTH_MM, "mm", 1))
     return quantities.amount(1000 * metres, "mm", 1)
 

@@ -44,7 +44,7 @@ EMPTY = N_(
 )
 WAITING = N_("Estimating …")
 _TWO_SIDED_95 = 1.96
-_ROW = 25
+_ROW_PX = 25
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -70,7 +70,7 @@ class ResultsPanel(QWidget):
         *,
         waiting: bool = False,
         refusal: str = "",
-        older: Message | str = "",
+        refused_since: Message | str = "",
     ) -> None:
         """Show the result of a project.
 
@@ -80,7 +80,7 @@ class ResultsPanel(QWidget):
             A new estimate is running: the last result stays, disabled.
         refusal : str
             Why there is no result.
-        older : Message or str
+        refused_since : Message or str
             Why an estimate after this result failed.
         """
         result = None if project is None else project.result
@@ -100,7 +100,7 @@ class ResultsPanel(QWidget):
             _fill_angles(self.angles, result, project.truth_deg)
             self._truth_note.setVisible(project.truth_deg is not None)
             self._fill_rotation(result)
-            self._fill_texts(project, result, older)
+            self._fill_texts(project, result, refused_since)
             _fill_correlation(self.correlation, result)
             self._fill_fit(project, result)
 
@@ -167,10 +167,12 @@ class ResultsPanel(QWidget):
             title = escape(gettext("Rotation matrix, LiDAR to body (forward, left, up):"))
             self.rotation.setText(f"{sentence}<br>{title}<table>{rows}</table>")
 
-    def _fill_texts(self, project: Project, result: AdjustmentResult, older: Message | str) -> None:
+    def _fill_texts(
+        self, project: Project, result: AdjustmentResult, refused_since: Message | str
+    ) -> None:
         also = list(project_warnings(project))
-        if older:
-            also.insert(0, outdated_result_warning(older))
+        if refused_since:
+            also.insert(0, outdated_result_warning(refused_since))
         warnings = result_warnings(result, project.cross_checks, also)
         self.warnings.setText("<br><br>".join(escape(message_text(each)) for each in warnings))
         self.warnings.setVisible(bool(warnings))
@@ -262,7 +264,7 @@ def _create_table(name: str, title: str, rows: int) -> QTableWidget:
     for column in range(len(ANGLES)):
         table.horizontalHeaderItem(column).setTextAlignment(_RIGHT)
     side = table.verticalHeader()
-    side.setDefaultSectionSize(_ROW)
+    side.setDefaultSectionSize(_ROW_PX)
     side.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
     side.setMinimumWidth(96)
     side.setHighlightSections(False)
@@ -275,7 +277,7 @@ def _create_table(name: str, title: str, rows: int) -> QTableWidget:
 def _set_row_titles(table: QTableWidget, titles: Sequence[str]) -> None:
     table.setRowCount(len(titles))
     table.setVerticalHeaderLabels(list(titles))
-    table.setFixedHeight(table.horizontalHeader().sizeHint().height() + _ROW * len(titles) + 3)
+    table.setFixedHeight(table.horizontalHeader().sizeHint().height() + _ROW_PX * len(titles) + 3)
 
 
 def _fill_angles(table: QTableWidget, result: AdjustmentResult, truth: Triple | None) -> None:

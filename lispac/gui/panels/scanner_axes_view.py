@@ -10,7 +10,7 @@ from lispac.gui import theme
 from lispac.language import N_, gettext
 
 FACTORS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
-SHOWN_DEG = 25.0
+MAX_SHOWN_DEG = 25.0
 """The exaggerated turn stays below this, so that the axes keep their places."""
 SCANNER_AXES = (("X", "axis_x"), ("Y", "axis_y"), ("Z", "axis_z"))
 _BODY = (N_("forward"), N_("port"), N_("up"))
@@ -28,7 +28,7 @@ def exaggeration_factor(boresight: np.ndarray) -> int:
     boresight : ndarray of shape (3,), radians
     """
     turn = np.degrees(np.linalg.norm(_rotation_vector(boresight)))
-    fitting = [factor for factor in FACTORS if factor * turn <= SHOWN_DEG]
+    fitting = [factor for factor in FACTORS if factor * turn <= MAX_SHOWN_DEG]
     return fitting[-1] if fitting and turn > 1e-6 else 1
 
 

@@ -16,7 +16,7 @@ class SearchOptionFields(QWidget):
 
     def __init__(self, prefix: str) -> None:
         super().__init__()
-        self._given = USUAL
+        self._options = USUAL
         self.points = widgets.number(
             f"{prefix}_min_points", suffix="", decimals=0, low=3, high=1_000_000, step=10,
             tip=gettext(
@@ -54,18 +54,18 @@ class SearchOptionFields(QWidget):
     @property
     def value(self) -> FinderChoices:
         """The chosen options."""
-        tilt = round(degrees(self._given.max_tilt), 1)
+        tilt = round(degrees(self._options.max_tilt), 1)
         return replace(
-            self._given,
+            self._options,
             min_points=int(self.points.value()),
             # A value that the field has only rounded stays exact.
-            max_tilt=self._given.max_tilt if self.tilt.value() == tilt
+            max_tilt=self._options.max_tilt if self.tilt.value() == tilt
             else radians(self.tilt.value()),
         )  # fmt: skip
 
     def show_value(self, choices: FinderChoices) -> None:
         """Show options; unfolded if any is not the default."""
-        self._given = choices
+        self._options = choices
         self.points.setValue(choices.min_points)
         self.tilt.setValue(round(degrees(choices.max_tilt), 1))
         self._summarise()

@@ -16,15 +16,15 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 TITLE = N_("Section")
-LAID = (N_("Vertical"), N_("Horizontal"))
+ORIENTATIONS = (N_("Vertical"), N_("Horizontal"))
 """Orientations of the strip."""
 EMPTY = N_(
     "Select a target to show a section of all lines across it, or cut a section between two "
     "points. Lines that are shifted or tilted against each other indicate a wrong boresight."
 )
-ZOOM = N_("Wheel: zoom. Drag: move. Double-click: show all.")
-AHEAD, HEIGHT = N_("Distance from the vessel (m)"), N_("Height (m)")
-RIGHT, ALONG = N_("Distance to the right (m)"), N_("Distance from the first point (m)")
+ZOOM_HINT = N_("Wheel: zoom. Drag: move. Double-click: show all.")
+AHEAD_LABEL, HEIGHT_LABEL = N_("Distance from the vessel (m)"), N_("Height (m)")
+RIGHT_LABEL, ALONG_LABEL = N_("Distance to the right (m)"), N_("Distance from the first point (m)")
 """Titles of the axes."""
 PRINT_DPI = 200
 
@@ -42,8 +42,8 @@ class SectionPanel(QWidget):
         super().__init__()
         self.setMinimumHeight(216)
         self.through = widgets.label("", "heading", name="section_through")
-        self.laid = widgets.ChoiceBox(
-            "section_laid", [gettext(title) for title in LAID],
+        self.orientation = widgets.ChoiceBox(
+            "section_laid", [gettext(title) for title in ORIENTATIONS],
             gettext(
                 "A vertical section shows height against distance and reveals errors of roll "
                 "and pitch. A horizontal section shows the lines from above and reveals errors "
@@ -75,10 +75,10 @@ class SectionPanel(QWidget):
         pictures = QHBoxLayout()
         pictures.addWidget(self.save_picture, 1)
         pictures.addWidget(self.copy_picture, 1)
-        self.words = widgets.label(gettext(EMPTY), "muted", wrap=True, name="section_words")
+        self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="section_words")
         form = QFormLayout()
         form.addRow(self.through)
-        form.addRow(gettext("Orientation"), self.laid)
+        form.addRow(gettext("Orientation"), self.orientation)
         form.addRow(gettext("Thickness"), self.thickness)
         form.addRow(gettext("Size"), self.size)
         self._left = QVBoxLayout()
@@ -94,11 +94,11 @@ class SectionPanel(QWidget):
         self._row.setContentsMargins(0, 0, 4, 0)
         self._row.addWidget(side)
         # In the place of the picture: beside the options there is no space for the text.
-        self._row.addWidget(self.words, 1)
-        self.words.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.words.setContentsMargins(24, 0, 24, 0)
+        self._row.addWidget(self.text_label, 1)
+        self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.text_label.setContentsMargins(24, 0, 24, 0)
         self.canvas: QWidget | None = None
-        self.laid.currentIndexChanged.connect(lambda _index: self.changed.emit())
+        self.orientation.currentIndexChanged.connect(lambda _index: self.changed.emit())
         self.thickness.valueChanged.connect(lambda _value: self.changed.emit())
         self.size.valueChanged.connect(lambda _value: self.changed.emit())
         self.points.clicked.connect(lambda _on: self.points_requested.emit())
@@ -107,12 +107,12 @@ class SectionPanel(QWidget):
         self._allow_pictures(False)
 
     @property
-    def level(self) -> bool:
+    def is_horizontal(self) -> bool:
         """Whether the strip is horizontal."""
-        return self.laid.currentIndex() == 1
+        return self.orientation.currentIndex() == 1
 
     @property
-    def shows(self) -> bool:
+    def has_section(self) -> bool:
         """Whether a section is displayed."""
         return bool(self.through.text())
 
@@ -136,8 +136,8 @@ class SectionPanel(QWidget):
     def show_nothing(self, reason: str) -> None:
         """Show why there is no section."""
         self.through.setText("")
-        self.words.setText(reason)
-        self.words.show()
+        self.text_label.setText(reason)
+        self.text_label.show()
         self._allow_pictures(False)
         if self.canvas is not None:
             self.canvas.hide()
@@ -159,14 +159,15 @@ class SectionPanel(QWidget):
         """
         title = through
         self.through.setText(title)
-        self.laid.setEnabled(target)
-        self.words.hide()
+        self.orientation.setEnabled(target)
+        self.text_label.hide()
         self._make_canvas()
-        across = RIGHT if self.level else AHEAD
-        axes = (across, AHEAD if self.level else HEIGHT) if target else (ALONG, HEIGHT)
+        across = RIGHT_LABEL if self.is_horizontal else AHEAD_LABEL
+        upward = AHEAD_LABEL if self.is_horizontal else HEIGHT_LABEL
+        axes = (across, upward) if target else (ALONG_LABEL, HEIGHT_LABEL)
         self._shown = cuts, colours, axes
         self._draw(self.canvas.figure)
-        self._zooming.keep()
+        self._zooming.set_home()
         self.canvas.draw_idle()
         self.canvas.show()
         self._allow_pictures(True)
@@ -186,6 +187,6 @@ class SectionPanel(QWidget):
 
         self.canvas = Chart(300, 150, theme.PAPER)
         self.canvas.setObjectName("section_canvas")
-        self.canvas.setToolTip(gettext(ZOOM))
+        self.canvas.setToolTip(gettext(ZOOM_HINT))
         self._zooming = PlotZoom(self.canvas)
         self._row.addWidget(self.canvas, 1)

@@ -15,9 +15,9 @@ from lispac.gui.viewport.overlay import length_text, scale_bar_length
 from lispac.language import N_, gettext
 from lispac.workflow.survey_sections import SectionPoints
 
-MOST = 60_000
+MAX_POINTS = 60_000
 """Largest number of points drawn; of more, an even subsample of all lines."""
-TEXT, SMALL = 9, 8
+FONT_SIZE, SMALL_SIZE = 9, 8
 TITLES = {"prior": N_("Before"), "estimated": N_("After")}
 TITLES_WITH_DISTANCE = {
     "prior": N_("Before: largest distance between lines {distance}"),
@@ -44,9 +44,9 @@ def draw_section(
         axes = figure.add_subplot(1, len(cuts), number, sharex=first, sharey=first)
         first = first or axes
         _draw_cut(axes, cut, colours)
-        axes.set_xlabel(gettext(titles[0]), fontsize=TEXT, color=theme.TEXT)
+        axes.set_xlabel(gettext(titles[0]), fontsize=FONT_SIZE, color=theme.TEXT)
         if number == 1:
-            axes.set_ylabel(gettext(titles[1]), fontsize=TEXT, color=theme.TEXT)
+            axes.set_ylabel(gettext(titles[1]), fontsize=FONT_SIZE, color=theme.TEXT)
         convert_axis_units(axes.xaxis, "m")
         convert_axis_units(axes.yaxis, "m")
     lines = [line for line in colours if any(len(cut.points.get(line, ())) for cut in cuts)]
@@ -58,7 +58,7 @@ def draw_section(
             for line in lines
         ]
         legend = figure.legend(
-            marks, lines, loc="outside right center", fontsize=SMALL, frameon=False,
+            marks, lines, loc="outside right center", fontsize=SMALL_SIZE, frameon=False,
             labelcolor=theme.TEXT, handletextpad=0.1, borderaxespad=0.2,
         )  # fmt: skip
         for text in legend.get_texts():
@@ -76,7 +76,7 @@ def cut_title(cut: SectionPoints) -> str:
 def _draw_cut(axes: Axes, cut: SectionPoints, colours: Mapping[str, Colour]) -> None:
     axes.set_facecolor(theme.PAPER)
     total = sum(len(points) for points in cut.points.values())
-    step = -(-total // MOST) or 1
+    step = -(-total // MAX_POINTS) or 1
     for line, points in cut.points.items():
         shown = points[::step]
         axes.plot(
@@ -89,12 +89,12 @@ def _draw_cut(axes: Axes, cut: SectionPoints, colours: Mapping[str, Colour]) -> 
     axes.set_aspect("equal", adjustable="box")
     axes.grid(color=theme.GRID, linewidth=0.6)
     axes.set_axisbelow(True)
-    axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
+    axes.tick_params(labelsize=SMALL_SIZE, colors=theme.TEXT)
     axes.spines[:].set_color(theme.MUTED)
-    axes.set_title(cut_title(cut), fontsize=TEXT, color=theme.TEXT, loc="left")
+    axes.set_title(cut_title(cut), fontsize=FONT_SIZE, color=theme.TEXT, loc="left")
     if not total:
         axes.text(0.5, 0.5, gettext("No points in the section"), transform=axes.transAxes,
-                  ha="center", color=theme.MUTED, fontsize=TEXT)  # fmt: skip
+                  ha="center", color=theme.MUTED, fontsize=FONT_SIZE)  # fmt: skip
     _draw_scale_bar(axes, 2 * half)
 
 
@@ -107,7 +107,7 @@ def _draw_scale_bar(axes: Axes, extent: Array) -> None:
               solid_capstyle="butt")  # fmt: skip
     axes.annotate(
         length, (left, low), xytext=(0, 4), textcoords="offset points",
-        fontsize=SMALL, color=theme.TEXT,
+        fontsize=SMALL_SIZE, color=theme.TEXT,
         bbox={"facecolor": theme.PAPER, "alpha": 0.7, "edgecolor": "none", "pad": 0.5},
     )  # fmt: skip
 

@@ -38,9 +38,9 @@ _LIGHTS: dict[Rating, str] = {
 class SightingsModel(QAbstractTableModel):
     """Table model with targets as rows and lines as columns; the last row is whole lines."""
 
-    target_used = Signal(str, bool)
-    line_used = Signal(str, bool)
-    sighting_used = Signal(str, str, bool)
+    target_use_changed = Signal(str, bool)
+    line_use_changed = Signal(str, bool)
+    sighting_use_changed = Signal(str, str, bool)
 
     def __init__(self) -> None:
         super().__init__()
@@ -153,15 +153,15 @@ class SightingsModel(QAbstractTableModel):
             return False
         used = Qt.CheckState(value) == Qt.CheckState.Checked
         if index.row() == len(self._targets) and index.column() > 0:
-            self.line_used.emit(self._lines[index.column() - 1], used)
+            self.line_use_changed.emit(self._lines[index.column() - 1], used)
             return True
         key = self.key(index)
         if key is None:
             return False
         if key[1]:
-            self.sighting_used.emit(*key, used)
+            self.sighting_use_changed.emit(*key, used)
         else:
-            self.target_used.emit(key[0], used)
+            self.target_use_changed.emit(key[0], used)
         return True
 
     @property

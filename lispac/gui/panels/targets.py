@@ -55,8 +55,8 @@ class TargetsPanel(QWidget):
         layout.addWidget(self.hint)
         layout.addLayout(self._create_role_buttons())
         layout.addLayout(self._seed_form())
-        self.more = SearchOptionFields("seed")
-        layout.addWidget(self.more)
+        self.search_fields = SearchOptionFields("seed")
+        layout.addWidget(self.search_fields)
         self.candidate = DetectedTargetPanel()
         self.candidate.accept.clicked.connect(self.accepted)
         self.candidate.reject.clicked.connect(self.rejected)
@@ -112,7 +112,7 @@ class TargetsPanel(QWidget):
         """All options of the next seed."""
         return SeedOptions(
             self.role, self.line, self.current, self.threshold, self.radius, self.shape,
-            self.sphere_radius, self.expected, self.more.value,
+            self.sphere_radius, self.expected, self.search_fields.value,
         )  # fmt: skip
 
     @property

@@ -24,21 +24,21 @@ from lispac.messages import Level, Message
 from lispac.warning_causes import RESULT
 
 TITLE = N_("Warnings")
-ENTERS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
+ACTIVATE_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
 
-LOOKS: dict[Level, tuple[str, str, str]] = {
+LEVEL_STYLES: dict[Level, tuple[str, str, str]] = {
     Level.ERROR: ("alert-octagon", "error", N_("Error")),
     Level.WARNING: ("alert", "warning", N_("Warning")),
     Level.NOTE: ("information-outline", "muted", N_("Note")),
 }
 """Icon, colour and name. The shapes differ too, for colour-blind users."""
 
-TURN_S = 0.015
+MAX_SLICE_S = 0.015
 """Seconds in which texts are added before the window reacts again: each takes a millisecond."""
 
 NO_PROJECT = N_("Open or create a project to see its warnings.")
-NOTHING = N_("No warnings about the files, the targets or the result.")
-GO = N_("Click a warning, or press Enter on it, to go to its cause.")
+NO_WARNINGS = N_("No warnings about the files, the targets or the result.")
+CLICK_HINT = N_("Click a warning, or press Enter on it, to go to its cause.")
 WAITING = N_("A new estimate is running. These warnings are from before the change.")
 
 
@@ -60,8 +60,8 @@ def level_counts_text(messages: Sequence[Message]) -> str:
 class WarningsPanel(QWidget):
     """List of warnings, or the reason why there is none."""
 
-    followed = Signal(object)
-    """The `Cause` that the user wants to see."""
+    cause_activated = Signal(object)
+    """The `Cause` to show."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -79,7 +79,7 @@ class WarningsPanel(QWidget):
         column.setSpacing(4)
         column.addWidget(self.head)
         column.addWidget(self.list, 1)
-        self._kept: Message | None = None
+        self._current_message: Message | None = None
         self._texts: dict[Message, str] = {}
         self._turn = QTimer(self)
         self._turn.setSingleShot(True)
@@ -105,15 +105,15 @@ class WarningsPanel(QWidget):
     def show_warnings(self, messages: Sequence[Message]) -> None:
         """Show the list; the current message stays current if it is still there."""
         current = self.list.currentRow()
-        kept = self.messages[current] if 0 <= current < len(self.messages) else None
+        current_message = self.messages[current] if 0 <= current < len(self.messages) else None
         self.messages = tuple(messages)
         self.list.clear()
-        self._kept = kept
+        self._current_message = current_message
         if not messages:
-            self._show_empty(NOTHING)
+            self._show_empty(NO_WARNINGS)
             return
         self._fill()
-        self.head.setText(f"{level_counts_text(messages)}. {gettext(GO)}")
+        self.head.setText(f"{level_counts_text(messages)}. {gettext(CLICK_HINT)}")
         self._pages.setCurrentIndex(1)
 
     @property
@@ -123,21 +123,21 @@ class WarningsPanel(QWidget):
 
     def _fill(self) -> None:
         """Add messages for a short time, and the others in the next turn of the event loop."""
-        until = time.monotonic() + TURN_S
+        until = time.monotonic() + MAX_SLICE_S
         texts = self._texts
         while not self.is_filled and time.monotonic() < until:
             message = self.messages[self.list.count()]
             if message not in texts:
                 texts[message] = message_text(message)
             self.list.addItem(_message_item(message, texts[message]))
-            if message == self._kept:
+            if message == self._current_message:
                 self.list.setCurrentRow(self.list.count() - 1)
         if not self.is_filled:
             self._turn.start()
         elif len(texts) > len(self.messages):
             self._texts = {each: texts[each] for each in self.messages}
 
-    def take_focus(self) -> None:
+    def focus_list(self) -> None:
         """Give the list the keyboard focus."""
         if self.list.count():
             if self.list.currentRow() < 0:
@@ -150,7 +150,7 @@ class WarningsPanel(QWidget):
 
     def _emit_cause(self, row: int) -> None:
         if 0 <= row < len(self.messages):
-            self.followed.emit(self.messages[row].subject or RESULT)
+            self.cause_activated.emit(self.messages[row].subject or RESULT)
 
 
 class _WarningListWidget(QListWidget):
@@ -175,20 +175,20 @@ class _WarningListWidget(QListWidget):
     def event(self, event: QEvent) -> bool:
         # Elsewhere in the window Enter accepts the candidate.
         pressed = event.type() == QEvent.Type.ShortcutOverride
-        if pressed and isinstance(event, QKeyEvent) and event.key() in ENTERS:
+        if pressed and isinstance(event, QKeyEvent) and event.key() in ACTIVATE_KEYS:
             event.accept()
             return True
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in ENTERS and self.currentRow() >= 0:
+        if event.key() in ACTIVATE_KEYS and self.currentRow() >= 0:
             self.entered_.emit(self.currentRow())
         else:
             super().keyPressEvent(event)
 
 
 def _message_item(message: Message, text: str) -> QListWidgetItem:
-    icon, colour, level = LOOKS[message.level]
+    icon, colour, level = LEVEL_STYLES[message.level]
     made = QListWidgetItem(theme.icon(icon, theme.colour(colour).name()), text)
     action = gettext("Click, or press Enter, to go to the cause")
     made.setToolTip(widgets.plain_tip(f"{gettext(level)}\n{action}"))
@@ -214,7 +214,7 @@ class WarningsButton(QPushButton):
         worst = next(
             (level for level in Level if any(m.level is level for m in messages or ())), None
         )
-        icon, colour = LOOKS[worst][:2] if worst else ("check-circle-outline", "done")
+        icon, colour = LEVEL_STYLES[worst][:2] if worst else ("check-circle-outline", "done")
         self.setIcon(theme.icon(icon, theme.colour(colour).name()))
         text = (
             level_counts_text([each for each in messages or () if each.level is worst])

@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import theme, units
 from lispac.gui.panels.number_field import BASES, NumberField
-from lispac.gui.tab_order import ENTERS
+from lispac.gui.tab_order import ENTER_KEYS
 from lispac.gui.units import Base
 from lispac.language import N_, gettext
 
@@ -93,7 +93,7 @@ class Button(QPushButton):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Press the button with Enter only if it has the focus."""
-        if event.key() in ENTERS and not event.isAutoRepeat():
+        if event.key() in ENTER_KEYS and not event.isAutoRepeat():
             self.click()
         else:
             super().keyPressEvent(event)
@@ -204,12 +204,12 @@ class VerticalScrollArea(QScrollArea):
 
     Parameters
     ----------
-    least : pixels that it is wide at least
+    min_width : smallest width, pixels
     """
 
-    def __init__(self, inside: QWidget, least: int) -> None:
+    def __init__(self, inside: QWidget, min_width: int) -> None:
         super().__init__()
-        self._least, self._asked = least, 0
+        self._min_width, self._content_width = min_width, 0
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -219,8 +219,8 @@ class VerticalScrollArea(QScrollArea):
         """Update the width when the content becomes wider."""
         if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():
             wide = self.minimumSizeHint().width()
-            if wide != self._asked:
-                self._asked = wide
+            if wide != self._content_width:
+                self._content_width = wide
                 self.updateGeometry()
         return super().eventFilter(watched, event)
 
@@ -228,7 +228,7 @@ class VerticalScrollArea(QScrollArea):
         """Smallest size for content and scroll bar, in pixels."""
         inside = self.widget().minimumSizeHint().width()
         bar = self.verticalScrollBar().sizeHint().width()
-        return QSize(max(inside + bar, self._least), super().minimumSizeHint().height())
+        return QSize(max(inside + bar, self._min_width), super().minimumSizeHint().height())
 
 
 class TripleField(QWidget):
@@ -307,5 +307,5 @@ def vertical_layout(parent: QWidget, margin: int = 12) -> QVBoxLayout:
     """Vertical layout with the spacing of all panels."""
     layout = QVBoxLayout(parent)
     layout.setContentsMargins(margin, margin, margin, margin)
-    layout.setSpacing(theme.SPACE)
+    layout.setSpacing(theme.SPACING)
     return layout

@@ -19,7 +19,7 @@ from lispac.gui.status import STEPS, State, StepStatus
 from lispac.language import N_, gettext
 
 _HEIGHT = 46
-_LOOKS: dict[State, tuple[str, str, str]] = {
+_STATE_STYLES: dict[State, tuple[str, str, str]] = {
     "empty": ("circle-outline", "waiting", N_("not started")),
     "todo": ("circle-slice-4", "accent", N_("to do")),
     "done": ("check-circle", "done", N_("done")),
@@ -93,12 +93,12 @@ class _StepHeader(QPushButton):
         name = widgets.label("", "heading")
         name.setText(self._title)
         self.sentence = widgets.label("", "muted")
-        words = QVBoxLayout()
-        words.setSpacing(0)
-        words.addWidget(name)
-        words.addWidget(self.sentence)
+        texts = QVBoxLayout()
+        texts.setSpacing(0)
+        texts.addWidget(name)
+        texts.addWidget(self.sentence)
         row.addWidget(self._glyph)
-        row.addLayout(words, 1)
+        row.addLayout(texts, 1)
         for inner in (self._glyph, name, self.sentence):
             inner.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
@@ -106,7 +106,7 @@ class _StepHeader(QPushButton):
         return QSize(300, _HEIGHT)
 
     def show_status(self, status: StepStatus) -> None:
-        icon, colour, state = _LOOKS[status.state]
+        icon, colour, state = _STATE_STYLES[status.state]
         self._glyph.setPixmap(theme.icon(icon, theme.colour(colour).name()).pixmap(18, 18))
         sentence = status.sentence
         self.sentence.setText(sentence)

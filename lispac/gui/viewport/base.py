@@ -50,10 +50,10 @@ class PointColouring:
     ----------
     colours : mapping of line name to uint8 ndarray of shape (n, 3)
     title : what is shown, with its unit
-    low, high : words at the ends of the scale
+    low, high : texts at the ends of the scale
     scale : uint8 ndarray of shape (m, 3)
         Colours from low to high.
-    metric : words at the ends in metres or millimetres, as the title says, where those are in
+    metric : texts at the ends in metres or millimetres, as the title says, where those are in
         another unit, for a picture that is a file
     """
 
@@ -91,8 +91,8 @@ class Sketch:
     points : metres, local frame
     edges : pairs of places in ``points``
     dots : whether the points are marked
-    label, at : words, and the place they stand beside
-    metric : the words in metres where those are in another unit, for a picture that is a file
+    label, at : text, and the point beside it
+    metric : the text in metres where those are in another unit, for a picture that is a file
     """
 
     points: tuple[tuple[float, float, float], ...]
@@ -108,9 +108,9 @@ class Sketch:
 MouseMode = Literal["navigate", "point", "outline"]
 """What the left button does: turns the view; that and points; draws an outline."""
 
-CHOSEN_COLOUR: Colour = (60, 255, 30)
+SELECTED_COLOUR: Colour = (60, 255, 30)
 """Bright green: no line, target or validation plane has it."""
-BESIDE_COLOUR: Colour = (165, 171, 178)
+UNSELECTED_COLOUR: Colour = (165, 171, 178)
 """The other sightings of the target whose one sighting is chosen."""
 
 
@@ -138,8 +138,8 @@ def highlight_emphasis(highlight: Highlight, selected: tuple[str, str] | None) -
     if not selected[1]:
         return SightingStyle(highlight.colour, 4, outlined=True)
     if highlight.key == selected:
-        return SightingStyle(CHOSEN_COLOUR, 5, outlined=True, above=True)
-    return SightingStyle(BESIDE_COLOUR, 1)
+        return SightingStyle(SELECTED_COLOUR, 5, outlined=True, above=True)
+    return SightingStyle(UNSELECTED_COLOUR, 1)
 
 
 class ViewportSignals(QObject):
@@ -151,7 +151,7 @@ class ViewportSignals(QObject):
     outlined = Signal(object)  # pixels (n, 2) of the outline that was drawn
     hovered = Signal(object)  # PickedPoint under the mouse, or None, while hovering
     handle_moved = Signal(str, int, float)  # sketch, place of the handle, metres since the last
-    handle_let_go = Signal(str)  # sketch
+    handle_released = Signal(str)  # sketch
 
 
 class Viewport(Protocol):
@@ -189,7 +189,7 @@ class Viewport(Protocol):
     def clip(self, box: Box | None) -> None:
         """Draw only the points in a box; None for all points."""
 
-    def show_beside(self, clouds: Mapping[str, Array] | None) -> None:
+    def show_wipe(self, clouds: Mapping[str, Array] | None) -> None:
         """Draw the lines placed otherwise on the left of a movable dividing line; None ends it.
 
         They are the same points in the same order, and have the same colours; None ends it.
@@ -214,7 +214,7 @@ class Viewport(Protocol):
     def view(self, name: str) -> None:
         """Show a standard view: "top", "front", "back", "left", "right" or "isometric"."""
 
-    def look_along(self, direction: Array, points: Array) -> None:
+    def view_along(self, direction: Array, points: Array) -> None:
         """Look at points (n, 3) along a direction (3,), from the station's side of them."""
 
     def set_parallel(self, parallel: bool) -> None:

@@ -17,11 +17,11 @@ VIEW_ANGLE = float(np.radians(30.0))
 ORBIT_RATE = float(np.radians(0.35))
 """Turn per pixel of mouse movement, radians."""
 
-CLOSEST = 0.02
-"""Nearest the eye comes to what it looks at, metres."""
+MIN_DISTANCE = 0.02
+"""Shortest distance from the eye to the focal point, metres."""
 
-BEHIND = 5000.0
-"""How far a parallel projection's eye steps back, metres, so that all it shows lies before it."""
+PARALLEL_OFFSET = 5000.0
+"""Distance added for a parallel projection, metres, so that all points are in front of the eye."""
 
 
 @dataclass(frozen=True)
@@ -81,9 +81,9 @@ class Camera:
     @property
     def focal_depth(self) -> float:
         """Distance from the camera to the focal point, metres."""
-        return self.distance + (BEHIND if self.parallel else 0.0)
+        return self.distance + (PARALLEL_OFFSET if self.parallel else 0.0)
 
-    def reach(self, depth: Array | float) -> Array | float:
+    def scale_depth(self, depth: Array | float) -> Array | float:
         """Depth that determines sizes; in a parallel projection the same everywhere."""
         return self.distance if self.parallel else depth
 
@@ -99,15 +99,15 @@ class Camera:
         ndarray of shape (n, 3)
             x and y in pixels and the depth in metres; x and y are NaN behind the eye.
         """
-        seen = (np.atleast_2d(points) - self.position) @ self.axes.T
-        depth = np.where(seen[:, 2] > 0.0, seen[:, 2], np.nan)
-        scale = size.pixels_per_tangent / self.reach(depth)
-        x = 0.5 * size.width + seen[:, 0] * scale
-        y = 0.5 * size.height - seen[:, 1] * scale
-        return np.column_stack([x, y, seen[:, 2]])
+        rotated = (np.atleast_2d(points) - self.position) @ self.axes.T
+        depth = np.where(rotated[:, 2] > 0.0, rotated[:, 2], np.nan)
+        scale = size.pixels_per_tangent / self.scale_depth(depth)
+        x = 0.5 * size.width + rotated[:, 0] * scale
+        y = 0.5 * size.height - rotated[:, 1] * scale
+        return np.column_stack([x, y, rotated[:, 2]])
 
     def ray_slopes(self, x: float, y: float, size: ViewportSize) -> tuple[float, float]:
-        """Metres to the right and up, per metre of `reach`, of the ray through a pixel."""
+        """Metres to the right and up, per metre of `scale_depth`, of the ray through a pixel."""
         return (
             (x - 0.5 * size.width) / size.pixels_per_tangent,
             (0.5 * size.height - y) / size.pixels_per_tangent,
@@ -116,8 +116,8 @@ class Camera:
     def point_at(self, x: float, y: float, depth: float, size: ViewportSize) -> Array:
         """Point at a depth behind a pixel; shape (3,), metres, local frame."""
         right, up = self.ray_slopes(x, y, size)
-        reach = self.reach(depth)
-        return self.position + np.array([right * reach, up * reach, depth]) @ self.axes
+        scale_depth = self.scale_depth(depth)
+        return self.position + np.array([right * scale_depth, up * scale_depth, depth]) @ self.axes
 
     def metres_per_pixel(self, size: ViewportSize) -> float:
         """Metres per pixel at the focal point."""
@@ -125,9 +125,9 @@ class Camera:
 
     def with_focal_depth(self, depth: float) -> "Camera":
         """Camera with the same picture and the focal point at another depth."""
-        depth = max(depth, CLOSEST)
+        depth = max(depth, MIN_DISTANCE)
         focal = self.position + depth * self.axes[2]
-        return replace(self, focal=focal, distance=float(self.reach(depth)))
+        return replace(self, focal=focal, distance=float(self.scale_depth(depth)))
 
     def with_projection(self, *, parallel: bool) -> "Camera":
         """Camera with parallel or perspective projection and the same size at the focal point."""
@@ -142,7 +142,7 @@ class Camera:
 
     def centred(self, point: Array, factor: float, depth: float) -> "Camera":
         """Camera with a point at the centre, at ``factor`` times its ``depth``, metres."""
-        return replace(self, focal=point, distance=factor * float(self.reach(depth)))
+        return replace(self, focal=point, distance=factor * float(self.scale_depth(depth)))
 
     def orbited(self, dx: float, dy: float, pivot: Array) -> "Camera":
         """Camera turned about a point by a drag of (dx, dy) pixels."""
@@ -157,12 +157,12 @@ class Camera:
 
     def panned(self, dx: float, dy: float, depth: float, size: ViewportSize) -> "Camera":
         """Camera shifted so that a point at ``depth`` follows the mouse by (dx, dy) pixels."""
-        step = self.reach(depth) / size.pixels_per_tangent
+        step = self.scale_depth(depth) / size.pixels_per_tangent
         return replace(self, focal=self.focal + step * (np.array([-dx, dy, 0.0]) @ self.axes))
 
     def zoomed(self, factor: float, target: Array) -> "Camera":
         """Camera at ``factor`` times the distance to ``target``, which stays at its pixel."""
-        factor = max(factor, CLOSEST / self.distance)
+        factor = max(factor, MIN_DISTANCE / self.distance)
         return replace(
             self,
             focal=target + factor * (self.focal - target),
@@ -173,21 +173,21 @@ class Camera:
         """Camera with the same direction that shows all of the points (n, 3)."""
         aspect = max(size.width, 1.0) / max(size.height, 1.0)
         tangent = np.tan(0.5 * VIEW_ANGLE) * np.array([aspect, 1.0])
-        seen = points @ self.axes.T
-        # Perspective shifts the middle of the picture, so the centre is sought in a few steps.
-        centre = 0.5 * (seen.min(axis=0) + seen.max(axis=0))
-        # What limits it is linear in the points, so that they are gone through only once.
-        ahead = 0.0 if self.parallel else seen[:, 2]
-        most = [
-            [float((sign * seen[:, k] / tangent[k] - ahead).max()) for k in (0, 1)]
+        rotated = points @ self.axes.T
+        # Perspective shifts the middle of the picture, so the centre is found by iteration.
+        centre = 0.5 * (rotated.min(axis=0) + rotated.max(axis=0))
+        # What limits it is linear in the points, so one pass is enough.
+        ahead = 0.0 if self.parallel else rotated[:, 2]
+        extremes = [
+            [float((sign * rotated[:, k] / tangent[k] - ahead).max()) for k in (0, 1)]
             for sign in (-1, 1)
         ]
-        distance = CLOSEST
+        distance = MIN_DISTANCE
         for _ in range(6):
-            aside, depth = centre[:2] / tangent, 0.0 if self.parallel else centre[2]
-            low, high = most[0] + aside + depth, most[1] - aside + depth
-            distance = float(max(low.max(), high.max(), CLOSEST))
+            lateral, depth = centre[:2] / tangent, 0.0 if self.parallel else centre[2]
+            low, high = extremes[0] + lateral + depth, extremes[1] - lateral + depth
+            distance = float(max(low.max(), high.max(), MIN_DISTANCE))
             centre[:2] += 0.5 * (high - low) * tangent
         return replace(
-            self, focal=centre @ self.axes, distance=max(margin * distance, 5.0 * CLOSEST)
+            self, focal=centre @ self.axes, distance=max(margin * distance, 5.0 * MIN_DISTANCE)
         )

@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 CHUNK = 1 << 14
 """Points at a time; what is computed of them stays in the processor's cache."""
 
-SMALLEST = 0.05
+MIN_SIDE = 0.05
 """Smallest side of a box, metres."""
 
 
@@ -33,15 +33,15 @@ class Box:
     half: Array
 
     @classmethod
-    def about(cls, points: Array, ahead: Array, margin: float) -> "Box":
+    def around(cls, points: Array, ahead: Array, margin: float) -> "Box":
         """Box around points (n, 3), with two sides perpendicular to ``ahead``, shape (3,)."""
         level = np.array([ahead[0], ahead[1], 0.0])
         length = np.linalg.norm(level)
         along = level / length if length > 0.2 else np.array([1.0, 0.0, 0.0])
         up = np.array([0.0, 0.0, 1.0])
         axes = np.array([along, np.cross(up, along), up])
-        seen = points @ axes.T
-        low, high = seen.min(axis=0) - margin, seen.max(axis=0) + margin
+        rotated = points @ axes.T
+        low, high = rotated.min(axis=0) - margin, rotated.max(axis=0) + margin
         return cls(0.5 * (low + high) @ axes, axes, 0.5 * (high - low))
 
     def inside(self, points: Array) -> NDArray[np.int64]:
@@ -56,14 +56,14 @@ class Box:
     def with_side_moved(self, side: int, metres: float) -> "Box":
         """Box with one side moved outwards; 0 and 1 are the ends of the first axis, and so on."""
         axis, sign = side // 2, 1.0 if side % 2 else -1.0
-        metres = max(metres, SMALLEST - 2.0 * self.half[axis])
+        metres = max(metres, MIN_SIDE - 2.0 * self.half[axis])
         half = self.half.copy()
         half[axis] += 0.5 * metres
         return replace(self, centre=self.centre + 0.5 * sign * metres * self.axes[axis], half=half)
 
-    def sized(self, lengths: Array) -> "Box":
+    def with_lengths(self, lengths: Array) -> "Box":
         """Box with the same centre and other lengths, shape (3,), metres."""
-        return replace(self, half=0.5 * np.maximum(lengths, SMALLEST))
+        return replace(self, half=0.5 * np.maximum(lengths, MIN_SIDE))
 
     @property
     def sides(self) -> list[tuple[Array, Array]]:
@@ -83,10 +83,10 @@ class Box:
 
 
 RING = ((-1, -1), (1, -1), (1, 1), (-1, 1))
-_AROUND = [(k, (k + 1) % 4) for k in range(4)]
+_RING_EDGES = [(k, (k + 1) % 4) for k in range(4)]
 EDGES = (
-    *_AROUND,
-    *((a + 4, b + 4) for a, b in _AROUND),
+    *_RING_EDGES,
+    *((a + 4, b + 4) for a, b in _RING_EDGES),
     *((k, k + 4) for k in range(4)),
 )
 """Pairs of corners of a box that an edge joins."""

@@ -46,19 +46,19 @@ def random_ranks(count: int) -> NDArray[np.float32]:
     return np.random.default_rng(count).random(count, dtype=np.float32)
 
 
-def lowest_ranked(places: NDArray[np.float32], number: int) -> NDArray[np.int64]:
+def lowest_ranked(ranks: NDArray[np.float32], number: int) -> NDArray[np.int64]:
     """Indices, ascending, of the ``number`` points of lowest rank; smaller sets are subsets."""
-    count = len(places)
+    count = len(ranks)
     if number >= count:
         return np.arange(count)
     # Ranks are even, so that nearly all points are excluded without being compared.
-    few = np.flatnonzero(places < (number + 6.0 * np.sqrt(number) + 6.0) / count)
-    if len(few) < number:
-        few = np.arange(count)
-    if len(few) > number:
-        last = np.partition(places[few], number - 1)[number - 1]
-        few = few[places[few] <= last][:number]
-    return few
+    chosen = np.flatnonzero(ranks < (number + 6.0 * np.sqrt(number) + 6.0) / count)
+    if len(chosen) < number:
+        chosen = np.arange(count)
+    if len(chosen) > number:
+        last = np.partition(ranks[chosen], number - 1)[number - 1]
+        chosen = chosen[ranks[chosen] <= last][:number]
+    return chosen
 
 
 def points_in_view(points: Array, camera: Camera, size: ViewportSize) -> NDArray[np.int64]:
@@ -67,9 +67,9 @@ def points_in_view(points: Array, camera: Camera, size: ViewportSize) -> NDArray
     axes, shift = camera.axes.T, camera.axes @ camera.position
     found = []
     for start in range(0, len(points), CHUNK):
-        seen = points[start : start + CHUNK] @ axes - shift
-        reach = camera.reach(seen[:, 2])
-        inside = (np.abs(seen[:, 0]) <= half[0] * reach) & (np.abs(seen[:, 1]) <= half[1] * reach)
+        xyz = points[start : start + CHUNK] @ axes - shift
+        reach = camera.scale_depth(xyz[:, 2])
+        inside = (np.abs(xyz[:, 0]) <= half[0] * reach) & (np.abs(xyz[:, 1]) <= half[1] * reach)
         found.append(np.flatnonzero(inside) + start)
     return np.concatenate(found) if found else np.empty(0, np.int64)
 

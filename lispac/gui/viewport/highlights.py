@@ -20,8 +20,8 @@ from lispac.gui.viewport.base import Array, Highlight, highlight_emphasis
 from lispac.gui.viewport.camera import Camera
 from lispac.gui.viewport.clipping import Box
 
-LIFT = 0.004
-"""How far a sighting is moved towards the eye, as part of its distance, to lie over its line."""
+DEPTH_SHIFT = 0.004
+"""Shift of a sighting towards the eye, as a share of its distance, to cover its line."""
 
 
 class HighlightLayer:
@@ -29,7 +29,7 @@ class HighlightLayer:
 
     Attributes
     ----------
-    highlights : those that were put last
+    highlights : the sightings set last
     selected : (target, line) of what is emphasised
     """
 
@@ -39,7 +39,7 @@ class HighlightLayer:
         self.highlights: tuple[Highlight, ...] = ()
         self.selected: tuple[str, str] | None = None
 
-    def put(
+    def set_highlights(
         self, highlights: Sequence[Highlight], origin: Array, box: Box | None, half: Any
     ) -> None:
         """Draw sightings instead of those drawn so far.
@@ -80,12 +80,12 @@ class HighlightLayer:
             actor.SetVisibility(shown)
             outline.SetVisibility(shown and drawn.outlined)
 
-    def move(self, camera: Camera, origin: Array) -> None:
+    def update_depth(self, camera: Camera, origin: Array) -> None:
         """Keep the sightings in front of their lines."""
         for highlight, actor, outline in self._drawn:
-            lift = LIFT * (2 if highlight_emphasis(highlight, self.selected).above else 1)
-            shift_depth(actor, camera, origin, -lift)
-            shift_depth(outline, camera, origin, 0.3 * LIFT - lift)
+            shift = DEPTH_SHIFT * (2 if highlight_emphasis(highlight, self.selected).above else 1)
+            shift_depth(actor, camera, origin, -shift)
+            shift_depth(outline, camera, origin, 0.3 * DEPTH_SHIFT - shift)
 
     def remove(self) -> None:
         """Remove the drawn sightings."""
@@ -94,6 +94,6 @@ class HighlightLayer:
                 self._renderer.RemoveActor(actor)
         self._drawn = []
 
-    def forget(self) -> None:
-        """Drop all references, after the renderer was cleared."""
+    def clear_references(self) -> None:
+        """Clear all references, after the renderer was cleared."""
         self._drawn, self.highlights = [], ()

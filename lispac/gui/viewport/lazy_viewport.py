@@ -13,9 +13,10 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from lispac.gui.viewport.base import Array, Colour, PointColouring, Viewport, ViewportSignals
 
-PER_WHAT = {"set_line_visible", "show_sketch"}
+CALLS_BY_NAME = {"set_line_visible", "show_sketch"}
 """The first argument names the line or sketch; of the other calls, the last one applies."""
-ANSWERED = {"hides", "drawn_near", "to_pixels", "picture"}
+CALLS_WITH_VALUE = {"hides", "drawn_near", "to_pixels", "picture"}
+"""Calls that return a value and therefore need the real viewport."""
 
 
 class LazyViewport:
@@ -29,15 +30,15 @@ class LazyViewport:
     def __init__(self, make: Callable[[], Viewport], parent: QWidget | None = None) -> None:
         self._make = make
         self._view: Viewport | None = None
-        self._asked: dict[tuple[str, ...], Callable[[Viewport], None]] = {}
-        self._place = _Placeholder(parent)
-        self._place.seen = self._real_viewport
-        self.signals = ViewportSignals(self._place)
+        self._stored_calls: dict[tuple[str, ...], Callable[[Viewport], None]] = {}
+        self._placeholder = _Placeholder(parent)
+        self._placeholder.on_shown = self._real_viewport
+        self.signals = ViewportSignals(self._placeholder)
 
     @property
     def widget(self) -> QWidget:
         """The widget to put into the window."""
-        return self._place
+        return self._placeholder
 
     def show_clouds(
         self,
@@ -56,51 +57,51 @@ class LazyViewport:
 
     def close(self) -> None:
         """Release the graphics, if there are any."""
-        self._place.seen = None
+        self._placeholder.on_shown = None
         if self._view is not None:
             self._view.close()
 
     def __getattr__(self, name: str) -> Callable[..., object]:
-        if self._view is not None or name in ANSWERED:
+        if self._view is not None or name in CALLS_WITH_VALUE:
             return getattr(self._real_viewport(), name)
         if name.startswith("_") or not hasattr(Viewport, name):
             raise AttributeError(name)
         return partial(self._store_call, name)
 
     def _store_call(self, name: str, *arguments: object, **named: object) -> None:
-        key = (name, str(arguments[0])) if name in PER_WHAT else (name,)
-        self._asked.pop(key, None)  # in the order of the last calls
-        self._asked[key] = lambda view: getattr(view, name)(*arguments, **named)
+        key = (name, str(arguments[0])) if name in CALLS_BY_NAME else (name,)
+        self._stored_calls.pop(key, None)  # in the order of the last calls
+        self._stored_calls[key] = lambda view: getattr(view, name)(*arguments, **named)
 
     def _real_viewport(self) -> Viewport:
         if self._view is None:
             view = self._view = self._make()
             for name in ("seed_clicked", "missed", "pointed", "outlined", "hovered",
-                         "handle_moved", "handle_let_go"):  # fmt: skip
+                         "handle_moved", "handle_released"):  # fmt: skip
                 getattr(view.signals, name).connect(getattr(self.signals, name))
-            self._place.layout().addWidget(view.widget)
+            self._placeholder.layout().addWidget(view.widget)
             view.widget.show()
-            self._place.layout().activate()  # it has its size before it is asked to fit anything
-            for ask in self._asked.values():
-                ask(view)
-            self._asked.clear()
+            self._placeholder.layout().activate()  # sizes the view before `fit`
+            for call in self._stored_calls.values():
+                call(view)
+            self._stored_calls.clear()
         return self._view
 
 
 class _Placeholder(QWidget):
     """Placeholder widget for the viewport."""
 
-    seen: Callable[[], object] | None = None
+    on_shown: Callable[[], object] | None = None
 
     def __init__(self, parent: QWidget | None) -> None:
         super().__init__(parent)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         # With the first widget that draws by OpenGL, Qt makes the native window anew: it flickers
-        # and is no longer the active one. So there is one from the start, never seen.
+        # and is no longer the active one. So there is one from the start, never shown.
         QOpenGLWidget(self).hide()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        if self.seen is not None:
-            self.seen()
+        if self.on_shown is not None:
+            self.on_shown()

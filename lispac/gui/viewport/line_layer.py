@@ -22,13 +22,13 @@ from lispac.gui.viewport.base import Array, Colour, PointColouring
 from lispac.gui.viewport.camera import Camera, ViewportSize
 from lispac.gui.viewport.clipping import Box
 from lispac.gui.viewport.decimation import line_budgets, lowest_ranked, points_in_view, random_ranks
-from lispac.gui.viewport.frame_times import SLICES
+from lispac.gui.viewport.frame_times import SLICE_FRACTIONS
 
-FAR = 1e4
-"""Coordinates beyond it (metres) have a common origin removed: float32 steps by a millimetre."""
+MAX_COORDINATE = 1e4
+"""Coordinates beyond it, metres, are reduced by a common origin: float32 resolves a millimetre."""
 
 RIM_DEPTH = 0.006
-"""How far the rims of points stand behind them, as part of their distance."""
+"""Depth of the rims of points behind them, as a share of their distance."""
 
 
 class LineLayer:
@@ -37,7 +37,7 @@ class LineLayer:
     Attributes
     ----------
     colours, shading : of each line, and of each point where that is not its line's
-    seen : all points (n, 3) of the lines that are shown, metres, local frame
+    visible : all points (n, 3) of the lines that are shown, metres, local frame
     sparse : those that are drawn while the camera moves
     detail : those drawn when it rested last, of what is in view; empty while there is none
     origin : ndarray of shape (3,), metres, local frame
@@ -50,16 +50,16 @@ class LineLayer:
         self.colours: dict[str, Colour] = {}
         self.shading: PointColouring | None = None
         self._clouds: dict[str, Array] = {}
-        self._kept: dict[str, NDArray[np.int64] | None] = {}
-        self._kept_by: Box | None = None
+        self._indices_in_box: dict[str, NDArray[np.int64] | None] = {}
+        self._box: Box | None = None
         self.half: Any = None
         self._coarse: list[tuple[int, Any]] = []
         self._ranks: dict[str, NDArray[np.float32]] = {}
         self._orders: dict[str, tuple[int, NDArray[np.int64] | None, NDArray[np.int64]]] = {}
         self._fine: list[Any] = []
         self._rims: list[Any] = []
-        self._fine_of: tuple[Camera, int] | None = None
-        self.seen: dict[str, Array] = {}
+        self._fine_id: tuple[Camera, int] | None = None
+        self.visible: dict[str, Array] = {}
         self.sparse: dict[str, Array] = {}
         self.detail: dict[str, Array] = {}
         self.origin: Array = np.zeros(3)
@@ -69,7 +69,7 @@ class LineLayer:
         """All lines, including hidden ones."""
         return self._clouds
 
-    def put(
+    def set_lines(
         self,
         clouds: Mapping[str, Array],
         colours: Mapping[str, Colour],
@@ -84,7 +84,7 @@ class LineLayer:
             known = former.get(line)
             same = known is not None and len(known) == len(points)  # placed otherwise
             self._ranks[line] = known if same else random_ranks(len(points))
-        self._kept, self._kept_by = {}, None
+        self._indices_in_box, self._box = {}, None
         self._orders = {
             line: order for line, order in self._orders.items()
             if order[1] is None and former[line] is self._ranks.get(line)
@@ -99,20 +99,20 @@ class LineLayer:
         """
         self.remove()
         shown = {line: p for line, p in self._clouds.items() if line not in hidden}
-        if box is not self._kept_by:
-            self._kept, self._kept_by = {}, box
+        if box is not self._box:
+            self._indices_in_box, self._box = {}, box
         for line, points in shown.items():
-            if line not in self._kept:
-                self._kept[line] = None if box is None else box.inside(points)
-        self.seen = {line: self._points_in_box(line, points) for line, points in shown.items()}
-        share = line_budgets({line: len(points) for line, points in self.seen.items()}, budget)
+            if line not in self._indices_in_box:
+                self._indices_in_box[line] = None if box is None else box.inside(points)
+        self.visible = {line: self._points_in_box(line, points) for line, points in shown.items()}
+        share = line_budgets({line: len(points) for line, points in self.visible.items()}, budget)
         shaded = self.shading is not None
         self.sparse, self._coarse = {}, []
-        for line, points in self.seen.items():
+        for line, points in self.visible.items():
             chosen = self._ordered_points(line, share[line])
             sparse = self.sparse[line] = points.take(chosen, axis=0)
             start = 0
-            for k, part in enumerate(SLICES):
+            for k, part in enumerate(SLICE_FRACTIONS):
                 end = -int(-part * len(chosen) // 1)
                 some, where = sparse[start:end], chosen[start:end]
                 start = end
@@ -130,10 +130,10 @@ class LineLayer:
 
         Works from step to step, a line in each, and changes what is drawn in the last.
         """
-        if self._fine_of is not None and self._fine_of[0] is camera and self._fine_of[1] == budget:
+        if self._fine_id is not None and self._fine_id[0] is camera and self._fine_id[1] == budget:
             return
         found = {}
-        for line, points in self.seen.items():
+        for line, points in self.visible.items():
             found[line] = points_in_view(points, camera, size)
             yield
         share = line_budgets({line: len(indices) for line, indices in found.items()}, budget)
@@ -145,7 +145,7 @@ class LineLayer:
             if share[line] < len(indices):
                 indices = indices[lowest_ranked(self._point_ranks(line)[indices], share[line])]
             chosen = indices
-            detail[line] = self.seen[line].take(chosen, axis=0)
+            detail[line] = self.visible[line].take(chosen, axis=0)
             data = point_polydata(detail[line] - self.origin, self._point_colours(line, chosen))
             fine.append(point_actor(data, self.colours[line], shaded=shaded))
             # The same points larger, darker and a little behind: they draw an edge where something
@@ -153,7 +153,7 @@ class LineLayer:
             rims.append(point_actor(data, EDGE if shaded else darker_colour(self.colours[line])))
             yield
         self._remove_detail()
-        self._fine_of = camera, budget
+        self._fine_id = camera, budget
         self.detail, self._fine, self._rims = detail, fine, rims
         clip_actors([*fine, *rims], self.half)
         for actor in (*fine, *rims):
@@ -164,7 +164,7 @@ class LineLayer:
 
         Parameters
         ----------
-        coarse : the last of `SLICES` that is shown; None for none
+        coarse : the last of `SLICE_FRACTIONS` that is shown; None for none
         """
         for k, actor in self._coarse:
             actor.SetVisibility(coarse is not None and k <= coarse)
@@ -177,7 +177,7 @@ class LineLayer:
         set_point_pixels((actor for _, actor in self._coarse), (pixels + 1) * scale)
         set_point_pixels(self._rims, (pixels + 2) * scale)
 
-    def move(self, camera: Camera) -> None:
+    def update_depth(self, camera: Camera) -> None:
         """Keep the rims behind their points."""
         for rim in self._rims:
             shift_depth(rim, camera, self.origin, RIM_DEPTH)
@@ -188,16 +188,16 @@ class LineLayer:
         self._remove_detail()
         self._coarse = []
 
-    def forget(self) -> None:
-        """Drop all references, after the renderer was cleared."""
+    def clear_references(self) -> None:
+        """Clear all references, after the renderer was cleared."""
         self._coarse, self._fine, self._rims = [], [], []
-        self._clouds, self.seen, self.sparse, self.detail = {}, {}, {}, {}
-        self._ranks, self._orders, self._kept = {}, {}, {}
+        self._clouds, self.visible, self.sparse, self.detail = {}, {}, {}, {}
+        self._ranks, self._orders, self._indices_in_box = {}, {}, {}
 
     def _remove_detail(self) -> None:
         self._remove(self._fine)
         self._remove(self._rims)
-        self._fine, self._rims, self._fine_of, self.detail = [], [], None, {}
+        self._fine, self._rims, self._fine_id, self.detail = [], [], None, {}
 
     def _remove(self, actors: list[Any]) -> None:
         for actor in actors:
@@ -206,27 +206,27 @@ class LineLayer:
     def _ordered_points(self, line: str, count: int) -> NDArray[np.int64]:
         """Indices of the points of a line to draw, ordered by rank."""
         order = self._orders.get(line)
-        if order is None or order[0] != count or order[1] is not self._kept[line]:
+        if order is None or order[0] != count or order[1] is not self._indices_in_box[line]:
             places = self._point_ranks(line)
             chosen = lowest_ranked(places, count)
-            order = count, self._kept[line], chosen[np.argsort(places[chosen])]
+            order = count, self._indices_in_box[line], chosen[np.argsort(places[chosen])]
             self._orders[line] = order
         return order[2]
 
     def _point_ranks(self, line: str) -> NDArray[np.float32]:
         """Ranks of the points of a line within the box."""
-        kept = self._kept[line]
-        return self._ranks[line] if kept is None else self._ranks[line].take(kept)
+        inside = self._indices_in_box[line]
+        return self._ranks[line] if inside is None else self._ranks[line].take(inside)
 
     def _points_in_box(self, line: str, points: Array) -> Array:
-        kept = self._kept[line]
-        return points if kept is None else points.take(kept, axis=0)
+        inside = self._indices_in_box[line]
+        return points if inside is None else points.take(inside, axis=0)
 
     def _point_colours(self, line: str, chosen: NDArray[np.int64]) -> NDArray[np.uint8] | None:
         if self.shading is None:
             return None
-        kept = self._kept[line]
-        return self.shading.colours[line][chosen if kept is None else kept[chosen]]
+        inside = self._indices_in_box[line]
+        return self.shading.colours[line][chosen if inside is None else inside[chosen]]
 
 
 def common_origin(clouds: Mapping[str, Array]) -> Array:
@@ -235,4 +235,4 @@ def common_origin(clouds: Mapping[str, Array]) -> Array:
         return np.zeros(3)
     middle = np.median([np.median(points[:: max(1, len(points) // 1000)], axis=0)
                         for points in clouds.values()], axis=0)  # fmt: skip
-    return np.round(middle, -2) if np.abs(middle).max() > FAR else np.zeros(3)
+    return np.round(middle, -2) if np.abs(middle).max() > MAX_COORDINATE else np.zeros(3)

@@ -3,7 +3,7 @@
 Left drag rotates, middle or Shift+left or right drag moves, the wheel zooms, Ctrl+click picks and a
 double click looks at a point. A Ctrl+drag does nothing, so that a slip of the hand picks nothing.
 While pointing a click points and a drag still rotates; while outlining a left drag draws. A press
-on what `grabs` says yes to moves that. Arrows rotate, Shift+arrows move, Page up and Page down
+that `try_grab` accepts moves a handle. Arrows rotate, Shift+arrows move, Page up and Page down
 zoom at the middle.
 """
 
@@ -54,10 +54,10 @@ class ViewportMouse(QObject):
     pointed = Signal(float, float)
     outlining = Signal(float, float)
     outlined = Signal()
-    grabbed = Signal(float, float)  # where it is moved to
-    let_go = Signal()
-    rested_at = Signal(float, float)  # moved there without a button
-    left = Signal()
+    handle_dragged = Signal(float, float)  # where it is moved to
+    handle_released = Signal()
+    mouse_moved = Signal(float, float)  # moved there without a button
+    mouse_left = Signal()
     nudged = Signal(float)  # pixels to the right, by Ctrl and an arrow
 
     def __init__(self, widget: QWidget) -> None:
@@ -67,7 +67,7 @@ class ViewportMouse(QObject):
         self._press = QPointF()
         self._last = QPointF()
         self.mode: MouseMode = "navigate"
-        self.grabs: Callable[[float, float], bool] = lambda _x, _y: False
+        self.try_grab: Callable[[float, float], bool] = lambda _x, _y: False
         widget.setMouseTracking(True)
         widget.installEventFilter(self)
 
@@ -109,7 +109,7 @@ class ViewportMouse(QObject):
             event.ignore()
             return True
         if kind == QEvent.Type.Leave:
-            self.left.emit()
+            self.mouse_left.emit()
         if kind in (QEvent.Type.Enter, QEvent.Type.Leave, QEvent.Type.FocusOut):
             self._show_cursor(
                 kind == QEvent.Type.Enter and _is_control_pressed(QApplication.keyboardModifiers())
@@ -145,7 +145,7 @@ class ViewportMouse(QObject):
         self._drag = _drag_kind(event)
         x, y = self._press.x(), self._press.y()
         plain = event.button() == Qt.MouseButton.LeftButton and self._drag is _Drag.ROTATE
-        if plain and self.grabs(x, y):
+        if plain and self.try_grab(x, y):
             self._drag = _Drag.GRAB
         elif plain and self.mode == "outline":
             self._drag = _Drag.OUTLINE
@@ -164,9 +164,9 @@ class ViewportMouse(QObject):
         elif self._drag is _Drag.OUTLINE:
             self.outlining.emit(self._last.x(), self._last.y())
         elif self._drag is _Drag.GRAB:
-            self.grabbed.emit(self._last.x(), self._last.y())
+            self.handle_dragged.emit(self._last.x(), self._last.y())
         elif self._drag is _Drag.NONE:
-            self.rested_at.emit(self._last.x(), self._last.y())
+            self.mouse_moved.emit(self._last.x(), self._last.y())
 
     def _released(self, event: QMouseEvent) -> None:
         if event.buttons() != Qt.MouseButton.NoButton:
@@ -177,7 +177,7 @@ class ViewportMouse(QObject):
         elif drag is _Drag.OUTLINE:
             self.outlined.emit()
         elif drag is _Drag.GRAB:
-            self.let_go.emit()
+            self.handle_released.emit()
         way = (event.position() - self._press).manhattanLength()
         if way < QApplication.startDragDistance():
             if drag is _Drag.PICK:

@@ -16,10 +16,10 @@ from lispac.gui.viewport.point_picker import pick_point
 WHEEL_FACTOR = 0.85
 """Distance left after one notch."""
 
-SNAP = (3.0, 8.0, 20.0)
+SNAP_PX = (3.0, 8.0, 20.0)
 """Pixels within which a drag or the wheel finds the surface it turns about or comes closer to."""
 
-FITTED = 60_000
+MAX_FIT_POINTS = 60_000
 """Points that determine the extent; any first part of the coarse points is a fair sample."""
 
 VIEWS_DEG = {
@@ -29,7 +29,7 @@ VIEWS_DEG = {
     "right": (-90.0, 0.0),
     "isometric": (30.0, 26.0),
 }
-"""Azimuth from the front and elevation; "top" is apart, with north up."""
+"""Azimuth from the front and elevation; "top" is not among them, as north is up in it."""
 
 
 class Navigator(QObject):
@@ -40,13 +40,13 @@ class Navigator(QObject):
     camera : where the eye is
     clouds : all points (n, 3) of the visible lines, which are picked
     coarse : the thinned points (n, 3) of them, which are navigated by
-    drawn : gives the points (n, 3) of them that are on the screen now, by which hovering looks
+    drawn : gives the points (n, 3) of them that are on the screen now, which hovering searches
     station : ndarray of shape (3,), metres, local frame
         Station of the view "front".
     """
 
     moved = Signal()  # the user moves the camera
-    stable = Signal()  # and pauses
+    move_ended = Signal()  # and pauses
     picked = Signal(object)  # PickedPoint
     missed = Signal()
     pointed = Signal(object)  # PickedPoint or None
@@ -60,13 +60,13 @@ class Navigator(QObject):
         self.station: Array = np.zeros(3)
         self._widget = widget
         self._pivot: Array = np.zeros(3)
-        self._kept_in_view: Array | None = None
-        self._all: tuple[Mapping[str, Array], Array] | None = None
+        self._fitted_points: Array | None = None
+        self._extent_sample: tuple[Mapping[str, Array], Array] | None = None
         self.mouse = ViewportMouse(widget)
         self.mouse.drag_started.connect(self._on_drag_started)
         self.mouse.rotated.connect(self._on_rotated)
         self.mouse.panned.connect(self._on_panned)
-        self.mouse.drag_ended.connect(self.stable)
+        self.mouse.drag_ended.connect(self.move_ended)
         self.mouse.zoomed.connect(self._on_zoomed)
         self.mouse.picked.connect(self._on_picked)
         self.mouse.centred.connect(self._on_centred)
@@ -84,17 +84,17 @@ class Navigator(QObject):
         """
         target = self._extent_points() if points is None else np.asarray(points, dtype=np.float64)
         if len(target):
-            self._kept_in_view = target
+            self._fitted_points = target
             self.refit()
 
     def refit(self) -> None:
         """Bring the fitted points into view again after a change of size."""
-        if self._kept_in_view is not None:
-            self.camera = self.camera.fitted(self._kept_in_view, self.size)
+        if self._fitted_points is not None:
+            self.camera = self.camera.fitted(self._fitted_points, self.size)
 
-    def release(self) -> None:
+    def clear_fit(self) -> None:
         """Stop keeping points in view."""
-        self._kept_in_view = self._all = None
+        self._fitted_points = self._extent_sample = None
 
     def view(self, name: str) -> None:
         """Look at everything from a standard direction."""
@@ -106,7 +106,7 @@ class Navigator(QObject):
         self.camera = replace(self.camera, azimuth=float(azimuth), elevation=float(elevation))
         self.fit()
 
-    def look_along(self, direction: Array, points: Array) -> None:
+    def view_along(self, direction: Array, points: Array) -> None:
         """Look at points (n, 3) along a direction, shape (3,), from the station's side of them."""
         towards = points.mean(axis=0) - self.station
         self.camera = self.camera.along(direction if direction @ towards >= 0 else -direction)
@@ -119,13 +119,13 @@ class Navigator(QObject):
 
     def _extent_points(self) -> Array:
         """Sample of all drawn points, cached."""
-        if self._all is None or self._all[0] is not self.coarse:
-            self._all = self.coarse, self._thinned_points()
-        return self._all[1]
+        if self._extent_sample is None or self._extent_sample[0] is not self.coarse:
+            self._extent_sample = self.coarse, self._thinned_points()
+        return self._extent_sample[1]
 
     def _thinned_points(self) -> Array:
         total = sum(map(len, self.coarse.values()))
-        share = min(1.0, FITTED / total) if total else 1.0
+        share = min(1.0, MAX_FIT_POINTS / total) if total else 1.0
         parts = [points[: int(np.ceil(share * len(points)))] for points in self.coarse.values()]
         return trimmed_points(np.concatenate(parts)) if parts else np.empty((0, 3))
 
@@ -149,14 +149,14 @@ class Navigator(QObject):
 
     def _on_zoomed(self, notches: float, x: float, y: float) -> None:
         self._set_camera(self.camera.zoomed(WHEEL_FACTOR**notches, self._surface_at(x, y)))
-        self.stable.emit()
+        self.move_ended.emit()
 
     def _on_centred(self, x: float, y: float) -> None:
         hit = pick_point(self.clouds, self.camera, x, y, self.size)
         if hit is not None:
             focal = self.clouds[hit.line][hit.index]
             self._set_camera(self.camera.centred(focal, 0.6, hit.depth))
-            self.stable.emit()
+            self.move_ended.emit()
 
     def _on_picked(self, x: float, y: float) -> None:
         point = self._point_at(x, y)
@@ -174,7 +174,7 @@ class Navigator(QObject):
 
     def _surface_at(self, x: float, y: float) -> Array:
         """Surface point at a pixel, or the point behind it at the focal depth."""
-        hit = pick_point(self.coarse, self.camera, x, y, self.size, SNAP)
+        hit = pick_point(self.coarse, self.camera, x, y, self.size, SNAP_PX)
         if hit is not None:
             surface: Array = self.coarse[hit.line][hit.index]
             return surface
@@ -182,5 +182,5 @@ class Navigator(QObject):
 
     def _set_camera(self, camera: Camera) -> None:
         self.camera = camera
-        self._kept_in_view = None
+        self._fitted_points = None
         self.moved.emit()

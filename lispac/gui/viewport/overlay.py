@@ -34,7 +34,7 @@ AXES = ((N_("N"), "axis_x"), (N_("W"), "axis_y"), (N_("U"), "axis_z"))
 """Their colours in the scheme."""
 
 MARGIN = 14.0
-NEIGHBOURS = 40.0
+NEIGHBOUR_RADIUS_PX = 40.0
 """Pixels within which the labels of two spots get into each other's way."""
 
 
@@ -85,7 +85,7 @@ class Overlay(QWidget):
         self.shading: PointColouring | None = None
         self.hint = ""
         """What the mouse does now, where it is not the usual."""
-        self.sheets: list[Callable[[QPainter, Camera, ViewportSize], None]] = []
+        self.paint_hooks: list[Callable[[QPainter, Camera, ViewportSize], None]] = []
         """Paint between the markers and the frame of axes, scale and help."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -109,7 +109,7 @@ class Overlay(QWidget):
         size = ViewportSize(self.width(), self.height())
         self._paint_markers(painter, self.camera, size)
         painter.setFont(self.font())
-        for paint in self.sheets:
+        for paint in self.paint_hooks:
             paint(painter, self.camera, size)
         self._paint_axes(painter, self.camera)
         self._paint_scale(painter, self.camera.metres_per_pixel(size))
@@ -138,16 +138,16 @@ class Overlay(QWidget):
         spots = camera.project(np.array([m.position for m in self.markers]), size)
         # Near ones choose their place first, and are painted last.
         placed: list[tuple[QPointF, QRectF, Marker]] = []
-        taken = self.taken()
+        occupied = self.occupied()
         for k in np.argsort(spots[:, 2]):
             x, y, depth = spots[k]
             if depth > 0.0 and abs(x) < 1e5 and abs(y) < 1e5:
                 spot = QPointF(x, y)
                 crowded = has_right_neighbour(spots[:, :2], k)
                 box = free_label_place(
-                    spot, metrics, self.markers[k].label, taken, leftwards=crowded
+                    spot, metrics, self.markers[k].label, occupied, leftwards=crowded
                 )
-                taken.append(box)
+                occupied.append(box)
                 placed.append((spot, box, self.markers[k]))
         for spot, box, marker in reversed(placed):
             _paint_marker(painter, spot, box, marker)
@@ -196,11 +196,11 @@ class Overlay(QWidget):
         box = QRectF(left - 60.0, base - 26.0, pixels + 120.0, 20.0)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, length_text(metres))
 
-    def taken(self) -> list[QRectF]:
+    def occupied(self) -> list[QRectF]:
         """Rectangles where no label of a target may be placed."""
-        return [] if self.shading is None else [self.legend(self.shading)]
+        return [] if self.shading is None else [self.legend_rect(self.shading)]
 
-    def legend(self, shading: PointColouring) -> QRectF:
+    def legend_rect(self, shading: PointColouring) -> QRectF:
         """Rectangle of the colour scale."""
         metrics = QFontMetricsF(_scaled_font(self.font(), 0.95))
         title, low, high = legend_texts(shading)
@@ -210,7 +210,7 @@ class Overlay(QWidget):
 
     def _paint_legend(self, painter: QPainter, shading: PointColouring) -> None:
         painter.setFont(_scaled_font(self.font(), 0.95))
-        box = self.legend(shading)
+        box = self.legend_rect(shading)
         title, low, high = legend_texts(shading)
         width = box.width() - 24.0
         painter.setPen(Qt.PenStyle.NoPen)
@@ -264,7 +264,7 @@ class OverlaidView(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         self.overlay = Overlay(self)
 
-    def put(self, canvas: QWidget) -> None:
+    def set_canvas(self, canvas: QWidget) -> None:
         """Set the picture."""
         layout = self.layout()
         assert layout is not None
@@ -289,7 +289,7 @@ def has_right_neighbour(spots: Array, k: int) -> bool:
     """
     with np.errstate(invalid="ignore"):  # what lies behind the camera is nowhere
         right, down = (spots - spots[k]).T
-    near = (np.hypot(right, down) < NEIGHBOURS) & (right != 0.0)
+    near = (np.hypot(right, down) < NEIGHBOUR_RADIUS_PX) & (right != 0.0)
     return bool((near & (right > 0.0)).any() and not (near & (right < 0.0)).any())
 
 
@@ -297,7 +297,7 @@ def free_label_place(
     spot: QPointF,
     metrics: QFontMetricsF,
     label: str,
-    taken: Sequence[QRectF],
+    occupied: Sequence[QRectF],
     *,
     leftwards: bool = False,
 ) -> QRectF:
@@ -312,7 +312,7 @@ def free_label_place(
     above, below = spot.y() - 18.0 - height, spot.y() + 18.0
     sides = (left, right) if leftwards else (right, left)
     places = [QRectF(x, y, width, height) for y in (above, below) for x in sides]
-    free = (box for box in places if not any(box.intersects(other) for other in taken))
+    free = (box for box in places if not any(box.intersects(other) for other in occupied))
     return next(free, places[0])
 
 

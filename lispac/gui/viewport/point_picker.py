@@ -10,7 +10,7 @@ from lispac.gui.viewport.camera import Camera, ViewportSize
 
 Array = NDArray[np.float64]
 
-RADII = (2.0, 4.0, 8.0)
+PICK_RADII_PX = (2.0, 4.0, 8.0)
 """Pixels about the cursor, tried in turn.
 
 What is exactly under the cursor wins over the edge of something in front of it a few pixels away;
@@ -36,7 +36,7 @@ def pick_point(
     x: float,
     y: float,
     size: ViewportSize,
-    radii: tuple[float, ...] = RADII,
+    radii: tuple[float, ...] = PICK_RADII_PX,
 ) -> PointHit | None:
     """Find the point under a pixel.
 
@@ -58,7 +58,7 @@ def pick_point(
         front = depth[inside].min()
         # A surface seen at a slant is deeper on one side of the circle than on the other: of the
         # front surface the point nearest to the cursor is taken.
-        slack = 4.0 * radius * camera.reach(front) / size.pixels_per_tangent
+        slack = 4.0 * radius * camera.scale_depth(front) / size.pixels_per_tangent
         candidates = np.flatnonzero(inside & (depth <= front + slack))
         best = candidates[np.argmin(distance[candidates])]
         return PointHit(names[line[best]], int(index[best]), float(depth[best]))
@@ -74,19 +74,19 @@ def _points_near_pixel(
     # Signed offsets from the ray, each a linear function of the point: two products per point
     # discard nearly all of them.
     if camera.parallel:
-        across, aside = axes.T, np.array([right, up, 0.0]) * camera.distance
+        across, lateral = axes.T, np.array([right, up, 0.0]) * camera.distance
     else:
         across = np.column_stack([axes[0] - right * axes[2], axes[1] - up * axes[2], axes[2]])
-        aside = np.zeros(3)
-    shift = position @ across + aside
+        lateral = np.zeros(3)
+    shift = position @ across + lateral
     indices, distances, depths = [], [], []
     for start in range(0, len(points), CHUNK):
-        seen = points[start : start + CHUNK] @ across - shift
-        reach = camera.reach(seen[:, 2]) * (radius / focal)
-        near = np.flatnonzero((np.abs(seen[:, 0]) <= reach) & (np.abs(seen[:, 1]) <= reach))
-        near = near[seen[near, 2] > 0.0]
-        close = seen[near]
-        pixels = np.hypot(close[:, 0], close[:, 1]) * focal / camera.reach(close[:, 2])
+        offsets = points[start : start + CHUNK] @ across - shift
+        reach = camera.scale_depth(offsets[:, 2]) * (radius / focal)
+        near = np.flatnonzero((np.abs(offsets[:, 0]) <= reach) & (np.abs(offsets[:, 1]) <= reach))
+        near = near[offsets[near, 2] > 0.0]
+        close = offsets[near]
+        pixels = np.hypot(close[:, 0], close[:, 1]) * focal / camera.scale_depth(close[:, 2])
         inside = pixels <= radius
         indices.append(near[inside] + start)
         distances.append(pixels[inside])

@@ -30,7 +30,7 @@ class RecordingViewport:
     calls : list of (method name, arguments)
         All calls, in order.
     clouds, colours, shading, hidden, highlights, markers, selected, point_size, parallel, station,
-    mouse_mode, hint, hovering, sketches, box, beside
+    mouse_mode, hint, hovering, sketches, box, wiped
         What a real viewport would show now.
     """
 
@@ -51,7 +51,7 @@ class RecordingViewport:
         self.hint = ""
         self.hovering = False
         self.box: Box | None = None
-        self.beside: dict[str, Array] | None = None
+        self.wipe_clouds: dict[str, Array] | None = None
         self.sketches: dict[str, Sketch] = {}
         self.station: tuple[float, float, float] = (0.0, 0.0, 0.0)
         self.closed = False
@@ -114,10 +114,10 @@ class RecordingViewport:
         self._record("clip", box)
         self.box = box
 
-    def show_beside(self, clouds: Mapping[str, Array] | None) -> None:
+    def show_wipe(self, clouds: Mapping[str, Array] | None) -> None:
         """Remember the other placement."""
-        self._record("show_beside", clouds)
-        self.beside = None if clouds is None else dict(clouds)
+        self._record("show_wipe", clouds)
+        self.wipe_clouds = None if clouds is None else dict(clouds)
 
     def set_station(self, position: tuple[float, float, float]) -> None:
         """Remember where the standard views look from."""
@@ -132,9 +132,9 @@ class RecordingViewport:
         """Remember the call."""
         self._record("view", name)
 
-    def look_along(self, direction: Array, points: Array) -> None:
+    def view_along(self, direction: Array, points: Array) -> None:
         """Remember the call."""
-        self._record("look_along", direction, points)
+        self._record("view_along", direction, points)
 
     def set_parallel(self, parallel: bool) -> None:
         """Remember the projection."""
@@ -197,7 +197,7 @@ class RecordingViewport:
         self._record("clear")
         self.clouds, self.colours, self.hidden = {}, {}, set()
         self.highlights, self.markers, self.selected = [], [], None
-        self.sketches, self.box, self.beside = {}, None, None
+        self.sketches, self.box, self.wipe_clouds = {}, None, None
 
     def create_empty_viewport(self) -> "RecordingViewport":
         """New empty viewport."""

@@ -10,20 +10,20 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 from lispac.gui import theme, units
 from lispac.gui.viewport.base import Array, DragHandle, PickedPoint, Sketch, ViewportSignals
 from lispac.gui.viewport.camera import Camera, ViewportSize
-from lispac.gui.viewport.navigation import SNAP, Navigator
+from lispac.gui.viewport.navigation import SNAP_PX, Navigator
 from lispac.gui.viewport.overlay import Overlay, has_right_neighbour
 from lispac.gui.viewport.point_picker import pick_point
 from lispac.language import gettext
 
-REACH = 9.0
-"""Pixels about a handle within which it is taken."""
+GRAB_RADIUS_PX = 9.0
+"""Pixels about a handle within which a press grabs it."""
 HOVER_MS = 40
 """Time at rest after which the point under the mouse is searched for."""
-LOOKED_AT = 250_000
-"""Drawn points that are searched for the one under the resting mouse."""
-BELOW_HINT = 42.0
-"""Pixels from the top below which words are not hidden by what the mouse does now."""
-END_ON = 0.25
+MAX_HOVER_POINTS = 250_000
+"""Largest number of drawn points that are searched for the one under the mouse."""
+LABEL_TOP_PX = 42.0
+"""Pixels from the top below which labels are not hidden by the hint on the mouse."""
+MIN_AXIS_SINE = 0.25
 """Sine between a handle's axis and the view below which the mouse cannot move it."""
 
 
@@ -47,7 +47,7 @@ class SketchLayer(QObject):
     share : of the picture's width that is on the left of the dividing line
     """
 
-    divided = Signal()
+    divider_moved = Signal()
     """The dividing line was moved."""
 
     def __init__(self, navigator: Navigator, overlay: Overlay, signals: ViewportSignals) -> None:
@@ -55,23 +55,23 @@ class SketchLayer(QObject):
         self._navigator, self._overlay, self._signals = navigator, overlay, signals
         self._sketches: dict[str, Sketch] = {}
         self._outline: list[QPointF] = []
-        self._held: _HandleDrag | None = None
+        self._drag: _HandleDrag | None = None
         self._spot = (0.0, 0.0)
         self.hovering = False
         self.share = 0.5
         self._dividing = self._divides = False
-        self._still = QTimer(self, singleShot=True, interval=HOVER_MS)
-        self._still.timeout.connect(self._emit_hovered)
+        self._hover_timer = QTimer(self, singleShot=True, interval=HOVER_MS)
+        self._hover_timer.timeout.connect(self._emit_hovered)
         mouse = navigator.mouse
-        mouse.grabs = self._grab_handle
-        mouse.grabbed.connect(self._drag_handle)
-        mouse.let_go.connect(self._on_handle_released)
+        mouse.try_grab = self._grab_handle
+        mouse.handle_dragged.connect(self._drag_handle)
+        mouse.handle_released.connect(self._on_handle_released)
         mouse.outlining.connect(self._extend_outline)
         mouse.outlined.connect(self._finish_outline)
-        mouse.rested_at.connect(self._on_mouse_rest)
-        mouse.left.connect(self.rest)
+        mouse.mouse_moved.connect(self._on_mouse_rest)
+        mouse.mouse_left.connect(self.stop_hovering)
         mouse.nudged.connect(self._shift_dividing_line)
-        overlay.sheets.append(self._paint)
+        overlay.paint_hooks.append(self._paint)
 
     def show(self, name: str, sketch: Sketch | None) -> None:
         """Draw a sketch; None removes it."""
@@ -82,17 +82,17 @@ class SketchLayer(QObject):
 
     def clear(self) -> None:
         """Remove all sketches."""
-        self._sketches, self._outline, self._held = {}, [], None
-        self.rest()
+        self._sketches, self._outline, self._drag = {}, [], None
+        self.stop_hovering()
 
     def show_dividing_line(self, divides: bool) -> None:
         """Show or hide the line that divides the picture."""
         self._divides, self.share = divides, 0.5
         self._overlay.update()
 
-    def rest(self) -> None:
+    def stop_hovering(self) -> None:
         """Stop hovering."""
-        self._still.stop()
+        self._hover_timer.stop()
         if self.hovering:
             self._signals.hovered.emit(None)
 
@@ -107,7 +107,7 @@ class SketchLayer(QObject):
 
     def _grab_handle(self, x: float, y: float) -> bool:
         width = self._navigator.size.width
-        self._dividing = self._divides and abs(x - self.share * width) <= REACH
+        self._dividing = self._divides and abs(x - self.share * width) <= GRAB_RADIUS_PX
         if self._dividing:
             return True
         handles = self._handles()
@@ -116,14 +116,14 @@ class SketchLayer(QObject):
         places = np.array([handle.position for _, _, handle in handles])
         spots = self._navigator.camera.project(places, self._navigator.size)
         away = np.hypot(spots[:, 0] - x, spots[:, 1] - y)
-        away[~(away <= REACH)] = np.inf
+        away[~(away <= GRAB_RADIUS_PX)] = np.inf
         if not np.isfinite(away).any():
             return False
         # Of handles above each other the one in front.
         nearest = int(np.argmin(np.where(np.isfinite(away), spots[:, 2], np.inf)))
         name, k, handle = handles[nearest]
         place, axis = np.array(handle.position), np.array(handle.axis)
-        self._held = _HandleDrag(
+        self._drag = _HandleDrag(
             name, k, place, axis, self._distance_along_axis(place, axis, x, y) or 0.0
         )
         return True
@@ -132,17 +132,17 @@ class SketchLayer(QObject):
         if self._dividing:
             self._move_dividing_line(x)
             return
-        held = self._held
-        if held is None:
+        drag = self._drag
+        if drag is None:
             return
-        now = self._distance_along_axis(held.place, held.axis, x, y)
+        now = self._distance_along_axis(drag.place, drag.axis, x, y)
         if now is not None:
-            moved, held.at = now - held.at, now
-            self._signals.handle_moved.emit(held.sketch, held.handle, moved)
+            moved, drag.at = now - drag.at, now
+            self._signals.handle_moved.emit(drag.sketch, drag.handle, moved)
 
     def _move_dividing_line(self, x: float) -> None:
         self.share = min(max(x / self._navigator.size.width, 0.02), 0.98)
-        self.divided.emit()
+        self.divider_moved.emit()
 
     def _shift_dividing_line(self, right: float) -> None:
         if self._divides:
@@ -155,16 +155,16 @@ class SketchLayer(QObject):
         ray = camera.point_at(x, y, 1.0, size) - eye
         ray /= np.linalg.norm(ray)
         slant = float(axis @ ray)
-        if 1.0 - slant**2 < END_ON**2:
+        if 1.0 - slant**2 < MIN_AXIS_SINE**2:
             return None
         # The point of the axis nearest to the ray through the mouse.
         to_eye = eye - place
         return float(axis @ to_eye - slant * (ray @ to_eye)) / (1.0 - slant**2)
 
     def _on_handle_released(self) -> None:
-        held, self._held, self._dividing = self._held, None, False
-        if held is not None:
-            self._signals.handle_let_go.emit(held.sketch)
+        drag, self._drag, self._dividing = self._drag, None, False
+        if drag is not None:
+            self._signals.handle_released.emit(drag.sketch)
 
     def _extend_outline(self, x: float, y: float) -> None:
         self._outline.append(QPointF(x, y))
@@ -180,13 +180,13 @@ class SketchLayer(QObject):
     def _on_mouse_rest(self, x: float, y: float) -> None:
         if self.hovering:
             self._spot = (x, y)
-            self._still.start()
+            self._hover_timer.start()
 
     def _emit_hovered(self) -> None:
         drawn = self._navigator.drawn()
-        step = -(-sum(map(len, drawn.values())) // LOOKED_AT) or 1
+        step = -(-sum(map(len, drawn.values())) // MAX_HOVER_POINTS) or 1
         clouds = {line: points[::step] for line, points in drawn.items()}
-        hit = pick_point(clouds, self._navigator.camera, *self._spot, self._navigator.size, SNAP)
+        hit = pick_point(clouds, self._navigator.camera, *self._spot, self._navigator.size, SNAP_PX)
         if hit is None:
             self._signals.hovered.emit(None)
             return
@@ -198,7 +198,7 @@ class SketchLayer(QObject):
     def _paint(self, painter: QPainter, camera: Camera, size: ViewportSize) -> None:
         for sketch in self._sketches.values():
             _paint_sketch(painter, sketch, camera, size)
-        # Words last: no line goes through them, and none lie on others
+        # Labels last: no line crosses them, and none overlap
         _paint_labels(painter, list(self._sketches.values()), camera, size)
         if self._divides:
             _paint_dividing_line(painter, self.share * size.width, size)
@@ -256,14 +256,14 @@ def _paint_labels(
     if not labelled:
         return
     spots = camera.project(np.array([each.at for each in labelled]), size)[:, :2]
-    taken: list[QRectF] = []
+    occupied: list[QRectF] = []
     for k, sketch in enumerate(labelled):
         if np.isfinite(spots[k]).all():
             leftwards = has_right_neighbour(spots, k)
             spot, colour = QPointF(*spots[k]), QColor(*sketch.colour)
-            box = _label_box(painter, label_text(sketch), spot, size, taken, leftwards=leftwards)
+            box = _label_box(painter, label_text(sketch), spot, size, occupied, leftwards=leftwards)
             _paint_label(painter, label_text(sketch), box, colour)
-            taken.append(box)
+            occupied.append(box)
 
 
 def _paint_dots(painter: QPainter, spots: Array, colour: QColor, radius: float) -> None:
@@ -280,7 +280,7 @@ def _label_box(
     words: str,
     spot: QPointF,
     size: ViewportSize,
-    taken: Sequence[QRectF],
+    occupied: Sequence[QRectF],
     *,
     leftwards: bool,
 ) -> QRectF:
@@ -294,14 +294,14 @@ def _label_box(
     lines = words.split("\n")
     width = max(metrics.horizontalAdvance(line) for line in lines) + 16.0
     height = metrics.lineSpacing() * len(lines) + 8.0
-    most_x, most_y = max(size.width - width - 4.0, 4.0), max(size.height - height - 4.0, 4.0)
+    max_x, max_y = max(size.width - width - 4.0, 4.0), max(size.height - height - 4.0, 4.0)
     sides = [spot.x() + 14.0, spot.x() - 14.0 - width]
     places = [
-        QRectF(min(max(x, 4.0), most_x), min(max(y, BELOW_HINT), most_y), width, height)
+        QRectF(min(max(x, 4.0), max_x), min(max(y, LABEL_TOP_PX), max_y), width, height)
         for y in (spot.y() - height - 10.0, spot.y() + 10.0)
         for x in (sides[::-1] if leftwards else sides)
     ]
-    free = (box for box in places if not any(box.intersects(other) for other in taken))
+    free = (box for box in places if not any(box.intersects(other) for other in occupied))
     return next(free, places[0])
 
 

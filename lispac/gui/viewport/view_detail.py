@@ -7,10 +7,10 @@ from PySide6.QtCore import QObject
 
 from lispac.gui.idle_tasks import IdleTask
 
-REST_MS = 180
-"""Stillness after which the detail is drawn."""
+DETAIL_DELAY_MS = 180
+"""Rest of the view after which the detail is drawn."""
 
-STEP_S = 0.04
+MAX_STEP_S = 0.04
 """Longest time of the selection without events of keyboard and mouse."""
 
 
@@ -28,20 +28,20 @@ class ViewDetail:
     ) -> None:
         self._make, self._show = steps, show
         self._steps: Iterator[None] = iter(())
-        self._rest = IdleTask(self._start_steps, parent, REST_MS)
+        self._start = IdleTask(self._start_steps, parent, DETAIL_DELAY_MS)
         self._step = IdleTask(self._continue_steps, parent)
 
     @property
     def is_due(self) -> bool:
         """Whether the detail is being computed or is scheduled."""
-        return self._rest.isActive() or self._step.isActive()
+        return self._start.isActive() or self._step.isActive()
 
     def schedule(self) -> None:
         """Schedule the detail for when the view has rested for a moment."""
         self._step.stop()
-        self._rest.start()
+        self._start.start()
 
-    def now(self, steps: Iterator[None]) -> None:
+    def compute_now(self, steps: Iterator[None]) -> None:
         """Compute the detail at once with other steps and show it."""
         self.stop()
         for _ in steps:
@@ -54,7 +54,7 @@ class ViewDetail:
 
     def stop(self) -> None:
         """Cancel the schedule and the steps in progress."""
-        self._rest.stop()
+        self._start.stop()
         self._step.stop()
 
     def _start_steps(self) -> None:
@@ -62,7 +62,7 @@ class ViewDetail:
         self._continue_steps()
 
     def _continue_steps(self) -> None:
-        end = time.perf_counter() + STEP_S
+        end = time.perf_counter() + MAX_STEP_S
         for _ in self._steps:
             if time.perf_counter() > end:
                 self._step.start()

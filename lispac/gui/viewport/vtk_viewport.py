@@ -27,7 +27,7 @@ from lispac.gui.viewport.camera import Camera
 from lispac.gui.viewport.canvas import VtkCanvas
 from lispac.gui.viewport.clipping import Box, dividing_plane
 from lispac.gui.viewport.decimation import Budget
-from lispac.gui.viewport.frame_times import SLICES, FrameTimes
+from lispac.gui.viewport.frame_times import SLICE_FRACTIONS, FrameTimes
 from lispac.gui.viewport.highlights import HighlightLayer
 from lispac.gui.viewport.line_layer import LineLayer, common_origin
 from lispac.gui.viewport.navigation import Navigator
@@ -36,8 +36,8 @@ from lispac.gui.viewport.sketches import SketchLayer
 from lispac.gui.viewport.view_detail import ViewDetail
 from lispac.language import gettext
 
-QUICK_S = 0.03
-"""A rendering of all the detail in less than this is shown while the camera moves, too."""
+MAX_MOVING_DETAIL_S = 0.03
+"""Detail that renders in less than this is also shown while the camera moves."""
 
 
 class VtkViewport:
@@ -50,22 +50,22 @@ class VtkViewport:
 
     def __init__(self, parent: QWidget | None = None, budget: Budget | None = None) -> None:
         self._budget = budget or Budget()
-        self._pace = FrameTimes(self._budget)
-        self._stage = OverlaidView(parent)
+        self._times = FrameTimes(self._budget)
+        self._view = OverlaidView(parent)
         # Goes with the widget, and with it what a window has joined: it would hold the window.
-        self.signals = ViewportSignals(self._stage)
-        self.canvas = VtkCanvas(self._stage)
+        self.signals = ViewportSignals(self._view)
+        self.canvas = VtkCanvas(self._view)
         self.canvas.setAcceptDrops(False)  # the window opens what is dropped, not the 3D library
         self.canvas.setAccessibleName(gettext("Lines in 3D"))
-        self._stage.put(self.canvas)
-        self._overlay = self._stage.overlay
+        self._view.set_canvas(self.canvas)
+        self._overlay = self._view.overlay
         self._renderer = self.canvas.renderer
         self._renderer.SetBackground(*theme.colour("ground").getRgbF()[:3])
         self._renderer.SetBackground2(*theme.colour("sky").getRgbF()[:3])
         self._renderer.GradientBackgroundOn()
 
         self._layer = LineLayer(self._renderer)
-        self._beside: LineLayer | None = None
+        self._wipe_layer: LineLayer | None = None
         self._box: Box | None = None
         self._hidden: set[str] = set()
         self._highlight_layer = HighlightLayer(self._renderer)
@@ -83,25 +83,25 @@ class VtkViewport:
             )
         ]
         self._view_detail = ViewDetail(
-            self._stage, lambda: self._refinement_steps(self._pace.resting), self._show_detail
+            self._view, lambda: self._refinement_steps(self._times.rest_points), self._show_detail
         )
-        self._stage.resized.connect(self._on_resized)
+        self._view.resized.connect(self._on_resized)
         self._navigator = Navigator(self.canvas)
         self._navigator.moved.connect(self._on_moved)
-        self._navigator.stable.connect(self._view_detail.schedule)
+        self._navigator.move_ended.connect(self._view_detail.schedule)
         self._navigator.picked.connect(self.signals.seed_clicked)
         self._navigator.missed.connect(self.signals.missed)
         self._navigator.pointed.connect(self.signals.pointed)
         self._sketch_layer = SketchLayer(self._navigator, self._overlay, self.signals)
         self._navigator.drawn = lambda: self._layer.detail or self._layer.sparse
-        self._sketch_layer.divided.connect(self._camera_moved)
+        self._sketch_layer.divider_moved.connect(self._camera_moved)
 
-    # What the window asks
+    # Interface of `Viewport`
 
     @property
     def widget(self) -> QWidget:
         """The widget to put into the window."""
-        return self._stage
+        return self._view
 
     @property
     def camera(self) -> Camera:
@@ -121,7 +121,7 @@ class VtkViewport:
         """Draw the lines, each in its colour or shaded; replaces those shown, keeps the camera."""
         first = not self._layer.clouds
         self._overlay.shading = shading
-        self._layer.put(clouds, colours, shading)
+        self._layer.set_lines(clouds, colours, shading)
         if first:
             self._layer.origin = common_origin(self._layer.clouds)
         self._draw_clouds()
@@ -143,7 +143,7 @@ class VtkViewport:
     def show_highlights(self, highlights: Sequence[Highlight]) -> None:
         """Draw sightings over the clouds; replaces those shown."""
         layer = self._layer
-        self._highlight_layer.put(highlights, layer.origin, self._box, layer.half)
+        self._highlight_layer.set_highlights(highlights, layer.origin, self._box, layer.half)
         self._style_points()
 
     def show_markers(self, markers: Sequence[Marker]) -> None:
@@ -157,23 +157,23 @@ class VtkViewport:
         self._draw_clouds()
         self.show_highlights(self._highlight_layer.highlights)
 
-    def show_beside(self, clouds: Mapping[str, Array] | None) -> None:
+    def show_wipe(self, clouds: Mapping[str, Array] | None) -> None:
         """Draw the lines placed otherwise on the left of a movable dividing line; None ends it.
 
         They are the same points in the same order, and have the same colours; None ends it.
         """
-        if self._beside is None and clouds is None:
+        if self._wipe_layer is None and clouds is None:
             return
-        if self._beside is not None:
-            self._beside.remove()
-        self._beside = None
+        if self._wipe_layer is not None:
+            self._wipe_layer.remove()
+        self._wipe_layer = None
         self._layer.half = None
         self._sketch_layer.show_dividing_line(clouds is not None)
         if clouds is not None:
-            self._beside = LineLayer(self._renderer)
-            self._beside.origin = self._layer.origin
-            self._layer.half, self._beside.half = half_space(), half_space()
-            self._beside.put(clouds, self._layer.colours, self._layer.shading)
+            self._wipe_layer = LineLayer(self._renderer)
+            self._wipe_layer.origin = self._layer.origin
+            self._layer.half, self._wipe_layer.half = half_space(), half_space()
+            self._wipe_layer.set_lines(clouds, self._layer.colours, self._layer.shading)
         self._draw_clouds()
         self.show_highlights(self._highlight_layer.highlights)
 
@@ -196,9 +196,9 @@ class VtkViewport:
         self._navigator.view(name)
         self._refine_later()
 
-    def look_along(self, direction: Array, points: Array) -> None:
+    def view_along(self, direction: Array, points: Array) -> None:
         """Look at points (n, 3) along a direction (3,), from the station's side of them."""
-        self._navigator.look_along(direction, points)
+        self._navigator.view_along(direction, points)
         self._refine_later()
 
     def set_parallel(self, parallel: bool) -> None:
@@ -215,7 +215,7 @@ class VtkViewport:
     def set_hovering(self, hovering: bool) -> None:
         """Emit what is under the resting mouse, or stop doing so."""
         if not hovering:
-            self._sketch_layer.rest()
+            self._sketch_layer.stop_hovering()
         self._sketch_layer.hovering = hovering
 
     def drawn_near(self, line: str, centre: Array, radius: float) -> Array:
@@ -238,12 +238,12 @@ class VtkViewport:
         budget = Budget(points, min(Budget().moving, points))
         if budget != self._budget:
             self._budget = budget
-            self._pace = FrameTimes(budget)
+            self._times = FrameTimes(budget)
             self._draw_clouds()
 
     def prepare(self) -> None:
         """Load all detail of a picture, so that it only needs to be drawn."""
-        self._view_detail.now(self._refinement_steps(self._pace.picture))
+        self._view_detail.compute_now(self._refinement_steps(self._times.picture_points))
 
     def picture(self) -> QImage:
         """Picture of the view with all detail and labels, without the help on the mouse."""
@@ -257,15 +257,15 @@ class VtkViewport:
 
     def clear(self) -> None:
         """Remove all content."""
-        self._navigator.release()
+        self._navigator.clear_fit()
         self._sketch_layer.clear()
         self._box = None
-        self.show_beside(None)
+        self.show_wipe(None)
         self._hidden.clear()
         self._highlight_layer.selected = None
         self._overlay.markers = ()
         self._overlay.shading = None
-        self._layer.put({}, {})
+        self._layer.set_lines({}, {})
         self.show_highlights([])
         self._draw_clouds()
 
@@ -285,8 +285,8 @@ class VtkViewport:
         self.canvas.removeEventFilter(self._navigator.mouse)
         self._renderer.RemoveAllViewProps()
         for layer in self._layers:
-            layer.forget()
-        self._highlight_layer.forget()
+            layer.clear_references()
+        self._highlight_layer.clear_references()
         self.canvas.close()
 
     # Drawing
@@ -295,8 +295,8 @@ class VtkViewport:
         """Draw the visible lines coarsely; their detail follows."""
         for layer in self._layers:
             layer.draw(self._hidden, self._budget.moving // len(self._layers), self._box)
-            layer.show_detail(fine=False, coarse=self._pace.slice)
-        self._navigator.clouds, self._navigator.coarse = self._layer.seen, self._layer.sparse
+            layer.show_detail(fine=False, coarse=self._times.slice)
+        self._navigator.clouds, self._navigator.coarse = self._layer.visible, self._layer.sparse
         self._detailed = False
         self._style_points()
         self._view_detail.schedule()
@@ -310,9 +310,9 @@ class VtkViewport:
 
     def _camera_moved(self) -> None:
         camera, origin = self.camera, self._layer.origin
-        self._highlight_layer.move(camera, origin)
+        self._highlight_layer.update_depth(camera, origin)
         for layer in self._layers:
-            layer.move(camera)
+            layer.update_depth(camera)
         self._place_dividing_plane()
         set_renderer_camera(self._renderer, camera, origin)
         self._update()
@@ -327,14 +327,15 @@ class VtkViewport:
 
     def _on_frame_end(self, *_: object) -> None:
         """Record the time of a complete frame, including software rendering."""
-        took = time.perf_counter() - self._began
+        seconds = time.perf_counter() - self._began
         if self._detailed:
-            self._detail_s = took
-            self._pace.took("resting", _count_points(layer.detail for layer in self._layers), took)
+            self._detail_s = seconds
+            points = _count_points(layer.detail for layer in self._layers)
+            self._times.record("resting", points, seconds)
         else:
             whole = _count_points(layer.sparse for layer in self._layers)
-            drawn = int(SLICES[self._pace.slice] * whole)
-            self._pace.took("moving", drawn, took, whole)
+            drawn = int(SLICE_FRACTIONS[self._times.slice] * whole)
+            self._times.record("moving", drawn, seconds, whole)
 
     def _refinement_steps(self, points: int) -> Iterator[None]:
         camera, size, budget = self.camera, self._navigator.size, points // len(self._layers)
@@ -349,25 +350,25 @@ class VtkViewport:
 
     def _on_moved(self) -> None:
         self._view_detail.abandon()
-        if self._detail_s > QUICK_S:
+        if self._detail_s > MAX_MOVING_DETAIL_S:
             self._detailed = False
         for layer in self._layers:
             # The detail is only that of where the camera rested.
-            layer.show_detail(fine=self._detailed, coarse=self._pace.slice)
+            layer.show_detail(fine=self._detailed, coarse=self._times.slice)
         self._camera_moved()
 
     @property
     def _layers(self) -> list[LineLayer]:
-        return [self._layer] if self._beside is None else [self._layer, self._beside]
+        return [self._layer] if self._wipe_layer is None else [self._layer, self._wipe_layer]
 
     def _place_dividing_plane(self) -> None:
         """Place the clipping planes of both placements at the dividing line."""
-        if self._beside is None:
+        if self._wipe_layer is None:
             return
         size = self._navigator.size
         point, normal = dividing_plane(self.camera, self._sketch_layer.share * size.width, size)
         set_half_space(self._layer.half, point - self._layer.origin, normal)
-        set_half_space(self._beside.half, point - self._layer.origin, -normal)
+        set_half_space(self._wipe_layer.half, point - self._layer.origin, -normal)
 
     def _on_resized(self) -> None:
         if not self._closed:

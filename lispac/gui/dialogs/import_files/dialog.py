@@ -108,7 +108,7 @@ class ImportDialog(QDialog):
 
     def _build(self) -> None:
         outer = QVBoxLayout(self)
-        outer.setSpacing(theme.SPACE)
+        outer.setSpacing(theme.SPACING)
         outer.setContentsMargins(14, 12, 14, 12)
         self.empty = DropArea()
         self._stack = QStackedLayout()
@@ -123,7 +123,7 @@ class ImportDialog(QDialog):
     def _fill_layout(self, filled: QWidget) -> None:
         layout = QVBoxLayout(filled)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(theme.SPACE)
+        layout.setSpacing(theme.SPACING)
         layout.addLayout(self._create_bar())
         self._split = split = QSplitter(Qt.Orientation.Vertical, filled)
         layout.addWidget(split, 1)
@@ -163,7 +163,7 @@ class ImportDialog(QDialog):
         self.progress.setTextVisible(False)
         self.progress.setFixedWidth(180)
         self.progress.setAccessibleName(gettext("Progress of reading the files"))
-        self.doing = widgets.label("", "muted", name="import_doing")
+        self.progress_label = widgets.label("", "muted", name="import_doing")
         self.stop = widgets.button(
             gettext("Stop"), "import_stop", tip=gettext("Stop reading files")
         )
@@ -174,7 +174,7 @@ class ImportDialog(QDialog):
         for each in (self.add_files, self.add_folder, self.remove):
             row.addWidget(each)
         row.addStretch(1)
-        for each in (self.doing, self.progress, self.stop, self.again):
+        for each in (self.progress_label, self.progress, self.stop, self.again):
             row.addWidget(each)
         for each in (self.add_files, self.add_folder, self.remove, self.stop, self.again):
             each.setAutoDefault(False)
@@ -211,7 +211,7 @@ class ImportDialog(QDialog):
         lower.addWidget(self.reason, 1)
         lower.addWidget(self.buttons, 0, Qt.AlignmentFlag.AlignBottom)
         bottom = QVBoxLayout()
-        bottom.setSpacing(theme.SPACE)
+        bottom.setSpacing(theme.SPACING)
         bottom.addWidget(self.place)
         bottom.addLayout(lower)
         return bottom
@@ -241,7 +241,7 @@ class ImportDialog(QDialog):
         page.action_chosen.connect(
             lambda chosen_action: self._apply_action(table.current, chosen_action)
         )
-        page.option_stated.connect(
+        page.option_edited.connect(
             lambda name, value: edit(self.input_files.with_option(table.current, name, value))
         )
         page.meaning_chosen.connect(
@@ -297,11 +297,11 @@ class ImportDialog(QDialog):
 
     def _show_progress(self) -> None:
         busy = self.work.busy
-        for each in (self.doing, self.progress, self.stop):
+        for each in (self.progress_label, self.progress, self.stop):
             each.setVisible(busy)
         self.again.setVisible(self.work.was_stopped and not busy)
         self.progress.setValue(round(1000 * self.work.fraction))
-        self.doing.setText(self.work.words)
+        self.progress_label.setText(self.work.progress_text)
         if not busy:
             self._show_reason()
 
@@ -395,7 +395,7 @@ class ImportDialog(QDialog):
         """Ask before files are discarded, on Escape or when the dialogue is closed."""
         if all(
             entry.project_reading is not None for entry in self.input_files.entries
-        ) or Questions.leave(self):
+        ) or Questions.confirm_leave(self):
             self._discard()
 
     def _discard(self) -> None:
@@ -405,5 +405,5 @@ class ImportDialog(QDialog):
         """Stop the worker, and store the meanings of columns where the project is made."""
         self.work.close()
         if result == QDialog.DialogCode.Accepted:
-            self._settings.keep_column_mappings(self.input_files.column_mappings)
+            self._settings.save_column_mappings(self.input_files.column_mappings)
         super().done(result)

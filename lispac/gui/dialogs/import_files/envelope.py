@@ -5,12 +5,12 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-BINS = 1500
+DEFAULT_BINS = 1500
 """Intervals of the envelope; more than an axis has pixels."""
 
 
 def envelope(
-    time: Array, values: Array, *, bins: int = BINS, longest_gap: float = np.inf
+    time: Array, values: Array, *, bins: int = DEFAULT_BINS, longest_gap: float = np.inf
 ) -> tuple[Array, Array]:
     """Smallest and largest value of each time interval, with NaN at gaps.
 

@@ -1,4 +1,4 @@
-"""Page of the selected file: remarks, options, contents and first rows."""
+"""Page of the selected file: messages, options, contents and first rows."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
@@ -15,7 +15,7 @@ from lispac.gui import theme
 from lispac.gui.dialogs.import_files import file_texts
 from lispac.gui.dialogs.import_files.file_preview import FilePreview
 from lispac.gui.dialogs.import_files.options_form import OptionsForm
-from lispac.gui.dialogs.import_files.remarks_view import RemarksView
+from lispac.gui.dialogs.import_files.remarks_view import MessageList
 from lispac.gui.panels import widgets
 from lispac.language import gettext
 from lispac.message_texts import fact_text, message_text
@@ -29,7 +29,7 @@ class FilePage(QWidget):
     """Page with all details of one file."""
 
     action_chosen = Signal(object)
-    option_stated = Signal(str, str)
+    option_edited = Signal(str, str)
     meaning_chosen = Signal(int, str)
 
     def __init__(self) -> None:
@@ -45,14 +45,14 @@ class FilePage(QWidget):
         self._stack.addWidget(filled)
         layout = QVBoxLayout(filled)
         layout.setContentsMargins(10, 8, 10, 8)
-        layout.setSpacing(theme.SPACE)
-        self.remarks = RemarksView("import_remarks")
-        self.remarks.action_chosen.connect(self._on_action_chosen)
-        layout.addWidget(self.remarks)
+        layout.setSpacing(theme.SPACING)
+        self.messages = MessageList("import_remarks")
+        self.messages.action_chosen.connect(self._on_action_chosen)
+        layout.addWidget(self.messages)
         split = QSplitter(Qt.Orientation.Horizontal)
         split.setChildrenCollapsible(False)
         self.options = OptionsForm()
-        self.options.option_stated.connect(self.option_stated)
+        self.options.option_edited.connect(self.option_edited)
         self.facts = QFormLayout()
         self._facts_of: tuple[object, object] = (None, None)
         self.facts.setVerticalSpacing(3)
@@ -103,7 +103,7 @@ class FilePage(QWidget):
         if entry is None:
             return
         fine = "" if entry.pending or entry.role is None else gettext("No problems found.")
-        self.remarks.show_remarks(input_files.messages(entry), fine)
+        self.messages.show_messages(input_files.messages(entry), fine)
         self.options.show_entry(entry)
         for changing in (self.options, self.preview):
             changing.setEnabled(entry.project_reading is None)
@@ -146,6 +146,6 @@ class FilePage(QWidget):
 
     def _on_action_chosen(self, action: Action, _place: int) -> None:
         if option := option_to_choose(action):
-            self.options.ask(option)
+            self.options.focus_option(option)
         else:
             self.action_chosen.emit(action)

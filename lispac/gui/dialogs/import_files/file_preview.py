@@ -10,10 +10,10 @@ from lispac.language import gettext
 from lispac.workflow.input_columns import PASSED_OVER, has_columns, meaning_label, possible_meanings
 from lispac.workflow.input_file import InputFile
 
-NAMED = ("las", "e57")
+NAMED_FORMATS = ("las", "e57")
 """Formats whose files name their columns; these names are not translated."""
-MOST_COLUMNS = 60
-NARROWEST = 118
+MAX_COLUMNS = 60
+MIN_MAPPED_WIDTH = 118
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -40,7 +40,7 @@ class FilePreview(QTableWidget):
     def show_entry(self, entry: InputFile) -> None:
         """Show the first rows of a file."""
         rows = () if entry.finding is None else entry.finding.rows
-        columns = min(max((len(row) for row in rows), default=0), MOST_COLUMNS)
+        columns = min(max((len(row) for row in rows), default=0), MAX_COLUMNS)
         mapped = entry.format is not None and entry.role is not None and has_columns(entry.format)
         which = (entry.path, entry.format, rows, mapped)
         if which != self._shown:
@@ -63,7 +63,7 @@ class FilePreview(QTableWidget):
         names = list(rows[0][:columns]) if rows else []
         if mapped:
             heads = [gettext("Column {number:n}", number=k + 1) for k in range(columns)]
-        elif entry.format is not None and entry.format.key in NAMED:
+        elif entry.format is not None and entry.format.key in NAMED_FORMATS:
             heads = names
         else:
             heads = list(map(gettext, names))
@@ -81,7 +81,7 @@ class FilePreview(QTableWidget):
         self.resizeColumnsToContents()
         for k in range(columns):
             width = self.columnWidth(k) + 10
-            self.setColumnWidth(k, max(width, NARROWEST) if mapped else width)
+            self.setColumnWidth(k, max(width, MIN_MAPPED_WIDTH) if mapped else width)
 
     def _add_combo(self, entry: InputFile, column: int) -> None:
         assert entry.format is not None

@@ -38,7 +38,7 @@ _TIPS = (
 )
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-ROW = 28
+ROW_HEIGHT = 28
 
 
 class FileTable(QTableWidget):
@@ -61,7 +61,7 @@ class FileTable(QTableWidget):
             head.setToolTip(gettext(tip))
             head.setTextAlignment(_RIGHT if column in (COUNT, SPAN) else _LEFT)
         self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(ROW)
+        self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT)
         self.setShowGrid(False)
         self.setStyleSheet("QTableWidget::item { padding: 0 6px; }")
         self.setAlternatingRowColors(True)

@@ -228,7 +228,9 @@ def state_text(input_files: InputFiles, entry: InputFile) -> tuple[str, str]:
         case "error":
             return gettext("Error"), theme.ERROR
         case "warning":
-            warnings = sum(remark.level is Level.WARNING for remark in input_files.messages(entry))
+            warnings = sum(
+                message.level is Level.WARNING for message in input_files.messages(entry)
+            )
             text = gettext(Plural("{count:n} warning", "{count:n} warnings"), count=warnings)
             return text, theme.WARNING
     is_unknown = not entry.checks and not entry.pending

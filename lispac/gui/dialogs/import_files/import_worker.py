@@ -17,7 +17,7 @@ from lispac.survey.line_source import printable
 from lispac.workflow.input_file import InputFile, examine_file, examine_project_file, reexamine_file
 from lispac.workflow.input_files import InputFiles, collect_files, find_project
 
-STOPPED = "import.stopped"
+STOPPED_CODE = "import.stopped"
 """Code of the entries that were not read because the user stopped the reading."""
 
 
@@ -33,7 +33,7 @@ class ImportWorker(QObject):
     changed = Signal()
     """The files or their settings have changed."""
     progress_changed = Signal()
-    """The running work has progressed: see `words` and `fraction`."""
+    """The running work has progressed: see `progress_text` and `fraction`."""
     project_found = Signal(object)
     """A project was dropped, to be opened."""
 
@@ -105,7 +105,7 @@ class ImportWorker(QObject):
         return self.runner.active
 
     @property
-    def words(self) -> str:
+    def progress_text(self) -> str:
         """Text of the running step in the language of the user."""
         task = self.runner.current
         if task is None:
@@ -157,11 +157,11 @@ class ImportWorker(QObject):
 
 
 def _stopped_error(entry: InputFile) -> Message:
-    return error(STOPPED, file=printable(entry.path.name))
+    return error(STOPPED_CODE, file=printable(entry.path.name))
 
 
 def _was_stopped(entry: InputFile) -> bool:
-    return entry.error is not None and entry.error.code == STOPPED
+    return entry.error is not None and entry.error.code == STOPPED_CODE
 
 
 def _examination_error(entry: InputFile, failure: Exception) -> Message:

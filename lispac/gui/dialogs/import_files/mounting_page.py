@@ -32,7 +32,7 @@ class MountingPage(QScrollArea):
         grid = QGridLayout(body)
         grid.setContentsMargins(16, 12, 16, 12)
         grid.setHorizontalSpacing(36)
-        grid.setVerticalSpacing(theme.SPACE)
+        grid.setVerticalSpacing(theme.SPACING)
         grid.addWidget(widgets.label(gettext("Mounting"), "heading"), 0, 0)
         grid.addLayout(self._mounting_form(), 1, 0, Qt.AlignmentFlag.AlignTop)
         grid.addWidget(widgets.label(gettext("Uncertainties"), "heading"), 0, 1)
@@ -180,7 +180,7 @@ def _create_form() -> QFormLayout:
     form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
     form.setLabelAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     form.setHorizontalSpacing(14)
-    form.setVerticalSpacing(theme.SPACE)
+    form.setVerticalSpacing(theme.SPACING)
     return form
 
 

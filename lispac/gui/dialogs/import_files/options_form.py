@@ -18,7 +18,7 @@ _SCANNER = ("unit",)
 class OptionsForm(QWidget):
     """Fields for the options of a file."""
 
-    option_stated = Signal(str, str)
+    option_edited = Signal(str, str)
     """Name and value."""
 
     def __init__(self) -> None:
@@ -41,7 +41,7 @@ class OptionsForm(QWidget):
         if which != self._shown:
             self._shown = which
             self._build(options)
-        resolved, stated = entry.options, entry.given_options or {}
+        resolved, given = entry.options, entry.given_options or {}
         for option in options:
             field = self.fields[option.name]
             field.blockSignals(True)
@@ -51,18 +51,18 @@ class OptionsForm(QWidget):
                 field.setText(resolved[option.name])
                 field.setCursorPosition(0)
             field.blockSignals(False)
-            is_stated = option.name in stated
-            self._labels[option.name].setProperty("role", "heading" if is_stated else "")
+            is_given = option.name in given
+            self._labels[option.name].setProperty("role", "heading" if is_given else "")
             self._labels[option.name].style().polish(self._labels[option.name])
             origin = (
                 gettext("The value is specified by the user.")
-                if is_stated
+                if is_given
                 else gettext("The value was detected in the file or is the default.")
             )
             field.setToolTip(widgets.plain_tip(f"{gettext(option.meaning)}\n{origin}"))
         self._show_system(entry)
 
-    def ask(self, name: str) -> None:
+    def focus_option(self, name: str) -> None:
         """Set the focus to the field of an option."""
         if name in self.fields:
             self.fields[name].setFocus(Qt.FocusReason.OtherFocusReason)
@@ -93,7 +93,7 @@ class OptionsForm(QWidget):
             combo.setSizeAdjustPolicy(
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
             )
-            combo.activated.connect(lambda: self.option_stated.emit(name, str(combo.currentData())))
+            combo.activated.connect(lambda: self.option_edited.emit(name, str(combo.currentData())))
             return combo
         line = QLineEdit()
         line.setObjectName(f"option_{name}")
@@ -105,7 +105,7 @@ class OptionsForm(QWidget):
     def _on_typed(self, name: str, line: QLineEdit) -> None:
         if line.isModified():
             line.setModified(False)
-            self.option_stated.emit(name, line.text().strip())
+            self.option_edited.emit(name, line.text().strip())
 
     def _show_system(self, entry: InputFile) -> None:
         if "crs" not in self.fields:

@@ -20,12 +20,12 @@ from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
 from lispac.workflow.input_files import InputFiles
 
 Array = NDArray[np.float64]
-STYLES = ("-", (0, (6, 3)), (0, (2, 2)))
+LINE_STYLES = ("-", (0, (6, 3)), (0, (2, 2)))
 """Line styles by which equal values, such as north and east, stay visible."""
-TEXT, SMALL = 9, 8
-MOST_STATES = 10_000
+FONT_SIZE, SMALL_SIZE = 9, 8
+MAX_STATES = 10_000
 """Points of a track that are drawn, at most."""
-LETTER = 0.0065
+LETTER_WIDTH = 0.0065
 """Width of a small letter as a share of the axis width, in the narrowest figure."""
 
 
@@ -92,8 +92,8 @@ def draw_accuracies(quality: TrajectoryQuality, figure: Figure) -> None:
     for k, name in enumerate((gettext("Roll"), gettext("Pitch"), gettext("Heading"))):
         values = np.degrees(sigmas.attitude[:, k])
         _draw_series(lower, quality, sigmas.time, values, k, name)
-    upper.set_ylabel(gettext("Position\nσ (m)"), fontsize=TEXT)
-    lower.set_ylabel(gettext("Attitude\nσ (°)"), fontsize=TEXT)
+    upper.set_ylabel(gettext("Position\nσ (m)"), fontsize=FONT_SIZE)
+    lower.set_ylabel(gettext("Attitude\nσ (°)"), fontsize=FONT_SIZE)
     convert_axis_units(upper.yaxis, "m")
     convert_axis_units(lower.yaxis, "°")
     for axes in (upper, lower):
@@ -107,14 +107,14 @@ def draw_track(quality: TrajectoryQuality, figure: Figure) -> None:
     axes = figure.add_subplot()
     _style_axes(axes)
     path = quality.track
-    frame, step = path.mean_frame(), max(1, len(path.time) // MOST_STATES)
+    frame, step = path.mean_frame(), max(1, len(path.time) // MAX_STATES)
 
-    def plotted(states: NDArray[np.int64], **looks: object) -> None:
+    def plotted(states: NDArray[np.int64], **style: object) -> None:
         north, west, _ = frame.to_local(
             path.latitude[states], path.longitude[states], path.height[states]
         ).T
         breaks = np.flatnonzero(np.diff(path.time[states]) > max(quality.longest_gap, gap)) + 1
-        axes.plot(np.insert(-west, breaks, np.nan), np.insert(north, breaks, np.nan), **looks)
+        axes.plot(np.insert(-west, breaks, np.nan), np.insert(north, breaks, np.nan), **style)
 
     gap = 2.0 * step * float(np.median(np.diff(path.time[:1000])))
     wide = np.flatnonzero(np.diff(path.time) > quality.longest_gap) + 1
@@ -125,18 +125,18 @@ def draw_track(quality: TrajectoryQuality, figure: Figure) -> None:
         width = min(3 + 1.8 * (len(quality.lines) - 1 - k), 12)
         first, last = np.searchsorted(path.time, (start, end))
         if last > first:
-            states = np.arange(first, last, max(1, (last - first) // MOST_STATES))
+            states = np.arange(first, last, max(1, (last - first) // MAX_STATES))
             plotted(states, color=colour, linewidth=width, solid_capstyle="butt",
                     label=_escape_dollars(name))  # fmt: skip
     plotted(np.zeros(1, dtype=np.int64), marker="o", color=theme.TEXT, markersize=5,
             linestyle="none", label=gettext("Start"))  # fmt: skip
     axes.set_aspect("equal", adjustable="datalim")
-    axes.set_xlabel(gettext("East (m)"), fontsize=TEXT)
-    axes.set_ylabel(gettext("North (m)"), fontsize=TEXT)
+    axes.set_xlabel(gettext("East (m)"), fontsize=FONT_SIZE)
+    axes.set_ylabel(gettext("North (m)"), fontsize=FONT_SIZE)
     for axis in (axes.xaxis, axes.yaxis):
         convert_axis_units(axis, "m")
     axes.grid(color=theme.GRID, linewidth=0.8)
-    axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="center left",
+    axes.legend(fontsize=SMALL_SIZE, frameon=False, labelcolor=theme.TEXT, loc="center left",
                 bbox_to_anchor=(1.01, 0.5))  # fmt: skip
 
 
@@ -157,12 +157,12 @@ def draw_motion(quality: TrajectoryQuality, figure: Figure) -> None:
     bottom.yaxis.set_major_formatter(
         FuncFormatter(lambda value, _: units.localised(f"{value % 360:.3g}"))
     )
-    top.set_ylabel(gettext("Speed\n(m/s)"), fontsize=TEXT)
+    top.set_ylabel(gettext("Speed\n(m/s)"), fontsize=FONT_SIZE)
     top.set_ylim(bottom=0)
-    middle.set_ylabel(gettext("Roll, pitch\n(°)"), fontsize=TEXT)
+    middle.set_ylabel(gettext("Roll, pitch\n(°)"), fontsize=FONT_SIZE)
     convert_axis_units(middle.yaxis, "°")
     _add_legend(middle)
-    bottom.set_ylabel(gettext("Heading\n(°)"), fontsize=TEXT)
+    bottom.set_ylabel(gettext("Heading\n(°)"), fontsize=FONT_SIZE)
 
 
 FIGURES: dict[str, Callable[[TrajectoryQuality, Figure], None]] = {
@@ -184,11 +184,11 @@ def _time_axes(quality: TrajectoryQuality, figure: Figure, count: int) -> Sequen
     last.xaxis.set_major_formatter(
         FuncFormatter(lambda value, _: units.localised(f"{value:,.10g}"))
     )
-    last.set_xlabel(quality.axis, fontsize=TEXT)
+    last.set_xlabel(quality.axis, fontsize=FONT_SIZE)
     first, free = all_axes[0], -np.inf
     for name, begin, finish, _ in sorted(quality.lines, key=lambda line: line[1]):
         middle = (begin + finish) / 2
-        half = LETTER * (end - start) * len(name) / 2
+        half = LETTER_WIDTH * (end - start) * len(name) / 2
         # Names that would overlap are omitted; the timeline shows them.
         if start <= middle <= end and middle - half > free:
             free = middle + half
@@ -200,7 +200,7 @@ def _time_axes(quality: TrajectoryQuality, figure: Figure, count: int) -> Sequen
                 textcoords="offset points",
                 ha="center",
                 va="bottom",
-                fontsize=SMALL,
+                fontsize=SMALL_SIZE,
                 color=theme.MUTED,
             )
     return all_axes
@@ -211,7 +211,7 @@ def _draw_series(
 ) -> None:
     shown = envelope(time, values, longest_gap=max(quality.longest_gap, _usual_step(time)))
     # Dashes are invisible and slow to draw where each column has a vertical line.
-    style = STYLES[k] if len(shown[0]) >= len(time) else "-"
+    style = LINE_STYLES[k] if len(shown[0]) >= len(time) else "-"
     axes.plot(
         *shown, color=theme.current_scheme().series[k], linestyle=style, linewidth=1.2, label=name
     )
@@ -224,7 +224,7 @@ def _usual_step(time: Array) -> float:
 
 def _show_text(figure: Figure, text: str) -> None:
     figure.clear()
-    figure.text(0.5, 0.5, text, ha="center", va="center", fontsize=TEXT + 1, color=theme.MUTED)
+    figure.text(0.5, 0.5, text, ha="center", va="center", fontsize=FONT_SIZE + 1, color=theme.MUTED)
 
 
 def _escape_dollars(name: str) -> str:
@@ -233,7 +233,7 @@ def _escape_dollars(name: str) -> str:
 
 def _style_axes(axes: Axes) -> None:
     axes.set_facecolor(theme.PAPER)
-    axes.tick_params(labelsize=SMALL, colors=theme.TEXT)
+    axes.tick_params(labelsize=SMALL_SIZE, colors=theme.TEXT)
     axes.spines[["top", "right"]].set_visible(False)
     axes.spines[["left", "bottom"]].set_color(theme.MUTED)
     for label in (axes.xaxis.label, axes.yaxis.label):
@@ -241,5 +241,5 @@ def _style_axes(axes: Axes) -> None:
 
 
 def _add_legend(axes: Axes) -> None:
-    axes.legend(fontsize=SMALL, frameon=False, labelcolor=theme.TEXT, loc="center left",
+    axes.legend(fontsize=SMALL_SIZE, frameon=False, labelcolor=theme.TEXT, loc="center left",
                 bbox_to_anchor=(1.005, 0.5), borderaxespad=0.1)  # fmt: skip

@@ -32,7 +32,7 @@ class QualityPage(QWidget):
         super().__init__()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(10, 8, 10, 8)
-        layout.setSpacing(theme.SPACE)
+        layout.setSpacing(theme.SPACING)
         row = QHBoxLayout()
         row.setSpacing(0)
         self.choice = QButtonGroup(self)

@@ -1,4 +1,4 @@
-"""List of the remarks on files, each with buttons for its suggested actions."""
+"""List of the messages about files, each with buttons for its suggested actions."""
 
 from collections.abc import Sequence
 
@@ -18,11 +18,11 @@ _MARKS = {
     Level.NOTE: ("information-outline", "muted", N_("Note")),
 }
 """Icon, role of its colour and label of each level."""
-TALLEST = 150
+MAX_HEIGHT = 150
 
 
-class RemarksView(QScrollArea):
-    """List that is as tall as its remarks up to a limit, beyond which it scrolls."""
+class MessageList(QScrollArea):
+    """List that is as tall as its messages up to a limit, beyond which it scrolls."""
 
     action_chosen = Signal(object, int)
     """An `Action`, and the index of its message."""
@@ -44,21 +44,21 @@ class RemarksView(QScrollArea):
         self._body.setAutoFillBackground(False)
         self.buttons: list[widgets.Button] = []
 
-    def show_remarks(self, remarks: Sequence[Message], fine: str) -> None:
+    def show_messages(self, messages: Sequence[Message], fine: str) -> None:
         """Show messages, or the text ``fine`` where there are none."""
-        if self._shown == tuple(remarks) and remarks:
+        if self._shown == tuple(messages) and messages:
             return
-        self._shown = tuple(remarks)
+        self._shown = tuple(messages)
         self.buttons = []
         while (item := self._rows.takeAt(0)) is not None:
             if (row := item.widget()) is not None:
                 # Its button may have just been clicked.
                 row.hide()
                 row.deleteLater()
-        if not remarks and fine:
-            self._add_row(_remark_row("check-circle-outline", "done", N_("OK"), fine)[0])
-        for place, message in enumerate(remarks):
-            row, layout = _remark_row(*_MARKS[message.level], message_text(message))
+        if not messages and fine:
+            self._add_row(_message_row("check-circle-outline", "done", N_("OK"), fine)[0])
+        for place, message in enumerate(messages):
+            row, layout = _message_row(*_MARKS[message.level], message_text(message))
             for action in message.actions:
                 button = self._create_button(action, message, place)
                 layout.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
@@ -95,15 +95,15 @@ class RemarksView(QScrollArea):
     def _fit_height(self) -> None:
         self._rows.invalidate()
         needed = self._rows.totalHeightForWidth(self.viewport().width())
-        self.setFixedHeight(min(max(needed, 26), TALLEST))
+        self.setFixedHeight(min(max(needed, 26), MAX_HEIGHT))
         # Qt's least height of wrapped text is too large, which would show a useless scroll bar.
         policy = Qt.ScrollBarPolicy
         self.setVerticalScrollBarPolicy(
-            policy.ScrollBarAsNeeded if needed > TALLEST else policy.ScrollBarAlwaysOff
+            policy.ScrollBarAsNeeded if needed > MAX_HEIGHT else policy.ScrollBarAlwaysOff
         )
 
 
-def _remark_row(icon: str, kind: str, label: str, text: str) -> tuple[QWidget, QHBoxLayout]:
+def _message_row(icon: str, kind: str, label: str, text: str) -> tuple[QWidget, QHBoxLayout]:
     colour = theme.colour(kind).name()
     row = QWidget()
     layout = QHBoxLayout(row)

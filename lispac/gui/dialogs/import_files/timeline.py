@@ -15,9 +15,9 @@ from lispac.language import Plural, gettext, number
 from lispac.survey.time_quality import TrajectoryCoverage
 from lispac.workflow.input_files import InputFiles
 
-NAMES, WORDS, ROW, AXIS, TOP = 170, 190, 26, 44, 8
+NAME_PX, TEXT_PX, ROW_PX, AXIS_PX, TOP_PX = 170, 190, 26, 44, 8
 """Pixels left and right of the bars, of a row, and below and above the bars."""
-SHORTEST = 4.0
+MIN_BAR_PX = 4.0
 
 
 @dataclass(frozen=True)
@@ -30,11 +30,11 @@ class TimelineBar:
     name : str
     colour : str
     start, end : float, seconds, in the time base of the trajectory
-    holes : tuple of (float, float), seconds
+    gaps : tuple of (float, float), seconds
         Unusable parts: gaps of the trajectory, and times outside it.
-    words : str
+    text : str
         Text beside the bar.
-    sound : bool
+    is_usable : bool
         Whether all of the file can be used.
     is_line : bool
     """
@@ -44,9 +44,9 @@ class TimelineBar:
     colour: str
     start: float
     end: float
-    holes: tuple[tuple[float, float], ...]
-    words: str
-    sound: bool
+    gaps: tuple[tuple[float, float], ...]
+    text: str
+    is_usable: bool
     is_line: bool
 
 
@@ -71,20 +71,20 @@ def timeline_bars(input_files: InputFiles) -> tuple[TimelineBar, ...]:
             continue
         start, end = line.content.start + line.shift, line.content.end + line.shift
         covered = input_files.coverage(line)
-        holes: tuple[tuple[float, float], ...] = ()
-        sound = False
+        gaps: tuple[tuple[float, float], ...] = ()
+        is_usable = False
         if covered is not None and track is not None:
             first, last = float(track.time[0]), float(track.time[-1])
             if start < first:
-                holes += ((start, min(end, first)),)
+                gaps += ((start, min(end, first)),)
             if end > last:
-                holes += ((max(start, last), end),)
-            holes += covered.gaps
-            sound = covered.usable == covered.count
+                gaps += ((max(start, last), end),)
+            gaps += covered.gaps
+            is_usable = covered.usable == covered.count
         text = _coverage_text(covered, line.shift if track is not None else 0.0)
         colour = QColor(*colours[str(line.path)]).name()
         name = input_files.names[line.path]
-        bars.append(TimelineBar(line.path, name, colour, start, end, holes, text, sound, True))
+        bars.append(TimelineBar(line.path, name, colour, start, end, gaps, text, is_usable, True))
     return tuple(bars)
 
 
@@ -121,9 +121,9 @@ def axis_time_span(bars: tuple[TimelineBar, ...]) -> tuple[float, float]:
     return start - margin, end + margin
 
 
-def round_ticks(start: float, end: float, most: int) -> list[float]:
-    """Round values between two times, at most ``most``."""
-    rough = (end - start) / max(most, 1)
+def round_ticks(start: float, end: float, max_ticks: int) -> list[float]:
+    """Round values between two times, at most ``max_ticks``."""
+    rough = (end - start) / max(max_ticks, 1)
     power = 10.0 ** np.floor(np.log10(rough))
     step = next(k * power for k in (1, 2, 5, 10) if k * power >= rough)
     ticks = np.arange(np.ceil(start / step), np.floor(end / step) + 1) * step
@@ -157,7 +157,7 @@ class TimelineView(QWidget):
 
     def sizeHint(self) -> QSize:
         """Preferred size in pixels."""
-        return QSize(600, TOP + max(len(self.bars), 1) * ROW + AXIS)
+        return QSize(600, TOP_PX + max(len(self.bars), 1) * ROW_PX + AXIS_PX)
 
     def minimumSizeHint(self) -> QSize:
         """Smallest size in pixels."""
@@ -165,7 +165,7 @@ class TimelineView(QWidget):
 
     def mousePressEvent(self, event) -> None:
         """Select the file of the clicked bar."""
-        row = int((event.position().y() - TOP) // ROW)
+        row = int((event.position().y() - TOP_PX) // ROW_PX)
         if 0 <= row < len(self.bars):
             self.file_selected.emit(self.bars[row].path)
 
@@ -200,15 +200,15 @@ class TimelineView(QWidget):
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
             return
         start, end = axis_time_span(self.bars)
-        width = max(self.width() - NAMES - WORDS, 50)
+        width = max(self.width() - NAME_PX - TEXT_PX, 50)
 
         def x(time: float) -> float:
-            return NAMES + (time - start) / (end - start) * width
+            return NAME_PX + (time - start) / (end - start) * width
 
-        bottom = TOP + len(self.bars) * ROW
+        bottom = TOP_PX + len(self.bars) * ROW_PX
         self._draw_axis(painter, start, end, x, bottom)
         for row, bar in enumerate(self.bars):
-            self._draw_bar(painter, bar, TOP + row * ROW, x, width)
+            self._draw_bar(painter, bar, TOP_PX + row * ROW_PX, x, width)
         if self.hasFocus():
             painter.setPen(QPen(QColor(theme.ACCENT), 1))
             painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -217,61 +217,62 @@ class TimelineView(QWidget):
     def _draw_axis(self, painter: QPainter, start: float, end: float, x, bottom: int) -> None:
         metrics = self.fontMetrics()
         label = metrics.horizontalAdvance(number(end, 1)) + 24
-        ticks = round_ticks(start, end, max(int((self.width() - NAMES - WORDS) / label), 2))
+        ticks = round_ticks(start, end, max(int((self.width() - NAME_PX - TEXT_PX) / label), 2))
         fine = len(ticks) > 1 and ticks[1] - ticks[0] < 1
         painter.setFont(theme.tabular_font(self.font()))
         for tick in ticks:
             painter.setPen(QColor(theme.GRID))
-            painter.drawLine(QPointF(x(tick), TOP), QPointF(x(tick), bottom + 4))
+            painter.drawLine(QPointF(x(tick), TOP_PX), QPointF(x(tick), bottom + 4))
             painter.setPen(QColor(theme.TEXT))
             text = number(tick, 2 if fine else 0)
             box = QRectF(x(tick) - label / 2, bottom + 4, label, 18)
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
         painter.setPen(QColor(theme.MUTED))
-        box = QRectF(NAMES, bottom + 22, self.width() - NAMES - WORDS, 18)
+        box = QRectF(NAME_PX, bottom + 22, self.width() - NAME_PX - TEXT_PX, 18)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self._axis)
 
     def _draw_bar(self, painter: QPainter, bar: TimelineBar, top: int, x, width: int) -> None:
         middle = Qt.AlignmentFlag.AlignVCenter
         if bar.path == self._current:
-            painter.fillRect(QRectF(0, top, self.width(), ROW), QColor(theme.CURRENT))
+            painter.fillRect(QRectF(0, top, self.width(), ROW_PX), QColor(theme.CURRENT))
         painter.setPen(QColor(theme.TEXT))
-        name = self.fontMetrics().elidedText(bar.name, Qt.TextElideMode.ElideMiddle, NAMES - 24)
-        painter.drawText(QRectF(12, top, NAMES - 20, ROW), middle, name)
-        painter.setPen(QColor(theme.MUTED if bar.sound else theme.ERROR))
-        box = QRectF(NAMES + width + 12, top, WORDS - 16, ROW)
+        name = self.fontMetrics().elidedText(bar.name, Qt.TextElideMode.ElideMiddle, NAME_PX - 24)
+        painter.drawText(QRectF(12, top, NAME_PX - 20, ROW_PX), middle, name)
+        painter.setPen(QColor(theme.MUTED if bar.is_usable else theme.ERROR))
+        box = QRectF(NAME_PX + width + 12, top, TEXT_PX - 16, ROW_PX)
         painter.drawText(box, middle, self.fontMetrics().elidedText(
-            bar.words, Qt.TextElideMode.ElideRight, WORDS - 16))  # fmt: skip
+            bar.text, Qt.TextElideMode.ElideRight, TEXT_PX - 16))  # fmt: skip
         left, right = x(bar.start), x(bar.end)
-        if right < NAMES or left > NAMES + width:
-            self._draw_distant_line(painter, bar, top, NAMES if right < NAMES else NAMES + width)
+        if right < NAME_PX or left > NAME_PX + width:
+            edge = NAME_PX if right < NAME_PX else NAME_PX + width
+            self._draw_distant_line(painter, bar, top, edge)
             return
-        left, right = max(left, NAMES), min(max(right, left + SHORTEST), NAMES + width)
-        whole = QRectF(left, top + 5, right - left, ROW - 10)
+        left, right = max(left, NAME_PX), min(max(right, left + MIN_BAR_PX), NAME_PX + width)
+        whole = QRectF(left, top + 5, right - left, ROW_PX - 10)
         painter.fillRect(whole, QColor(bar.colour))
-        for first, last in bar.holes:
+        for first, last in bar.gaps:
             a, b = max(x(first), left), min(max(x(last), x(first) + 2), right)
             if b <= a:
                 continue
-            hole = QRectF(a, top + 5, b - a, ROW - 10)
-            painter.fillRect(hole, QColor(theme.PAPER))
-            painter.fillRect(hole, _hatch_brush())
+            gap = QRectF(a, top + 5, b - a, ROW_PX - 10)
+            painter.fillRect(gap, QColor(theme.PAPER))
+            painter.fillRect(gap, _hatch_brush())
             painter.setPen(QPen(QColor(theme.ERROR), 1))
             painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.drawRect(hole)
+            painter.drawRect(gap)
             text = gettext("{duration:s.1} s gap", duration=last - first)
             if not bar.is_line and self.fontMetrics().horizontalAdvance(text) + 8 < b - a:
-                painter.fillRect(hole.adjusted(2, 2, -2, -2), QColor(theme.PAPER))
-                painter.drawText(hole, Qt.AlignmentFlag.AlignCenter, text)
+                painter.fillRect(gap.adjusted(2, 2, -2, -2), QColor(theme.PAPER))
+                painter.drawText(gap, Qt.AlignmentFlag.AlignCenter, text)
 
     def _draw_distant_line(
         self, painter: QPainter, bar: TimelineBar, top: int, edge: float
     ) -> None:
         """Draw an arrow for a line beyond the axis, and its distance in time."""
-        before = edge == NAMES
+        before = edge == NAME_PX
         track = next(each for each in self.bars if not each.is_line)
-        apart = track.start - bar.end if before else bar.start - track.end
-        side, y = (1 if before else -1), top + ROW / 2
+        seconds = track.start - bar.end if before else bar.start - track.end
+        side, y = (1 if before else -1), top + ROW_PX / 2
         tip = edge + side * 4
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(bar.colour))
@@ -280,19 +281,19 @@ class TimelineView(QWidget):
         ]))  # fmt: skip
         painter.setPen(QColor(theme.ERROR))
         text = (
-            gettext("{duration:s.0} s before the trajectory", duration=apart)
+            gettext("{duration:s.0} s before the trajectory", duration=seconds)
             if before
-            else gettext("{duration:s.0} s after the trajectory", duration=apart)
+            else gettext("{duration:s.0} s after the trajectory", duration=seconds)
         )
         align = Qt.AlignmentFlag.AlignLeft if before else Qt.AlignmentFlag.AlignRight
-        box = QRectF(tip + 18, top, 400, ROW) if before else QRectF(tip - 418, top, 400, ROW)
+        box = QRectF(tip + 18, top, 400, ROW_PX) if before else QRectF(tip - 418, top, 400, ROW_PX)
         painter.drawText(box, align | Qt.AlignmentFlag.AlignVCenter, text)
 
 
 def _bar_description(bar: TimelineBar) -> str:
     return gettext(
         "{name}: {start:s.1} to {end:s.1} s, {text}",
-        name=bar.name, start=bar.start, end=bar.end, text=bar.words,
+        name=bar.name, start=bar.start, end=bar.end, text=bar.text,
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""Page with the timeline of the import, remarks on times and their suggested actions."""
+"""Page with the timeline of the import, messages about times and their suggested actions."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.gui import theme
-from lispac.gui.dialogs.import_files.remarks_view import RemarksView
+from lispac.gui.dialogs.import_files.remarks_view import MessageList
 from lispac.gui.dialogs.import_files.timeline import TimelineView
 from lispac.gui.panels import widgets
 from lispac.language import Plural, gettext
@@ -16,7 +16,7 @@ from lispac.workflow.input_files import InputFiles
 
 
 class TimelinePage(QWidget):
-    """Timeline, remarks on lines that are not covered, and the longest interpolated gap."""
+    """Timeline, messages about lines that are not covered, and the longest interpolated gap."""
 
     action_chosen = Signal(object, object)
     """Path, and `Action`."""
@@ -28,10 +28,10 @@ class TimelinePage(QWidget):
         super().__init__()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(10, 8, 10, 8)
-        layout.setSpacing(theme.SPACE)
-        self.remarks = RemarksView("import_time_remarks")
-        self.remarks.action_chosen.connect(self._on_action_chosen)
-        layout.addWidget(self.remarks)
+        layout.setSpacing(theme.SPACING)
+        self.messages = MessageList("import_time_remarks")
+        self.messages.action_chosen.connect(self._on_action_chosen)
+        layout.addWidget(self.messages)
         self.view = TimelineView()
         self.view.file_selected.connect(self.file_selected)
         area = QScrollArea()
@@ -67,7 +67,7 @@ class TimelinePage(QWidget):
         self._owners: list[Path] = []
 
     def show_files(self, input_files: InputFiles, current: Path | None) -> None:
-        """Draw the bars and list the remarks."""
+        """Draw the bars and list the messages."""
         self.view.show_files(input_files, current)
         self.gap.blockSignals(True)
         self.gap.setValue(input_files.longest_gap)
@@ -86,8 +86,8 @@ class TimelinePage(QWidget):
                 Plural("The trajectory covers the line.", "The trajectory covers all lines."),
                 count=len(input_files.lines),
             )
-        self.remarks.setVisible(bool(found or fine))
-        self.remarks.show_remarks([message for _, message in found], fine)
+        self.messages.setVisible(bool(found or fine))
+        self.messages.show_messages([message for _, message in found], fine)
         self.lost.setText(_share_in_gaps(input_files))
         offered = input_files.proposed_shifts
         self.all.setVisible(len(offered) > 1)
