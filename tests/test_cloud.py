@@ -82,8 +82,8 @@ def test_regions_and_points_agree(
     prior = project.mounting("prior")
     mounting = prior.with_boresight(prior.boresight + [0.02, -0.03, 0.01]) if turned else prior
     for name in memory.lines[:2]:
-        own = memory.clouds[name].placed_with(mounting)
-        other = stored.clouds[name].placed_with(mounting)
+        own = memory.clouds[name].georeferenced_with(mounting)
+        other = stored.clouds[name].georeferenced_with(mounting)
         assert isinstance(own, CloudInMemory)
         np.testing.assert_allclose(own[np.array([5, 3])], other[np.array([5, 3])], atol=2e-5)
         for k in (100, 200_000):

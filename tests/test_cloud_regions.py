@@ -37,7 +37,7 @@ def clouds(tmp_path: Path) -> dict[str, Cloud]:
     line.xyz = line.xyz.astype(np.float32).astype(float)
     scan = Scan(line.xyz, line.time, line.extra["intensity"].astype(float))
     where = Georeferencer.of(TRACK, PRIOR)
-    recipe = replace(RECIPE, placed_with={"mounting": PRIOR.values.tolist()})
+    recipe = replace(RECIPE, georeferenced_with={"mounting": PRIOR.values.tolist()})
     write_store(tmp_path, recipe, line.pieces(1500), where)
     return {
         "memory": CloudInMemory.of(scan, TRACK, PRIOR),
@@ -75,7 +75,7 @@ def test_points_and_samples_are_placed_with_the_mounting(
 ) -> None:
     line, numbers = Line(COUNT), np.array([77, 3, 5000])
     for mounting in (PRIOR, OTHER):
-        cloud = clouds[kind].placed_with(mounting)
+        cloud = clouds[kind].georeferenced_with(mounting)
         every = reference(cloud, mounting)
         np.testing.assert_allclose(cloud[numbers], every[numbers], rtol=0, atol=1e-9)
         sampled = np.searchsorted(line.time, cloud.sample_time)

@@ -17,7 +17,7 @@ from lispac.duplicate_targets import (
     find_overlaps,
     overlap_warning,
 )
-from lispac.gui.panels import result_words
+from lispac.gui.panels import result_texts
 from lispac.gui.status import step_statuses
 from lispac.message_texts import message_text
 from lispac.project import PickedSighting, Project, Role, Target
@@ -122,7 +122,7 @@ def test_an_answer_with_shared_points_is_in_doubt_everywhere(
     print_result(result, checks, duplicate_warnings(both))
     assert f"- {text}\n" in capsys.readouterr().out
     assert text in [each["text"] for each in project_result_values(both)["warnings"]]
-    assert "can be used" not in result_words.fit_verdict(result, checks, duplicate_warnings(both))
+    assert "can be used" not in result_texts.fit_verdict(result, checks, duplicate_warnings(both))
     assert doubt in sample_content(both).warnings
     step = step_statuses(both, None, waiting=False, refusal="")[2]
     assert ("with warnings" in step.sentence) == serious

@@ -13,16 +13,16 @@ from lispac.adjustment.display_text import to_plain_text
 from lispac.adjustment.excess_scatter import with_raised_sigmas
 from lispac.adjustment.parameters import ParameterEstimate
 from lispac.adjustment.result import (
-    CommonPart,
+    CommonCoverage,
     ContradictedParameter,
     RadiusDiscrepancy,
-    UncheckedPart,
+    UncontrolledObservations,
 )
 from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.adjustment.warnings import RULES, result_warnings
 from lispac.cli.estimate import print_result, result_values
 from lispac.cli.messages import message_values
-from lispac.gui.panels import result_words
+from lispac.gui.panels import result_texts
 from lispac.io.project_file import read_project, write_project
 from lispac.language import in_language
 from lispac.message_texts import message_text
@@ -68,7 +68,7 @@ def _unchecked(
         assert project.result.observability is not None
         target = project.targets[0].name if of_target else ""
         found = tuple(
-            UncheckedPart(kind, target, name, angles, size)
+            UncontrolledObservations(kind, target, name, angles, size)
             for name in [line.name for line in project.lines[:lines]] or [""]
         )
         seen = replace(project.result.observability, unchecked=found)
@@ -87,7 +87,7 @@ def _cut(share: float) -> Callable[[Project], Project]:
     def change(project: Project) -> Project:
         assert project.result is not None
         lines = tuple(line.name for line in project.lines[:2]) if share else ()
-        part = CommonPart(project.targets[0].name, share, lines)
+        part = CommonCoverage(project.targets[0].name, share, lines)
         return replace(project, result=replace(project.result, common_parts=(part,)))
 
     return change
@@ -275,7 +275,7 @@ def test_a_doubt_is_told_alike_everywhere(
     told = message_values(found) | {"former_code": former_code(found)}
     assert told["text"] == text
     assert told in result_values(result, checks)["warnings"]
-    assert "are realistic" not in result_words.fit_verdict(result, checks)
+    assert "are realistic" not in result_texts.fit_verdict(result, checks)
     assert [each for each in sample_content(changed).warnings if each.code == found.code] == [found]
 
 
@@ -316,7 +316,7 @@ def test_a_sound_answer_leaves_no_doubt(
     result, checks = project.result, project.cross_checks
     assert result is not None
     assert result_warnings(result, checks) == ()
-    assert result_words.fit_verdict(result, checks).endswith("The uncertainties are realistic.")
+    assert result_texts.fit_verdict(result, checks).endswith("The uncertainties are realistic.")
     print_result(result, checks)
     assert "Warnings and notes:" not in capsys.readouterr().out
 

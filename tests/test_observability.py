@@ -10,7 +10,7 @@ from lispac.adjustment.normal_equations import scaled_inverse
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.result import UncheckedPart
+from lispac.adjustment.result import UncontrolledObservations
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic_model import POS_ERRORS, StochasticModel
 from lispac.adjustment.target_shapes import points_local
@@ -204,7 +204,7 @@ def test_a_line_that_alone_sees_an_angle_is_named() -> None:
     courses = six_courses()[:2] + six_courses()[4:5]
     seen = adjust(survey(courses=courses), PRIOR, StochasticModel()).observability
     assert seen is not None
-    assert UncheckedPart("line", line="L5") in seen.unchecked
+    assert UncontrolledObservations("line", line="L5") in seen.unchecked
 
 
 def test_a_further_line_brings_what_was_foretold() -> None:

@@ -11,7 +11,7 @@ from lispac.adjustment.display_text import OUTPUT_UNITS, QUANTITIES, variance_co
 from lispac.adjustment.parameters import ParameterEstimate
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, VarianceComponent
 from lispac.cli.estimate import print_result, result_values
-from lispac.gui.panels import result_words
+from lispac.gui.panels import result_texts
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_rows import (
     check_rows,
@@ -20,7 +20,7 @@ from lispac.gui.panels.diagnostics_rows import (
     sighting_rows,
     spread_text,
 )
-from lispac.gui.panels.result_words import variance_component_texts
+from lispac.gui.panels.result_texts import variance_component_texts
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.report.document import report_document
@@ -68,7 +68,7 @@ def test_two_surface_sigmas_are_told_where_there_are_two(sample: Sample, tmp_pat
         (0.0032, "offsets 3.2\u00a0mm, tilts 0.4\u00a0mm"),
     ):
         result = replace(project.result, offset=offset)
-        assert result_words.roughness_text(result) == words
+        assert result_texts.roughness_text(result) == words
         said = result_values(result, None)
         assert (said["surface_sigma_m"], said["offset_sigma_m"]) == (0.0004, offset)
         content = sample_content(replace(project, result=result))
@@ -202,7 +202,7 @@ def test_a_value_is_significant_beyond_one_limit_everywhere(
     assert f"prior +0.0000: {words}\n" in capsys.readouterr().out
     assert result_values(result, None)["parameters"]["lever_x"]["significant"] is significant
     assert parameter_rows(result)[-1].cells[-1].text.startswith(f"{words}: ")
-    assert f"prior +0.0000\u00a0m, {words}<" in result_words.parameters_html(result)
+    assert f"prior +0.0000\u00a0m, {words}<" in result_texts.parameters_html(result)
     content = sample_content(replace(project, result=result))
     assert content.adjustment is not None
     assert content.adjustment.parameters[0].significant is significant

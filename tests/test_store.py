@@ -308,16 +308,16 @@ def test_checksums_are_joined(first: bytes, second: bytes) -> None:
 
 
 def test_recipe_and_original_are_kept(tmp_path: Path) -> None:
-    placed_with = {"mounting": [0.1] * 9}
+    georeferenced_with = {"mounting": [0.1] * 9}
     recipe = ImportRecipe(
-        "L1", SourceFile("/a/b.las", 1, 2, "c"), {"reading": [1, "x"]}, placed_with
+        "L1", SourceFile("/a/b.las", 1, 2, "c"), {"reading": [1, "x"]}, georeferenced_with
     )
     write_store(
         tmp_path, recipe, LINE.pieces(1000), place, lambda: (("read as it is",), {"read": 3})
     )
     manifest = open_store(tmp_path, "L1").manifest
     assert (manifest.original, manifest.made_with) == (recipe.original, recipe.made_with)
-    assert manifest.placed_with == recipe.placed_with
+    assert manifest.georeferenced_with == recipe.georeferenced_with
     assert manifest.assumptions == ("read as it is",)
     assert manifest.audit == {"read": 3}
     assert manifest.excluded_points == LINE.index[-1] + 1 - len(LINE)

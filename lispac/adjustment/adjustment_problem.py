@@ -19,7 +19,7 @@ from lispac.adjustment.noise_estimation import assign_surface_blocks
 from lispac.adjustment.normal_equations import (
     NormalEquations,
     UnknownBases,
-    UnknownLayout,
+    UnknownsOrder,
     assemble_normal_equations,
     sum_by_sighting,
 )
@@ -130,7 +130,7 @@ class AdjustmentProblem:
         return np.array([0, 1, 2, *sorted(p.index for p in self.parameters)], dtype=np.int64)
 
     @cached_property
-    def layout(self) -> UnknownLayout:
+    def layout(self) -> UnknownsOrder:
         """Order of the unknowns."""
         radii = self.observations.radii
         widths = [
@@ -139,7 +139,7 @@ class AdjustmentProblem:
         ]
         owners = self.observations.target_of_sighting
         has_surfaces = self.model.correlated and self.model.surface != 0
-        return UnknownLayout.of(self.active, widths, owners, surfaces=has_surfaces)
+        return UnknownsOrder.of(self.active, widths, owners, surfaces=has_surfaces)
 
     def with_noise_blocks(self) -> "AdjustmentProblem":
         """Problem with the blocks that separate noise from roughness."""

@@ -11,7 +11,7 @@ from lispac.adjustment.display_text import sighting_status
 from lispac.adjustment.message_parts import amount_with_unit, mounting_value_name
 from lispac.adjustment.omitted_parameters import MIN_ANGLE_CHANGE
 from lispac.adjustment.parameters import OPTIONAL_NAMES
-from lispac.adjustment.result import ANGLES, AdjustmentResult, CandidateCause, ContradictedParameter
+from lispac.adjustment.result import ANGLES, AdjustmentResult, ContradictedParameter, PossibleCause
 from lispac.adjustment.sighting_warnings import MAX_REJECTED_SHARE
 from lispac.messages import Message, note, warning
 from lispac.warning_causes import RESULT, Cause
@@ -138,7 +138,7 @@ def _has_too_few_lines(result: AdjustmentResult) -> bool:
     return geometry is not None and any(each.kind == "line" for each in geometry.unchecked)
 
 
-def _unlocated_cause_notes(causes: Sequence[Sequence[CandidateCause]]) -> Iterator[Message]:
+def _unlocated_cause_notes(causes: Sequence[Sequence[PossibleCause]]) -> Iterator[Message]:
     """Note on the causes where lines are too few to locate an error.
 
     Of several that fit about equally well none is named: the POS error of a line, which no other
@@ -155,7 +155,7 @@ def _unlocated_cause_notes(causes: Sequence[Sequence[CandidateCause]]) -> Iterat
         yield note("adjustment.cause_not_identified", subject=RESULT)
 
 
-def _single_cause_warning(result: AdjustmentResult, cause: CandidateCause) -> Iterator[Message]:
+def _single_cause_warning(result: AdjustmentResult, cause: PossibleCause) -> Iterator[Message]:
     """Warning about a cause that is clearly more likely than all others."""
     line, target = Cause.of_line(cause.line), Cause.of_target(cause.target)
     of_line = warning if _are_many_lines_wrong(result, 1) else note
@@ -188,7 +188,7 @@ def _single_cause_warning(result: AdjustmentResult, cause: CandidateCause) -> It
         )
 
 
-def _wrong_value_warning(result: AdjustmentResult, cause: CandidateCause) -> Message:
+def _wrong_value_warning(result: AdjustmentResult, cause: PossibleCause) -> Message:
     size, sigma = float(cause.size[0]), float(cause.sigma[0])
     moves = [
         note(
@@ -215,7 +215,7 @@ def _wrong_value_warning(result: AdjustmentResult, cause: CandidateCause) -> Mes
     )
 
 
-def _ambiguous_cause_warning(group: Sequence[CandidateCause]) -> Iterator[Message]:
+def _ambiguous_cause_warning(group: Sequence[PossibleCause]) -> Iterator[Message]:
     """Warning about causes that are about equally likely."""
     serious = any(each.kind in OPTIONAL_NAMES or each.kind == "line_boresight" for each in group)
     yield (warning if serious else note)(
@@ -224,7 +224,7 @@ def _ambiguous_cause_warning(group: Sequence[CandidateCause]) -> Iterator[Messag
 
 
 def _known_error_warning(
-    known: KnownError, explained: Sequence[Sequence[CandidateCause]]
+    known: KnownError, explained: Sequence[Sequence[PossibleCause]]
 ) -> Message:
     """Warning that the residuals follow from a known error of the data."""
     cause = note(known.code)
@@ -235,7 +235,7 @@ def _known_error_warning(
 
 
 def _line_jump_warnings(
-    result: AdjustmentResult, causes: Sequence[Sequence[CandidateCause]]
+    result: AdjustmentResult, causes: Sequence[Sequence[PossibleCause]]
 ) -> tuple[Message, ...]:
     """Warning about lines whose sightings were all rejected and that no cause explains."""
     named = {each.line for group in causes for each in group}
@@ -256,7 +256,7 @@ def _are_many_lines_wrong(result: AdjustmentResult, count: int) -> bool:
     return count > MAX_REJECTED_SHARE * len({item.sighting.line for item in result.reliability})
 
 
-def _is_already_named(result: AdjustmentResult, cause: CandidateCause) -> bool:
+def _is_already_named(result: AdjustmentResult, cause: PossibleCause) -> bool:
     """Whether another warning already names the sighting as rejected or as disagreeing."""
     critical = critical_test_value(result)
     return critical is not None and any(
@@ -266,11 +266,11 @@ def _is_already_named(result: AdjustmentResult, cause: CandidateCause) -> bool:
     )
 
 
-def _cause_phrases(causes: Sequence[CandidateCause]) -> tuple[Message, ...]:
+def _cause_phrases(causes: Sequence[PossibleCause]) -> tuple[Message, ...]:
     return tuple(dict.fromkeys(_cause_phrase(each) for each in causes))
 
 
-def _cause_phrase(cause: CandidateCause) -> Message:
+def _cause_phrase(cause: PossibleCause) -> Message:
     """A cause in a list: ``lever arm X smaller by 0.0951 m``."""
     if cause.kind in OPTIONAL_NAMES:
         size = float(cause.size[0])
@@ -295,16 +295,16 @@ def _cause_phrase(cause: CandidateCause) -> Message:
     )
 
 
-def _are_point_times_early(cause: CandidateCause) -> bool:
+def _are_point_times_early(cause: PossibleCause) -> bool:
     """Whether point times are early; they are late where the latency would have to be smaller."""
     return float(cause.size[0]) > 0
 
 
-def _error_magnitude(cause: CandidateCause) -> float:
+def _error_magnitude(cause: PossibleCause) -> float:
     return float(np.linalg.norm(cause.size))
 
 
-def _cause_subject(cause: CandidateCause) -> Cause:
+def _cause_subject(cause: PossibleCause) -> Cause:
     if cause.kind in OPTIONAL_NAMES:
         return Cause.of_parameter(cause.kind)
     if not cause.line:
@@ -316,12 +316,12 @@ def _cause_subject(cause: CandidateCause) -> Cause:
 
 def _causes_of_earlier_version(
     result: AdjustmentResult,
-) -> tuple[tuple[CandidateCause, ...], ...]:
+) -> tuple[tuple[PossibleCause, ...], ...]:
     """Causes from the contradictions stored in the result of an earlier version."""
 
-    def cause(parameter: ContradictedParameter) -> CandidateCause:
+    def cause(parameter: ContradictedParameter) -> PossibleCause:
         size, sigma = np.array([parameter.change]), np.array([parameter.sigma])
-        return CandidateCause(
+        return PossibleCause(
             parameter.name, "", "", size, sigma, parameter.angle_change, 0.0, parameter.w**2
         )
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.observations import Observations
-from lispac.adjustment.result import CommonPart
+from lispac.adjustment.result import CommonCoverage
 from lispac.adjustment.target_shapes import points_local
 from lispac.geometry.planes import fit_plane, plane_axes
 from lispac.survey.georeferencing import Mounting
@@ -32,7 +32,7 @@ MAX_SAGITTA = 1.0
 
 def find_common_parts(
     observations: Observations, mounting: Mounting
-) -> tuple[Observations, tuple[CommonPart, ...]]:
+) -> tuple[Observations, tuple[CommonCoverage, ...]]:
     """Keep the points of the common parts of all targets; also the targets that were cut.
 
     Parameters
@@ -55,7 +55,7 @@ def find_common_parts(
         common &= np.isin(line, enough if len(enough) >= 2 else [])
         keep[own] = common
         lines = tuple(observations.sightings[s].line for s in enough) if common.any() else ()
-        found.append(CommonPart(target, float(common.mean()), lines))
+        found.append(CommonCoverage(target, float(common.mean()), lines))
     return (observations.where(keep) if found else observations), tuple(found)
 
 

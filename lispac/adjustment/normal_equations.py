@@ -31,7 +31,7 @@ _LOWER = np.tril_indices(12)
 
 
 @dataclass(frozen=True, eq=False)
-class UnknownLayout:
+class UnknownsOrder:
     """Order of the unknowns in the normal equations.
 
     Attributes
@@ -62,7 +62,7 @@ class UnknownLayout:
         target_of_sighting: NDArray[np.int64],
         *,
         surfaces: bool,
-    ) -> "UnknownLayout":
+    ) -> "UnknownsOrder":
         """Lay out ``active`` (a,), shapes of the given widths and three unknowns a sighting.
 
         Parameters
@@ -95,7 +95,7 @@ class NormalEquations:
 
     Attributes
     ----------
-    layout : UnknownLayout
+    layout : UnknownsOrder
     matrix : ndarray of shape (u, u)
         Of all unknowns but the POS error, their priors included.
     right : ndarray of shape (u,)
@@ -109,7 +109,7 @@ class NormalEquations:
         Right-hand side of the POS error.
     """
 
-    layout: UnknownLayout
+    layout: UnknownsOrder
     matrix: Array
     right: Array
     quadratic: float
@@ -281,7 +281,7 @@ class UnknownBases:
 
 
 def unknown_directions(
-    layout: UnknownLayout, target_of_sighting: NDArray[np.int64], bases: UnknownBases
+    layout: UnknownsOrder, target_of_sighting: NDArray[np.int64], bases: UnknownBases
 ) -> Array:
     """Directions of the unknowns in ``layout.index`` among the columns of the sums.
 
@@ -326,7 +326,7 @@ def sum_by_sighting(sums: Array, groups: PointGroups, sightings: int, unknowns: 
 
 
 def assemble_normal_equations(
-    sums: Array, summed: Array, groups: PointGroups, layout: UnknownLayout,
+    sums: Array, summed: Array, groups: PointGroups, layout: UnknownsOrder,
     target_of_sighting: NDArray[np.int64], bases: UnknownBases, effects: Array,
 ) -> NormalEquations:  # fmt: skip
     """Assemble the normal equations with the prior of the POS error but no other.

@@ -11,7 +11,7 @@ from lispac.adjustment.excess_scatter import sigmas_without
 from lispac.adjustment.message_parts import mounting_value_name
 from lispac.adjustment.normal_equations import scaled_inverse
 from lispac.adjustment.parameters import LIMITS, ParameterEstimate
-from lispac.adjustment.result import ANGLES, Observability, UncheckedPart
+from lispac.adjustment.result import ANGLES, Observability, UncontrolledObservations
 from lispac.errors import RankDeficient
 from lispac.messages import Message, error, note
 from lispac.progress import Progress, no_progress
@@ -272,22 +272,22 @@ def assess_observability(
 
 def _find_unchecked_parts(
     linearised: LinearisedProblem, without: dict[str, Array | None], origins: Array | None
-) -> Iterator[UncheckedPart]:
+) -> Iterator[UncontrolledObservations]:
     """Find lines, targets and sightings whose errors the others would not reveal."""
     observations = linearised.problem.observations
     needed = [line for line, sigma in without.items() if sigma is None]
-    yield from (UncheckedPart("line", line=line) for line in needed)
+    yield from (UncontrolledObservations("line", line=line) for line in needed)
     targets = observations.targets
     if len(targets) > 1:
         for k, target in enumerate(targets):
             sigma = sigmas_without(linearised, observations.target_of_sighting == k)
             if sigma is None or sigma.max() > WORST_SIGMA:
-                yield UncheckedPart("target", target)
+                yield UncontrolledObservations("target", target)
         if (
             origins is not None
             and (reach := _relative_target_spacing(linearised, origins)) < CLUSTER_RATIO
         ):
-            yield UncheckedPart("clustered", size=reach)
+            yield UncontrolledObservations("clustered", size=reach)
     if needed or len(observations.sightings) > MAX_SIGHTINGS:
         return
     whole = sigmas_without(linearised, np.zeros(len(observations.sightings), dtype=bool))
@@ -297,7 +297,7 @@ def _find_unchecked_parts(
             continue
         carried = tuple(np.array(ANGLES)[own > MAX_SIGMA_RATIO * whole].tolist())
         if carried:
-            yield UncheckedPart("sighting", sighting.target, sighting.line, carried)
+            yield UncontrolledObservations("sighting", sighting.target, sighting.line, carried)
 
 
 def _relative_target_spacing(linearised: LinearisedProblem, origins: Array) -> float:

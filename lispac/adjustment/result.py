@@ -158,8 +158,8 @@ class RadiusDiscrepancy:
 
 
 @dataclass(frozen=True)
-class UncheckedPart:
-    """A part of the data that no other part checks.
+class UncontrolledObservations:
+    """Observations without redundancy: a blunder in them changes the angles and is not detected.
 
     Attributes
     ----------
@@ -197,7 +197,7 @@ class Observability:
         Sigmas of roll, pitch, yaw without a line; None if they could not be computed.
     messages : tuple of Message
         The weakest and the strongest direction first, then what each angle depends on.
-    unchecked : tuple of UncheckedPart
+    unchecked : tuple of UncontrolledObservations
         What an error of would not show.
     """
 
@@ -206,7 +206,7 @@ class Observability:
     condition: float
     sigma_without_line: dict[str, Array | None]
     messages: tuple[Message, ...]
-    unchecked: tuple[UncheckedPart, ...] = ()
+    unchecked: tuple[UncontrolledObservations, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -264,7 +264,7 @@ class ContradictedParameter:
 
 
 @dataclass(frozen=True, eq=False)
-class CandidateCause:
+class PossibleCause:
     """An error that may cause residuals that contradict the model.
 
     Attributes
@@ -296,8 +296,8 @@ class CandidateCause:
 
 
 @dataclass(frozen=True)
-class CommonPart:
-    """The part used of a target of which the lines show different parts.
+class CommonCoverage:
+    """Share of a target that all its lines show; only this part is used.
 
     Attributes
     ----------
@@ -347,8 +347,8 @@ class AdjustmentResult:
         Points that stood out from their sighting and went into no average.
     contradictions : tuple of ContradictedParameter
         Given values that the data contradict; empty with independent POS errors.
-    causes : tuple of tuple of CandidateCause, or None
-        Errors behind residuals that contradict the model, from `candidate_causes`; None in results
+    causes : tuple of tuple of PossibleCause, or None
+        Errors behind residuals that contradict the model, from `possible_causes`; None in results
         of earlier versions.
     offset : float or None, metres
         That of their offsets, where the data insist on another one; ``surface`` is that of the
@@ -363,7 +363,7 @@ class AdjustmentResult:
         Of the balls.
     excluded_targets : tuple of str
         Targets no point of which agrees with the others. They take no part in the result.
-    common_parts : tuple of CommonPart
+    common_parts : tuple of CommonCoverage
         Targets of which the lines show different parts.
     messages : tuple of Message
         Of the method that found the targets: what the result is based on, and what limits it.
@@ -392,12 +392,12 @@ class AdjustmentResult:
     excluded_outliers: int = 0
     contradictions: tuple[ContradictedParameter, ...] = ()
     offset: float | None = None
-    causes: tuple[tuple[CandidateCause, ...], ...] | None = None
+    causes: tuple[tuple[PossibleCause, ...], ...] | None = None
     angle_sigma_factors: Annotated[Array, ArrayShape(3)] | None = None
     given_correlation_times: tuple[float, float] | None = None
     radius_discrepancies: tuple[RadiusDiscrepancy, ...] = ()
     excluded_targets: tuple[str, ...] = ()
-    common_parts: tuple[CommonPart, ...] = ()
+    common_parts: tuple[CommonCoverage, ...] = ()
     messages: tuple[Message, ...] = ()
 
     @property

@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
-from lispac.adjustment.candidate_causes import find_candidate_causes
 from lispac.adjustment.condition_equations import misclosures
 from lispac.adjustment.excess_scatter import leave_out_sigma_factors, with_raised_sigmas
 from lispac.adjustment.group_sums import AdjustmentState
@@ -15,6 +14,7 @@ from lispac.adjustment.observability import assess_observability
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.omitted_parameters import find_contradicted_parameters
 from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.possible_causes import find_possible_causes
 from lispac.adjustment.reliability import compute_reliability
 from lispac.adjustment.result import (
     AdjustmentResult,
@@ -111,7 +111,7 @@ def assemble_result(
         contradictions=find_contradicted_parameters(linearised)
         if diagnostics and correlated
         else (),
-        causes=find_candidate_causes(linearised) if diagnostics else (),
+        causes=find_possible_causes(linearised) if diagnostics else (),
     )
     return found if factors is None else with_raised_sigmas(found, factors)
 

@@ -19,9 +19,9 @@ from lispac.adjustment.parameters import OPTIONAL_NAMES, Parameter, ParameterEst
 from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
-    CandidateCause,
     ContradictedParameter,
     CrossChecks,
+    PossibleCause,
     SightingReliability,
     VarianceComponent,
 )
@@ -287,7 +287,7 @@ def _contradiction_values(parameter: ContradictedParameter) -> dict[str, Any]:
     }
 
 
-def _cause_values(cause: CandidateCause) -> dict[str, Any]:
+def _cause_values(cause: PossibleCause) -> dict[str, Any]:
     factor, unit = OUTPUT_UNITS.get(cause.kind, (1.0, "m"))
     if cause.kind == "line_time":
         factor, unit = OUTPUT_UNITS["latency"]

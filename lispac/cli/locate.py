@@ -1,4 +1,4 @@
-"""``lispac locate``: where the files of a project that was moved are now."""
+"""``lispac locate``: set the new location of the files of a project."""
 
 from argparse import Namespace
 from pathlib import Path

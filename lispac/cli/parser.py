@@ -31,7 +31,7 @@ from lispac.cli.argument_types import (
 
 
 def build_parser() -> argparse.ArgumentParser:
-    """Describe every command; imports nothing heavy."""
+    """Parser of all commands; imports nothing heavy."""
     parser = argparse.ArgumentParser(
         prog="lispac",
         description="Boresight calibration of mobile LiDAR systems.",

@@ -18,7 +18,7 @@ from lispac.targets.finder_settings import RADII, THRESHOLDS
 
 
 def add_pick_command(commands: "Commands[argparse.ArgumentParser]") -> None:
-    """Describe ``lispac pick``."""
+    """Add the command ``lispac pick`` and its options."""
     pick = add_command(commands, "pick", "find the plane or sphere at a seed point in every line")
     pick.add_argument("project", type=Path, metavar="PROJECT", help="project folder")
     seeds = pick.add_mutually_exclusive_group(required=True)

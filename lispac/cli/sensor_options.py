@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def add_sensors_command(commands: "Commands[argparse.ArgumentParser]") -> None:
-    """Describe ``lispac sensors``."""
+    """Add the command ``lispac sensors`` and its options."""
     sensors = add_command(
         commands,
         "sensors",
@@ -53,6 +53,6 @@ def sensor_titles(scanner: str | None, pos: str | None) -> dict[str, str]:
 
 
 def _sensor_library() -> "SensorLibrary":
-    from lispac.workflow.sensors import own_sensors, read_library
+    from lispac.workflow.sensors import read_library, user_sensors_folder
 
-    return read_library(own_sensors())
+    return read_library(user_sensors_folder())

@@ -6,12 +6,12 @@ from dataclasses import asdict
 
 from lispac.cli.console import print_json
 from lispac.message_texts import message_text
-from lispac.workflow.sensors import own_sensors, read_library, source_text
+from lispac.workflow.sensors import read_library, source_text, user_sensors_folder
 
 
 def sensors(arguments: Namespace) -> None:
     """List the library."""
-    folder = own_sensors()
+    folder = user_sensors_folder()
     found = read_library(folder)
     for message in found.messages:
         print(f"note: {message_text(message)}", file=sys.stderr)

@@ -15,7 +15,7 @@ from lispac.cli.argument_types import (
 
 
 def add_simulate_command(commands: "Commands[argparse.ArgumentParser]") -> None:
-    """Describe ``lispac simulate``."""
+    """Add the command ``lispac simulate`` and its options."""
     simulate = add_command(
         commands,
         "simulate",

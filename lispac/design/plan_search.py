@@ -58,7 +58,7 @@ class InformationGain:
 
 @dataclass(frozen=True, eq=False)
 class ReductionStep:
-    """A plan in the sequence from large to small effort.
+    """A survey plan in the sequence from large to small effort.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Planes: the value, the least-squares fit, and directions and sizes within a plane."""
+"""Planes: type, least-squares fit, and directions and sizes within a plane."""
 
 from dataclasses import dataclass
 

@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class PointDistance:
-    """From one point to another.
+    """Distances, height difference and azimuth from one point to another.
 
     Attributes
     ----------

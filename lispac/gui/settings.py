@@ -11,7 +11,7 @@ from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.decimation import Budget
 from lispac.language import LANGUAGES
 from lispac.untrusted_values import json_values
-from lispac.workflow.sensors import own_sensors
+from lispac.workflow.sensors import user_sensors_folder
 
 MAX_RECENT = 8
 REPORT_KEYS = ("template", "page", "convention", "language")
@@ -41,7 +41,7 @@ class AppSettings:
         self.folder = path.parent
         # One's own sensors are work, so they are kept where nothing is thrown away.
         self._config = None if file is None else path.parent
-        self._sensors = own_sensors() if file is None else path.parent / "sensors"
+        self._sensors = user_sensors_folder() if file is None else path.parent / "sensors"
         self._store = QSettings(str(path), QSettings.Format.IniFormat)
 
     def recent(self) -> list[Path]:

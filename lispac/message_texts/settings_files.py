@@ -181,7 +181,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "scene.no_lines": N_("{file}: {key} is missing. Add a table [[lines]] for each line."),
     "scene.line_too_short": N_(
-        "{file}: one of the {key} is shorter than 1 m. Increase run_in_m or run_out_m."
+        "{file}: a line in {key} is shorter than 1 m. Increase run_in_m or run_out_m."
     ),
     # -- plans and sites -----------------------------------------------------------------------
     "plan.no_targets": N_(

@@ -37,7 +37,7 @@ DISTANCES = N_(
 )
 UNCERTAINTY = N_(
     "POS: from the given accuracies, with one error common to all points of a line. Scatter: "
-    "uncertainty of the mean of a line from the scatter of the distances at its places. Errors "
+    "uncertainty of the mean of a line from the scatter of its distances. Errors "
     "common to all ranges, such as a range offset, are not included."
 )
 

@@ -72,10 +72,10 @@ def _fit_table(content: ReportContent, adjustment: AdjustmentValues) -> Table:
     test = adjustment.chi_square
     statistic = grouped_number(test.statistic, 1)
     if test.lower is None or test.upper is None:
-        statistic = gettext("statistic {statistic}", statistic=statistic)
+        statistic = gettext("test statistic {statistic}", statistic=statistic)
     else:
         statistic = gettext(
-            "statistic {statistic}, bounds {lower} to {upper}",
+            "test statistic {statistic}, bounds {lower} to {upper}",
             statistic=statistic,
             lower=grouped_number(test.lower, 1),
             upper=grouped_number(test.upper, 1),

@@ -56,9 +56,9 @@ SIGNED = N_(
 PLANE_OFFSETS = N_(
     "The plane fitted to the points of the first line is compared with that of the second, with "
     "95 % intervals from the scatter of the points. An offset is positive if the first plane is "
-    "nearer to the vessel. A rotation is positive if the upper edge of the first plane (level "
-    "axis), or its right edge as seen from the vessel (upright axis), is turned towards the "
-    "vessel."
+    "nearer to the vessel. A rotation is positive if the upper edge of the first plane "
+    "(horizontal axis), or its right edge as seen from the vessel (vertical axis), is turned "
+    "towards the vessel."
 )
 MAP = N_(
     "{plane}: distance of the first line from the second along the normal; the plane is shown as "
@@ -211,8 +211,8 @@ def _signed_tables(planes: Sequence[ValidationPlane]) -> list[Block]:
                     Column(gettext("Lines"), "left"),
                     *_before_after_columns(
                         title_with_unit(gettext("Offset"), "mm"),
-                        gettext("Rotation about\nlevel axis (deg)"),
-                        gettext("Rotation about\nupright axis (deg)"),
+                        gettext("Rotation, horiz.\naxis (deg)"),
+                        gettext("Rotation, vert.\naxis (deg)"),
                     ),
                 ),
                 as_rows(

@@ -114,8 +114,8 @@ class Cloud(Protocol):
     def sample_lidar(self, numbers: Numbers) -> tuple[Array, Array]:
         """Points of the sample by their place in it, as `Line.take`."""
 
-    def placed_with(self, mounting: Mounting) -> "Cloud":
-        """The line placed with another mounting."""
+    def georeferenced_with(self, mounting: Mounting) -> "Cloud":
+        """The line georeferenced with another boresight and lever arm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -195,7 +195,7 @@ class CloudInMemory:
         """See `Cloud`."""
         return self.scan.take(numbers)
 
-    def placed_with(self, mounting: Mounting) -> "CloudInMemory":
+    def georeferenced_with(self, mounting: Mounting) -> "CloudInMemory":
         """See `Cloud`."""
         place = Georeferencer.of(self.place.trajectory, mounting)
         return CloudInMemory(self.scan, place, self.ordered, self.ordered_with)
@@ -273,13 +273,13 @@ class CloudOnDisk:
         points = np.asarray(coarse.points_lidar[numbers], dtype=np.float64)
         return points, np.asarray(coarse.time[numbers], dtype=np.float64)
 
-    def placed_with(self, mounting: Mounting) -> "CloudOnDisk":
+    def georeferenced_with(self, mounting: Mounting) -> "CloudOnDisk":
         """See `Cloud`."""
         return CloudOnDisk(self.stored, Georeferencer.of(self.place.trajectory, mounting))
 
     @cached_property
     def _largest_move(self) -> float:
-        then = Mounting.of_values(np.array(self.stored.manifest.placed_with["mounting"]))
+        then = Mounting.of_values(np.array(self.stored.manifest.georeferenced_with["mounting"]))
         return self.place.largest_displacement(then, self.stored.manifest.reach)
 
     @cached_property
@@ -307,4 +307,4 @@ def _largest_move_near(
 
 def place_clouds(clouds: Mapping[str, Cloud], mounting: Mounting) -> dict[str, Cloud]:
     """All lines placed with another mounting."""
-    return {name: cloud.placed_with(mounting) for name, cloud in clouds.items()}
+    return {name: cloud.georeferenced_with(mounting) for name, cloud in clouds.items()}

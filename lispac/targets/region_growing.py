@@ -1,4 +1,4 @@
-"""A plane grown to the outline of what it belongs to."""
+"""Extension of a plane to the edge of its surface by region growing."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -198,7 +198,9 @@ class _SightingSample:
         mounting = cloud.place.mounting
         points = cloud[indices]
         turned = [
-            cloud.placed_with(mounting.with_boresight(mounting.boresight + TURN * axis))[indices]
+            cloud.georeferenced_with(mounting.with_boresight(mounting.boresight + TURN * axis))[
+                indices
+            ]
             for axis in np.eye(3)
         ]
         return cls(patch, points, np.stack([(each - points) / TURN for each in turned]))

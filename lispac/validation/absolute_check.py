@@ -22,7 +22,7 @@ from lispac.former_names import accept_script_names
 from lispac.messages import Message
 from lispac.validation.comparison_results import DistanceStatistics, SignedStatistics
 from lispac.validation.normal_distance import NormalDistances
-from lispac.validation.reference_places import MeasuredPlaces
+from lispac.validation.reference_places import CorePointDistances
 
 Array = NDArray[np.float64]
 Kind = Literal["scan", "points"]
@@ -217,7 +217,7 @@ class LinePlaces:
     line : str
     time : float, seconds
         In the middle of its places.
-    measured : MeasuredPlaces
+    measured : CorePointDistances
         At n places.
     group : ndarray of shape (n,), int
         Which part of the reference a place belongs to: each has an error of its own.
@@ -229,7 +229,7 @@ class LinePlaces:
 
     line: str
     time: float
-    measured: MeasuredPlaces
+    measured: CorePointDistances
     group: NDArray[np.intp]
     by_position: Array
     by_attitude: Array
@@ -238,7 +238,7 @@ class LinePlaces:
     def select_places(self, kept: NDArray[np.bool_]) -> "LinePlaces":
         """Those of its places that are ``kept``, shape (n,)."""
         places = np.flatnonzero(kept)
-        measured = MeasuredPlaces(
+        measured = CorePointDistances(
             self.measured.before.select_subset(places), self.measured.after.select_subset(places),
             self.measured.to_other_surface[places],
         )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Where on a plane one line lies off another: signed distances over the plane's own two axes.
+"""Map of the signed distances between two lines, over the two axes of their plane.
 
 A histogram does not separate a tilt from noise, or a bent board from a POS error; the map does.
 Each cell has the distance along the normal (M3C2: Lague et al. 2013) at the point in its middle, in

@@ -52,7 +52,7 @@ have a median each."""
 
 
 @dataclass(frozen=True, eq=False)
-class MeasuredPlaces:
+class CorePointDistances:
     """Distances of one line from the reference at its core points, before and after calibration.
 
     They are positive where the line lies nearer to the vessel.
@@ -129,7 +129,7 @@ def measure_to_surface(
     diameters: Array,
     reach: float,
     roughest: float,
-) -> MeasuredPlaces:
+) -> CorePointDistances:
     """Distances of a line from a surface at places measured before and after the calibration.
 
     Parameters
@@ -220,7 +220,7 @@ def measure_to_points(
     diameters: Array,
     reach: float,
     roughest: float,
-) -> MeasuredPlaces:
+) -> CorePointDistances:
     """Distances of a line from surveyed points, in both states at those that have one in both.
 
     Parameters
@@ -323,7 +323,7 @@ def _plane_distances(
 
 def _restrict_to_common_places(
     before: NormalDistances, after: NormalDistances, to_other_surface: Array | None = None
-) -> MeasuredPlaces:
+) -> CorePointDistances:
     """Both at the places that both have.
 
     Raises
@@ -335,4 +335,4 @@ def _restrict_to_common_places(
     if not len(at):
         raise NotComparable(error("validation.no_place_in_both"))
     second = np.full(len(at), np.nan) if to_other_surface is None else to_other_surface[at]
-    return MeasuredPlaces(before.select_cores(at), after.select_cores(at), second)
+    return CorePointDistances(before.select_cores(at), after.select_cores(at), second)

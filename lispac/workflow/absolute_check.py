@@ -38,7 +38,7 @@ from lispac.validation.cylinder_diameters import (
 from lispac.validation.normal_distance import NormalDistances
 from lispac.validation.reference_places import (
     SMOOTH,
-    MeasuredPlaces,
+    CorePointDistances,
     is_reference_flat,
     measure_to_points,
     measure_to_surface,
@@ -255,7 +255,7 @@ def _compare_line(
     NotComparable
         With what would help.
     """
-    found: list[tuple[MeasuredPlaces, NDArray[np.intp]]] = []
+    found: list[tuple[CorePointDistances, NDArray[np.intp]]] = []
     tree, tried = build_tree(cloud.after), 0
     for surface, cores, diameters, group in where.surfaces(tree):
         tried += len(cores)
@@ -282,7 +282,7 @@ def _compare_line(
     count = sum(len(group) for _, group in found)
     if count < MIN_PLACES[where.reference.kind]:
         raise NotComparable(_too_few_message(where, count, tried))
-    measured = MeasuredPlaces(
+    measured = CorePointDistances(
         _concatenate_distances([each.before for each, _ in found]),
         _concatenate_distances([each.after for each, _ in found]),
         np.concatenate([each.to_other_surface for each, _ in found]),
@@ -316,7 +316,7 @@ def _concatenate_distances(several: Sequence[NormalDistances]) -> NormalDistance
 
 
 def _place_sensitivities(
-    project: Project, survey: Survey, cloud: _LineNearReference, measured: MeasuredPlaces,
+    project: Project, survey: Survey, cloud: _LineNearReference, measured: CorePointDistances,
     group: NDArray[np.intp],
 ) -> LinePlaces:  # fmt: skip
     """Sensitivity of each place to the placement of the nearest point of the line."""

@@ -13,7 +13,7 @@ from lispac.adjustment.crosscheck import cross_checks
 from lispac.adjustment.failure_causes import adjust_or_explain
 from lispac.adjustment.observations import Observations, Sighting
 from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.result import AdjustmentResult, CommonPart
+from lispac.adjustment.result import AdjustmentResult, CommonCoverage
 from lispac.design.further_line_advice import further_line_advice
 from lispac.duplicate_targets import single_line_notes
 from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
@@ -368,7 +368,7 @@ def _with_advice(result: AdjustmentResult, observations: Observations) -> Adjust
 
 def _selected_observations(
     project: Project, selected: Project, survey: Survey
-) -> tuple[Observations, tuple[CommonPart, ...]]:
+) -> tuple[Observations, tuple[CommonCoverage, ...]]:
     """The points of ``selected`` on the sightings that the project uses, and what was cut.
 
     Raises

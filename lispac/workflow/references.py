@@ -151,7 +151,7 @@ def read_reference(
     """
     path = Path(path)
     found = open_static_scan(path)
-    listed = not found.system and _is_list_of_points(path, found)
+    listed = not found.system and _is_control_point_list(path, found)
     if not crs and found.system and not height and trajectory_datum is None:
         datum, year = trajectory_datum_of(project.lines)
         system: CoordinateSystem | None = coordinate_system(
@@ -190,7 +190,7 @@ def read_reference(
     )
 
 
-def _is_list_of_points(path: Path, scan: StaticScan) -> bool:
+def _is_control_point_list(path: Path, scan: StaticScan) -> bool:
     return not scan.is_cloud and has_at_most_rows(path, MAX_ROWS)
 
 

@@ -124,8 +124,8 @@ class SensorLibrary:
         return figures, states[solution]
 
 
-def own_sensors() -> Path:
-    """The folder of the user's own sensors."""
+def user_sensors_folder() -> Path:
+    """Folder of the sensors that the user has defined."""
     return user_folder() / "sensors"
 
 

@@ -1,7 +1,7 @@
 """Dependence of the result on the subsampling distance (thesis table 4.3).
 
-With errors that a sighting's points have in common, more points of the same sightings soon tell
-nothing new, and only take time.
+With errors that a sighting's points have in common, more points of the same sightings soon add
+no information, and only take time.
 """
 
 from collections.abc import Sequence

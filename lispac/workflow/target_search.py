@@ -36,8 +36,8 @@ OnePatch = TypeVar("OnePatch", PlanePatch, SpherePatch)
 DEFAULT_RADII: dict[Role, tuple[float, ...]] = {"target": (2.0,), "validation": (4.0, 10.0, 20.0)}
 """Metres about the seed, tried in turn until two lines have the plane.
 
-A board fits into two metres. A validation plane is a piece of a wall or a tower, where more points
-tell more, and the place given for its middle may be hidden from the lines or out of their reach.
+A board fits into two metres. A validation plane is a piece of a wall or a tower: more points make
+the fit better, and its centre may be hidden from the lines or out of their reach.
 """
 
 SPHERE_THRESHOLD, LARGEST_SHARE = 0.03, 0.3
@@ -51,7 +51,7 @@ ball for its surface.
 
 SPHERE_FACTOR = 3.0
 """Search radius about the seed in radii of a known sphere, where that is more than usual: the seed
-may lie on the far side, and what is around the ball tells where it is in the other lines."""
+may lie on the far side, and what is around the ball gives its place in the other lines."""
 
 SEARCH_SAMPLE = 50_000
 """Points about a seed that are searched for a plane; where a line has more there, a fair sample

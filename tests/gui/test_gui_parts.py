@@ -14,7 +14,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QDialog, QPushButton
 from pytestqt.qtbot import QtBot
 
-from lispac.adjustment.result import CandidateCause
+from lispac.adjustment.result import PossibleCause
 from lispac.errors import Cancelled, InputError
 from lispac.gui import status
 from lispac.gui.dialogs.error import error_box, error_text_and_details
@@ -271,7 +271,7 @@ def test_a_serious_doubt_is_no_done_step(demo: Demo, estimated: Project):
     assert sound.state == "done"
     assert "warnings" not in sound.sentence
     size, sigma, moved = np.array([0.1]), np.array([0.004]), estimated.result.sigma * 9
-    found = CandidateCause("lever_x", "", "", size, sigma, moved, 0.05, 600.0)
+    found = PossibleCause("lever_x", "", "", size, sigma, moved, 0.05, 600.0)
     result = replace(estimated.result, causes=((found,),))
     doubtful = status.step_statuses(replace(estimated, result=result), demo.survey)[2]
     assert doubtful.state == "warning"

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QTableWidget,
 )
 
-from lispac.gui.dialogs.proposal import ProposalDialog
+from lispac.gui.dialogs.proposal import ProposedTargetsDialog
 from lispac.project import Project
 from lispac.workflow.proposal_acceptance import with_accepted, without_picked
 from lispac.workflow.proposals import Proposal, propose_targets
@@ -78,7 +78,7 @@ def test_proposed_accepted_in_part_and_undone_in_one_step(opened: Driver) -> Non
 
 def test_the_return_key_accepts_what_is_proposed(opened: Driver, proposal: Proposal) -> None:
     """Work of a minute is not to be thrown away by the key that says yes everywhere else."""
-    dialog = ProposalDialog(proposal)
+    dialog = ProposedTargetsDialog(proposal)
     with opened.bot.waitExposed(dialog):
         dialog.open()
     dialog.table.setFocus()
@@ -142,7 +142,7 @@ def test_the_head_says_what_the_sigmas_are_of(
 ) -> None:
     targets = [target for target in proposal.targets if target.role == "target"][:known]
     named = tuple(replace(target, name=f"A{k + 1}") for k, target in enumerate(targets))
-    dialog = ProposalDialog(without_picked(replace(demo.project, targets=named), proposal))
+    dialog = ProposedTargetsDialog(without_picked(replace(demo.project, targets=named), proposal))
     qtbot.addWidget(dialog)
     assert words in dialog.findChild(QLabel, "proposal_sigmas").text()
     names = [dialog.table.item(row, 0).text() for row in range(dialog.table.rowCount())]
@@ -150,7 +150,7 @@ def test_the_head_says_what_the_sigmas_are_of(
 
 
 def test_nothing_ticked_cannot_be_accepted(qtbot, proposal: Proposal) -> None:
-    dialog = ProposalDialog(proposal)
+    dialog = ProposedTargetsDialog(proposal)
     qtbot.addWidget(dialog)
     for row in range(dialog.table.rowCount()):
         dialog.table.item(row, 0).setCheckState(Qt.CheckState.Unchecked)

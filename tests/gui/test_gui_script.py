@@ -70,7 +70,7 @@ def test_the_demo_run_in_the_window_is_the_script_run_without_it(
         opened.bot.mouseClick(dialog.findChild(QPushButton, "script_copy"), Left)
         opened.bot.mouseClick(dialog.findChild(QPushButton, "script_save"), Left)
         assert "steps.py" in dialog.findChild(QLabel, "script_said").text()
-        assert dialog.findChild(QLabel, "script_remarks") is None
+        assert dialog.findChild(QLabel, "script_messages") is None
 
     script = shown(opened, save)
     assert QGuiApplication.clipboard().text() == script
@@ -97,7 +97,7 @@ def test_what_follows_from_a_click_is_told_where_the_script_gives_another_answer
     remarks: list[str] = []
 
     def read(dialog: QWidget) -> None:
-        label = dialog.findChild(QLabel, "script_remarks")
+        label = dialog.findChild(QLabel, "script_messages")
         remarks.append("" if label is None else label.text())
 
     shown(opened, read)

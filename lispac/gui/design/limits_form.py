@@ -1,4 +1,4 @@
-"""Form of the limits of a search, with lists of numbers."""
+"""Form for the limits of the search for a survey plan."""
 
 from collections.abc import Sequence
 from dataclasses import replace

@@ -60,7 +60,7 @@ def find_best_plan(
     workers = 1 if plans * len(objective.pos_factors) <= MAX_SERIAL_PLANS else os.cpu_count() or 1
     progress(0.0, gettext_lazy("Starting the search for the best survey plan"))
     with process_pool_mapper(workers) as mapper:
-        rated = CountingMapper(mapper, progress, N_("{rate:x} survey plans/s"))
+        rated = CountingMapper(mapper, progress, N_("{rate:x} survey plans evaluated/s"))
         return search(
             site, objective, plans=plans, start=start, mapper=rated.map, progress=rated.progress
         )

@@ -20,7 +20,7 @@ from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.line_quality import LineQualityDialog
 from lispac.gui.dialogs.methods import MethodsDialog
 from lispac.gui.dialogs.preview import PreviewDialog
-from lispac.gui.dialogs.proposal import ProposalDialog
+from lispac.gui.dialogs.proposal import ProposedTargetsDialog
 from lispac.gui.dialogs.questions import Questions
 from lispac.gui.dialogs.script import ScriptDialog
 from lispac.gui.dialogs.seed_at import SeedDialog
@@ -293,7 +293,7 @@ class Dialogs(Questions):
 
     def proposal(self, proposal: Proposal) -> tuple[str, ...]:
         """Names of the accepted targets of a proposal."""
-        dialog = ProposalDialog(proposal, self.parent)
+        dialog = ProposedTargetsDialog(proposal, self.parent)
         result = dialog.ticked_entries if dialog.exec() == QDialog.DialogCode.Accepted else ()
         dialog.deleteLater()
         return result

@@ -25,7 +25,7 @@ ROLES = {"target": N_("Target"), "validation": N_("Validation plane")}
 HEADS = (N_("Name"), N_("Role"), N_("Lines"), N_("Reason"))
 
 
-class ProposalDialog(QDialog):
+class ProposedTargetsDialog(QDialog):
     """Proposed targets and validation planes with their reasons; initially all are ticked."""
 
     def __init__(self, proposal: Proposal, parent: QWidget | None = None) -> None:

@@ -39,7 +39,7 @@ class ScriptDialog(QDialog):
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(gettext(INTRODUCTION), wrap=True))
         if script.messages:
-            messages = widgets.label(wrap=True, name="script_remarks")
+            messages = widgets.label(wrap=True, name="script_messages")
             messages.setText("\n".join(map(message_text, script.messages)))
             layout.addWidget(messages)
         self.text = QPlainTextEdit(script.text)

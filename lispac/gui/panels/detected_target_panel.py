@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout
 from lispac.duplicate_targets import overlap_warning
 from lispac.gui import units
 from lispac.gui.panels import widgets
-from lispac.gui.panels.line_lights import LineQualityLights
+from lispac.gui.panels.line_lights import LineQualityIndicators
 from lispac.gui.tab_order import ENTER_KEYS
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
@@ -45,7 +45,7 @@ class DetectedTargetPanel(QFrame):
         self.detail = widgets.label("", wrap=True, name="candidate_detail")
         layout.addWidget(self.title)
         layout.addWidget(self.detail)
-        self.lights = LineQualityLights("candidate_lights")
+        self.lights = LineQualityIndicators("candidate_lights")
         layout.addWidget(self.lights)
         self.double = widgets.label("", "warning", wrap=True, name="candidate_double")
         layout.addWidget(self.double)

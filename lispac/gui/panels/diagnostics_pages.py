@@ -163,7 +163,7 @@ class ObservabilityPage(FigurePage):
 
     def __init__(self) -> None:
         super().__init__()
-        self.text_label = widgets.label("", wrap=True, name="observability_words", rich=True)
+        self.text_label = widgets.label("", wrap=True, name="observability_text", rich=True)
         self.text_label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.text_label.setAlignment(Qt.AlignmentFlag.AlignTop)
         self._row.setContentsMargins(8, 6, 4, 4)

@@ -60,7 +60,7 @@ def preload_matplotlib() -> None:
 
 
 class HistogramsPanel(QWidget):
-    """Tables of the planes and of the pairs of lines, and the plots of one plane."""
+    """Validation: tables of planes and pairs of lines, and the histograms of one plane."""
 
     plane_selected = Signal(str)
 

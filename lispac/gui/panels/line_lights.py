@@ -19,7 +19,7 @@ PENDING_ICON = "circle-outline"
 POINTS = Plural("{line}: {count:n} point, {rms} RMS", "{line}: {count:n} points, {rms} RMS")
 
 
-class LineQualityLights(QWidget):
+class LineQualityIndicators(QWidget):
     """Lights and names of the lines, in as many columns as fit."""
 
     def __init__(self, name: str) -> None:

@@ -85,7 +85,7 @@ class PatchTestPanel(QWidget):
             "patch_curve_of", [gettext(each) for each in CURVES],
             gettext("Plot the mismatch of the displayed object or of all ticked objects"),
         )  # fmt: skip
-        self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="patch_words")
+        self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="patch_text")
         self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.text_label.setContentsMargins(24, 0, 24, 0)
         self.message_label = widgets.label("", wrap=True, name="patch_said")

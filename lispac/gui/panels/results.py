@@ -23,7 +23,7 @@ from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.adjustment.warnings import HIGH_CORRELATION, result_warnings
 from lispac.duplicate_targets import project_warnings
 from lispac.gui import theme, units
-from lispac.gui.panels import quantities, result_words, widgets
+from lispac.gui.panels import quantities, result_texts, widgets
 from lispac.gui.panels.mounting_texts import boresight_sentence
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
@@ -176,7 +176,7 @@ class ResultsPanel(QWidget):
         warnings = result_warnings(result, project.cross_checks, also)
         self.warnings.setText("<br><br>".join(escape(message_text(each)) for each in warnings))
         self.warnings.setVisible(bool(warnings))
-        rows = result_words.parameters_html(result)
+        rows = result_texts.parameters_html(result)
         self.parameters.setText(rows)
         for each in (self._parameters_head, self.parameters):
             each.setVisible(bool(rows))
@@ -214,18 +214,18 @@ class ResultsPanel(QWidget):
         texts = {
             "rms": f"{before} → <b>{after}</b>",
             "factor": number(result.variance_factor, 3),
-            "chi": result_words.chi_square_text(result),
-            "points": result_words.observation_counts(result),
+            "chi": result_texts.chi_square_text(result),
+            "points": result_texts.observation_counts(result),
             "model": _correlation_times(result.model),
-            "surface": result_words.roughness_text(result),
+            "surface": result_texts.roughness_text(result),
             "iterations": gettext(
                 "{iterations:n}, {time:s.2} s", iterations=result.iterations, time=result.elapsed
             ),
         }
         for key, text in texts.items():
             self._values[key].setText(text)
-        verdict = result_words.fit_verdict(result, project.cross_checks, project_warnings(project))
-        components = "; ".join(result_words.variance_component_texts(result))
+        verdict = result_texts.fit_verdict(result, project.cross_checks, project_warnings(project))
+        components = "; ".join(result_texts.variance_component_texts(result))
         if components:
             found = gettext("Estimated variance components: {components}.", components=components)
             verdict = f"{verdict} {found}"

@@ -75,7 +75,7 @@ class SectionPanel(QWidget):
         pictures = QHBoxLayout()
         pictures.addWidget(self.save_picture, 1)
         pictures.addWidget(self.copy_picture, 1)
-        self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="section_words")
+        self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="section_text")
         form = QFormLayout()
         form.addRow(self.through)
         form.addRow(gettext("Orientation"), self.orientation)

@@ -205,7 +205,7 @@ class Viewport(Protocol):
         """Set the position of the observer, usually the middle of the trajectory.
 
         "front" looks from there at the lines, the other standard views follow; the origin of the
-        local frame until it is said.
+        local frame until it is set.
         """
 
     def fit(self, points: Array | None = None) -> None:

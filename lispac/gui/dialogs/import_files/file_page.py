@@ -14,8 +14,8 @@ from PySide6.QtWidgets import (
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files import file_texts
 from lispac.gui.dialogs.import_files.file_preview import FilePreview
+from lispac.gui.dialogs.import_files.message_list import MessageList
 from lispac.gui.dialogs.import_files.options_form import OptionsForm
-from lispac.gui.dialogs.import_files.remarks_view import MessageList
 from lispac.gui.panels import widgets
 from lispac.language import gettext
 from lispac.message_texts import fact_text, message_text
@@ -46,7 +46,7 @@ class FilePage(QWidget):
         layout = QVBoxLayout(filled)
         layout.setContentsMargins(10, 8, 10, 8)
         layout.setSpacing(theme.SPACING)
-        self.messages = MessageList("import_remarks")
+        self.messages = MessageList("import_messages")
         self.messages.action_chosen.connect(self._on_action_chosen)
         layout.addWidget(self.messages)
         split = QSplitter(Qt.Orientation.Horizontal)

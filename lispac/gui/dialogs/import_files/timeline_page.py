@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
 from lispac.gui import theme
-from lispac.gui.dialogs.import_files.remarks_view import MessageList
+from lispac.gui.dialogs.import_files.message_list import MessageList
 from lispac.gui.dialogs.import_files.timeline import TimelineView
 from lispac.gui.panels import widgets
 from lispac.language import Plural, gettext
@@ -29,7 +29,7 @@ class TimelinePage(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(10, 8, 10, 8)
         layout.setSpacing(theme.SPACING)
-        self.messages = MessageList("import_time_remarks")
+        self.messages = MessageList("import_time_messages")
         self.messages.action_chosen.connect(self._on_action_chosen)
         layout.addWidget(self.messages)
         self.view = TimelineView()

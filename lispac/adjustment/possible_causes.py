@@ -22,7 +22,7 @@ from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedPr
 from lispac.adjustment.banded_cholesky import forward_substitution
 from lispac.adjustment.normal_equations import unknown_directions
 from lispac.adjustment.parameters import OPTIONAL_NAMES, Parameter
-from lispac.adjustment.result import CandidateCause
+from lispac.adjustment.result import PossibleCause
 from lispac.adjustment.variance_components import LARGEST_SURFACE
 
 Array = NDArray[np.float64]
@@ -57,7 +57,7 @@ LINE_UNKNOWNS = 2 * AXES
 """Unknowns of the position and of the boresight of a line."""
 
 
-def find_candidate_causes(linearised: LinearisedProblem) -> tuple[tuple[CandidateCause, ...], ...]:
+def find_possible_causes(linearised: LinearisedProblem) -> tuple[tuple[PossibleCause, ...], ...]:
     """Find the errors that may cause the residuals, the most likely first.
 
     Parameters
@@ -68,7 +68,7 @@ def find_candidate_causes(linearised: LinearisedProblem) -> tuple[tuple[Candidat
 
     Returns
     -------
-    tuple of tuple of CandidateCause
+    tuple of tuple of PossibleCause
         One tuple an error: its best candidate, followed by those that are not clearly worse. Empty
         where nothing needs an explanation.
     """
@@ -77,7 +77,7 @@ def find_candidate_causes(linearised: LinearisedProblem) -> tuple[tuple[Candidat
         return ()
     equations = _CandidateEquations.of(linearised)
     solutions = [equations.solve_without_errors(sigma) for sigma in _trial_surface_sigmas(problem)]
-    found: list[tuple[CandidateCause, ...]] = []
+    found: list[tuple[PossibleCause, ...]] = []
     given: tuple[_ModelError, ...] = ()
     moved = np.zeros(AXES)
     while len(found) < MAX_CAUSES:
@@ -303,7 +303,7 @@ class _ErrorFreeSolution:
 
     def cause(
         self, errors: tuple[_ModelError, ...], evidence: float, before: Array
-    ) -> CandidateCause:
+    ) -> PossibleCause:
         """Describe the last of some errors with its size, estimated together with the others.
 
         Parameters
@@ -315,7 +315,7 @@ class _ErrorFreeSolution:
         last = errors[-1]
         own = slice(len(columns) - len(last.columns), None)
         effect = size[own] @ self.effect[np.ix_(last.columns, last.columns)] @ size[own]
-        return CandidateCause(
+        return PossibleCause(
             last.kind,
             last.target,
             last.line,

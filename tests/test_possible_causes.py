@@ -9,7 +9,7 @@ import pytest
 from lispac.adjustment.observations import Observations
 from lispac.adjustment.parameters import Parameter
 from lispac.adjustment.point_averaging import average_points_in_cells
-from lispac.adjustment.result import AdjustmentResult, CandidateCause, UncheckedPart
+from lispac.adjustment.result import AdjustmentResult, PossibleCause, UncontrolledObservations
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.adjustment.warnings import result_warnings
@@ -197,11 +197,13 @@ def test_of_equal_causes_on_too_few_lines_none_is_named() -> None:
     data, _ = survey("lever_x", 0)
     result = adjust(data, PRIOR, MODEL)
     assert result.observability is not None
-    unchecked = (UncheckedPart("line", line=data.lines[0]),)  # as where there are two lines
+    unchecked = (
+        UncontrolledObservations("line", line=data.lines[0]),
+    )  # as where there are two lines
     result = replace(result, observability=replace(result.observability, unchecked=unchecked))
 
-    def cause(kind: str, line: str = "") -> CandidateCause:
-        return CandidateCause(
+    def cause(kind: str, line: str = "") -> PossibleCause:
+        return PossibleCause(
             kind, "", line, np.full(3, 0.1), np.full(3, 0.01), np.zeros(3), 0.02, 12.0
         )
 
