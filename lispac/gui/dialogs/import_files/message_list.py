@@ -74,7 +74,7 @@ class MessageList(QScrollArea):
         row.show()
 
     def _create_button(self, action: Action, message: Message, place: int) -> widgets.Button:
-        name = f"remedy_{len(self.buttons)}"
+        name = f"message_action_{len(self.buttons)}"
         made = widgets.button(action_text(action), name, tip=action_tip(action))
         made.setAutoDefault(False)
         made.setAccessibleDescription(message_text(message))
