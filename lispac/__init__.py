@@ -36,8 +36,8 @@ if TYPE_CHECKING:
     from lispac.survey.line_source import Reading as Reading
     from lispac.targets.expected_target import ExpectedTarget as ExpectedTarget
     from lispac.targets.finder_settings import FinderChoices as FinderChoices
-    from lispac.workflow.batch import batch as batch
-    from lispac.workflow.point_numbers import point_numbers as point_numbers
+    from lispac.workflow.calibration.point_numbers import point_numbers as point_numbers
+    from lispac.workflow.checking.batch import batch as batch
 
 # Imported on first use: the command line asks for the version alone.
 _WHERE = {
@@ -53,11 +53,11 @@ _WHERE = {
     "Reading": "lispac.survey.line_source",
     "Settings": "lispac.project",
     "Target": "lispac.picked_targets",
-    "batch": "lispac.workflow.batch",
+    "batch": "lispac.workflow.checking.batch",
     "demo": "lispac.scripting.projects",
     "new": "lispac.scripting.projects",
     "open": "lispac.scripting.projects",
-    "point_numbers": "lispac.workflow.point_numbers",
+    "point_numbers": "lispac.workflow.calibration.point_numbers",
 }
 
 __all__ = ["__version__", *sorted(_WHERE)]

@@ -3,7 +3,7 @@
 A lock is held on an open file by the operating system (``flock``, ``msvcrt.locking``), which
 releases it when the process ends in any way: there are no stale locks. On network folders the
 server holds it, so that it works between computers. On a file system without locks nothing is
-locked; `lispac.io.project_file` then still refuses to overwrite what was written meanwhile.
+locked; `lispac.io.project.project_file` then still refuses to overwrite what was written meanwhile.
 """
 
 import errno

@@ -9,8 +9,8 @@ from lispac.project import Project
 from lispac.simulation.simulated_survey import SimulatedSurvey
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.validation.absolute_check import AbsoluteCheck
-from lispac.workflow.absolute_check import check_absolute
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.checking.absolute_check import check_absolute
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.static_scans import plane_of
 
 

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from lispac.cli.main import main
-from lispac.io.project_file import read_project, write_project
+from lispac.io.project.project_file import read_project, write_project
 from tests import point_files
 from tests.intake_files import START, fan, write_line
 from tests.report_sample import sample_project

@@ -7,14 +7,14 @@ import numpy as np
 
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import rotation_matrix
-from lispac.io.las import write_points
-from lispac.io.sbet import write_sbet
+from lispac.io.las.las_format import write_points
+from lispac.io.trajectory.sbet import write_sbet
 from lispac.project import LineSource, Project, Settings
 from lispac.simulation.closed_form_survey import Course, SeaMotion, six_courses
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow.projects import create_project
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.project.projects import create_project
+from lispac.workflow.project.survey import Survey, load_survey
 
 FRAME = LocalFrame(np.radians(46.8), np.radians(-71.2), 0.0)
 BORESIGHT_DEG = (0.3, -0.8, 0.4)

@@ -6,7 +6,7 @@ from pathlib import Path
 import laspy
 import numpy as np
 
-from lispac.io.sbet import write_sbet
+from lispac.io.trajectory.sbet import write_sbet
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.georeferencing import Mounting, place_points

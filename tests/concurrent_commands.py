@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from lispac.cli.main import main
-from lispac.workflow.demo import demo_seeds
+from lispac.workflow.planning.demo import demo_seeds
 
 Words = tuple[str, ...]
 

@@ -15,9 +15,9 @@ import pytest
 from lispac.cli.main import main
 from lispac.project import Project
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
-from lispac.workflow.demo import make_demo
-from lispac.workflow.projects import open_project
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.planning.demo import make_demo
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.sharing import once
 
 hypothesis.settings.register_profile("same", derandomize=True, deadline=None)

@@ -30,13 +30,13 @@ from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.simulation.closed_form_survey import add_errors, error_free_survey, six_courses
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
-from lispac.workflow.calibration import estimate
-from lispac.workflow.picking import pick_target
-from lispac.workflow.simulate import TARGETS as TARGETS_LIST
-from lispac.workflow.simulate import simulate
-from lispac.workflow.simulated_setup import read_simulation
-from lispac.workflow.survey import load_survey
-from lispac.workflow.targetless import targetless
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.picking import pick_target
+from lispac.workflow.calibration.targetless import targetless
+from lispac.workflow.planning.simulate import TARGETS as TARGETS_LIST
+from lispac.workflow.planning.simulate import simulate
+from lispac.workflow.planning.simulated_setup import read_simulation
+from lispac.workflow.project.survey import load_survey
 from tests.coverage_of_errors import MODEL, PRIOR, TARGETS, TRUTH
 from tests.coverage_of_errors import RAW as SPACING
 from tests.natural_scenes import print_answers, study

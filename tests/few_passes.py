@@ -8,9 +8,9 @@ import numpy as np
 from lispac.project import Project
 from lispac.simulation.scene import tilted_rectangle
 from lispac.survey.georeferencing import Mounting
-from lispac.workflow.calibration import estimate
-from lispac.workflow.picking import pick_target
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.picking import pick_target
+from lispac.workflow.project.survey import Survey
 from tests.finder_scenes import WALL, Site, site
 from tests.test_finder_sites import board
 

@@ -18,7 +18,7 @@ from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.scan import Scan
 from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
-from lispac.workflow.survey import Survey
+from lispac.workflow.project.survey import Survey
 
 WALL = -15.0  # metres west: 15 m to starboard of the line along it
 REACH = 7.0  # metres before and after abeam that are recorded

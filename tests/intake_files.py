@@ -6,8 +6,8 @@ import laspy
 import numpy as np
 from pyproj import CRS
 
-from lispac.workflow.input_file import InputFile, examine_file, reexamine_file
-from lispac.workflow.input_files import InputFiles, collect_files
+from lispac.workflow.importing.input_file import InputFile, examine_file, reexamine_file
+from lispac.workflow.importing.input_files import InputFiles, collect_files
 from tests.message_codes import codes, texts
 from tests.trajectory_files import vessel, write_records
 

@@ -13,7 +13,7 @@ from tests.trajectory_files import vessel, write_delph, write_pospac, write_reco
 
 def samples(folder: Path) -> dict[str, Path]:
     """A file of each format in a folder, by the format's key."""
-    from lispac.io.sbet import write_smrmsg
+    from lispac.io.trajectory.sbet import write_smrmsg
 
     records = vessel(400)
     degrees = np.degrees(records[:, [1, 2, 7, 8, 9]])

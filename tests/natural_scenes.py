@@ -26,10 +26,10 @@ from lispac.simulation.scene import Rectangle, tilted_rectangle
 from lispac.simulation.simulated_survey import LEVER_ARM
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import TrajectoryAccuracy
-from lispac.workflow.calibration import estimate
-from lispac.workflow.proposals import propose_targets
-from lispac.workflow.sighting_assessment import lidar_noise
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.proposals import propose_targets
+from lispac.workflow.calibration.sighting_assessment import lidar_noise
+from lispac.workflow.project.survey import Survey
 from tests.finder_scenes import WALL, Site, site
 
 FORMS = {"flat": 0.4, "bent": 0.3, "rough": 0.3}

@@ -9,19 +9,19 @@ from lispac.gui.dialogs.sensor_editor import NEW_POS, SensorEditor
 from lispac.gui.language import local_datetime
 from lispac.gui.settings import AppSettings
 from lispac.identity import Identity
-from lispac.io.project_file import write_project
+from lispac.io.project.project_file import write_project
 from lispac.project import Project
 from lispac.report.absolute_values import AbsoluteCheckValues
 from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
-from lispac.workflow.absolute_check import check_absolute
-from lispac.workflow.budget import error_budget_of
-from lispac.workflow.calibration_history import CalibrationHistory, read_histories
-from lispac.workflow.proposals import Proposal, propose_targets
-from lispac.workflow.seed_lists import SeedOutcome, pick_seeds, read_seeds
-from lispac.workflow.subsampling import DISTANCES, SubsamplingResult, subsampling_study
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.proposals import Proposal, propose_targets
+from lispac.workflow.calibration.seed_lists import SeedOutcome, pick_seeds, read_seeds
+from lispac.workflow.checking.absolute_check import check_absolute
+from lispac.workflow.checking.budget import error_budget_of
+from lispac.workflow.checking.calibration_history import CalibrationHistory, read_histories
+from lispac.workflow.checking.subsampling import DISTANCES, SubsamplingResult, subsampling_study
+from lispac.workflow.project.survey import Survey
 from tests.report_sample import sample_project
 
 SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")

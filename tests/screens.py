@@ -29,7 +29,7 @@ from lispac.gui.status import STEPS
 from lispac.gui.tasks import TaskRunner
 from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.vtk_viewport import VtkViewport
-from lispac.workflow.demo import run_demo
+from lispac.workflow.planning.demo import run_demo
 from tests.screen_findings import Findings
 
 SIZES = ("1600x1000", "1366x768")

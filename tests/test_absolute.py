@@ -12,7 +12,7 @@ from pyproj import CRS
 
 from lispac.errors import InputError, NotComparable, ProjectError
 from lispac.geometry.frames import LocalFrame
-from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import FILE_NAME, read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import Message, error, note, warning
 from lispac.project import Project
@@ -26,8 +26,8 @@ from lispac.simulation.port_scene import ORIGIN
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.survey.crs import coordinate_system
 from lispac.validation.absolute_check import AbsoluteCheck, LineCheck
-from lispac.workflow.absolute_check import check_absolute
-from lispac.workflow.survey import Survey
+from lispac.workflow.checking.absolute_check import check_absolute
+from lispac.workflow.project.survey import Survey
 from tests.absolute_sample import checked, true_offsets, with_truth
 from tests.command_errors import is_refusal
 from tests.report_sample import sample_content, sample_project

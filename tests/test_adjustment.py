@@ -14,7 +14,7 @@ from lispac.adjustment.robust_loss import Loss
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic_model import KNOT_INTERVAL, PosErrorKnots, StochasticModel
 from lispac.errors import AdjustmentError, Cancelled, RankDeficient
-from lispac.io.plane_file import read_plane_files
+from lispac.io.text.plane_file import read_plane_files
 from lispac.progress import Step
 from lispac.survey.georeferencing import Mounting
 from tests.error_codes import has_code

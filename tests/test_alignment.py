@@ -11,10 +11,10 @@ from lispac.survey.cloud import Cloud, CloudInMemory, place_clouds
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.scan import Scan
 from lispac.targets.rough_alignment import Alignment, align_lines
-from lispac.workflow.picking import find_target
-from lispac.workflow.sighting_assessment import assess_target
-from lispac.workflow.survey import Survey
-from lispac.workflow.target_search import SearchPlace
+from lispac.workflow.calibration.picking import find_target
+from lispac.workflow.calibration.sighting_assessment import assess_target
+from lispac.workflow.calibration.target_search import SearchPlace
+from lispac.workflow.project.survey import Survey
 from tests.finder_scenes import WALL, Site, site
 from tests.test_finder import SharedSurvey
 

@@ -12,8 +12,8 @@ import lispac
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
 from lispac.project import Project
-from lispac.workflow.batch import HEADS, BatchRow, write_table
-from lispac.workflow.demo import demo_seeds
+from lispac.workflow.checking.batch import HEADS, BatchRow, write_table
+from lispac.workflow.planning.demo import demo_seeds
 
 TRUTH = (0.27, -1.14, 0.36)
 

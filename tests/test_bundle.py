@@ -15,7 +15,7 @@ import pytest
 from bundling import build, desktop, licences, names, sizes, trimming
 
 import lispac
-from lispac.io.project_file import OPENER, OPENER_ENDING
+from lispac.io.project.project_file import OPENER, OPENER_ENDING
 from lispac.language import LANGUAGES
 from tests.extras.clean_root import Root
 

@@ -25,15 +25,15 @@ from lispac.design.plan import System
 from lispac.design.plan_search import search
 from lispac.design.plan_simulation import simulate_plan
 from lispac.errors import Cancelled, LispacError, RankDeficient
-from lispac.io.plan_file import read_site
+from lispac.io.config.plan_file import read_site
 from lispac.progress import Step
 from lispac.simulation.closed_form_survey import Ball
 from lispac.simulation.scanner import Scanner
-from lispac.workflow import cluster as cluster_module
-from lispac.workflow.cluster import cluster_mapper
-from lispac.workflow.cluster_access import ClusterAccess
-from lispac.workflow.parallel_map import choose_mapper, chunk_size, process_pool_mapper
-from lispac.workflow.plan_checks import result_heading
+from lispac.workflow.planning import cluster as cluster_module
+from lispac.workflow.planning.cluster import cluster_mapper
+from lispac.workflow.planning.cluster_access import ClusterAccess
+from lispac.workflow.planning.parallel_map import choose_mapper, chunk_size, process_pool_mapper
+from lispac.workflow.planning.plan_checks import result_heading
 from tests.clusters import Clusters
 from tests.command_errors import command_error
 from tests.error_codes import has_code

@@ -12,15 +12,15 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError, TargetNotFound
-from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import FILE_NAME, read_project, write_project
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.targets.finder_settings import USUAL, FinderChoices, FinderSettings
-from lispac.workflow import reselection
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.picking import find_target
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.target_search import TargetSearch
+from lispac.workflow.calibration import reselection
+from lispac.workflow.calibration.picking import find_target
+from lispac.workflow.calibration.target_search import TargetSearch
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.report_sample import sample_project
 
 SEED = demo_seeds()["T1"][1]

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from lispac.cli.main import main
 from lispac.project import Project
 from lispac.survey.conventions.systems import SYSTEMS
-from lispac.workflow.survey import Survey
+from lispac.workflow.project.survey import Survey
 
 
 def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, str]:

@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.io.project_file import write_project
+from lispac.io.project.project_file import write_project
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.project import Project
-from lispac.workflow.repeated_surveys import comparability_notes
-from lispac.workflow.shared_lines import shared_lines
+from lispac.workflow.checking.repeated_surveys import comparability_notes
+from lispac.workflow.project.shared_lines import shared_lines
 from tests.command_errors import command_error
 from tests.report_sample import sample_project, with_lines_of_its_own
 from tests.test_cli import answer, run

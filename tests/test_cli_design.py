@@ -12,10 +12,10 @@ from lispac.design.objective import PlanObjective
 from lispac.design.plan_search import DesignResult, ReductionStep
 from lispac.design.prediction import predict
 from lispac.design.site import Site
-from lispac.io.plan_file import read_plan
+from lispac.io.config.plan_file import read_plan
 from lispac.project import Project
-from lispac.workflow.plan_checks import write_design
-from lispac.workflow.survey import Survey
+from lispac.workflow.planning.plan_checks import write_design
+from lispac.workflow.project.survey import Survey
 from tests.narrow_site import narrow_site
 from tests.test_cli import answer, refused, run
 

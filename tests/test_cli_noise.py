@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from lispac.project import Project
-from lispac.workflow import projects
+from lispac.workflow.project import projects
 from tests.test_cli import answer, new_words, run
 
 SEEDS = {"T1": (1.15, -14.7, 8.1), "T2": (-1.1, -14.38, 7.7)}

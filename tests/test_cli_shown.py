@@ -13,9 +13,9 @@ from lispac.cli.pick import search_notes
 from lispac.cli.sighting_qualities import print_weak_sightings
 from lispac.cli.validate import print_validation
 from lispac.installation_paths import window_command
-from lispac.io.plan_file import read_plan
-from lispac.io.plane_file import write_plane_file
-from lispac.io.project_file import write_project
+from lispac.io.config.plan_file import read_plan
+from lispac.io.project.project_file import write_project
+from lispac.io.text.plane_file import write_plane_file
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, as_message, note
 from lispac.picked_targets import Target
@@ -24,8 +24,8 @@ from lispac.simulation.thesis_site import MARINE
 from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
 from lispac.survey.georeferencing import Mounting
 from lispac.targets.sighting_quality import SightingQuality
-from lispac.workflow import sensors
-from lispac.workflow.subsampling import SubsamplingResult
+from lispac.workflow.checking.subsampling import SubsamplingResult
+from lispac.workflow.planning import sensors
 from tests.narrow_site import narrow_site
 from tests.report_sample import sample_project
 from tests.surveys import TARGETS, planar_survey

@@ -16,7 +16,7 @@ import pytest
 import lispac
 from lispac.cli import check, patchtest, pick, propose, quality, targetless, warnings
 from lispac.errors import ProjectError
-from lispac.io.project_file import read_project, write_project
+from lispac.io.project.project_file import read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.patchtest.bootstrap_precision import ObjectAgreement
@@ -27,11 +27,11 @@ from lispac.picked_targets import PickedSighting, Target
 from lispac.project import LineSource, Project
 from lispac.targets.sighting_quality import undetermined_quality
 from lispac.validation.absolute_check import PointCheck
-from lispac.workflow import patch_test
-from lispac.workflow.proposals import Proposal
-from lispac.workflow.seed_lists import ListedSeed, SeedOutcome
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.targetless import TargetlessResult
+from lispac.workflow.calibration import patch_test
+from lispac.workflow.calibration.proposals import Proposal
+from lispac.workflow.calibration.seed_lists import ListedSeed, SeedOutcome
+from lispac.workflow.calibration.targetless import TargetlessResult
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.report_sample import sample_project
 from tests.sharing import once
 from tests.test_absolute_cautions import check as against_reference

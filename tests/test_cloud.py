@@ -9,26 +9,26 @@ import numpy as np
 import pytest
 
 from lispac.errors import Cancelled, InputError
-from lispac.io.las import write_points
-from lispac.io.project_file import read_project, write_project
+from lispac.io.las.las_format import write_points
+from lispac.io.project.project_file import read_project, write_project
 from lispac.messages import note
 from lispac.progress import Step, no_progress
 from lispac.project import LineSource, Project
 from lispac.survey import cloud as cloud_module
 from lispac.survey.cloud import CloudInMemory, CloudOnDisk
 from lispac.survey.store import stored_line as reading_module
-from lispac.workflow import survey as survey_module
-from lispac.workflow import target_search as seeking_module
-from lispac.workflow.calibration import estimate
-from lispac.workflow.data_export import export_targets
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.export import report_content_of
-from lispac.workflow.line_import import import_lines, line_folder
-from lispac.workflow.picking import find_target
-from lispac.workflow.projects import create_project, new_project
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.target_search import thinned_notes
-from lispac.workflow.validation import validate
+from lispac.workflow.calibration import target_search as seeking_module
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.picking import find_target
+from lispac.workflow.calibration.target_search import thinned_notes
+from lispac.workflow.checking.validation import validate
+from lispac.workflow.importing.line_import import import_lines, line_folder
+from lispac.workflow.output.data_export import export_targets
+from lispac.workflow.output.export import report_content_of
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project import survey as survey_module
+from lispac.workflow.project.projects import create_project, new_project
+from lispac.workflow.project.survey import Survey, load_survey
 
 
 def copied(lines: Sequence[LineSource], folder: Path) -> tuple[LineSource, ...]:

@@ -10,16 +10,16 @@ from pyproj import CRS
 
 from lispac.errors import InputError
 from lispac.io.format_types import PointChunk
-from lispac.io.las_chunks import LAS
-from lispac.io.las_crs import read_header_crs
-from lispac.io.las_export import layout_of_columns, layout_of_las
-from lispac.io.point_reader_common import crs_of_options
+from lispac.io.las.las_chunks import LAS
+from lispac.io.las.las_crs import read_header_crs
+from lispac.io.las.las_export import layout_of_columns, layout_of_las
+from lispac.io.points.point_reader_common import crs_of_options
 from lispac.messages import error, note
 from lispac.progress import Step
 from lispac.survey.crs import CoordinateSystem, coordinate_system
 from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup, recover_scanner_points
-from lispac.workflow.cloud_export import write_cloud
+from lispac.workflow.output.cloud_export import write_cloud
 from tests.cloud_files import (
     MOUNTING,
     TIMED,
@@ -177,7 +177,7 @@ def test_what_is_written_is_read_back(tmp_path: Path, code: str, height: str, nu
 
 def test_heights_with_a_code_are_in_the_header(tmp_path: Path) -> None:
     """EPSG:5703 needs a grid that may be absent, so only the header is written and read here."""
-    from lispac.io.las_crs_writer import write_crs
+    from lispac.io.las.las_crs_writer import write_crs
 
     for number, version in ((3, "1.2"), (6, "1.4")):
         header = laspy.LasHeader(point_format=number, version=version)

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from lispac.errors import LispacError
-from lispac.workflow import cluster as cluster_module
-from lispac.workflow.cluster import MAX_SENDINGS, _Cluster
+from lispac.workflow.planning import cluster as cluster_module
+from lispac.workflow.planning.cluster import MAX_SENDINGS, _Cluster
 
 distributed = pytest.importorskip("distributed")
 

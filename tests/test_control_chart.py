@@ -10,12 +10,12 @@ import pytest
 from matplotlib.dates import date2num
 
 from lispac.identity import Identity
-from lispac.io.project_file import write_project
+from lispac.io.project.project_file import write_project
 from lispac.messages import note
 from lispac.report.control_charts import control_chart_figure
 from lispac.validation.control_chart import CHANCE, control_chart, control_limits
 from lispac.validation.repeatability import Calibration
-from lispac.workflow.calibration_history import CalibratedSystem, read_histories
+from lispac.workflow.checking.calibration_history import CalibratedSystem, read_histories
 from tests.command_errors import command_error
 from tests.report_sample import sample_project, with_lines_of_its_own
 from tests.test_cli import answer, run
@@ -150,7 +150,7 @@ def test_what_is_no_history_is_refused(capsys: pytest.CaptureFixture[str], tmp_p
 def test_an_open_project_stands_for_its_saved_self(tmp_path: Path) -> None:
     surveyed(tmp_path / "a", "2024-05-02")
     surveyed(tmp_path / "b", "2025-05-02")
-    from lispac.io.project_file import read_project
+    from lispac.io.project.project_file import read_project
 
     opened = read_project(tmp_path / "b")
     opened = replace(opened, identity=opened.identity.changed(dates="2023-01-01"))

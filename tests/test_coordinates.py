@@ -6,7 +6,7 @@ import pytest
 from lispac.errors import InputError
 from lispac.survey.crs import coordinate_system
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.coordinates import (
+from lispac.workflow.project.coordinates import (
     axis_names,
     distances_from_trajectory,
     require_near_trajectory,

@@ -11,9 +11,9 @@ from pyproj import CRS, Geod, Transformer
 
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame, geodetic_to_ecef
-from lispac.io.las_chunks import LAS
-from lispac.io.las_crs import read_header_crs
-from lispac.io.point_reader_common import crs_of_options
+from lispac.io.las.las_chunks import LAS
+from lispac.io.las.las_crs import read_header_crs
+from lispac.io.points.point_reader_common import crs_of_options
 from lispac.messages import note
 from lispac.survey.crs import coordinate_system
 from tests.error_codes import has_code

@@ -8,9 +8,9 @@ from laspy.vlrs.known import GeoKeyDirectoryVlr, GeoKeyEntryStruct, WktCoordinat
 from pyproj import CRS
 
 from lispac.io.formats import format_of
-from lispac.io.las_crs import HeaderCrs, read_header_crs
-from lispac.io.las_crs_writer import write_crs
-from lispac.io.static_scan import open_static_scan
+from lispac.io.las.las_crs import HeaderCrs, read_header_crs
+from lispac.io.las.las_crs_writer import write_crs
+from lispac.io.points.static_scan import open_static_scan
 from lispac.messages import Level
 from tests import point_files as files
 

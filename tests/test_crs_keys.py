@@ -5,8 +5,8 @@ import pytest
 from laspy.vlrs.known import GeoAsciiParamsVlr, GeoKeyDirectoryVlr, GeoKeyEntryStruct
 from pyproj import CRS
 
-from lispac.io.las_crs import HeaderCrs, read_header_crs
-from lispac.io.las_crs_writer import write_crs
+from lispac.io.las.las_crs import HeaderCrs, read_header_crs
+from lispac.io.las.las_crs_writer import write_crs
 from tests.message_codes import codes
 
 MODEL, CITATION, GEOGRAPHIC, PROJECTED, PROJECTED_CITATION = 1024, 1026, 2048, 3072, 3073

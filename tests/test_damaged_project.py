@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import ProjectError
-from lispac.io.project_file import (
+from lispac.io.project.project_file import (
     FILE_NAME,
     SIGHTINGS,
     read_project,

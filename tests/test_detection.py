@@ -12,10 +12,10 @@ from lispac.simulation.scene import tilted_rectangle
 from lispac.targets.flat_patches import find_flat_patches, voxel_side
 from lispac.targets.plane_detection import VOXEL, detect_planes
 from lispac.targets.plane_finder import FinderSettings
-from lispac.workflow.calibration import estimate
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.proposals import propose_targets
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.proposals import propose_targets
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.survey import Survey
 from tests.finder_scenes import WALL, precision_and_recall, rippled, site
 from tests.test_finder import SharedSurvey
 from tests.test_finder_sites import scenery

@@ -11,7 +11,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import FILE_NAME, read_project, write_project
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.language import in_language
 from lispac.report.csv_tables import write_tables

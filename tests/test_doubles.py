@@ -21,7 +21,7 @@ from lispac.gui.panels import result_texts
 from lispac.gui.status import step_statuses
 from lispac.message_texts import message_text
 from lispac.project import PickedSighting, Project, Role, Target
-from lispac.workflow.demo import demo_seeds
+from lispac.workflow.planning.demo import demo_seeds
 from tests.report_sample import sample_content, sample_project
 from tests.test_cli import run
 

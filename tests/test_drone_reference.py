@@ -23,9 +23,9 @@ from lispac.adjustment.warnings import result_warnings
 from lispac.geometry.planes import fit_plane, plane_axes
 from lispac.project import LineSource, Settings
 from lispac.survey.cloud import place_clouds
-from lispac.workflow.projects import create_project
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.targetless import TargetlessResult, targetless
+from lispac.workflow.calibration.targetless import TargetlessResult, targetless
+from lispac.workflow.project.projects import create_project
+from lispac.workflow.project.survey import Survey, load_survey
 
 Labels = dict[str, np.ndarray]
 NAMES = ("lanl_truck", "lanl_tent")

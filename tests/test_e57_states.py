@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io import e57
 from lispac.io.formats import format_of
+from lispac.io.points import e57
 from lispac.messages import Level
 from tests import point_files as files
 

@@ -6,12 +6,17 @@ import numpy as np
 import pytest
 
 from lispac.errors import ProjectError
-from lispac.io.project_file import read_project, write_project
+from lispac.io.project.project_file import read_project, write_project
 from lispac.project import PickedSighting, Project, Target
 from lispac.simulation.scene import Sphere
-from lispac.workflow.point_edits import EDIT_MARGIN, MIN_POINTS, with_points, without_points
-from lispac.workflow.reselection import reselect_targets
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.point_edits import (
+    EDIT_MARGIN,
+    MIN_POINTS,
+    with_points,
+    without_points,
+)
+from lispac.workflow.calibration.reselection import reselect_targets
+from lispac.workflow.project.survey import Survey
 from tests.few_passes import picked
 from tests.finder_scenes import WALL, site
 

@@ -6,7 +6,7 @@ import pytest
 
 from lispac.errors import ProjectError
 from lispac.project import Project
-from lispac.workflow.edits import (
+from lispac.workflow.calibration.edits import (
     with_renamed_target,
     with_switched_role,
     with_use_of_line,

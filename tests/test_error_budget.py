@@ -24,8 +24,8 @@ from lispac.report.document import report_document
 from lispac.report.document_blocks import Bullets, Table
 from lispac.report.json_report import english_values
 from lispac.survey.georeferencing import Mounting
-from lispac.workflow.budget import error_budget_of
-from lispac.workflow.survey import load_survey
+from lispac.workflow.checking.budget import error_budget_of
+from lispac.workflow.project.survey import load_survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code
 from tests.few_passes import answered
@@ -186,7 +186,7 @@ def test_what_is_not_known_is_said_and_not_counted() -> None:
 def test_the_command_and_the_report_say_the_same(
     capsys: pytest.CaptureFixture[str], demo_project: Project, tmp_path: Path
 ) -> None:
-    from lispac.io.project_file import write_project
+    from lispac.io.project.project_file import write_project
 
     sample = sample_project(tmp_path / "sample")
     project = replace(demo_project, folder=tmp_path / "p", result=sample.result)

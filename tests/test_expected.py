@@ -7,13 +7,13 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import ProjectError
-from lispac.io.project_file import read_project, write_project
+from lispac.io.project.project_file import read_project, write_project
 from lispac.project import Project
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.picking import find_target
-from lispac.workflow.sighting_assessment import assess_target, unexpected_deviations
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.picking import find_target
+from lispac.workflow.calibration.sighting_assessment import assess_target, unexpected_deviations
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.survey import Survey
 from tests.message_codes import codes
 
 BOARD = ExpectedTarget(1.23, 1.22, pi / 2)

@@ -13,21 +13,21 @@ from lispac.adjustment.observations import Observations
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
 from lispac.io.formats import format_of, recognise_formats
-from lispac.io.plane_file import read_plane_files
-from lispac.io.sbet import read_sbet, write_sbet
+from lispac.io.text.plane_file import read_plane_files
+from lispac.io.trajectory.sbet import read_sbet, write_sbet
 from lispac.messages import note
 from lispac.project import Project, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import place_points
 from lispac.survey.trajectory import Poses, Trajectory
-from lispac.workflow.data_export import (
+from lispac.workflow.output.data_export import (
     SBET_ZEROS,
     export_planes,
     export_targets,
     export_trajectory,
 )
-from lispac.workflow.export_request import ExportRequest, export, output_system_of
-from lispac.workflow.survey import Survey
+from lispac.workflow.output.export_request import ExportRequest, export, output_system_of
+from lispac.workflow.project.survey import Survey
 from tests.few_passes import picked
 
 UTM = "EPSG:32619"

@@ -7,10 +7,10 @@ import pytest
 
 from lispac.adjustment.observability import RankDeficient
 from lispac.project import PickedSighting, Project
-from lispac.workflow.calibration import estimate
-from lispac.workflow.orientation_check import do_targets_face_one_way
-from lispac.workflow.survey import Survey
-from lispac.workflow.warnings import warnings_of
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
+from lispac.workflow.checking.warnings import warnings_of
+from lispac.workflow.project.survey import Survey
 from tests.few_passes import picked
 
 

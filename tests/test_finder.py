@@ -13,8 +13,8 @@ from lispac.geometry.frames import LocalFrame
 from lispac.geometry.planes import plane_axes
 from lispac.geometry.radius_search import PointGrid, points_within
 from lispac.geometry.rotations import rotation_matrix
-from lispac.io.las import read_scan
-from lispac.io.sbet import read_sbet
+from lispac.io.las.las_format import read_scan
+from lispac.io.trajectory.sbet import read_sbet
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.scan import Scan
 from lispac.survey.trajectory import LocalTrajectory

@@ -15,8 +15,8 @@ from lispac.project import Project, Target
 from lispac.simulation.scene import Surface, tilted_rectangle, upright_rectangle
 from lispac.targets.plane_finder import patch_of
 from lispac.targets.sighting_agreement import PlacementAccuracy, split_by_agreement
-from lispac.workflow.picking import find_target
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.picking import find_target
+from lispac.workflow.project.survey import Survey
 from tests.finder_scenes import WALL, Site, site
 from tests.test_finder_sites import board, wall
 

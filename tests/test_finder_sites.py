@@ -18,8 +18,12 @@ from lispac.survey.georeferencing import Mounting
 from lispac.targets.plane_finder import FinderSettings, PlanePatch
 from lispac.targets.planes_across_lines import find_in_lines
 from lispac.targets.rough_alignment import align_lines
-from lispac.workflow import target_search
-from lispac.workflow.target_search import SearchPlace, TargetSearch, find_planes_in_lines
+from lispac.workflow.calibration import target_search
+from lispac.workflow.calibration.target_search import (
+    SearchPlace,
+    TargetSearch,
+    find_planes_in_lines,
+)
 from tests.finder_scenes import WALL, Site, precision_and_recall, rippled, site
 from tests.test_finder import SharedSurvey
 from tests.test_simulation import placed

@@ -15,10 +15,10 @@ from lispac.adjustment.parameters import Parameter
 from lispac.cli.argument_types import finite_number, number_within
 from lispac.cli.main import main
 from lispac.errors import InputError, LispacError, ProjectError
+from lispac.io.config.toml_table import TomlTable, toml_string
 from lispac.io.files import atomic_write
 from lispac.io.formats import format_of
-from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.io.toml_table import TomlTable, toml_string
+from lispac.io.project.project_file import FILE_NAME, read_project, write_project
 from lispac.project import Project, Settings
 from lispac.survey.store.layout import read_manifest, write_manifest
 from lispac.untrusted_values import (
@@ -29,10 +29,10 @@ from lispac.untrusted_values import (
     toml_values,
 )
 from lispac.warning_causes import Cause
-from lispac.workflow.line_import import import_lines, line_folder
-from lispac.workflow.plan_checks import write_scenarios
-from lispac.workflow.simulate import replaced_survey
-from lispac.workflow.survey import load_survey
+from lispac.workflow.importing.line_import import import_lines, line_folder
+from lispac.workflow.planning.plan_checks import write_scenarios
+from lispac.workflow.planning.simulate import replaced_survey
+from lispac.workflow.project.survey import load_survey
 
 
 @pytest.mark.parametrize(

@@ -19,17 +19,17 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.compressed_files import ARCHIVES
 from lispac.io.format_types import Kind
 from lispac.io.formats import is_las, recognise_formats
-from lispac.io.mesh_file import read_mesh
-from lispac.io.plane_file import read_plane_table
-from lispac.io.seed_file import is_point_list, read_point_list
-from lispac.io.static_scan import open_static_scan
+from lispac.io.points.compressed_files import ARCHIVES
+from lispac.io.points.mesh_file import read_mesh
+from lispac.io.points.static_scan import open_static_scan
+from lispac.io.text.plane_file import read_plane_table
+from lispac.io.text.seed_file import is_point_list, read_point_list
 from lispac.messages import error
 from lispac.project import LineSource
-from lispac.workflow.file_reading import check_file, format_of_line
-from lispac.workflow.line_chunks import LineChunks
+from lispac.workflow.importing.file_reading import check_file, format_of_line
+from lispac.workflow.importing.line_chunks import LineChunks
 from tests import point_files as files
 from tests.intake_files import write_survey
 from tests.static_scans import write_pts

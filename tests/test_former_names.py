@@ -12,12 +12,12 @@ from lispac.cli.former_options import FORMER_COMMANDS, FORMER_OPTIONS, with_new_
 from lispac.cli.main import main
 from lispac.cli.parser import build_parser
 from lispac.former_names import SCRIPT_NAMES
-from lispac.io.plan_file import read_site
-from lispac.io.project_file import read_project
-from lispac.io.toml_table import FORMER_KEYS
+from lispac.io.config.plan_file import read_site
+from lispac.io.config.toml_table import FORMER_KEYS
+from lispac.io.project.project_file import read_project
 from lispac.project import Settings
 from lispac.survey.store import layout
-from lispac.workflow.batch import BatchRow
+from lispac.workflow.checking.batch import BatchRow
 from tests.report_sample import sample_project
 from tests.store_lines import small, stored
 from tests.trajectory_files import vessel, write_records

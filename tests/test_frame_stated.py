@@ -9,16 +9,16 @@ import pytest
 from lispac.cli.main import main
 from lispac.errors import InputError
 from lispac.io.formats import format_of
-from lispac.io.line_times import read_line_times
-from lispac.io.point_reader_common import CHOOSE_FRAME
+from lispac.io.points.line_times import read_line_times
+from lispac.io.points.point_reader_common import CHOOSE_FRAME
 from lispac.messages import warning
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.scanner_frame_recovery import MAX_DISTANCE
-from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.input_files import InputFiles
-from lispac.workflow.line_import import import_lines
-from lispac.workflow.projects import create_project, new_project
+from lispac.workflow.importing.input_files import InputFiles
+from lispac.workflow.importing.line_import import import_lines
+from lispac.workflow.output.georeferencing import georeference_project
+from lispac.workflow.project.projects import create_project, new_project
 from tests.error_codes import has_code
 from tests.intake_files import LEVER, START, codes_about, fan, named, said, taken_in, write_line
 from tests.trajectory_files import vessel, write_records
@@ -77,7 +77,7 @@ def test_map_coordinates_stated_as_the_scanners_are_refused_everywhere(track, tm
 
 
 def test_a_long_line_is_judged_by_points_all_over_it(tmp_path, monkeypatch) -> None:
-    monkeypatch.setattr("lispac.io.line_times.READ_WHOLE", 100)
+    monkeypatch.setattr("lispac.io.points.line_times.READ_WHOLE", 100)
     with pytest.raises(InputError, check=has_code("survey.not_scanner_frame")):
         read_line_times(on_map(tmp_path), format_of("las"), {"frame": "scanner"})
     points = fan(3000)

@@ -22,25 +22,25 @@ from lispac.cli.estimate import parse_parameters
 from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, LispacError
 from lispac.gui.settings import AppSettings
+from lispac.io.config.plan_file import read_plan, read_site
+from lispac.io.config.scanner_file import read_scanner
+from lispac.io.config.scene_file import read_scene
+from lispac.io.config.sensor_file import read_pos_specification, read_scanner_specification
+from lispac.io.config.vessel_file import read_vessel
 from lispac.io.format_types import FilePreview
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES, format_of
-from lispac.io.mesh_file import MeshReader, read_mesh
-from lispac.io.plan_file import read_plan, read_site
-from lispac.io.point_reader_common import usable_points
-from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.io.scanner_file import read_scanner
-from lispac.io.scene_file import read_scene
-from lispac.io.seed_file import is_point_list, read_point_list
-from lispac.io.sensor_file import read_pos_specification, read_scanner_specification
-from lispac.io.static_scan import open_static_scan
-from lispac.io.vessel_file import read_vessel
+from lispac.io.points.mesh_file import MeshReader, read_mesh
+from lispac.io.points.point_reader_common import usable_points
+from lispac.io.points.static_scan import open_static_scan
+from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.text.seed_file import is_point_list, read_point_list
 from lispac.simulation.meshes import Mesh
 from lispac.survey.store import layout
 from lispac.survey.store.column_files import file_checksum
 from lispac.survey.store.line_import import write_store
 from lispac.survey.store.stored_line import open_store
 from lispac.targets.finder_settings import FinderChoices
-from lispac.workflow.report_options import report_options
+from lispac.workflow.output.report_options import report_options
 from tests import point_files
 from tests.fuzzing import Attempt, damaged, fuzz, fuzz_long, json_like, toml_like
 from tests.report_sample import sample_project

@@ -11,12 +11,12 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import Cancelled, InputError, ProjectError
-from lispac.io.las_chunks import LAS
-from lispac.io.las_crs import read_header_crs
-from lispac.io.mounting_record import MountingRecord
-from lispac.io.point_reader_common import crs_of_options
-from lispac.io.project_file import write_project
-from lispac.io.sbet import write_sbet
+from lispac.io.las.las_chunks import LAS
+from lispac.io.las.las_crs import read_header_crs
+from lispac.io.las.mounting_record import MountingRecord
+from lispac.io.points.point_reader_common import crs_of_options
+from lispac.io.project.project_file import write_project
+from lispac.io.trajectory.sbet import write_sbet
 from lispac.messages import Level, note
 from lispac.progress import Step
 from lispac.project import LineSource, Project, Reading, Settings
@@ -24,10 +24,10 @@ from lispac.survey.crs import coordinate_system
 from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.scanner_frame_recovery import RecoverySetup, recover_scanner_points
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow.file_reading import local_trajectory
-from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.line_import import import_lines
-from lispac.workflow.line_points import read_line
+from lispac.workflow.importing.file_reading import local_trajectory
+from lispac.workflow.importing.line_import import import_lines
+from lispac.workflow.importing.line_points import read_line
+from lispac.workflow.output.georeferencing import georeference_project
 from tests.cloud_files import (
     MOUNTING,
     sweep,

@@ -5,7 +5,7 @@ import pytest
 
 from lispac.errors import Cancelled, InputError
 from lispac.geometry.frames import LocalFrame
-from lispac.io.sbet import read_sbet, write_sbet
+from lispac.io.trajectory.sbet import read_sbet, write_sbet
 from lispac.progress import Step
 from lispac.survey.georeferencing import CHUNK, Mounting, georeference, place_points, to_lidar
 from lispac.survey.trajectory import LocalTrajectory, Poses, Trajectory

@@ -11,7 +11,7 @@ from pyproj import Transformer
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import rotation_matrix
-from lispac.io.sbet import read_sbet, write_sbet
+from lispac.io.trajectory.sbet import read_sbet, write_sbet
 from lispac.survey import point_mapping
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference, place_points, to_lidar

@@ -11,8 +11,8 @@ from lispac.message_texts import message_text
 from lispac.project import Project
 from lispac.targets.occlusion import ObservedExtent, compare_observed_extents, does_plane_end_within
 from lispac.targets.sighting_quality import plane_quality
-from lispac.workflow.sighting_assessment import assess_sightings, assess_target
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.sighting_assessment import assess_sightings, assess_target
+from lispac.workflow.project.survey import Survey
 from tests.message_codes import codes
 from tests.test_quality import NOISE
 

@@ -7,8 +7,8 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.survey.time_base import GPS_EPOCH, WEEK
-from lispac.workflow.projects import open_project
-from lispac.workflow.survey import load_survey
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import load_survey
 from tests.intake_files import START, fan, write_line, write_survey
 
 COUNT = 2000

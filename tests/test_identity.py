@@ -16,7 +16,7 @@ import pytest
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
 from lispac.identity import BLANK, HINTS, LABELS, NAMES, Identity
-from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import FILE_NAME, read_project, write_project
 from lispac.message_texts import TEXTS
 from lispac.messages import error, note
 from lispac.project import LineSource, Project, Reading
@@ -24,7 +24,7 @@ from lispac.report.csv_tables import write_tables
 from lispac.report.document import report_document
 from lispac.report.html import html_text
 from lispac.report.pdf import write_pdf
-from lispac.workflow.survey_dates import survey_dates
+from lispac.workflow.project.survey_dates import survey_dates
 from tests.report_sample import sample_content, sample_project
 from tests.test_cli import run
 from tests.test_report import _page, _pdf_text

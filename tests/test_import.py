@@ -12,8 +12,8 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import Cancelled, InputError, ProjectError
-from lispac.io.las import write_points
-from lispac.io.project_file import write_project
+from lispac.io.las.las_format import write_points
+from lispac.io.project.project_file import write_project
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Georeferencer, Mounting, georeference
@@ -21,8 +21,8 @@ from lispac.survey.store import point_blocks, spool
 from lispac.survey.store.original_file import source_file_of
 from lispac.survey.store.stored_line import StoredLine
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.file_reading import local_trajectory
-from lispac.workflow.line_import import (
+from lispac.workflow.importing.file_reading import local_trajectory
+from lispac.workflow.importing.line_import import (
     _LineFileReader,
     assumptions_of,
     import_line,
@@ -30,9 +30,9 @@ from lispac.workflow.line_import import (
     line_folder,
     open_stored_line,
 )
-from lispac.workflow.line_points import LinePoints, read_line
-from lispac.workflow.projects import create_project, open_project
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.importing.line_points import LinePoints, read_line
+from lispac.workflow.project.projects import create_project, open_project
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code
 from tests.message_codes import codes

@@ -7,17 +7,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.io import line_times as times_module
 from lispac.io.formats import format_of
-from lispac.io.line_times import read_line_times
-from lispac.io.project_file import read_project
+from lispac.io.points import line_times as times_module
+from lispac.io.points.line_times import read_line_times
+from lispac.io.project.project_file import read_project
 from lispac.messages import Action, Level, Message, note
 from lispac.project import LineSource, Settings
 from lispac.survey.trajectory import LONGEST_GAP
-from lispac.workflow.input_file import examine_file
-from lispac.workflow.input_files import InputFiles, find_project, proposed_folder
-from lispac.workflow.projects import new_project, open_project
-from lispac.workflow.survey import load_survey
+from lispac.workflow.importing.input_file import examine_file
+from lispac.workflow.importing.input_files import InputFiles, find_project, proposed_folder
+from lispac.workflow.project.projects import new_project, open_project
+from lispac.workflow.project.survey import load_survey
 from tests.intake_files import (
     LEVER,
     START,
@@ -285,7 +285,7 @@ def test_a_line_that_takes_long_to_read_is_cut_and_said(
     monkeypatch.setattr(times_module, "TIME_LIMIT", -1.0)
     entry = examine_file(files / "deeper" / "L9.txt")
     assert entry.content is None  # its columns are not named yet
-    monkeypatch.setattr("lispac.io.las_chunks.CHUNK", 500)
+    monkeypatch.setattr("lispac.io.las.las_chunks.CHUNK", 500)
     cut = read_line_times(files / "L1.laz", format_of("las"), {})
     assert not cut.reached_end
     assert cut.count == 3000

@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.io.ascii_trajectory import degrees_action
-from lispac.io.first_points import check_first_points
 from lispac.io.format_types import FilePreview
 from lispac.io.formats import format_of
-from lispac.io.line_times import LineTimes
-from lispac.io.point_reader_common import CHOOSE_SYSTEM, USE_FEET, time_base_warnings
-from lispac.io.trajectory_facts import SWAP_COORDINATES, time_warnings
-from lispac.io.trajectory_preview import sign_assumed_warning
+from lispac.io.points.first_points import check_first_points
+from lispac.io.points.line_times import LineTimes
+from lispac.io.points.point_reader_common import CHOOSE_SYSTEM, USE_FEET, time_base_warnings
+from lispac.io.trajectory.ascii_trajectory import degrees_action
+from lispac.io.trajectory.trajectory_facts import SWAP_COORDINATES, time_warnings
+from lispac.io.trajectory.trajectory_preview import sign_assumed_warning
 from lispac.language import LANGUAGES, in_language
 from lispac.message_texts import action_text, action_tip, message_text
 from lispac.messages import Action, Level, Message, note, warning
@@ -21,13 +21,21 @@ from lispac.project import LineSource, Project, Settings
 from lispac.survey.known_time_base import KnownTimeBase
 from lispac.survey.time_base import base_of_key
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow import input_files as intake_module
-from lispac.workflow.input_columns import column_meanings, missing_columns, possible_meanings
-from lispac.workflow.input_file import InputFile, examine_project_file, reexamine_file
-from lispac.workflow.input_file_messages import file_messages, option_to_choose
-from lispac.workflow.input_files import InputFiles, folder_problem, proposed_folder
-from lispac.workflow.input_times import line_time_base, matching_shifts, trajectory_time_base
-from lispac.workflow.projects import new_project
+from lispac.workflow.importing import input_files as intake_module
+from lispac.workflow.importing.input_columns import (
+    column_meanings,
+    missing_columns,
+    possible_meanings,
+)
+from lispac.workflow.importing.input_file import InputFile, examine_project_file, reexamine_file
+from lispac.workflow.importing.input_file_messages import file_messages, option_to_choose
+from lispac.workflow.importing.input_files import InputFiles, folder_problem, proposed_folder
+from lispac.workflow.importing.input_times import (
+    line_time_base,
+    matching_shifts,
+    trajectory_time_base,
+)
+from lispac.workflow.project.projects import new_project
 from tests.intake_files import (
     LEVER,
     START,

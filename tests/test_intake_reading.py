@@ -6,16 +6,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.io.sbet import read_sbet
+from lispac.io.trajectory.sbet import read_sbet
 from lispac.language import LANGUAGES, in_language
 from lispac.messages import Level, note
 from lispac.project import Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.input_file_messages import option_to_choose
-from lispac.workflow.input_files import InputFiles
-from lispac.workflow.projects import new_project
+from lispac.workflow.importing.input_file_messages import option_to_choose
+from lispac.workflow.importing.input_files import InputFiles
+from lispac.workflow.project.projects import new_project
 from tests.intake_files import (
     LEVER,
     START,

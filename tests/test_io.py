@@ -10,10 +10,10 @@ from lispac.errors import InputError
 from lispac.io.files import atomic_write, message_with_file_name
 from lispac.io.format_types import PointChunk
 from lispac.io.formats import format_of
-from lispac.io.las import read_scan, write_points
-from lispac.io.plane_file import read_plane_files, write_plane_file
-from lispac.io.project_file import read_project, write_project
-from lispac.io.sbet import read_sbet, read_smrmsg, write_sbet, write_smrmsg
+from lispac.io.las.las_format import read_scan, write_points
+from lispac.io.project.project_file import read_project, write_project
+from lispac.io.text.plane_file import read_plane_files, write_plane_file
+from lispac.io.trajectory.sbet import read_sbet, read_smrmsg, write_sbet, write_smrmsg
 from lispac.messages import error
 from lispac.survey.georeferencing import Mounting, Poses, place_points
 from lispac.survey.trajectory import TrajectoryAccuracy

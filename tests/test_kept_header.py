@@ -13,11 +13,11 @@ from lispac.messages import Message
 from lispac.project import LineSource, Project
 from lispac.survey.store.layout import HEADER
 from lispac.survey.store.stored_line import StoredLine
-from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.line_import import import_lines, line_folder, stored_header
-from lispac.workflow.project_copy import save_project_as
-from lispac.workflow.projects import create_project
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.importing.line_import import import_lines, line_folder, stored_header
+from lispac.workflow.output.georeferencing import georeference_project
+from lispac.workflow.project.project_copy import save_project_as
+from lispac.workflow.project.projects import create_project
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.message_codes import codes
 
 GUID = uuid.UUID("12345678-1234-5678-1234-567812345678")

@@ -14,12 +14,12 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.errors import ProjectError
-from lispac.io.project_file import read_project, write_project
+from lispac.io.project.project_file import read_project, write_project
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.survey.store import point_blocks, spool
 from lispac.survey.store.line_import import write_store
 from lispac.survey.store.stored_line import open_store
-from lispac.workflow.projects import create_project
+from lispac.workflow.project.projects import create_project
 from tests.intake_files import LEVER, write_long_line, write_survey
 from tests.store_lines import RECIPE, Line, place
 
@@ -47,7 +47,7 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 import numpy as np
-from lispac.io.project_file import read_project, write_project
+from lispac.io.project.project_file import read_project, write_project
 folder = Path(sys.argv[1])
 project = replace(read_project(folder.with_name("pristine")), folder=folder)
 one, *rest = project.targets

@@ -10,8 +10,8 @@ from lispac.project import Project
 from lispac.report.absolute_values import AbsoluteCheckValues
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.validation.reference_places import measure_to_surface
-from lispac.workflow.absolute_check import check_absolute
-from lispac.workflow.survey import Survey
+from lispac.workflow.checking.absolute_check import check_absolute
+from lispac.workflow.project.survey import Survey
 from tests.absolute_sample import true_offsets, with_truth
 from tests.report_sample import sample_project
 from tests.static_scans import on_plane

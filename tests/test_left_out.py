@@ -10,9 +10,9 @@ from lispac.messages import Message
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.time_base import GPS_EPOCH, WEEK
-from lispac.workflow.input_files import InputFiles
-from lispac.workflow.projects import new_project
-from lispac.workflow.survey import Survey
+from lispac.workflow.importing.input_files import InputFiles
+from lispac.workflow.project.projects import new_project
+from lispac.workflow.project.survey import Survey
 from tests.command_errors import codes_of
 from tests.intake_files import LEVER, START, fan, named, taken_in, write_line
 from tests.trajectory_files import vessel, write_records

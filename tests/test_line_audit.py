@@ -16,12 +16,12 @@ from lispac.survey.audit_messages import line_messages
 from lispac.survey.line_audit import LineAudit, shared_point_fraction
 from lispac.survey.point_screening import PointScreen, PointSelection
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.file_audit import audit_file
-from lispac.workflow.file_reading import check_file
-from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.line_import import import_lines
-from lispac.workflow.projects import new_project, open_project
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.importing.file_audit import audit_file
+from lispac.workflow.importing.file_reading import check_file
+from lispac.workflow.importing.line_import import import_lines
+from lispac.workflow.output.georeferencing import georeference_project
+from lispac.workflow.project.projects import new_project, open_project
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.intake_files import LEVER, START, fan, write_line, write_survey
 
 COUNT = 3000

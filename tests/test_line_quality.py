@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError, NotComparable, ProjectError
-from lispac.io.project_file import write_project
+from lispac.io.project.project_file import write_project
 from lispac.project import Project
 from lispac.validation.line_differences import compare_lines
-from lispac.workflow.line_quality import DifferenceStatistics, line_quality
-from lispac.workflow.survey import Survey
+from lispac.workflow.checking.line_quality import DifferenceStatistics, line_quality
+from lispac.workflow.project.survey import Survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code
 from tests.few_passes import picked

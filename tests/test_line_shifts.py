@@ -9,8 +9,8 @@ from lispac.adjustment.solved_equations import SolvedEquations
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.project import Project
-from lispac.workflow.calibration import observations_of
-from lispac.workflow.survey import load_survey
+from lispac.workflow.calibration.estimation import observations_of
+from lispac.workflow.project.survey import load_survey
 from tests.test_robustness import PRIOR, survey
 from tests.test_targetless import few_surfaces
 

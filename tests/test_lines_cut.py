@@ -11,12 +11,14 @@ import pytest
 
 from lispac.errors import InputError
 from lispac.geometry.frames import LocalFrame
-from lispac.io import las, las_chunks, line_times, point_records
 from lispac.io.format_types import PointChunk
 from lispac.io.formats import format_of
-from lispac.io.las_export import layout_of_columns, open_cloud_writer
-from lispac.io.las_header_check import require_sound_header
-from lispac.io.point_counts import PointCounts
+from lispac.io.las import las_chunks
+from lispac.io.las import las_format as las
+from lispac.io.las.las_export import layout_of_columns, open_cloud_writer
+from lispac.io.las.las_header_check import require_sound_header
+from lispac.io.points import line_times, point_records
+from lispac.io.points.point_counts import PointCounts
 from lispac.messages import error
 from lispac.survey.georeferencing import Mounting
 from tests import point_files as files
@@ -43,7 +45,7 @@ def test_a_file_cut_between_two_points_while_it_is_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kept: int
 ) -> None:
     """What is left is sound by itself; only the count tells."""
-    monkeypatch.setattr("lispac.io.las_chunks.CHUNK", 1000)
+    monkeypatch.setattr("lispac.io.las.las_chunks.CHUNK", 1000)
     path, start, size = written(tmp_path / "a.las", 20_000)
     chunks = LAS.read(path, {})
     next(chunks)
@@ -137,7 +139,7 @@ def test_times_of_a_line_on_the_map(
     """Read whole in chunks, or looked at here and there: places far off are no fault there."""
     monkeypatch.setattr(line_times, "READ_WHOLE", most)
     monkeypatch.setattr(line_times, "BLOCK", 30)
-    monkeypatch.setattr("lispac.io.las_chunks.CHUNK", 16)
+    monkeypatch.setattr("lispac.io.las.las_chunks.CHUNK", 16)
     path, _, _ = written(tmp_path / "a.las", 60, [350_000, 5e6, 0])
     found = line_times.read_line_times(path, LAS, {"frame": "georeferenced"})
     assert (found.start, found.end, found.count) == (400_000, 400_100, 60)

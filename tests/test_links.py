@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.las import write_points
-from lispac.io.project_file import SIGHTINGS, read_project, write_project
-from lispac.io.project_lock import LOCK_NAME
+from lispac.io.las.las_format import write_points
+from lispac.io.project.project_file import SIGHTINGS, read_project, write_project
+from lispac.io.project.project_lock import LOCK_NAME
 from lispac.project import LineSource, Project
 from lispac.survey.store.layout import is_link
-from lispac.workflow.demo import MARKER, make_demo
-from lispac.workflow.line_import import LINES, import_lines, line_folder
-from lispac.workflow.project_copy import MARK, save_project_as
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.importing.line_import import LINES, import_lines, line_folder
+from lispac.workflow.planning.demo import MARKER, make_demo
+from lispac.workflow.project.project_copy import MARK, save_project_as
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.error_codes import has_code
 
 

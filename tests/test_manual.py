@@ -14,7 +14,7 @@ from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, InputError
 from lispac.installation_paths import resource_path
 from lispac.progress import Step
-from lispac.workflow import manual
+from lispac.workflow.output import manual
 
 LOADED = {("script", "src"), ("link", "href"), ("img", "src"), ("iframe", "src")}
 """What a browser fetches by itself."""

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError, ProjectError
-from lispac.io.las_header_check import require_sound_header
-from lispac.io.mesh_file import MeshReader, read_mesh
-from lispac.io.project_file import SIGHTINGS, read_project
+from lispac.io.las.las_header_check import require_sound_header
+from lispac.io.points.mesh_file import MeshReader, read_mesh
+from lispac.io.project.project_file import SIGHTINGS, read_project
 from lispac.project import Project
 from lispac.simulation.meshes import Mesh
 from tests.test_meshes import write_mesh

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.mesh_file import MeshReader, read_mesh
+from lispac.io.points.mesh_file import MeshReader, read_mesh
 from lispac.messages import error
 from lispac.simulation.meshes import Mesh, MeshCaster
 from lispac.simulation.scene import Rectangle, Scene, Sphere, tilted_rectangle

@@ -13,7 +13,7 @@ import pytest
 
 from lispac.duplicate_targets import data_warnings
 from lispac.errors import InputError
-from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import FILE_NAME, read_project, write_project
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.language import LANGUAGES, Plural, Template, format_text, in_language
 from lispac.message_texts import ACTIONS, TEXTS, TOPICS, message_text

@@ -11,14 +11,14 @@ import pytest
 from lispac.adjustment.message_parts import mounting_value_names
 from lispac.alternative_methods import AlternativeResult, Method
 from lispac.errors import AdjustmentError, ProjectError
-from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import FILE_NAME, read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import Message, error, note
 from lispac.method_comparison import comparison_messages, method_results, missing_methods
 from lispac.project import Project, Settings
-from lispac.workflow.calibration import estimate
-from lispac.workflow.method_runs import adjust_natural_planes
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.method_runs import adjust_natural_planes
+from lispac.workflow.project.survey import Survey
 from tests.report_sample import sample_project
 from tests.test_cli import answer, refused, run
 
@@ -173,7 +173,7 @@ def test_compute_asks_keeps_and_says_what_cannot_be_asked(
     capsys: pytest.CaptureFixture[str], sparse_project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
-    from lispac.workflow import patch_test, targetless
+    from lispac.workflow.calibration import patch_test, targetless
 
     project = replace(sparse_project, folder=tmp_path / "p")
     project.folder.mkdir()

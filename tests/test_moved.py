@@ -10,22 +10,23 @@ import pytest
 import lispac
 from lispac.cli.main import main
 from lispac.errors import InputError
-from lispac.io.project_file import read_project, write_unsaved
+from lispac.io.project.project_file import read_project, write_unsaved
 from lispac.project import Project
-from lispac.workflow import demo, moved_files
-from lispac.workflow.moved_files import (
+from lispac.workflow.planning import demo
+from lispac.workflow.project import moved_files
+from lispac.workflow.project.moved_files import (
     missing_files,
     with_files_beside,
     with_files_in,
     with_files_of,
 )
-from lispac.workflow.projects import (
+from lispac.workflow.project.projects import (
     create_project,
     open_project,
     open_project_with_notes,
     read_unsaved_project,
 )
-from lispac.workflow.survey import load_survey
+from lispac.workflow.project.survey import load_survey
 from tests.command_errors import command_error
 
 

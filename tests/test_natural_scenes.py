@@ -10,13 +10,13 @@ from lispac.adjustment.warnings import result_warnings
 from lispac.duplicate_targets import SIGMA_MARGIN, prediction_warnings
 from lispac.errors import RankDeficient, TargetNotFound
 from lispac.messages import error, note
-from lispac.workflow.calibration import estimate
-from lispac.workflow.proposal_acceptance import with_accepted
-from lispac.workflow.proposals import MAX_POOR, UNCHECKED, propose_targets
-from lispac.workflow.sighting_assessment import sighting_qualities
-from lispac.workflow.target_choice import MIN_TARGETS
-from lispac.workflow.targetless import targetless
-from lispac.workflow.validation import validate
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.proposal_acceptance import with_accepted
+from lispac.workflow.calibration.proposals import MAX_POOR, UNCHECKED, propose_targets
+from lispac.workflow.calibration.sighting_assessment import sighting_qualities
+from lispac.workflow.calibration.target_choice import MIN_TARGETS
+from lispac.workflow.calibration.targetless import targetless
+from lispac.workflow.checking.validation import validate
 from tests.natural_scenes import form_factors, natural_site, opened, study
 
 GOOD, NO_MORE, TENT, TWO, OPPOSITE = 6, 5, 7, 10, 11

@@ -9,7 +9,7 @@ from lispac.messages import Message, note
 from lispac.project import LineSource, Reading
 from lispac.survey.line_source import USUAL
 from lispac.survey.time_base import DAY
-from lispac.workflow.time_shift_advice import outside_trajectory_message, shift_gain_note
+from lispac.workflow.importing.time_shift_advice import outside_trajectory_message, shift_gain_note
 
 ROUND_MIDNIGHT = np.r_[np.linspace(DAY - 40, DAY - 1, 40), np.linspace(0, 39, 40)]
 """Seconds of the day as a file has them that was begun before midnight."""

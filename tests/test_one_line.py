@@ -10,18 +10,18 @@ from lispac.adjustment.result import ANGLES
 from lispac.design.plan_choices import thesis_plan
 from lispac.design.site import Site, Wall
 from lispac.errors import AdjustmentError, NotComparable, ProjectError
-from lispac.io.plan_file import TitledPlan
+from lispac.io.config.plan_file import TitledPlan
 from lispac.messages import note
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.workflow.calibration import complete_result
-from lispac.workflow.patch_test import propose_objects
-from lispac.workflow.picking import find_target, pick_target
-from lispac.workflow.plan_comparison import compare_with_plan
-from lispac.workflow.proposal_acceptance import with_accepted, without_picked
-from lispac.workflow.proposals import Proposal
-from lispac.workflow.survey import Survey
-from lispac.workflow.survey_sections import section_at_target
-from lispac.workflow.validation import validate
+from lispac.workflow.calibration.estimation import complete_result
+from lispac.workflow.calibration.patch_test import propose_objects
+from lispac.workflow.calibration.picking import find_target, pick_target
+from lispac.workflow.calibration.proposal_acceptance import with_accepted, without_picked
+from lispac.workflow.calibration.proposals import Proposal
+from lispac.workflow.checking.survey_sections import section_at_target
+from lispac.workflow.checking.validation import validate
+from lispac.workflow.planning.plan_comparison import compare_with_plan
+from lispac.workflow.project.survey import Survey
 from tests.few_passes import answered, on_board, picked
 
 

@@ -8,9 +8,9 @@ import pytest
 
 from lispac.errors import ProjectError
 from lispac.installation_paths import window_command
-from lispac.io.project_file import OPENER, OPENER_TEXT, read_project, write_project
+from lispac.io.project.project_file import OPENER, OPENER_TEXT, read_project, write_project
 from lispac.project import Project
-from lispac.workflow.input_files import find_project
+from lispac.workflow.importing.input_files import find_project
 
 
 @pytest.fixture

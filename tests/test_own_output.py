@@ -9,16 +9,20 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.sbet import write_sbet
-from lispac.io.text_export import write_trajectory_text
+from lispac.io.text.text_export import write_trajectory_text
+from lispac.io.trajectory.sbet import write_sbet
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow.data_export import export_planes, export_targets, export_trajectory
-from lispac.workflow.export_request import output_system_of
-from lispac.workflow.file_reading import check_file, read_trajectory, usual_or_detected_reading
-from lispac.workflow.line_points import read_chunks
-from lispac.workflow.projects import new_project
-from lispac.workflow.survey import Survey
+from lispac.workflow.importing.file_reading import (
+    check_file,
+    read_trajectory,
+    usual_or_detected_reading,
+)
+from lispac.workflow.importing.line_points import read_chunks
+from lispac.workflow.output.data_export import export_planes, export_targets, export_trajectory
+from lispac.workflow.output.export_request import output_system_of
+from lispac.workflow.project.projects import new_project
+from lispac.workflow.project.survey import Survey
 from tests.cloud_files import states, track, two_lines
 from tests.message_codes import codes
 
@@ -54,7 +58,7 @@ def test_targets_come_back(
 ) -> None:
     """As a line: the points of all sightings, with the line they are from."""
     project, survey = calibrated
-    from lispac.workflow.export_request import output_system_of
+    from lispac.workflow.output.export_request import output_system_of
 
     (path,) = export_targets(
         project, survey, tmp_path / "out", "estimated", ending=ending, names=["T1"],

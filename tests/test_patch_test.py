@@ -24,8 +24,8 @@ from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import place_points, to_lidar
 from lispac.survey.scan import Scan
 from lispac.survey.trajectory import Poses
-from lispac.workflow.method_runs import patch_test_result
-from lispac.workflow.patch_test import (
+from lispac.workflow.calibration.method_runs import patch_test_result
+from lispac.workflow.calibration.patch_test import (
     PlacedObjects,
     find_angle,
     find_boresight,
@@ -33,9 +33,9 @@ from lispac.workflow.patch_test import (
     place_objects,
     propose_objects,
 )
-from lispac.workflow.projects import create_project, open_project
-from lispac.workflow.simulate import RAW, as_triple, write_lines, write_trajectory
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.planning.simulate import RAW, as_triple, write_lines, write_trajectory
+from lispac.workflow.project.projects import create_project, open_project
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.error_codes import has_code
 from tests.message_codes import codes
 from tests.test_cli import answer

@@ -8,7 +8,7 @@ import pytest
 from lispac.geometry.frames import LocalFrame
 from lispac.geometry.rotations import rotation_angles, rotation_matrix
 from lispac.io.formats import recognise_formats
-from lispac.io.sbet import read_sbet, write_sbet
+from lispac.io.trajectory.sbet import read_sbet, write_sbet
 from lispac.survey.trajectory import LONGEST_GAP, LocalTrajectory, Trajectory
 
 PLACES = [

@@ -11,7 +11,7 @@ from lispac.design.plan_choices import thesis_plan
 from lispac.design.prediction import predict
 from lispac.design.site import Site, Wall
 from lispac.errors import InputError
-from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
+from lispac.io.config.plan_file import TitledPlan, read_plan, read_site, write_plan
 from lispac.simulation.closed_form_survey import Ball, Board
 from lispac.simulation.pos_errors import PosErrorModel
 

@@ -8,8 +8,8 @@ from lispac.adjustment.observability import RankDeficient
 from lispac.design.plan import Line, Plan
 from lispac.design.plan_choices import thesis_plan
 from lispac.design.site import Site, Wall
-from lispac.io.plan_file import TitledPlan
-from lispac.workflow.plan_checks import (
+from lispac.io.config.plan_file import TitledPlan
+from lispac.workflow.planning.plan_checks import (
     ONE_WAY,
     observability_messages,
     plan_warnings,

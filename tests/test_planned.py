@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from lispac.simulation.scene import Sphere
-from lispac.workflow.plan_simulation import is_plan, simulation_of_plan
-from lispac.workflow.projects import open_project
+from lispac.workflow.planning.plan_simulation import is_plan, simulation_of_plan
+from lispac.workflow.project.projects import open_project
 from tests.test_cli import answer, refused, run
 
 PORT = Path(__file__).parent / "data" / "port-plan.toml"

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io import las_chunks
 from lispac.io.formats import format_of
-from lispac.io.las import read_scan
-from lispac.io.line_times import read_line_times
+from lispac.io.las import las_chunks
+from lispac.io.las.las_format import read_scan
+from lispac.io.points.line_times import read_line_times
 from lispac.messages import Level, Message, error
 from tests import point_files as files
 from tests.test_points_damaged_headers import crc32c

@@ -9,11 +9,13 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io import las_chunks, pcd, point_records, text_chunks
 from lispac.io.format_types import FileFormat, FilePreview, PointChunk
-from lispac.io.las import read_scan
-from lispac.io.point_formats import POINTS
-from lispac.io.point_reader_common import crs_of_options
+from lispac.io.las import las_chunks
+from lispac.io.las.las_format import read_scan
+from lispac.io.points import pcd, point_records
+from lispac.io.points.point_formats import POINTS
+from lispac.io.points.point_reader_common import crs_of_options
+from lispac.io.text import text_chunks
 from lispac.message_texts import fact_text
 from tests import point_files as files
 from tests.error_codes import has_code

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from pyproj import CRS
 
 from lispac.errors import InputError
-from lispac.io.line_times import read_line_times
-from lispac.io.point_formats import POINTS
-from lispac.io.point_reader_common import crs_of_options
+from lispac.io.points.line_times import read_line_times
+from lispac.io.points.point_formats import POINTS
+from lispac.io.points.point_reader_common import crs_of_options
 from lispac.messages import error
 from lispac.survey.point_screening import PointScreen, PointSelection
 from tests import point_files as files
@@ -283,7 +283,7 @@ def test_file_removed_while_it_is_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, made: dict[str, Path]
 ) -> None:
     """Its content stays until it is closed; the next reading says that it is gone."""
-    monkeypatch.setattr("lispac.io.ply.CHUNK", 10)
+    monkeypatch.setattr("lispac.io.points.ply.CHUNK", 10)
     path = damaged(tmp_path, "a.ply", made["a.ply"].read_bytes())
     chunks = FORMATS["ply"].read(path, {})
     held = len(next(chunks).time)

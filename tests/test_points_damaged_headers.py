@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io import e57, pcd
-from lispac.io.point_formats import POINTS
+from lispac.io.points import e57, pcd
+from lispac.io.points.point_formats import POINTS
 from lispac.messages import error, note, warning
 from tests import point_files as files
 from tests.message_codes import codes

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io import text_chunks
-from lispac.io.first_points import check_first_points
 from lispac.io.formats import format_of
-from lispac.io.point_reader_common import crs_of_options
-from lispac.io.text_export import write_table
-from lispac.io.text_layout import RowLayout, guess_layout
-from lispac.io.text_table import clock_seconds, find_coordinates, last_lines
-from lispac.io.text_units import height_unit_of, unit_warnings
+from lispac.io.points.first_points import check_first_points
+from lispac.io.points.point_reader_common import crs_of_options
+from lispac.io.text import text_chunks
+from lispac.io.text.text_export import write_table
+from lispac.io.text.text_layout import RowLayout, guess_layout
+from lispac.io.text.text_table import clock_seconds, find_coordinates, last_lines
+from lispac.io.text.text_units import height_unit_of, unit_warnings
 from lispac.messages import Message, error, note, warning
 from lispac.survey.crs import coordinate_system
 from tests import point_files as files

@@ -9,13 +9,13 @@ import pytest
 
 from lispac.adjustment.result import ANGLES
 from lispac.duplicate_targets import all_warnings, prediction_warnings
-from lispac.io.project_file import read_project, write_project
+from lispac.io.project.project_file import read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import Level, note
 from lispac.project import Project, ProposalPrediction
-from lispac.workflow.proposal_acceptance import with_accepted
-from lispac.workflow.proposals import Proposal
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.proposal_acceptance import with_accepted
+from lispac.workflow.calibration.proposals import Proposal
+from lispac.workflow.project.survey import Survey
 
 ABOVE, BELOW = "targets.sigma_above_prediction", "targets.sigma_below_prediction"
 

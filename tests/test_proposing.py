@@ -23,13 +23,13 @@ from lispac.survey.cloud import CloudInMemory
 from lispac.survey.scan import Scan
 from lispac.targets.plane_detection import DetectedPlane
 from lispac.targets.sighting_quality import SightingQuality, undetermined_quality
-from lispac.workflow import proposals
-from lispac.workflow.calibration import estimate
-from lispac.workflow.projects import open_project
-from lispac.workflow.proposals import propose_targets
-from lispac.workflow.sighting_assessment import lidar_noise, sighting_qualities
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.validation import validate
+from lispac.workflow.calibration import proposals
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.proposals import propose_targets
+from lispac.workflow.calibration.sighting_assessment import lidar_noise, sighting_qualities
+from lispac.workflow.checking.validation import validate
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.few_passes import passes
 from tests.finder_scenes import WALL, Site, rippled, site
 from tests.test_finder_sites import board, wall

@@ -10,9 +10,9 @@ import open3d as o3d
 import pytest
 
 from lispac.errors import InputError
-from lispac.io import pts
-from lispac.io.static_scan import open_static_scan
-from lispac.workflow.file_reading import check_file
+from lispac.io.points.static_scan import open_static_scan
+from lispac.io.text import pts
+from lispac.workflow.importing.file_reading import check_file
 from tests.point_files import RING, XYZ
 from tests.static_scans import write_pts
 

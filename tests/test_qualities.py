@@ -11,8 +11,8 @@ from lispac.cli.main import main
 from lispac.project import Project
 from lispac.targets.boresight_smear import PRIOR_OFF, remove_smear
 from lispac.targets.sighting_quality import plane_quality
-from lispac.workflow.sighting_assessment import assess_sightings, sighting_qualities
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.sighting_assessment import assess_sightings, sighting_qualities
+from lispac.workflow.project.survey import Survey
 from tests.message_codes import codes
 from tests.test_quality import NOISE, board, fit_plane
 

@@ -12,8 +12,8 @@ from lispac.targets.expected_target import ExpectedTarget, deviations_from_expec
 from lispac.targets.plane_finder import patch_of
 from lispac.targets.rough_alignment import Alignment
 from lispac.targets.sighting_quality import SightingQuality, plane_quality, sphere_quality
-from lispac.workflow.picking import find_target
-from lispac.workflow.sighting_assessment import assess_target
+from lispac.workflow.calibration.picking import find_target
+from lispac.workflow.calibration.sighting_assessment import assess_target
 from tests.message_codes import codes, texts
 from tests.test_finder_sites import click, scenery
 

@@ -10,15 +10,15 @@ from pyproj import CRS
 
 from lispac.cli.main import main
 from lispac.errors import InputError
-from lispac.io.sbet import read_sbet
+from lispac.io.trajectory.sbet import read_sbet
 from lispac.message_texts import message_text
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.file_reading import check_file
-from lispac.workflow.projects import new_project, open_project
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.importing.file_reading import check_file
+from lispac.workflow.project.projects import new_project, open_project
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.command_errors import command_error, is_refusal
 from tests.error_codes import has_code
 

@@ -8,10 +8,10 @@ import pytest
 from lispac.errors import InputError
 from lispac.messages import Message, note
 from lispac.project import Project
-from lispac.workflow import references
-from lispac.workflow.absolute_check import check_absolute
-from lispac.workflow.references import read_reference
-from lispac.workflow.survey import Survey
+from lispac.workflow.checking import references
+from lispac.workflow.checking.absolute_check import check_absolute
+from lispac.workflow.checking.references import read_reference
+from lispac.workflow.project.survey import Survey
 from tests.few_passes import answered, on_board, passes
 
 

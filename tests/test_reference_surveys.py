@@ -16,17 +16,17 @@ from lispac.adjustment.robust_loss import LossName
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic_model import POS_ERRORS, PosErrors, StochasticModel
 from lispac.geometry.planes import fit_plane
-from lispac.io.las import read_scan
-from lispac.io.sbet import read_sbet
+from lispac.io.las.las_format import read_scan
+from lispac.io.trajectory.sbet import read_sbet
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.file_reading import detect_reading
-from lispac.workflow.picking import pick_target
-from lispac.workflow.projects import create_project, open_project, save_project
-from lispac.workflow.survey import load_survey
-from lispac.workflow.validation import validate
+from lispac.workflow.calibration.picking import pick_target
+from lispac.workflow.checking.validation import validate
+from lispac.workflow.importing.file_reading import detect_reading
+from lispac.workflow.project.projects import create_project, open_project, save_project
+from lispac.workflow.project.survey import load_survey
 from tests.test_cli import answer
 from tests.test_reading import write_cloud
 from tests.test_truth import beside_truth

@@ -18,19 +18,21 @@ import pytest
 from lispac.duplicate_targets import all_warnings
 from lispac.errors import AdjustmentError, InputError, PlaneNotFound, ProjectError
 from lispac.io.files import require_file
-from lispac.io.project_file import read_project
+from lispac.io.project.project_file import read_project
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, error, note
 from lispac.project import LineSource, PickedSighting, Project, Settings
 from lispac.report.content import report_content
 from lispac.warning_causes import Cause
-from lispac.workflow import calibration, picking, projects
-from lispac.workflow.calibration_history import find_projects, read_histories
-from lispac.workflow.demo import make_demo
-from lispac.workflow.project_copy import save_project_as
-from lispac.workflow.projects import open_project
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.validation import validate
+from lispac.workflow.calibration import estimation as calibration
+from lispac.workflow.calibration import picking
+from lispac.workflow.checking.calibration_history import find_projects, read_histories
+from lispac.workflow.checking.validation import validate
+from lispac.workflow.planning.demo import make_demo
+from lispac.workflow.project import projects
+from lispac.workflow.project.project_copy import save_project_as
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.message_codes import codes
 
 

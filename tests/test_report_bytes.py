@@ -15,9 +15,9 @@ from lispac.project import Project
 from lispac.report.html import write_html
 from lispac.report.json_report import write_json
 from lispac.report.pdf import write_pdf
-from lispac.workflow.export import write_report
-from lispac.workflow.projects import open_project
-from lispac.workflow.survey import load_survey
+from lispac.workflow.output.export import write_report
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import load_survey
 from tests.report_sample import MADE, sample_content, sample_project
 from tests.test_report import _pdf_text
 
@@ -32,7 +32,7 @@ from lispac.report.html import write_html
 from lispac.report.json_report import write_json
 from lispac.report.pdf import write_pdf
 from lispac.report.csv_tables import write_tables
-from lispac.workflow.report_options import report_options
+from lispac.workflow.output.report_options import report_options
 from tests.report_sample import sample_content, sample_project
 from tests.test_identity import FULL
 

@@ -32,7 +32,7 @@ from lispac.survey.conventions.conversion import (
 from lispac.survey.conventions.mounting_texts import CHECK_FIRST, UNCORRELATED_WARNING
 from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
 from lispac.survey.georeferencing import Mounting
-from lispac.workflow.report_options import KEYS, report_options
+from lispac.workflow.output.report_options import KEYS, report_options
 from tests.command_errors import codes_of, is_refusal
 from tests.report_sample import sample_content, sample_project
 from tests.test_identity import FULL

@@ -12,8 +12,8 @@ from lispac.cli.main import main
 from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.report.json_report import json_text
-from lispac.workflow.export import write_report
-from lispac.workflow.survey import load_survey
+from lispac.workflow.output.export import write_report
+from lispac.workflow.project.survey import load_survey
 from tests.report_sample import sample_content, sample_project
 from tests.report_schema import PATH, followed, schema_text
 from tests.test_identity import FULL

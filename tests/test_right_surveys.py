@@ -8,14 +8,14 @@ import laspy
 import numpy as np
 import pytest
 
-from lispac.io.las_crs_writer import OWN_ID
+from lispac.io.las.las_crs_writer import OWN_ID
 from lispac.messages import Level
 from lispac.project import LineSource, Project, Reading
-from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.projects import new_project
-from lispac.workflow.simulate import simulate
-from lispac.workflow.simulated_setup import read_simulation
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.output.georeferencing import georeference_project
+from lispac.workflow.planning.simulate import simulate
+from lispac.workflow.planning.simulated_setup import read_simulation
+from lispac.workflow.project.projects import new_project
+from lispac.workflow.project.survey import Survey, load_survey
 
 SURVEYS = list(
     product(

@@ -11,25 +11,25 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError, ProjectError
-from lispac.io import project_file
-from lispac.io.las import write_points
-from lispac.io.project_file import write_project
+from lispac.io.las.las_format import write_points
+from lispac.io.project import project_file
+from lispac.io.project.project_file import write_project
 from lispac.progress import Progress
 from lispac.project import LineSource, Project
 from lispac.survey.store.import_lock import lock_folder
 from lispac.survey.store.stored_line import StoredLine
-from lispac.workflow.line_import import LINES, import_lines, line_folder
-from lispac.workflow.project_copy import MARK, save_project_as
-from lispac.workflow.projects import open_project
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.importing.line_import import LINES, import_lines, line_folder
+from lispac.workflow.project.project_copy import MARK, save_project_as
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.few_passes import picked
 
 KILLED = """
 import os, signal, sys
 from pathlib import Path
-from lispac.io.project_file import read_project
-from lispac.workflow import project_copy
-from lispac.workflow.survey import load_survey
+from lispac.io.project.project_file import read_project
+from lispac.workflow.project import project_copy
+from lispac.workflow.project.survey import load_survey
 
 def die(*_, **named):
     os.kill(os.getpid(), signal.SIGKILL)

@@ -6,8 +6,8 @@ import pytest
 from lispac.errors import InputError
 from lispac.io.format_types import LIKELY, NOT, POSSIBLE, SURE, FilePreview
 from lispac.io.formats import format_of, recognise_formats
-from lispac.io.sbet_detection import detect_sbet, sample_blocks
-from lispac.io.sbet_motion import velocity_in_axes
+from lispac.io.trajectory.sbet_detection import detect_sbet, sample_blocks
+from lispac.io.trajectory.sbet_motion import velocity_in_axes
 from lispac.message_texts import message_text
 from lispac.messages import error, note, warning
 from tests.message_codes import codes
@@ -339,7 +339,7 @@ def test_a_file_that_is_lost_while_it_is_looked_at(
     path = write_records(tmp_path / "a.sbet", vessel(200))
     assert len(sample_blocks(path)[0][0]) == sample_blocks(path)[1] == 200
     assert sample_blocks(tmp_path / "absent") == ([], 0)
-    monkeypatch.setattr("lispac.io.sbet_detection.np.memmap", lost)
+    monkeypatch.setattr("lispac.io.trajectory.sbet_detection.np.memmap", lost)
     with pytest.raises(InputError) as refused:
         detect_sbet(path)
     assert refused.value.message == error("sbet.not_readable", file=str(path))

@@ -17,9 +17,9 @@ from lispac.geometry.rotations import rotation_matrix
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.scan import Scan
-from lispac.workflow.calibration import observations_of
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.targetless import TargetlessResult, targetless
+from lispac.workflow.calibration.estimation import observations_of
+from lispac.workflow.calibration.targetless import TargetlessResult, targetless
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.test_targetless import FEW, error, few_surfaces, with_scans
 
 Opened = tuple[Project, Survey]

@@ -8,9 +8,9 @@ import pytest
 
 from lispac.errors import InputError, ProjectError
 from lispac.installation_paths import resource_path
-from lispac.io.scanner_file import read_scanner
-from lispac.io.scene_file import read_scene
-from lispac.io.vessel_file import read_vessel
+from lispac.io.config.scanner_file import read_scanner
+from lispac.io.config.scene_file import read_scene
+from lispac.io.config.vessel_file import read_vessel
 from lispac.simulation.pos_error_models import (
     CombinedModel,
     GnssOutage,
@@ -30,8 +30,8 @@ from lispac.simulation.simulated_survey import (
     simulate_survey,
 )
 from lispac.simulation.vessel_motion import LAUNCH
-from lispac.workflow.simulate import _surveyor_settings, require_replaceable
-from lispac.workflow.simulated_setup import KINDS, read_simulation, supplied_titles
+from lispac.workflow.planning.simulate import _surveyor_settings, require_replaceable
+from lispac.workflow.planning.simulated_setup import KINDS, read_simulation, supplied_titles
 from tests.test_meshes import as_mesh, write_mesh
 
 SCENE = """

@@ -16,11 +16,11 @@ from lispac.errors import InputError
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.project import Project
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.point_edits import without_points
-from lispac.workflow.point_numbers import numbers_text, point_numbers
-from lispac.workflow.script import Script, script_of
-from lispac.workflow.script_text import SHORT, call_text, python_literal, split_text_code
+from lispac.workflow.calibration.point_edits import without_points
+from lispac.workflow.calibration.point_numbers import numbers_text, point_numbers
+from lispac.workflow.output.script import Script, script_of
+from lispac.workflow.output.script_text import SHORT, call_text, python_literal, split_text_code
+from lispac.workflow.planning.demo import demo_seeds
 from tests.script_runs import run, run_here, same_part
 
 

@@ -13,11 +13,11 @@ from lispac.progress import no_progress
 from lispac.project import LineSource, PickedSighting, Project, Reading, Target
 from lispac.targets.expected_target import ExpectedTarget
 from lispac.targets.finder_settings import FinderChoices
-from lispac.workflow.absolute_check import check_absolute
-from lispac.workflow.script import script_of
-from lispac.workflow.script_targets import target_steps
-from lispac.workflow.script_text import call_text
-from lispac.workflow.survey import Survey
+from lispac.workflow.checking.absolute_check import check_absolute
+from lispac.workflow.output.script import script_of
+from lispac.workflow.output.script_targets import target_steps
+from lispac.workflow.output.script_text import call_text
+from lispac.workflow.project.survey import Survey
 from tests.few_passes import answered, on_board, picked
 
 

@@ -15,7 +15,7 @@ import lispac
 from lispac.cli.main import main
 from lispac.io.value_conversion import encode_value
 from lispac.project import Project
-from lispac.workflow.demo import demo_seeds
+from lispac.workflow.planning.demo import demo_seeds
 from tests.command_errors import is_refusal
 
 CHECKOUT = Path(__file__).resolve().parents[1]

@@ -17,8 +17,8 @@ from lispac.targets.cross_section import (
     section_across_target,
     section_between,
 )
-from lispac.workflow.survey import Survey
-from lispac.workflow.survey_sections import cut_between_points, section_at_target
+from lispac.workflow.checking.survey_sections import cut_between_points, section_at_target
+from lispac.workflow.project.survey import Survey
 
 numbers = st.floats(-100, 100)
 places = st.tuples(numbers, numbers, numbers).map(np.array)

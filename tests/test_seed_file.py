@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.seed_file import PointList, is_point_list, read_point_list
+from lispac.io.text.seed_file import PointList, is_point_list, read_point_list
 
 THREE = [("T1", (12.5, -3.25, 1.0)), ("V1", (40.0, 18.5, 22.0)), ("T2", (15.9, -3.0, 1.1))]
 

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from lispac.errors import Cancelled, InputError, ProjectError
-from lispac.io.project_file import FILE_NAME, read_project
+from lispac.io.project.project_file import FILE_NAME, read_project
 from lispac.progress import Step
 from lispac.project import Project
 from lispac.survey.crs import coordinate_system
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.picking import find_target
-from lispac.workflow.seed_lists import pick_seeds, read_seeds, role_by_name
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.calibration.picking import find_target
+from lispac.workflow.calibration.seed_lists import pick_seeds, read_seeds, role_by_name
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.command_errors import command_error
 from tests.test_cli import run
 

@@ -9,8 +9,8 @@ from PySide6.QtCore import QStandardPaths
 
 from lispac.errors import InputError
 from lispac.installation_paths import resource_path, user_folder
-from lispac.io.scanner_file import read_scanner
-from lispac.io.sensor_file import (
+from lispac.io.config.scanner_file import read_scanner
+from lispac.io.config.sensor_file import (
     STATES,
     PosAccuracy,
     PosSpecification,
@@ -20,8 +20,8 @@ from lispac.io.sensor_file import (
 from lispac.language import in_language
 from lispac.message_texts import english_text
 from lispac.project import Settings
-from lispac.workflow import sensors
-from lispac.workflow.projects import open_project
+from lispac.workflow.planning import sensors
+from lispac.workflow.project.projects import open_project
 from tests.command_errors import command_error
 from tests.test_cli import answer, new_words, run
 

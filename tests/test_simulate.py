@@ -11,12 +11,12 @@ from lispac.adjustment.result import ANGLES
 from lispac.cli.main import main
 from lispac.geometry.frames import LocalFrame
 from lispac.installation_paths import resource_path
-from lispac.io.las import read_scan
-from lispac.io.sbet import read_sbet, read_smrmsg
+from lispac.io.las.las_format import read_scan
+from lispac.io.trajectory.sbet import read_sbet, read_smrmsg
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
-from lispac.workflow.projects import open_project
-from lispac.workflow.simulated_setup import read_simulation
+from lispac.workflow.planning.simulated_setup import read_simulation
+from lispac.workflow.project.projects import open_project
 from tests.command_errors import command_error
 
 BORESIGHT_DEG = (0.8, -0.5, 1.1)
@@ -335,7 +335,7 @@ def test_a_simulation_that_cannot_be_written_leaves_the_earlier_one(
     def full(*_: object) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr("lispac.workflow.simulate.write_smrmsg", full)
+    monkeypatch.setattr("lispac.workflow.planning.simulate.write_smrmsg", full)
     refused(capsys, *words, tmp_path / "survey", "--seed", 7)
     refused(capsys, *words, tmp_path / "new" / "survey")
     after = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}

@@ -16,8 +16,8 @@ from lispac.simulation.pos_error_models import WhiteNoise
 from lispac.simulation.scene import tilted_rectangle
 from lispac.simulation.simulated_survey import simulate_survey
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.projects import open_project
-from lispac.workflow.simulated_setup import read_simulation
+from lispac.workflow.planning.simulated_setup import read_simulation
+from lispac.workflow.project.projects import open_project
 from tests.test_meshes import as_mesh, write_mesh
 
 SITE = """

@@ -11,17 +11,21 @@ from lispac.errors import InputError, ProjectError
 from lispac.progress import Step
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.store.original_file import source_file_of
-from lispac.workflow.file_reading import detect_reading, local_trajectory, usual_or_detected_reading
-from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.line_import import _LineFileReader, import_line
-from lispac.workflow.line_points import LinePoints
-from lispac.workflow.projects import (
+from lispac.workflow.importing.file_reading import (
+    detect_reading,
+    local_trajectory,
+    usual_or_detected_reading,
+)
+from lispac.workflow.importing.line_import import _LineFileReader, import_line
+from lispac.workflow.importing.line_points import LinePoints
+from lispac.workflow.output.georeferencing import georeference_project
+from lispac.workflow.project.projects import (
     create_project,
     read_unsaved_project,
     require_folder,
     with_lines_added,
 )
-from lispac.workflow.survey import load_survey
+from lispac.workflow.project.survey import load_survey
 from tests.intake_files import LEVER, START, fan, write_line, write_survey
 from tests.trajectory_files import write_records
 

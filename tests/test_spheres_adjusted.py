@@ -11,7 +11,7 @@ from lispac.adjustment.stochastic_model import POS_ERRORS, StochasticModel
 from lispac.cli.main import main
 from lispac.errors import ProjectError, SphereNotFound
 from lispac.geometry.spheres import visible_share
-from lispac.io.project_file import FILE_NAME
+from lispac.io.project.project_file import FILE_NAME
 from lispac.messages import note
 from lispac.project import Project
 from lispac.simulation.closed_form_survey import (
@@ -23,8 +23,9 @@ from lispac.simulation.closed_form_survey import (
 )
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.survey.georeferencing import Mounting
-from lispac.workflow import calibration, picking
-from lispac.workflow.projects import open_project, save_project
+from lispac.workflow.calibration import estimation as calibration
+from lispac.workflow.calibration import picking
+from lispac.workflow.project.projects import open_project, save_project
 from tests.ball_survey import BALLS, BORESIGHT_DEG, NAMES, BallSurvey, make_ball_survey
 
 LEVER_ARM = np.array([-0.2, 0.04, 2.4])

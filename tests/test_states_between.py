@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.geometry.frames import LocalFrame
-from lispac.io.sbet import SbetOptions, read_sbet
+from lispac.io.trajectory.sbet import SbetOptions, read_sbet
 from lispac.survey.georeferencing import Mounting, place_points, to_lidar
 from lispac.survey.state_densification import LIMIT, attitude_rates, hermite_cubic
 from lispac.survey.trajectory import LocalTrajectory, Trajectory

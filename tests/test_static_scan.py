@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.static_scan import open_static_scan
+from lispac.io.points.static_scan import open_static_scan
 from tests import point_files
 from tests.point_files import XYZ
 

@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from lispac.errors import ProjectError
-from lispac.io.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_file import FILE_NAME, read_project, write_project
 from lispac.language import in_language
 from lispac.message_texts import message_text
 from lispac.messages import error, note
 from lispac.warning_causes import Cause
-from lispac.workflow.warnings import warnings_of
+from lispac.workflow.checking.warnings import warnings_of
 from tests.report_sample import sample_project
 
 DATA = Path(__file__).parent / "data"

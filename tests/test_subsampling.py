@@ -7,9 +7,9 @@ import pytest
 
 from lispac.errors import InputError, ProjectError
 from lispac.project import Project
-from lispac.workflow.calibration import estimate
-from lispac.workflow.subsampling import subsampling_study
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.checking.subsampling import subsampling_study
+from lispac.workflow.project.survey import Survey
 
 
 def test_each_row_is_an_adjustment(calibrated: tuple[Project, Survey]) -> None:

@@ -11,15 +11,15 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.project_file import write_project
-from lispac.io.sbet import write_sbet
+from lispac.io.project.project_file import write_project
+from lispac.io.trajectory.sbet import write_sbet
 from lispac.project import LineSource, Project, Reading, Settings
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow.export_request import ExportRequest, export, output_system_of
-from lispac.workflow.file_reading import local_trajectory
-from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.output_crs import trajectory_datum_of
-from lispac.workflow.survey import load_survey
+from lispac.workflow.importing.file_reading import local_trajectory
+from lispac.workflow.output.export_request import ExportRequest, export, output_system_of
+from lispac.workflow.output.georeferencing import georeference_project
+from lispac.workflow.output.output_crs import trajectory_datum_of
+from lispac.workflow.project.survey import load_survey
 from tests.cloud_files import MOUNTING, sweep, track, written_las
 from tests.command_errors import command_error
 

@@ -11,21 +11,21 @@ import pytest
 from lispac.adjustment.warnings import result_warnings
 from lispac.errors import AdjustmentError
 from lispac.geometry.rotations import rotation_matrix
-from lispac.io.project_file import read_project, write_project
+from lispac.io.project.project_file import read_project, write_project
 from lispac.messages import note
 from lispac.method_comparison import method_results, missing_methods
 from lispac.project import Project
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import Mounting, place_points, to_lidar
 from lispac.survey.scan import Scan
-from lispac.workflow.calibration import estimate
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.export import write_report
-from lispac.workflow.method_runs import with_targetless_result
-from lispac.workflow.picking import pick_target
-from lispac.workflow.projects import open_project
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.targetless import TargetlessResult, targetless
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.method_runs import with_targetless_result
+from lispac.workflow.calibration.picking import pick_target
+from lispac.workflow.calibration.targetless import TargetlessResult, targetless
+from lispac.workflow.output.export import write_report
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.sharing import once
 from tests.test_cli import answer, run
 from tests.test_reference_surveys import angles, make

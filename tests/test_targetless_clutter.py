@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.workflow.targetless import targetless
+from lispac.workflow.calibration.targetless import targetless
 from tests.test_targetless import FEW, jumped, leaves_and_waves
 from tests.test_targetless_coverage import surveyed
 

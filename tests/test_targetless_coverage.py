@@ -12,10 +12,10 @@ import pytest
 from lispac.project import Project, Settings
 from lispac.simulation.simulated_survey import port_survey
 from lispac.survey.georeferencing import Mounting
-from lispac.workflow.projects import create_project
-from lispac.workflow.simulate import RAW, as_triple, write_lines, write_trajectory
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.targetless import targetless
+from lispac.workflow.calibration.targetless import targetless
+from lispac.workflow.planning.simulate import RAW, as_triple, write_lines, write_trajectory
+from lispac.workflow.project.projects import create_project
+from lispac.workflow.project.survey import Survey, load_survey
 
 NOISE = 0.0019
 """Metres: of the simulated scanner."""

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from lispac.errors import InputError
 from lispac.io.format_types import PointChunk
 from lispac.io.formats import format_of, recognise_formats
-from lispac.io.text_table import degrees_and_minutes, degrees_minutes_seconds
+from lispac.io.text.text_table import degrees_and_minutes, degrees_minutes_seconds
 from lispac.survey.trajectory import Trajectory
 
 TIME = 1000.0 + 0.01 * np.arange(50)

@@ -13,7 +13,7 @@ from lispac.errors import InputError
 from lispac.project import Settings
 from lispac.survey.georeferencing import Mounting
 from lispac.targets.thinning import thin_points
-from lispac.workflow.calibration import thin_observations
+from lispac.workflow.calibration.estimation import thin_observations
 from tests.surveys import planar_survey
 
 POINTS = arrays(

@@ -8,7 +8,7 @@ import pytest
 
 from lispac.cli.main import main
 from lispac.io.formats import format_of
-from lispac.io.line_times import read_line_times
+from lispac.io.points.line_times import read_line_times
 from lispac.messages import Message, note
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import DAY, WEEK
@@ -18,11 +18,11 @@ from lispac.survey.time_rollover import (
     restore_rollover,
     rollover_note,
 )
-from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.input_files import InputFiles
-from lispac.workflow.line_import import import_lines
-from lispac.workflow.projects import new_project, open_project
-from lispac.workflow.survey import load_survey
+from lispac.workflow.importing.input_files import InputFiles
+from lispac.workflow.importing.line_import import import_lines
+from lispac.workflow.output.georeferencing import georeference_project
+from lispac.workflow.project.projects import new_project, open_project
+from lispac.workflow.project.survey import load_survey
 from tests.intake_files import LEVER, START, codes_about, named, taken_in, write_line
 from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
@@ -144,7 +144,7 @@ def test_the_dialogue_counts_on_and_says_so(tmp_path: Path) -> None:
 
 
 def test_a_long_line_is_counted_on_by_a_sample(tmp_path: Path, monkeypatch) -> None:
-    monkeypatch.setattr("lispac.io.line_times.READ_WHOLE", 10_000)
+    monkeypatch.setattr("lispac.io.points.line_times.READ_WHOLE", 10_000)
     times = np.mod(DAY - 5000 + np.linspace(0, 5400, 60_000), DAY)
     line = write_line(tmp_path / "long.las", times)
     found = read_line_times(line, format_of("las"), {})

@@ -16,10 +16,10 @@ from lispac.survey.known_time_base import (
     time_base_error,
 )
 from lispac.survey.time_base import WEEK, TimeMatch, base_of_key
-from lispac.workflow.input_files import InputFiles
-from lispac.workflow.line_import import assumptions_of, import_lines
-from lispac.workflow.projects import new_project, open_project, with_lines_added
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.importing.input_files import InputFiles
+from lispac.workflow.importing.line_import import assumptions_of, import_lines
+from lispac.workflow.project.projects import new_project, open_project, with_lines_added
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.command_errors import command_error
 from tests.intake_files import LEVER, START, codes_about, named, taken_in, write_line
 from tests.message_codes import codes

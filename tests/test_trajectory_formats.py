@@ -15,8 +15,8 @@ from lispac.io.formats import (
     formats_of,
     recognise_formats,
 )
-from lispac.io.sbet import write_smrmsg
-from lispac.io.text_table import clock_seconds, date_seconds, degrees_minutes_seconds
+from lispac.io.text.text_table import clock_seconds, date_seconds, degrees_minutes_seconds
+from lispac.io.trajectory.sbet import write_smrmsg
 from lispac.message_texts import message_text
 from lispac.messages import note, warning
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy

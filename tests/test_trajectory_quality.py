@@ -7,8 +7,8 @@ import pytest
 
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.trajectory_quality import trajectory_on_lines
+from lispac.workflow.checking.trajectory_quality import trajectory_on_lines
+from lispac.workflow.project.survey import Survey, load_survey
 from tests.few_passes import picked
 
 

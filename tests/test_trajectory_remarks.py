@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from lispac.errors import InputError
-from lispac.io import trajectory_preview
 from lispac.io.formats import format_of
-from lispac.io.trajectory_checks import require_attitude
-from lispac.io.trajectory_facts import time_warnings
-from lispac.io.trajectory_preview import accuracy_facts
+from lispac.io.trajectory import trajectory_preview
+from lispac.io.trajectory.trajectory_checks import require_attitude
+from lispac.io.trajectory.trajectory_facts import time_warnings
+from lispac.io.trajectory.trajectory_preview import accuracy_facts
 from lispac.messages import error, note, warning
 from lispac.survey.trajectory import TrajectoryAccuracy
 from tests.message_codes import codes

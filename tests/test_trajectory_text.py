@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from lispac.io.formats import format_of, recognise_formats
-from lispac.io.text_table import split_fields
+from lispac.io.text.text_table import split_fields
 from lispac.messages import Level
-from lispac.workflow.input_file import examine_file
-from lispac.workflow.input_file_messages import option_to_choose
-from lispac.workflow.input_files import InputFiles
+from lispac.workflow.importing.input_file import examine_file
+from lispac.workflow.importing.input_file_messages import option_to_choose
+from lispac.workflow.importing.input_files import InputFiles
 from tests.trajectory_files import vessel, write_pospac
 
 ASCII, POSPAC = format_of("ascii-trajectory"), format_of("pospac-text")

@@ -7,8 +7,8 @@ import pyproj
 import pytest
 
 from lispac.errors import InputError
-from lispac.io.exail import parse_unit
 from lispac.io.formats import format_of, recognise_formats
+from lispac.io.trajectory.exail import parse_unit
 from lispac.messages import Message, error, note, warning
 from lispac.survey.trajectory import Trajectory
 from tests.message_codes import codes

@@ -10,8 +10,8 @@ from lispac.errors import ProjectError
 from lispac.geometry.planes import fit_plane, plane_axes
 from lispac.project import Project, Target
 from lispac.survey.trajectory import Poses
-from lispac.workflow.survey import Survey
-from lispac.workflow.validation import validate_with_truth
+from lispac.workflow.checking.validation import validate_with_truth
+from lispac.workflow.project.survey import Survey
 
 ENOUGH = 2000
 """Points of a line whose mean tells how far it moves: between them the moves differ by little."""

@@ -17,8 +17,8 @@ import pytest
 import lispac
 from lispac import locks
 from lispac.errors import ProjectChanged, ProjectError
-from lispac.io import project_lock as locking
-from lispac.io.project_file import (
+from lispac.io.project import project_lock as locking
+from lispac.io.project.project_file import (
     FILE_NAME,
     SIGHTINGS,
     read_project,
@@ -26,7 +26,7 @@ from lispac.io.project_file import (
     write_project,
     write_unsaved,
 )
-from lispac.io.project_lock import LOCK_NAME, project_lock
+from lispac.io.project.project_lock import LOCK_NAME, project_lock
 from lispac.project import Project
 from tests.concurrent_commands import Serial, commands, copy_of, drawn, pool, run, state
 

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.io.project_file import FILE_NAME, read_project, write_project
-from lispac.io.project_upgrades import SCHEMA_VERSION
+from lispac.io.project.project_file import FILE_NAME, read_project, write_project
+from lispac.io.project.project_upgrades import SCHEMA_VERSION
 from lispac.io.value_conversion import decode_value, encode_value
 from lispac.validation.absolute_messages import absolute_check_messages
-from lispac.workflow.projects import open_project
+from lispac.workflow.project.projects import open_project
 from tests.message_codes import codes
 from tests.report_sample import sample_project
 

@@ -15,7 +15,7 @@ from lispac.simulation.scene import Scene
 from lispac.simulation.simulated_survey import SurveySetup, simulate_survey
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
-from lispac.workflow.simulated_setup import read_simulation
+from lispac.workflow.planning.simulated_setup import read_simulation
 
 SURVEYS = 6
 

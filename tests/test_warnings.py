@@ -19,10 +19,10 @@ from lispac.project import PickedSighting, Project, Target
 from lispac.report.json_report import json_text
 from lispac.survey.lever_arm_warnings import lever_arm_warnings
 from lispac.warning_causes import Cause
-from lispac.workflow.projects import open_project
-from lispac.workflow.sighting_assessment import sighting_qualities
-from lispac.workflow.survey import load_survey
-from lispac.workflow.warnings import LISTED_SINGLY, warnings_of
+from lispac.workflow.calibration.sighting_assessment import sighting_qualities
+from lispac.workflow.checking.warnings import LISTED_SINGLY, warnings_of
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import load_survey
 from tests.few_passes import picked
 from tests.report_sample import sample_content, sample_project
 

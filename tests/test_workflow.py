@@ -19,12 +19,14 @@ from lispac.project import Project
 from lispac.simulation.simulated_survey import port_survey
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
-from lispac.workflow import calibration, export, picking
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.output_crs import LOCAL
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.validation import validate
+from lispac.workflow.calibration import estimation as calibration
+from lispac.workflow.calibration import picking
+from lispac.workflow.checking.validation import validate
+from lispac.workflow.output import export
+from lispac.workflow.output.georeferencing import georeference_project
+from lispac.workflow.output.output_crs import LOCAL
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.survey import Survey, load_survey
 
 
 def test_noise_free_survey_gives_the_boresight_back() -> None:

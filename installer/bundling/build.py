@@ -67,7 +67,7 @@ def build_manual() -> None:
     BundleError
     """
     from lispac.errors import InputError
-    from lispac.workflow import manual
+    from lispac.workflow.output import manual
 
     shutil.rmtree(BUILD / "manual", ignore_errors=True)
     try:

@@ -17,7 +17,7 @@ WINDOW = "lispac-gui"
 PROGRAMS = (COMMAND_LINE, WINDOW)
 """In one folder; the first is for a terminal, the second has the window."""
 ENDING = "lispac"
-"""Of the file that opens its folder's project (lispac/io/project_file.py)."""
+"""Of the file that opens its folder's project (lispac/io/project/project_file.py)."""
 MIME_TYPE = "application/x-lispac-project"
 DOCUMENT = "LISPAC project"
 DOCUMENT_FR = "Projet LISPAC"

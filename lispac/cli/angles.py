@@ -28,7 +28,7 @@ from lispac.survey.conventions.present_settings import (
     replace_settings,
 )
 from lispac.survey.conventions.systems import convention_of_key
-from lispac.workflow.projects import open_project
+from lispac.workflow.project.projects import open_project
 
 Array = NDArray[np.float64]
 

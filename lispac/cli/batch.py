@@ -10,8 +10,8 @@ from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.errors import ProjectError
 from lispac.messages import error
-from lispac.workflow.batch import BatchRow, calibrate_each, write_table
-from lispac.workflow.report_options import report_options
+from lispac.workflow.checking.batch import BatchRow, calibrate_each, write_table
+from lispac.workflow.output.report_options import report_options
 
 
 def batch(arguments: Namespace) -> None:

@@ -8,9 +8,9 @@ from lispac.cli.console import ConsoleProgress, print_json
 from lispac.message_texts import message_text
 from lispac.report.budget_values import ErrorBudgetValues
 from lispac.report.json_report import english_values
-from lispac.workflow.budget import error_budget_of
-from lispac.workflow.projects import open_project
-from lispac.workflow.survey import load_survey
+from lispac.workflow.checking.budget import error_budget_of
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import load_survey
 
 
 def budget(arguments: Namespace) -> None:

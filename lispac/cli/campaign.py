@@ -8,9 +8,9 @@ from lispac.adjustment.result import ANGLES
 from lispac.cli.cluster_access import cluster_access
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.design.monte_carlo import MonteCarloResult
-from lispac.io.plan_file import read_plan
-from lispac.workflow.parallel_map import choose_mapper
-from lispac.workflow.plan_checks import result_heading, simulate_surveys
+from lispac.io.config.plan_file import read_plan
+from lispac.workflow.planning.parallel_map import choose_mapper
+from lispac.workflow.planning.plan_checks import result_heading, simulate_surveys
 
 
 def campaign(arguments: Namespace) -> None:

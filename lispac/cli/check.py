@@ -9,9 +9,9 @@ from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
 from lispac.report.absolute_values import AbsoluteCheckValues, ReferenceDistances
 from lispac.report.json_report import english_values
-from lispac.workflow.absolute_check import check_absolute
-from lispac.workflow.projects import save_project
-from lispac.workflow.survey import load_survey
+from lispac.workflow.checking.absolute_check import check_absolute
+from lispac.workflow.project.projects import save_project
+from lispac.workflow.project.survey import load_survey
 
 
 def check(arguments: Namespace) -> None:

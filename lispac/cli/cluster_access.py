@@ -6,7 +6,7 @@ from argparse import Namespace
 from lispac.cli.console import UsageError
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message
-from lispac.workflow.cluster_access import ClusterAccess
+from lispac.workflow.planning.cluster_access import ClusterAccess
 
 
 def cluster_access(arguments: Namespace) -> ClusterAccess | None:

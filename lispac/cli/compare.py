@@ -19,7 +19,7 @@ from lispac.validation.repeatability import (
     compare_calibrations,
     single_calibration,
 )
-from lispac.workflow.repeated_surveys import calibrations_of
+from lispac.workflow.checking.repeated_surveys import calibrations_of
 
 DISTANCES_M = (10.0, 50.0, 100.0)
 

@@ -20,9 +20,9 @@ from lispac.method_comparison import (
 )
 from lispac.progress import sub_progress
 from lispac.project import Project
-from lispac.workflow.method_runs import run_missing_methods
-from lispac.workflow.projects import save_project
-from lispac.workflow.survey import load_survey
+from lispac.workflow.calibration.method_runs import run_missing_methods
+from lispac.workflow.project.projects import save_project
+from lispac.workflow.project.survey import load_survey
 
 METHOD_TEXTS: dict[Method, str] = {
     "natural planes": "adjustment with the validation planes instead of the targets",

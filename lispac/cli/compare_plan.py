@@ -6,10 +6,10 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.io.plan_file import read_plan
-from lispac.workflow.plan_comparison import compare_with_plan
-from lispac.workflow.projects import open_project
-from lispac.workflow.survey import load_survey
+from lispac.io.config.plan_file import read_plan
+from lispac.workflow.planning.plan_comparison import compare_with_plan
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import load_survey
 
 
 def compare_plan(arguments: Namespace) -> None:

@@ -60,7 +60,7 @@ def opened_project(path: Path, *, change: bool) -> "Iterator[Project]":
     InputError
         Where it is to be changed and its folder cannot be written.
     """
-    from lispac.workflow.projects import locked_project, open_project
+    from lispac.workflow.project.projects import locked_project, open_project
 
     if not change:
         yield open_project(path)

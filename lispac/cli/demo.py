@@ -10,8 +10,8 @@ from lispac.cli.estimate import print_result, project_result_values
 from lispac.cli.validate import print_validation, rms_with_truth
 from lispac.duplicate_targets import project_warnings
 from lispac.installation_paths import window_command
-from lispac.workflow import demo as demo_survey
-from lispac.workflow.export import write_report
+from lispac.workflow.output.export import write_report
+from lispac.workflow.planning import demo as demo_survey
 
 
 def demo(arguments: Namespace) -> None:

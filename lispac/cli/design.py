@@ -14,12 +14,12 @@ from lispac.design.plan_choices import thesis_plan
 from lispac.design.plan_search import DesignResult, search
 from lispac.design.prediction import predict
 from lispac.design.site import Site
-from lispac.io.plan_file import read_site
+from lispac.io.config.plan_file import read_site
 from lispac.message_texts import message_text
 from lispac.simulation.closed_form_survey import Board
-from lispac.workflow.parallel_map import choose_mapper
-from lispac.workflow.plan_checks import observability_messages, write_design
-from lispac.workflow.simulated_setup import setup_file
+from lispac.workflow.planning.parallel_map import choose_mapper
+from lispac.workflow.planning.plan_checks import observability_messages, write_design
+from lispac.workflow.planning.simulated_setup import setup_file
 
 
 def design(arguments: Namespace) -> None:

@@ -32,16 +32,17 @@ from lispac.cli.estimate_options import noise_and_offset_settings
 from lispac.cli.sighting_qualities import print_weak_sightings, quality_list
 from lispac.cli.warnings_json import warnings_as_json
 from lispac.duplicate_targets import project_warnings
-from lispac.io.plane_file import read_plane_files
+from lispac.io.text.plane_file import read_plane_files
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message
 from lispac.progress import sub_progress
 from lispac.project import Project, Settings, require_prior_sigma
 from lispac.survey.conventions.mounting_texts import orientation_text
 from lispac.survey.georeferencing import Mounting
-from lispac.workflow import calibration, projects
-from lispac.workflow.sighting_assessment import sighting_qualities
-from lispac.workflow.survey import load_survey
+from lispac.workflow.calibration import estimation as calibration
+from lispac.workflow.calibration.sighting_assessment import sighting_qualities
+from lispac.workflow.project import projects
+from lispac.workflow.project.survey import load_survey
 
 LABEL = 29
 """Characters before the numbers."""

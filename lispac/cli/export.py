@@ -7,17 +7,17 @@ from typing import Any
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
 from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
-from lispac.workflow.data_export import (
+from lispac.workflow.output.data_export import (
     SBET_ZEROS,
     export_planes,
     export_targets,
     export_trajectory,
     trajectory_datum_note,
 )
-from lispac.workflow.export_request import output_system_of
-from lispac.workflow.output_crs import LOCAL
-from lispac.workflow.projects import open_project
-from lispac.workflow.survey import load_survey
+from lispac.workflow.output.export_request import output_system_of
+from lispac.workflow.output.output_crs import LOCAL
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import load_survey
 
 FORMATS = {"targets": ("laz", "las", "csv"), "trajectory": ("sbet", "text"), "planes": ("text",)}
 """For each thing to export, the usual format first."""

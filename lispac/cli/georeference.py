@@ -5,8 +5,8 @@ from argparse import Namespace
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
-from lispac.workflow.georeferencing import georeference_project
-from lispac.workflow.projects import open_project
+from lispac.workflow.output.georeferencing import georeference_project
+from lispac.workflow.project.projects import open_project
 
 
 def georeference(arguments: Namespace) -> None:

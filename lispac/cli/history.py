@@ -11,7 +11,7 @@ from lispac.cli.console import ConsoleProgress, print_json
 from lispac.io.files import atomic_write
 from lispac.message_texts import message_text
 from lispac.validation.control_chart import control_limits
-from lispac.workflow.calibration_history import (
+from lispac.workflow.checking.calibration_history import (
     CalibrationHistory,
     HistoryEntry,
     change_message,

@@ -9,9 +9,9 @@ from lispac.errors import InputError
 from lispac.identity import LABELS, NAMES
 from lispac.messages import error
 from lispac.project import Project
-from lispac.workflow.calibration_history import first_date_in
-from lispac.workflow.projects import save_project
-from lispac.workflow.survey_dates import survey_dates
+from lispac.workflow.checking.calibration_history import first_date_in
+from lispac.workflow.project.projects import save_project
+from lispac.workflow.project.survey_dates import survey_dates
 
 AUTO = "auto"
 

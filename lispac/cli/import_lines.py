@@ -9,9 +9,9 @@ from lispac.errors import Cancelled
 from lispac.language import gettext_lazy
 from lispac.message_texts import message_text
 from lispac.progress import Progress
-from lispac.workflow.line_import import ImportedLine, assumptions_of, is_header_damaged
-from lispac.workflow.line_import import import_lines as imported_lines
-from lispac.workflow.projects import open_project
+from lispac.workflow.importing.line_import import ImportedLine, assumptions_of, is_header_damaged
+from lispac.workflow.importing.line_import import import_lines as imported_lines
+from lispac.workflow.project.projects import open_project
 
 
 def import_lines(arguments: Namespace) -> None:

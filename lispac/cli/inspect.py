@@ -10,8 +10,8 @@ from lispac.adjustment.display_text import to_plain_text
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import message_values
 from lispac.message_texts import fact_text, message_text
-from lispac.workflow.file_audit import audit_messages
-from lispac.workflow.file_reading import FileCheck, check_file
+from lispac.workflow.importing.file_audit import audit_messages
+from lispac.workflow.importing.file_reading import FileCheck, check_file
 
 OPTION_PREFIX = {"trajectory": "trajectory", "accuracy": "accuracy", "points": "line"}
 CELL_WIDTH = 14  # characters of a cell of the preview

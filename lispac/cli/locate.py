@@ -8,8 +8,8 @@ from lispac.errors import InputError
 from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.project import Project
-from lispac.workflow.moved_files import file_moved_note, missing_files, with_files_in
-from lispac.workflow.projects import open_project_with_notes, save_project
+from lispac.workflow.project.moved_files import file_moved_note, missing_files, with_files_in
+from lispac.workflow.project.projects import open_project_with_notes, save_project
 
 
 def locate(arguments: Namespace) -> None:

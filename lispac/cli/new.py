@@ -17,8 +17,8 @@ from lispac.identity import BLANK
 from lispac.message_texts import message_text
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.line_source import printable
-from lispac.workflow import projects
-from lispac.workflow.survey import Survey
+from lispac.workflow.project import projects
+from lispac.workflow.project.survey import Survey
 
 
 def new(arguments: Namespace) -> None:

@@ -15,10 +15,10 @@ from lispac.patchtest.object_boxes import ObjectBox, PatchObject, object_of_box
 from lispac.patchtest.object_proposal import OBJECT_COUNT
 from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.progress import sub_progress
-from lispac.workflow import patch_test as workflow
-from lispac.workflow.method_runs import patch_test_result
-from lispac.workflow.projects import save_project
-from lispac.workflow.survey import Survey, load_survey
+from lispac.workflow.calibration import patch_test as workflow
+from lispac.workflow.calibration.method_runs import patch_test_result
+from lispac.workflow.project.projects import save_project
+from lispac.workflow.project.survey import Survey, load_survey
 
 Array = NDArray[np.float64]
 

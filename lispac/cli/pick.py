@@ -18,13 +18,14 @@ from lispac.targets.expected_target import ExpectedTarget
 from lispac.targets.finder_settings import FinderChoices
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.targets.sphere_finder import SpherePatch
-from lispac.workflow import picking, projects
-from lispac.workflow.coordinates import require_near_trajectory
-from lispac.workflow.export_request import output_system_of
-from lispac.workflow.output_crs import LOCAL
-from lispac.workflow.sighting_assessment import assess_target
-from lispac.workflow.survey import load_survey
-from lispac.workflow.target_search import thinned_notes
+from lispac.workflow.calibration import picking
+from lispac.workflow.calibration.sighting_assessment import assess_target
+from lispac.workflow.calibration.target_search import thinned_notes
+from lispac.workflow.output.export_request import output_system_of
+from lispac.workflow.output.output_crs import LOCAL
+from lispac.workflow.project import projects
+from lispac.workflow.project.coordinates import require_near_trajectory
+from lispac.workflow.project.survey import load_survey
 
 
 def pick(arguments: Namespace) -> None:
@@ -107,7 +108,7 @@ def _require_matching_options(arguments: Namespace) -> None:
 
 
 def _search_arguments(arguments: Namespace) -> dict[str, Any]:
-    """Search arguments for `lispac.workflow.picking.find_target`, from the options."""
+    """Search arguments for `lispac.workflow.calibration.picking.find_target`, from the options."""
     expected = None
     if arguments.expected is not None:
         width, height, tilt_deg = arguments.expected

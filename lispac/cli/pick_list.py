@@ -10,8 +10,7 @@ from lispac.cli.sighting_qualities import quality_values
 from lispac.message_texts import english_text, message_text
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
-from lispac.workflow import projects
-from lispac.workflow.seed_lists import (
+from lispac.workflow.calibration.seed_lists import (
     SeedOutcome,
     pick_seeds,
     read_seeds,
@@ -19,9 +18,10 @@ from lispac.workflow.seed_lists import (
     require_any_found,
     require_free_names,
 )
-from lispac.workflow.sighting_assessment import assess_target
-from lispac.workflow.survey import Survey
-from lispac.workflow.target_search import thinned_notes
+from lispac.workflow.calibration.sighting_assessment import assess_target
+from lispac.workflow.calibration.target_search import thinned_notes
+from lispac.workflow.project import projects
+from lispac.workflow.project.survey import Survey
 
 
 def pick_list(

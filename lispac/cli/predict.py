@@ -10,9 +10,9 @@ from lispac.cli.sigma_format import sigma_degrees, sigma_text
 from lispac.design.objective import PlanObjective
 from lispac.design.plan_search import information_gains
 from lispac.design.prediction import predict as predicted
-from lispac.io.plan_file import read_plan
+from lispac.io.config.plan_file import read_plan
 from lispac.message_texts import message_text
-from lispac.workflow.plan_checks import observability_messages, plan_warnings
+from lispac.workflow.planning.plan_checks import observability_messages, plan_warnings
 
 
 def predict(arguments: Namespace) -> None:

@@ -12,11 +12,11 @@ from lispac.cli.warnings_json import warnings_as_json
 from lispac.errors import ProjectError
 from lispac.message_texts import english_text, message_text
 from lispac.messages import error
-from lispac.workflow import projects
-from lispac.workflow.proposal_acceptance import with_accepted
-from lispac.workflow.proposals import propose_targets as proposal_for
-from lispac.workflow.survey import load_survey
-from lispac.workflow.target_search import thinned_notes
+from lispac.workflow.calibration.proposal_acceptance import with_accepted
+from lispac.workflow.calibration.proposals import propose_targets as proposal_for
+from lispac.workflow.calibration.target_search import thinned_notes
+from lispac.workflow.project import projects
+from lispac.workflow.project.survey import load_survey
 
 
 def propose(arguments: Namespace) -> None:

@@ -13,9 +13,9 @@ from lispac.io.files import atomic_write
 from lispac.message_texts import message_text
 from lispac.progress import sub_progress
 from lispac.untrusted_values import as_csv_cell
-from lispac.workflow.line_quality import DifferenceStatistics, LineQuality, line_quality
-from lispac.workflow.projects import open_project
-from lispac.workflow.survey import load_survey
+from lispac.workflow.checking.line_quality import DifferenceStatistics, LineQuality, line_quality
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import load_survey
 
 HEADS = ("places", "median", "RMSD", "robust", "95 %", "largest")
 

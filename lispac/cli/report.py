@@ -4,10 +4,10 @@ from argparse import Namespace
 
 from lispac.cli.console import ConsoleProgress, UsageError
 from lispac.report.json_report import schema_text
-from lispac.workflow import projects
-from lispac.workflow.export import write_report
-from lispac.workflow.report_options import report_options
-from lispac.workflow.survey import load_survey
+from lispac.workflow.output.export import write_report
+from lispac.workflow.output.report_options import report_options
+from lispac.workflow.project import projects
+from lispac.workflow.project.survey import load_survey
 
 
 def report(arguments: Namespace) -> None:

@@ -7,8 +7,8 @@ import numpy as np
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.design.scenarios import SCENARIOS, ScenarioOutcome, predict_scenarios, thesis_setting
-from lispac.io.plan_file import read_plan
-from lispac.workflow.plan_checks import write_scenarios
+from lispac.io.config.plan_file import read_plan
+from lispac.workflow.planning.plan_checks import write_scenarios
 
 
 def scenarios(arguments: Namespace) -> None:

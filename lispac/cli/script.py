@@ -5,9 +5,9 @@ from argparse import Namespace
 
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.message_texts import message_text
-from lispac.workflow.projects import open_project
-from lispac.workflow.script import save_script, script_of
-from lispac.workflow.survey import load_survey
+from lispac.workflow.output.script import save_script, script_of
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import load_survey
 
 
 def script(arguments: Namespace) -> None:

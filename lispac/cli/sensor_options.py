@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from lispac.cli.argument_types import Commands, add_command, add_json_option
 
 if TYPE_CHECKING:
-    from lispac.workflow.sensors import SensorLibrary
+    from lispac.workflow.planning.sensors import SensorLibrary
 
 
 def add_sensors_command(commands: "Commands[argparse.ArgumentParser]") -> None:
@@ -30,14 +30,14 @@ def add_pos_option(parser: argparse.ArgumentParser) -> None:
 
 def scanner_noise_settings(name: str) -> dict[str, Any]:
     """LiDAR noise of a scanner of the library, by the names of the settings."""
-    from lispac.workflow.sensors import noise_settings
+    from lispac.workflow.planning.sensors import noise_settings
 
     return noise_settings(_sensor_library().scanner(name))
 
 
 def pos_sigma_settings(word: str | None) -> dict[str, Any]:
     """Sigmas of a POS of the library, by the names of the settings; none where none is named."""
-    from lispac.workflow.sensors import sigma_settings
+    from lispac.workflow.planning.sensors import sigma_settings
 
     return {} if word is None else sigma_settings(_sensor_library().find_pos(word)[1])
 
@@ -53,6 +53,6 @@ def sensor_titles(scanner: str | None, pos: str | None) -> dict[str, str]:
 
 
 def _sensor_library() -> "SensorLibrary":
-    from lispac.workflow.sensors import read_library, user_sensors_folder
+    from lispac.workflow.planning.sensors import read_library, user_sensors_folder
 
     return read_library(user_sensors_folder())

@@ -6,7 +6,7 @@ from dataclasses import asdict
 
 from lispac.cli.console import print_json
 from lispac.message_texts import message_text
-from lispac.workflow.sensors import read_library, source_text, user_sensors_folder
+from lispac.workflow.planning.sensors import read_library, source_text, user_sensors_folder
 
 
 def sensors(arguments: Namespace) -> None:

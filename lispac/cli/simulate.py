@@ -4,9 +4,14 @@ from argparse import Namespace
 from typing import Any
 
 from lispac.cli.console import ConsoleProgress, UsageError, print_json
-from lispac.workflow import simulate as simulated
-from lispac.workflow.plan_simulation import is_plan, simulation_of_plan
-from lispac.workflow.simulated_setup import KINDS, SimulatedSetup, read_simulation, supplied_titles
+from lispac.workflow.planning import simulate as simulated
+from lispac.workflow.planning.plan_simulation import is_plan, simulation_of_plan
+from lispac.workflow.planning.simulated_setup import (
+    KINDS,
+    SimulatedSetup,
+    read_simulation,
+    supplied_titles,
+)
 
 
 def simulate(arguments: Namespace) -> None:

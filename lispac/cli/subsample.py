@@ -6,9 +6,9 @@ import numpy as np
 
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, print_json
-from lispac.workflow.projects import open_project
-from lispac.workflow.subsampling import DISTANCES, subsampling_study
-from lispac.workflow.survey import load_survey
+from lispac.workflow.checking.subsampling import DISTANCES, subsampling_study
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import load_survey
 
 
 def subsample(arguments: Namespace) -> None:

@@ -8,11 +8,11 @@ from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, note
 from lispac.progress import sub_progress
 from lispac.project import Project
-from lispac.workflow.method_runs import with_targetless_result
-from lispac.workflow.projects import save_project
-from lispac.workflow.survey import load_survey
-from lispac.workflow.targetless import TargetlessResult
-from lispac.workflow.targetless import targetless as find
+from lispac.workflow.calibration.method_runs import with_targetless_result
+from lispac.workflow.calibration.targetless import TargetlessResult
+from lispac.workflow.calibration.targetless import targetless as find
+from lispac.workflow.project.projects import save_project
+from lispac.workflow.project.survey import load_survey
 
 
 def targetless(arguments: Namespace) -> None:

@@ -11,10 +11,10 @@ from lispac.io.value_conversion import encode_value
 from lispac.message_texts import english_text, message_text
 from lispac.project import Project
 from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
-from lispac.workflow import projects
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.validation import validate as validated
-from lispac.workflow.validation import validate_with_truth
+from lispac.workflow.checking.validation import validate as validated
+from lispac.workflow.checking.validation import validate_with_truth
+from lispac.workflow.project import projects
+from lispac.workflow.project.survey import Survey, load_survey
 
 
 def validate(arguments: Namespace) -> None:

@@ -14,7 +14,7 @@ from lispac.simulation.thesis_comparison import ThesisComparison, compare_with_t
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import BestConfiguration
 from lispac.simulation.visibility_study import study_visibility as study
-from lispac.workflow.visibility import write_visibility
+from lispac.workflow.planning.visibility import write_visibility
 
 
 def visibility(arguments: Namespace) -> None:

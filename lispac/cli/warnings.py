@@ -7,10 +7,10 @@ from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.warnings_json import warnings_as_json
 from lispac.message_texts import message_text
 from lispac.progress import sub_progress
-from lispac.workflow.projects import open_project
-from lispac.workflow.sighting_assessment import sighting_qualities
-from lispac.workflow.survey import load_survey
-from lispac.workflow.warnings import warnings_of
+from lispac.workflow.calibration.sighting_assessment import sighting_qualities
+from lispac.workflow.checking.warnings import warnings_of
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import load_survey
 
 
 def warnings(arguments: Namespace) -> None:

@@ -10,8 +10,8 @@ from lispac.messages import Message
 from lispac.method_comparison import method_results, missing_methods
 from lispac.progress import Progress
 from lispac.project import Project
-from lispac.workflow.method_runs import run_missing_methods
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.method_runs import run_missing_methods
+from lispac.workflow.project.survey import Survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow

@@ -19,8 +19,8 @@ from lispac.progress import Progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
-from lispac.workflow.export_request import ExportRequest
-from lispac.workflow.survey import Survey
+from lispac.workflow.output.export_request import ExportRequest
+from lispac.workflow.project.survey import Survey
 
 EXPORT_TITLES = {
     "lines": N_("Writing the lines"),
@@ -101,7 +101,7 @@ class Computations(QObject):
             return  # counted when the runner is idle
 
         def work(_progress: Progress) -> int | str:
-            from lispac.workflow.calibration import count_points
+            from lispac.workflow.calibration.estimation import count_points
 
             try:
                 return count_points(project, survey, replace(project.settings, subsample=subsample))
@@ -131,7 +131,7 @@ class Computations(QObject):
         model = self.distance_to
 
         def work(progress: Progress) -> Project:
-            from lispac.workflow.validation import validate
+            from lispac.workflow.checking.validation import validate
 
             preload_matplotlib()
             return validate(project, survey, model=model, progress=progress)
@@ -197,7 +197,7 @@ class Computations(QObject):
             return
 
         def work(progress: Progress) -> tuple[list[Path], tuple[Message, ...]]:
-            from lispac.workflow.export_request import export
+            from lispac.workflow.output.export_request import export
 
             return export(project, survey, request, progress=progress)
 

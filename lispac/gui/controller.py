@@ -21,10 +21,10 @@ from lispac.message_texts import message_text
 from lispac.messages import Message, error
 from lispac.progress import Progress, sub_progress
 from lispac.project import LineSource, Project, Settings, Target, Triple
-from lispac.workflow import edits
-from lispac.workflow.input_files import ImportRequest
-from lispac.workflow.survey import Survey, load_survey
-from lispac.workflow.target_search import thinned_notes
+from lispac.workflow.calibration import edits
+from lispac.workflow.calibration.target_search import thinned_notes
+from lispac.workflow.importing.input_files import ImportRequest
+from lispac.workflow.project.survey import Survey, load_survey
 
 OpenedProject = tuple[Project, Survey]
 
@@ -71,7 +71,7 @@ class Controller(QObject):
         """Open a project from its folder, its project.json or its .lispac file."""
 
         def read() -> tuple[Project, tuple[str, ...]]:
-            from lispac.workflow.projects import open_project_with_notes
+            from lispac.workflow.project.projects import open_project_with_notes
 
             return open_project_with_notes(path)
 
@@ -89,7 +89,7 @@ class Controller(QObject):
         has_recovery_copy: bool = False,
     ) -> None:
         def work(progress: Progress) -> OpenedProject | Project:
-            from lispac.workflow.moved_files import missing_files
+            from lispac.workflow.project.moved_files import missing_files
 
             project, notes = read()
             if missing_files(project):
@@ -116,7 +116,7 @@ class Controller(QObject):
         """Create a project from imported files and open it."""
 
         def work(progress: Progress) -> OpenedProject:
-            from lispac.workflow.projects import new_project
+            from lispac.workflow.project.projects import new_project
 
             return new_project(
                 request.folder,
@@ -141,7 +141,7 @@ class Controller(QObject):
         count, name = len(lines), lines[0].name
 
         def work(progress: Progress) -> OpenedProject:
-            from lispac.workflow.projects import with_lines_added
+            from lispac.workflow.project.projects import with_lines_added
 
             return with_lines_added(project, lines, progress=progress)
 
@@ -174,8 +174,8 @@ class Controller(QObject):
         place = folder or demo_folder()
 
         def work(progress: Progress) -> OpenedProject:
-            from lispac.workflow.demo import make_demo
-            from lispac.workflow.projects import open_project
+            from lispac.workflow.planning.demo import make_demo
+            from lispac.workflow.project.projects import open_project
 
             if (place / "project.json").is_file():
                 project = open_project(place)
@@ -191,7 +191,7 @@ class Controller(QObject):
 
     def save(self) -> bool:
         """Save the project; return whether it was saved."""
-        from lispac.workflow.projects import save_project
+        from lispac.workflow.project.projects import save_project
 
         project = self._document.project
         if project is None:
@@ -222,7 +222,7 @@ class Controller(QObject):
             return
 
         def work(progress: Progress) -> OpenedProject:
-            from lispac.workflow.project_copy import save_project_as
+            from lispac.workflow.project.project_copy import save_project_as
 
             return save_project_as(project, survey, folder, progress=progress)
 
@@ -311,7 +311,7 @@ class Controller(QObject):
         project, survey = self._document.project, self._document.survey
         if project is None or survey is None or not self._can_seed():
             return
-        from lispac.workflow import picking
+        from lispac.workflow.calibration import picking
 
         role, line, how = seed_options.role, seed_options.line, seed_options.finder_arguments
         if line is not None and seed_options.selected is not None and not name:

@@ -11,8 +11,8 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 from lispac.language import Template, gettext
 from lispac.messages import Message
 from lispac.project import Project
-from lispac.workflow.survey import Survey
-from lispac.workflow.survey import data_key as data_key
+from lispac.workflow.project.survey import Survey
+from lispac.workflow.project.survey import data_key as data_key
 
 
 @dataclass(eq=False)

@@ -19,7 +19,7 @@ from lispac.messages import Message, error
 from lispac.progress import Progress, sub_progress
 from lispac.project import Project, Settings
 from lispac.survey.cloud import Cloud
-from lispac.workflow.survey import Survey
+from lispac.workflow.project.survey import Survey
 
 DEBOUNCE_MS = 250
 """Several clicks in a row make one adjustment."""
@@ -234,7 +234,7 @@ class Estimation(QObject):
         cross_check = self._cross_check
 
         def work(progress: Progress) -> Project:
-            from lispac.workflow.calibration import complete_result
+            from lispac.workflow.calibration.estimation import complete_result
 
             return complete_result(
                 project, selection.selected, survey, cross_check=cross_check, progress=progress
@@ -277,7 +277,7 @@ def _adjust(
     advise: bool = True,
 ) -> _EstimationResult:
     """Select points if necessary, adjust, and place the lines; runs in the worker."""
-    from lispac.workflow.calibration import adjust_selected, reselect_points
+    from lispac.workflow.calibration.estimation import adjust_selected, reselect_points
 
     preload_matplotlib()
     started = perf_counter()

@@ -14,7 +14,7 @@ from lispac.gui.mouse_tool import MouseTool
 from lispac.gui.scene import Scene
 from lispac.gui.viewport.base import Array, Viewport
 from lispac.language import N_, Plural, gettext
-from lispac.workflow.point_edits import with_points, without_points
+from lispac.workflow.calibration.point_edits import with_points, without_points
 
 TOOLS = ("lasso_add", "lasso_remove")
 NOTHING_SELECTED = N_("Select a target first, then draw around its points.")

@@ -32,7 +32,7 @@ class Manual(QObject):
         code = current_language()
 
         def work(progress: Progress) -> Path:
-            from lispac.workflow.manual import manual_page
+            from lispac.workflow.output.manual import manual_page
 
             return manual_page(code, page, progress=progress)
 

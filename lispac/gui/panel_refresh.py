@@ -10,7 +10,7 @@ from lispac.gui.status import ADJUST, DATA, REPORT, TARGETS, VALIDATE
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.project import Project
-from lispac.workflow.survey import Survey
+from lispac.workflow.project.survey import Survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow

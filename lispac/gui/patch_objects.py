@@ -15,8 +15,8 @@ from lispac.language import N_, gettext
 from lispac.patchtest.object_boxes import SMALLEST, ObjectBox, object_of_box
 from lispac.progress import Progress
 from lispac.project import Project
-from lispac.workflow.patch_test import PlacedObjects, place_objects, propose_objects
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.patch_test import PlacedObjects, place_objects, propose_objects
+from lispac.workflow.project.survey import Survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow

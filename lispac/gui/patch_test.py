@@ -25,9 +25,14 @@ from lispac.patchtest.object_sample import ObjectSample
 from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.progress import Progress
 from lispac.project import Project
-from lispac.workflow.method_runs import patch_test_result
-from lispac.workflow.patch_test import PlacedObjects, find_angle, find_boresight, line_pairs
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.method_runs import patch_test_result
+from lispac.workflow.calibration.patch_test import (
+    PlacedObjects,
+    find_angle,
+    find_boresight,
+    line_pairs,
+)
+from lispac.workflow.project.survey import Survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow

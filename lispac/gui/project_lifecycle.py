@@ -18,12 +18,12 @@ from lispac.gui.proposed_folders import folder_outside_cache
 from lispac.gui.scene import Scene
 from lispac.gui.settings import AppSettings
 from lispac.installation_paths import home_folder
-from lispac.io.seed_file import is_point_list
+from lispac.io.text.seed_file import is_point_list
 from lispac.language import gettext
 from lispac.project import Project, Settings
-from lispac.workflow.export_request import What
-from lispac.workflow.input_files import find_project
-from lispac.workflow.moved_files import missing_files, with_files_in
+from lispac.workflow.importing.input_files import find_project
+from lispac.workflow.output.export_request import What
+from lispac.workflow.project.moved_files import missing_files, with_files_in
 
 
 class ProjectLifecycle(QObject):

@@ -14,13 +14,13 @@ from PySide6.QtCore import QLockFile, QObject, Signal
 
 from lispac.errors import InputError, LispacError
 from lispac.gui.language import local_datetime
-from lispac.io.project_file import remove_unsaved, write_unsaved
+from lispac.io.project.project_file import remove_unsaved, write_unsaved
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, error
 from lispac.project import Project
-from lispac.workflow.moved_files import with_files_of
-from lispac.workflow.projects import UnsavedProject, read_unsaved_project, require_folder
+from lispac.workflow.project.moved_files import with_files_of
+from lispac.workflow.project.projects import UnsavedProject, read_unsaved_project, require_folder
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow

@@ -19,8 +19,8 @@ from lispac.messages import error
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.report.options import ReportOptions
-from lispac.workflow.survey import Survey
-from lispac.workflow.survey_dates import survey_dates
+from lispac.workflow.project.survey import Survey
+from lispac.workflow.project.survey_dates import survey_dates
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
@@ -96,7 +96,7 @@ class ReportExport(QObject):
         refused = self._document.refused_since
 
         def work(progress: Progress) -> Path:
-            from lispac.workflow.export import write_report
+            from lispac.workflow.output.export import write_report
 
             with _temporary_files(pictures) as files:
                 write_report(
@@ -129,7 +129,7 @@ class ReportExport(QObject):
         ppi = PIXELS_PER_INCH * self._panel.devicePixelRatioF()
 
         def work(progress: Progress) -> "Preview":
-            from lispac.workflow.export import preview_report
+            from lispac.workflow.output.export import preview_report
 
             with _temporary_files(pictures) as files:
                 return preview_report(
@@ -149,7 +149,7 @@ class ReportExport(QObject):
             path = self._dialogs.pdf_file(project.folder / f"{project.name}.pdf")
             if path is None:
                 return ""
-            from lispac.workflow.export import save_preview
+            from lispac.workflow.output.export import save_preview
 
             try:
                 save_preview(preview, path)

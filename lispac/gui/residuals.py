@@ -17,7 +17,7 @@ from lispac.gui.viewport.base import Array, PointColouring
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
-from lispac.workflow.survey import Survey
+from lispac.workflow.project.survey import Survey
 
 TITLE = N_("Distance from the surface (mm)")
 GREY = (188, 194, 200)

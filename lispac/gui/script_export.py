@@ -11,7 +11,7 @@ from lispac.project import Project
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
-    from lispac.workflow.script import Script
+    from lispac.workflow.output.script import Script
 
 
 class ScriptExport(QObject):
@@ -34,7 +34,7 @@ class ScriptExport(QObject):
             return
 
         def work(progress: Progress) -> "Script":
-            from lispac.workflow.script import script_of
+            from lispac.workflow.output.script import script_of
 
             return script_of(project, survey, progress=progress)
 
@@ -51,7 +51,7 @@ class ScriptExport(QObject):
             path = self._dialogs.script_file(project.folder / f"{project.name}.py")
             if path is None:
                 return ""
-            from lispac.workflow.script import save_script
+            from lispac.workflow.output.script import save_script
 
             try:
                 save_script(script, path)

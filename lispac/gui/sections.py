@@ -19,7 +19,11 @@ from lispac.gui.viewport.clipping import EDGES, Box
 from lispac.language import N_, gettext
 from lispac.progress import Progress
 from lispac.targets.cross_section import Section
-from lispac.workflow.survey_sections import SectionPoints, cut_between_points, section_at_target
+from lispac.workflow.checking.survey_sections import (
+    SectionPoints,
+    cut_between_points,
+    section_at_target,
+)
 
 SKETCH_NAME = "section"
 SKETCH_COLOUR: Colour = (0, 90, 200)

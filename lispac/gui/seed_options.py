@@ -31,7 +31,7 @@ class SeedOptions:
 
     @property
     def finder_arguments(self) -> dict[str, Any]:
-        """Options for `lispac.workflow.picking.find_target`, independent of the target's name."""
+        """Options for `picking.find_target`, independent of the target's name."""
         return {
             "shape": self.shape, "sphere_radius": self.sphere_radius, "expected": self.expected,
             "threshold": self.threshold, "radius": self.radius, "choices": self.choices,

@@ -10,11 +10,11 @@ from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.progress import Progress
 from lispac.project import Project
-from lispac.workflow.survey import Survey
+from lispac.workflow.project.survey import Survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
-    from lispac.workflow.seed_lists import SeedOutcome
+    from lispac.workflow.calibration.seed_lists import SeedOutcome
 
 SeedOutcomes = tuple[Project, tuple["SeedOutcome", ...]]
 
@@ -43,7 +43,7 @@ class SeedActions(QObject):
         project, survey = self._current_data()
         if project is None or survey is None:
             return
-        from lispac.workflow.picking import next_name
+        from lispac.workflow.calibration.picking import next_name
 
         seed_options = self._targets.seed_options
         added = seed_options.line is not None and seed_options.selected is not None
@@ -76,7 +76,7 @@ class SeedActions(QObject):
             return
 
         def work(progress: Progress) -> SeedOutcomes:
-            from lispac.workflow.seed_lists import pick_seeds
+            from lispac.workflow.calibration.seed_lists import pick_seeds
 
             return pick_seeds(
                 project, survey, seeds, seed_options.finder_arguments, progress=progress
@@ -97,7 +97,7 @@ class SeedActions(QObject):
     def _apply_outcomes(
         self, path: Path, edited: Project, outcomes: "tuple[SeedOutcome, ...]"
     ) -> None:
-        from lispac.workflow.target_search import thinned_notes
+        from lispac.workflow.calibration.target_search import thinned_notes
 
         names = [outcome.seed.name for outcome in outcomes if outcome.target is not None]
         candidate = self._controller.candidate

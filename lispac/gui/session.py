@@ -20,7 +20,7 @@ from lispac.gui.point_colours import set_colour_scale
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import Viewport
 from lispac.gui.window_state import transfer_window_state
-from lispac.io.project_file import UNSAVED_NAME
+from lispac.io.project.project_file import UNSAVED_NAME
 
 THEME_DELAY_MS = 500
 """Delay after a change of the system theme; systems send several signals."""

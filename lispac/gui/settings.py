@@ -11,7 +11,7 @@ from lispac.gui.units import ANGLES, LENGTHS
 from lispac.gui.viewport.decimation import Budget
 from lispac.language import LANGUAGES
 from lispac.untrusted_values import json_values
-from lispac.workflow.sensors import user_sensors_folder
+from lispac.workflow.planning.sensors import user_sensors_folder
 
 MAX_RECENT = 8
 REPORT_KEYS = ("template", "page", "convention", "language")

@@ -11,8 +11,8 @@ from lispac.language import gettext
 from lispac.progress import Progress
 from lispac.project import Project, Target
 from lispac.targets.sighting_quality import SightingQuality
-from lispac.workflow.sighting_assessment import AssessedQuality, assess_sightings
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.sighting_assessment import AssessedQuality, assess_sightings
+from lispac.workflow.project.survey import Survey
 
 Key = tuple[str, str]
 

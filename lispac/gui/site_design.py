@@ -23,13 +23,13 @@ from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels.histograms import preload_matplotlib
 from lispac.gui.tasks import TaskRunner
 from lispac.installation_paths import home_folder
-from lispac.io.plan_file import TitledPlan, read_plan, read_site, write_plan
+from lispac.io.config.plan_file import TitledPlan, read_plan, read_site, write_plan
 from lispac.language import gettext, gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress
-from lispac.workflow.plan_checks import result_heading, write_field_plan
-from lispac.workflow.plan_comparison import PlanComparison, compare_with_plan
-from lispac.workflow.survey import load_survey
+from lispac.workflow.planning.plan_checks import result_heading, write_field_plan
+from lispac.workflow.planning.plan_comparison import PlanComparison, compare_with_plan
+from lispac.workflow.project.survey import load_survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow

@@ -19,7 +19,7 @@ from lispac.gui import theme
 from lispac.gui.language import local_datetime
 from lispac.gui.panels import widgets
 from lispac.gui.tab_order import set_tab_order
-from lispac.io.project_file import FILE_NAME, UNSAVED_NAME
+from lispac.io.project.project_file import FILE_NAME, UNSAVED_NAME
 from lispac.language import N_, gettext
 
 LINKS = (

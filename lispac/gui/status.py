@@ -8,8 +8,8 @@ from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, note
 from lispac.project import Project
-from lispac.workflow.orientation_check import do_targets_face_one_way
-from lispac.workflow.survey import Survey
+from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
+from lispac.workflow.project.survey import Survey
 
 State = Literal["empty", "todo", "done", "warning"]
 

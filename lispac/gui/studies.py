@@ -19,12 +19,12 @@ from lispac.report.absolute_values import AbsoluteCheckValues
 from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
-from lispac.workflow.absolute_check import check_absolute
-from lispac.workflow.budget import error_budget_of
-from lispac.workflow.calibration_history import CalibrationHistory, read_histories
-from lispac.workflow.line_quality import LineQuality, line_quality
-from lispac.workflow.subsampling import DISTANCES, SubsamplingResult, subsampling_study
-from lispac.workflow.survey import Survey
+from lispac.workflow.checking.absolute_check import check_absolute
+from lispac.workflow.checking.budget import error_budget_of
+from lispac.workflow.checking.calibration_history import CalibrationHistory, read_histories
+from lispac.workflow.checking.line_quality import LineQuality, line_quality
+from lispac.workflow.checking.subsampling import DISTANCES, SubsamplingResult, subsampling_study
+from lispac.workflow.project.survey import Survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow

@@ -9,11 +9,11 @@ from lispac.gui.sighting_quality import QualityComputation
 from lispac.language import N_, gettext
 from lispac.progress import Progress
 from lispac.project import Project, Target
-from lispac.workflow.survey import Survey
+from lispac.workflow.project.survey import Survey
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow
-    from lispac.workflow.proposals import Proposal
+    from lispac.workflow.calibration.proposals import Proposal
 
 
 class TargetActions(QObject):
@@ -59,8 +59,8 @@ class TargetActions(QObject):
             return
 
         def work(progress: Progress) -> "Proposal":
-            from lispac.workflow.proposal_acceptance import without_picked
-            from lispac.workflow.proposals import propose_targets
+            from lispac.workflow.calibration.proposal_acceptance import without_picked
+            from lispac.workflow.calibration.proposals import propose_targets
 
             return without_picked(project, propose_targets(project, survey, progress=progress))
 
@@ -85,7 +85,7 @@ class TargetActions(QObject):
         threshold, radius, choices = settings
 
         def work(progress: Progress) -> Target:
-            from lispac.workflow import picking
+            from lispac.workflow.calibration import picking
 
             found = picking.find_target(
                 project, survey, target.seed, name=target.name, role=target.role,
@@ -99,7 +99,7 @@ class TargetActions(QObject):
         self._controller.cancel_on_edit(task)
 
     def _offer_proposal(self, project: Project, proposal: "Proposal") -> None:
-        from lispac.workflow.proposal_acceptance import with_accepted
+        from lispac.workflow.calibration.proposal_acceptance import with_accepted
 
         if self._document.project is not project:
             return

@@ -9,7 +9,7 @@ from lispac.gui.actions import Actions
 from lispac.gui.document import Document
 from lispac.gui.scene import Scene
 from lispac.language import N_, gettext
-from lispac.workflow import edits
+from lispac.workflow.calibration import edits
 
 NOTHING_SELECTED = N_("Select a target or validation plane first, then change its role.")
 

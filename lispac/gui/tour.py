@@ -16,8 +16,8 @@ from lispac.gui.panels import widgets
 from lispac.gui.status import TARGETS
 from lispac.language import N_, gettext
 from lispac.project import Project
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.orientation_check import do_targets_face_one_way
+from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
+from lispac.workflow.planning.demo import demo_seeds
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow

@@ -17,7 +17,7 @@ from lispac.gui.status import ADJUST, DATA, STEPS, TARGETS
 from lispac.messages import Message
 from lispac.targets.sighting_quality import SightingQuality
 from lispac.warning_causes import Cause
-from lispac.workflow.warnings import warnings_of
+from lispac.workflow.checking.warnings import warnings_of
 
 if TYPE_CHECKING:
     from lispac.gui.main_window import MainWindow

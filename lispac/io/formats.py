@@ -4,8 +4,8 @@ from pathlib import Path
 
 from lispac.errors import InputError
 from lispac.io.format_types import NOT, FileFormat, Kind
-from lispac.io.point_formats import POINTS
-from lispac.io.trajectory_formats import (
+from lispac.io.points.point_formats import POINTS
+from lispac.io.trajectory.trajectory_formats import (
     ASCII,
     CIDCO_ACCURACY,
     CIDCO_STATES,

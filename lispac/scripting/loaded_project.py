@@ -6,7 +6,7 @@ from lispac.adjustment.result import AdjustmentResult
 from lispac.message_texts import message_text
 from lispac.progress import Progress, no_progress
 from lispac.project import Project, Triple
-from lispac.workflow.survey import Survey, data_key, load_survey
+from lispac.workflow.project.survey import Survey, data_key, load_survey
 
 
 class LoadedProject:

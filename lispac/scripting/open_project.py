@@ -18,20 +18,29 @@ from lispac.targets.finder_settings import USUAL, FinderChoices
 from lispac.validation.absolute_check import AbsoluteCheck
 from lispac.validation.local_models import USUAL_NEIGHBOURS, Kind, LocalModel
 from lispac.validation.plane_comparison import PlaneComparison
-from lispac.workflow import absolute_check, calibration, edits, picking, projects, validation
-from lispac.workflow.coordinates import require_near_trajectory
-from lispac.workflow.export import write_report
-from lispac.workflow.export_request import ENDINGS, ExportRequest, What, export, output_system_of
-from lispac.workflow.georeferencing import Which
-from lispac.workflow.line_import import import_lines
-from lispac.workflow.output_crs import LOCAL
-from lispac.workflow.project_copy import save_project_as
-from lispac.workflow.proposal_acceptance import with_accepted, without_picked
-from lispac.workflow.proposals import Proposal, propose_targets
-from lispac.workflow.report_options import report_options
-from lispac.workflow.script import script_of
-from lispac.workflow.seed_lists import SeedOutcome, pick_seeds, read_seeds
-from lispac.workflow.survey import data_key
+from lispac.workflow.calibration import edits, picking
+from lispac.workflow.calibration import estimation as calibration
+from lispac.workflow.calibration.proposal_acceptance import with_accepted, without_picked
+from lispac.workflow.calibration.proposals import Proposal, propose_targets
+from lispac.workflow.calibration.seed_lists import SeedOutcome, pick_seeds, read_seeds
+from lispac.workflow.checking import absolute_check, validation
+from lispac.workflow.importing.line_import import import_lines
+from lispac.workflow.output.export import write_report
+from lispac.workflow.output.export_request import (
+    ENDINGS,
+    ExportRequest,
+    What,
+    export,
+    output_system_of,
+)
+from lispac.workflow.output.georeferencing import Which
+from lispac.workflow.output.output_crs import LOCAL
+from lispac.workflow.output.report_options import report_options
+from lispac.workflow.output.script import script_of
+from lispac.workflow.project import projects
+from lispac.workflow.project.coordinates import require_near_trajectory
+from lispac.workflow.project.project_copy import save_project_as
+from lispac.workflow.project.survey import data_key
 
 AnyPath = str | Path
 

@@ -10,9 +10,9 @@ from lispac.project import LineSource, Reading, Settings, Triple
 from lispac.scripting.open_project import OpenProject
 from lispac.simulation.simulated_survey import POINTS_PER_SECOND
 from lispac.survey.line_source import USUAL
-from lispac.workflow import projects
-from lispac.workflow.demo import make_demo
-from lispac.workflow.moved_files import with_files_in
+from lispac.workflow.planning.demo import make_demo
+from lispac.workflow.project import projects
+from lispac.workflow.project.moved_files import with_files_in
 
 AnyPath = str | Path
 

@@ -14,8 +14,8 @@ import pytest
 
 from lispac.project import LineSource, Settings
 from lispac.survey.point_screening import PointScreen, PointSelection
-from lispac.workflow.line_import import import_lines
-from lispac.workflow.projects import create_project
+from lispac.workflow.importing.line_import import import_lines
+from lispac.workflow.project.projects import create_project
 from tests.intake_files import LEVER, write_long_line, write_survey
 
 SIZES = [1_000_000, 10_000_000]

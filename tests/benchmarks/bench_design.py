@@ -13,8 +13,8 @@ from lispac.design.objective import PlanObjective
 from lispac.design.plan_choices import DesignSpace, thesis_plan
 from lispac.design.plan_search import search
 from lispac.design.prediction import predict
-from lispac.io.plan_file import read_site
-from lispac.workflow.parallel_map import process_pool_mapper
+from lispac.io.config.plan_file import read_site
+from lispac.workflow.planning.parallel_map import process_pool_mapper
 
 QUAY = Path(__file__).parents[2] / "resources" / "sites" / "quay.toml"
 DESIGNS = 10_000

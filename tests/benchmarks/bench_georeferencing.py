@@ -17,18 +17,18 @@ import numpy as np
 import pytest
 
 from lispac.io.format_types import PointChunk
-from lispac.io.las_chunks import LAS
-from lispac.io.las_export import coordinate_resolution, layout_of_columns, layout_of_las
-from lispac.io.sbet import write_sbet
+from lispac.io.las.las_chunks import LAS
+from lispac.io.las.las_export import coordinate_resolution, layout_of_columns, layout_of_las
+from lispac.io.trajectory.sbet import write_sbet
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.crs import coordinate_system
 from lispac.survey.georeferencing import Mounting, georeference, place_points, to_lidar
 from lispac.survey.point_mapping import ScannerPointConverter
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow.cloud_export import write_cloud
-from lispac.workflow.file_reading import local_trajectory
-from lispac.workflow.georeferencing import stored_chunks
-from lispac.workflow.line_import import import_lines, open_stored_line
+from lispac.workflow.importing.file_reading import local_trajectory
+from lispac.workflow.importing.line_import import import_lines, open_stored_line
+from lispac.workflow.output.cloud_export import write_cloud
+from lispac.workflow.output.georeferencing import stored_chunks
 from tests.cloud_files import sweep, track
 from tests.test_georeferencing import survey
 

@@ -150,8 +150,8 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
     from lispac.gui.garbage_collection import GuiThreadGarbageCollector
     from lispac.gui.session import Session
     from lispac.gui.viewport.base import PickedPoint
-    from lispac.workflow.demo import demo_seeds
-    from lispac.workflow.projects import open_project
+    from lispac.workflow.planning.demo import demo_seeds
+    from lispac.workflow.project.projects import open_project
 
     draws = Draws()
     tidying = GuiThreadGarbageCollector(application)

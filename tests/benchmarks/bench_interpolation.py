@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.io.sbet import read_sbet
+from lispac.io.trajectory.sbet import read_sbet
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.trajectory import LocalTrajectory, Trajectory
 from tests.test_states_between import DURATION, linear, sbet

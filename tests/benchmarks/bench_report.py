@@ -13,8 +13,8 @@ from pathlib import Path
 import pytest
 
 from lispac.project import Project
-from lispac.workflow.export import write_report
-from lispac.workflow.survey import Survey
+from lispac.workflow.output.export import write_report
+from lispac.workflow.project.survey import Survey
 
 AIM_SECONDS = 10.0
 

@@ -14,12 +14,12 @@ import laspy
 import numpy as np
 import pytest
 
-from lispac.io.project_file import FILE_NAME
+from lispac.io.project.project_file import FILE_NAME
 from lispac.simulation.simulated_survey import SimulatedLine, port_survey
-from lispac.workflow.demo import make_demo
-from lispac.workflow.picking import find_target
-from lispac.workflow.projects import open_project
-from lispac.workflow.survey import load_survey
+from lispac.workflow.calibration.picking import find_target
+from lispac.workflow.planning.demo import make_demo
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import load_survey
 from tests.benchmarks.bench_store import least, now, since
 
 NOISE = 0.0017

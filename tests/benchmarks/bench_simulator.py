@@ -15,7 +15,7 @@ from lispac.simulation.scanner import scan_scene
 from lispac.simulation.scene import Rectangle, Scene, tilted_rectangle
 from lispac.survey.georeferencing import Mounting
 from lispac.survey.trajectory import Poses
-from lispac.workflow.simulated_setup import read_simulation
+from lispac.workflow.planning.simulated_setup import read_simulation
 from tests.test_meshes import as_mesh
 
 COUNT = 1_000_000

@@ -18,13 +18,13 @@ import laspy
 import numpy as np
 import pytest
 
-from lispac.io.sbet import write_sbet
+from lispac.io.trajectory.sbet import write_sbet
 from lispac.progress import Step
 from lispac.project import LineSource, Project, Settings
 from lispac.survey.georeferencing import Georeferencer
 from lispac.survey.trajectory import Trajectory
-from lispac.workflow.file_reading import local_trajectory
-from lispac.workflow.line_import import import_line, open_stored_line
+from lispac.workflow.importing.file_reading import local_trajectory
+from lispac.workflow.importing.line_import import import_line, open_stored_line
 
 RATE, SPEED, WALL, DECK = 500_000, 1.5, 15.0, -4.0
 """Points a second, metres a second, metres to the wall on the left, metres down to the quay."""

@@ -14,12 +14,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.io.project_file import FILE_NAME
+from lispac.io.project.project_file import FILE_NAME
 from lispac.simulation.simulated_survey import port_survey
-from lispac.workflow.demo import make_demo
-from lispac.workflow.projects import open_project
-from lispac.workflow.survey import load_survey
-from lispac.workflow.targetless import targetless
+from lispac.workflow.calibration.targetless import targetless
+from lispac.workflow.planning.demo import make_demo
+from lispac.workflow.project.projects import open_project
+from lispac.workflow.project.survey import load_survey
 from tests.benchmarks.bench_seed_store import thickened
 
 

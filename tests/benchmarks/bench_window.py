@@ -17,8 +17,8 @@ import pytest
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QGuiApplication
 
-from lispac.workflow.line_import import import_lines
-from lispac.workflow.projects import create_project, open_project
+from lispac.workflow.importing.line_import import import_lines
+from lispac.workflow.project.projects import create_project, open_project
 from tests.benchmarks.bench_store import make_project
 
 BEAT_MS = 5

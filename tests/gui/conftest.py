@@ -18,14 +18,14 @@ from lispac.gui.recovery_copies import LOCK_NAME
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.recording_viewport import RecordingViewport
-from lispac.io.project_file import UNSAVED_NAME
+from lispac.io.project.project_file import UNSAVED_NAME
 from lispac.project import Project
-from lispac.workflow.calibration import estimate
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.picking import pick_target
-from lispac.workflow.projects import save_project
-from lispac.workflow.survey import load_survey
-from lispac.workflow.validation import validate
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.calibration.picking import pick_target
+from lispac.workflow.checking.validation import validate
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.projects import save_project
+from lispac.workflow.project.survey import load_survey
 from tests.gui.by_hand import Hands
 from tests.gui.design_support import opened_by_keys
 from tests.gui.import_support import drop, raw, rest

@@ -19,7 +19,7 @@ from pytestqt.qt_compat import qt_api
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.viewport.vtk_viewport import VtkViewport
-from lispac.io.project_file import read_unsaved
+from lispac.io.project.project_file import read_unsaved
 from tests.gui.by_hand import Hands, open_by_keys, rename
 from tests.gui.support import click
 

@@ -17,11 +17,11 @@ from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.project import LineSource, Project, Role
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.export_request import ExportRequest, What
-from lispac.workflow.georeferencing import Which
-from lispac.workflow.input_files import ImportRequest
-from lispac.workflow.survey import Survey
+from lispac.workflow.importing.input_files import ImportRequest
+from lispac.workflow.output.export_request import ExportRequest, What
+from lispac.workflow.output.georeferencing import Which
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.survey import Survey
 
 WAIT_MS = 120_000
 Key, Left = Qt.Key, Qt.MouseButton.LeftButton

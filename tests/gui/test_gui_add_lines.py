@@ -14,7 +14,7 @@ from lispac.gui.dialogs.dialog_service import Dialogs
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.file_table import FORMAT, ROLE
 from lispac.project import LineSource, Project
-from lispac.workflow.projects import open_project, save_project, with_lines_added
+from lispac.workflow.project.projects import open_project, save_project, with_lines_added
 from tests.gui.import_support import drop, shifted
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press
 

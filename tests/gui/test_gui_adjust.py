@@ -364,7 +364,7 @@ def test_an_unforeseen_failure_is_told_once(
     def fails(*_arguments, **_named):
         raise ZeroDivisionError
 
-    monkeypatch.setattr("lispac.workflow.calibration.reselect_points", fails)
+    monkeypatch.setattr("lispac.workflow.calibration.estimation.reselect_points", fails)
     driver.window.document.open(estimated, demo.survey)
     driver.rest()
     tick(driver, 0, 2)

@@ -14,9 +14,9 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.settings import AppSettings
-from lispac.io.project_file import UNSAVED_NAME
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.projects import open_project
+from lispac.io.project.project_file import UNSAVED_NAME
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.projects import open_project
 from tests.gui.by_hand import (
     SETTINGS,
     Answers,

@@ -11,8 +11,8 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.gui.viewport.recording_viewport import RecordingViewport
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.projects import open_project
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.projects import open_project
 from tests.gui.by_hand import Hands, name_project
 from tests.gui.support import Control, Key, press
 

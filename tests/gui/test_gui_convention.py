@@ -13,7 +13,7 @@ from lispac.gui.panels.scanner_axes_view import ScannerAxesView, exaggeration_fa
 from lispac.project import Project
 from lispac.survey.conventions.conversion import ConventionSetup, convert_to_system
 from lispac.survey.conventions.systems import SYSTEMS, convention_of_key
-from lispac.workflow.survey import Survey
+from lispac.workflow.project.survey import Survey
 from tests.gui.support import Driver, Key, Left, click
 
 Calibrated = tuple[Project, Survey]

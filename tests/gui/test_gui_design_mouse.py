@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 
 from lispac.gui.design import edits
 from lispac.gui.design.window import DesignWindow
-from lispac.io.plan_file import read_plan
+from lispac.io.config.plan_file import read_plan
 from tests.gui.design_support import (
     NoModifier,
     middle_of,

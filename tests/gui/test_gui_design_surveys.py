@@ -12,9 +12,9 @@ from lispac.cli.campaign import scatter_table
 from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
 from lispac.gui.design import edits
 from lispac.gui.design.window import DesignWindow
-from lispac.io.plan_file import read_plan
+from lispac.io.config.plan_file import read_plan
 from lispac.language import gettext_lazy
-from lispac.workflow.plan_comparison import compare_with_plan
+from lispac.workflow.planning.plan_comparison import compare_with_plan
 from tests.gui.design_support import NoModifier, mouse_move, opened_by_keys, plan, settled
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click
 from tests.test_campaign import PORT

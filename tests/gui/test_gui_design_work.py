@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QDialog
 from lispac.gui.design import plan_computations
 from lispac.gui.design.window import DesignWindow
 from lispac.gui.dialogs.sensors_of_plan import PlanSensorsDialog
-from lispac.workflow.sensors import read_library
+from lispac.workflow.planning.sensors import read_library
 from tests.gui.design_support import plan, settled
 from tests.gui.support import WAIT_MS, Control, Driver, Key, click
 

@@ -231,7 +231,7 @@ def test_a_further_line_is_sought_after_what_follows_from_a_tick(
             result.observability.messages[-1]
         )
 
-    monkeypatch.setattr("lispac.workflow.calibration.further_line_advice", advised)
+    monkeypatch.setattr("lispac.workflow.calibration.estimation.further_line_advice", advised)
     monkeypatch.setattr(shown.window.estimation, "_cross_check", checked)
     shown.window.docks["Targets by line"].raise_()
     ticks = shown.window.table

@@ -1,7 +1,7 @@
 """A surface clicked twice is told of before it is accepted, and with the answer."""
 
 from lispac.gui.viewport.base import PickedPoint
-from lispac.workflow.demo import demo_seeds
+from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.support import Driver, click, open_step, settle
 
 

@@ -7,8 +7,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
 
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.projects import open_project
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.projects import open_project
 from tests.gui.support import WAIT_MS, Driver
 
 Key, Left = Qt.Key, Qt.MouseButton.LeftButton

@@ -12,8 +12,8 @@ from pytestqt.qtbot import QtBot
 from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.export import CONTENTS, DELAY_MS, ExportDialog
 from lispac.project import LineSource, Project, Settings
-from lispac.workflow.export_request import ENDINGS, ExportRequest
-from lispac.workflow.output_crs import utm_zone
+from lispac.workflow.output.export_request import ENDINGS, ExportRequest
+from lispac.workflow.output.output_crs import utm_zone
 from tests.cloud_files import track
 from tests.gui.support import Control, Demo, Driver, Key, Left, press
 from tests.test_target_systems import ITRF, NAD83, on_map

@@ -27,13 +27,13 @@ from lispac.gui.language import set_language
 from lispac.gui.settings import AppSettings
 from lispac.gui.studies import SITES
 from lispac.gui.viewport.recording_viewport import RecordingViewport
-from lispac.io.project_file import write_project
+from lispac.io.project.project_file import write_project
 from lispac.language import gettext
 from lispac.project import Project
 from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.visibility_study import study_visibility
-from lispac.workflow.budget import error_budget_of
-from lispac.workflow.validation import validate
+from lispac.workflow.checking.budget import error_budget_of
+from lispac.workflow.checking.validation import validate
 from tests.gui.design_support import opened_by_keys, type_cell, wait_for_plan
 from tests.gui.french_support import english
 from tests.gui.import_support import drop, raw, rest

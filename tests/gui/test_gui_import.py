@@ -14,7 +14,7 @@ from lispac.gui.dialogs.import_files.file_table import ROLE, STATE
 from lispac.gui.dialogs.import_files.timeline import timeline_bars
 from lispac.gui.settings import AppSettings
 from lispac.messages import Action
-from lispac.workflow.projects import create_project
+from lispac.workflow.project.projects import create_project
 from tests.gui.import_support import drop, raw, rest, shifted, texts
 from tests.gui.support import WAIT_MS, Demo, Key, Left
 

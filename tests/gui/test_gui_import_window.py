@@ -14,7 +14,7 @@ from lispac.gui.dialogs.import_files.dialog import QUALITY, ImportDialog
 from lispac.gui.dialogs.import_files.envelope import envelope
 from lispac.gui.dialogs.import_files.timeline import round_ticks
 from lispac.gui.settings import AppSettings
-from lispac.workflow.projects import open_project
+from lispac.workflow.project.projects import open_project
 from tests.gui.import_support import drop, raw
 from tests.gui.support import WAIT_MS, Demo, Driver, Left
 

@@ -10,8 +10,8 @@ from lispac.alternative_methods import AlternativeResult
 from lispac.errors import AdjustmentError
 from lispac.gui.dialogs.methods import MethodsDialog
 from lispac.messages import note
-from lispac.workflow import method_runs
-from lispac.workflow.method_runs import adjust_natural_planes
+from lispac.workflow.calibration import method_runs
+from lispac.workflow.calibration.method_runs import adjust_natural_planes
 from tests.gui.support import Driver, Left, settle
 from tests.gui.test_gui_studies import answered
 from tests.gui.test_gui_warnings import listed

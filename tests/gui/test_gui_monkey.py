@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from PySide6.QtGui import QGuiApplication
 
-from lispac.workflow.projects import open_project, save_project
+from lispac.workflow.project.projects import open_project, save_project
 from tests.gui.support import Demo
 
 CHECKOUT = Path(__file__).resolve().parents[2]

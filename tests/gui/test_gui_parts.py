@@ -25,7 +25,7 @@ from lispac.gui.tasks import Task, TaskRunner
 from lispac.language import gettext_lazy
 from lispac.progress import PointProgress, Progress
 from lispac.project import Project
-from lispac.workflow import edits
+from lispac.workflow.calibration import edits
 from tests.gui.support import Demo
 
 

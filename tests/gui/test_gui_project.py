@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from lispac.errors import ProjectError
-from lispac.workflow.projects import open_project
+from lispac.workflow.project.projects import open_project
 from tests.gui.support import (
     WAIT_MS,
     Control,

@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
 
 from lispac.gui.dialogs.proposal import ProposedTargetsDialog
 from lispac.project import Project
-from lispac.workflow.proposal_acceptance import with_accepted, without_picked
-from lispac.workflow.proposals import Proposal, propose_targets
+from lispac.workflow.calibration.proposal_acceptance import with_accepted, without_picked
+from lispac.workflow.calibration.proposals import Proposal, propose_targets
 from tests.gui.support import Demo, Driver, Left, click, open_step
 
 TARGETS = 1

@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.recovery_copies import LOCK_NAME, LOCKED_ELSEWHERE
 from lispac.gui.viewport.recording_viewport import RecordingViewport
-from lispac.io.project_file import (
+from lispac.io.project.project_file import (
     FILE_NAME,
     UNSAVED_NAME,
     read_project,

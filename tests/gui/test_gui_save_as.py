@@ -13,13 +13,13 @@ from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QLine
 
 from lispac.errors import InputError, ProjectError
 from lispac.gui.dialogs.dialog_service import Dialogs
-from lispac.io.project_file import write_project
+from lispac.io.project.project_file import write_project
 from lispac.progress import Step, no_progress
 from lispac.project import Project
-from lispac.workflow.line_import import import_lines, line_folder
-from lispac.workflow.project_copy import save_project_as
-from lispac.workflow.projects import open_project, save_project
-from lispac.workflow.survey import load_survey
+from lispac.workflow.importing.line_import import import_lines, line_folder
+from lispac.workflow.project.project_copy import save_project_as
+from lispac.workflow.project.projects import open_project, save_project
+from lispac.workflow.project.survey import load_survey
 from tests.gui.support import WAIT_MS, Control, Demo, Driver, Key, Left, press
 from tests.message_codes import codes
 
@@ -105,7 +105,7 @@ def test_a_folder_that_cannot_be_written_names_the_remedy(
     def refused(_project: Project, **_: object) -> None:
         raise InputError(f"{demo_copy}: cannot be written (Read-only); choose another folder.")
 
-    monkeypatch.setattr("lispac.workflow.projects.write_project", refused)
+    monkeypatch.setattr("lispac.workflow.project.projects.write_project", refused)
     press(harbour, Key.Key_S, Control)
     (error,) = harbour.dialogs.errors
     assert error.code == "window.not_saved"

@@ -15,7 +15,7 @@ from lispac.gui.language import set_language
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.workflow.projects import save_project
+from lispac.workflow.project.projects import save_project
 from tests.french_catalogue import FRENCH
 from tests.gui.french_support import english, pieces, texts
 from tests.gui.support import WAIT_MS, Demo, Driver, Key, click, open_step, press, settle

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QPushB
 
 from lispac.gui.dialogs.seed_at import SeedDialog
 from lispac.survey.crs import coordinate_system
-from lispac.workflow.demo import demo_seeds
+from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.support import WAIT_MS, Driver, Key, click, open_step, press
 
 TARGETS = 1

@@ -15,9 +15,9 @@ from PySide6.QtWidgets import (
 )
 
 from lispac.progress import Progress, Step
-from lispac.workflow import seed_lists
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.seed_lists import pick_seeds
+from lispac.workflow.calibration import seed_lists
+from lispac.workflow.calibration.seed_lists import pick_seeds
+from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.import_support import drop
 from tests.gui.support import WAIT_MS, Driver, Key, Left, click, open_step, press
 from tests.gui.test_gui_seed_at import hand

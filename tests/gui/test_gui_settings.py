@@ -17,10 +17,10 @@ from lispac.gui.recovery_copies import LOCK_NAME
 from lispac.gui.settings import AppSettings
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording_viewport import RecordingViewport
-from lispac.io.sensor_file import PosSpecification, ScannerSpecification
+from lispac.io.config.sensor_file import PosSpecification, ScannerSpecification
 from lispac.project import Settings
-from lispac.workflow.projects import new_project
-from lispac.workflow.sensors import read_library, store_sensor
+from lispac.workflow.planning.sensors import read_library, store_sensor
+from lispac.workflow.project.projects import new_project
 from tests.gui.support import Driver, Key, Left, in_front, press
 
 OTHERS = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",

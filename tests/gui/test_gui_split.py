@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 from lispac.cli.main import main
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.project import Settings
-from lispac.workflow.projects import new_project
+from lispac.workflow.project.projects import new_project
 from tests.gui.import_support import drop, rest
 from tests.gui.support import Demo, Left
 

@@ -13,7 +13,7 @@ from lispac.gui.language import set_language
 from lispac.gui.main_window import TITLE_BAR_HEIGHT, MainWindow
 from lispac.gui.start_page import StartPage
 from lispac.gui.tour import SAME_ORIENTATION, STEPS
-from lispac.io.project_file import FILE_NAME
+from lispac.io.project.project_file import FILE_NAME
 from tests.gui.support import WAIT_MS, Driver, click, press, seed
 
 DAY = datetime(2026, 3, 7, 9, 5).timestamp()

@@ -18,7 +18,7 @@ from lispac.gui.dialogs.line_quality import LineQualityDialog
 from lispac.gui.dialogs.subsampling import SubsamplingDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
 from lispac.identity import Identity
-from lispac.io.project_file import write_project
+from lispac.io.project.project_file import write_project
 from lispac.project import Project
 from tests.gui.support import WAIT_MS, Driver, in_front
 from tests.report_sample import sample_project

@@ -7,8 +7,8 @@ import pytest
 from PySide6.QtCore import QPoint
 
 from lispac.gui.tour import STEPS
-from lispac.workflow.demo import demo_seeds
-from lispac.workflow.projects import open_project
+from lispac.workflow.planning.demo import demo_seeds
+from lispac.workflow.project.projects import open_project
 from tests.gui.by_hand import Hands, ctrl_click, shows_something
 from tests.gui.support import Control, Key, click, press
 

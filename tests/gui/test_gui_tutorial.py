@@ -17,7 +17,7 @@ from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings
 from lispac.gui.status import STEPS
 from lispac.language import gettext
-from lispac.workflow.projects import open_project
+from lispac.workflow.project.projects import open_project
 from tests.french_catalogue import FRENCH
 from tests.gui.reader import Lost, Reader
 from tests.gui.support import WAIT_MS

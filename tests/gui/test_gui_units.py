@@ -238,7 +238,7 @@ def test_the_scale_is_round_in_feet_and_metric_in_files(imperial: None) -> None:
 def test_comparisons_are_in_feet_and_copied_in_millimetres(
     driver: Driver, demo: Demo, estimated: Project, imperial: None
 ) -> None:
-    from lispac.workflow.validation import validate
+    from lispac.workflow.checking.validation import validate
 
     validated = validate(estimated, demo.survey)
     driver.window.document.open(validated, demo.survey)
@@ -306,7 +306,7 @@ def test_the_scale_of_colours_is_in_feet_and_metric_in_files(
 def test_no_metric_word_is_left_in_a_window_in_feet(
     program: Session, demo: Demo, estimated: Project, qtbot: QtBot
 ) -> None:
-    from lispac.workflow.validation import validate
+    from lispac.workflow.checking.validation import validate
 
     window = program.window
     window.document.open(validate(estimated, demo.survey), demo.survey)

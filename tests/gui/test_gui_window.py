@@ -213,7 +213,7 @@ def test_a_count_that_fails_is_told_once(picked: Driver, monkeypatch):
     def broken(*_):
         raise OSError(5, "Input/output error", "lines/L1")
 
-    monkeypatch.setattr("lispac.workflow.calibration.count_points", broken)
+    monkeypatch.setattr("lispac.workflow.calibration.estimation.count_points", broken)
     open_step(picked, 2)
     picked.window.adjust.distance.selectAll()
     picked.bot.keyClicks(picked.window.adjust.distance, "30")

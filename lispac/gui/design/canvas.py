@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.gui import theme, units
 from lispac.gui.design.workspace import Workspace
-from lispac.io.plan_file import TitledPlan
+from lispac.io.config.plan_file import TitledPlan
 from lispac.language import LazyText
 
 Array = NDArray[np.float64]

@@ -10,8 +10,8 @@ from lispac.design.plan import Line, Plan, System
 from lispac.design.plan_choices import thesis_plan
 from lispac.design.site import Site, Wall
 from lispac.gui import units
-from lispac.io.plan_file import TitledPlan
-from lispac.io.sensor_file import PosAccuracy, ScannerSpecification
+from lispac.io.config.plan_file import TitledPlan
+from lispac.io.config.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.simulation.closed_form_survey import Ball, Board
 
 NEAR_M, FAR_M = 1.0, 200.0

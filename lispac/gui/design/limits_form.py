@@ -12,7 +12,7 @@ from lispac.gui import units
 from lispac.gui.panels import widgets
 from lispac.gui.panels.number_field import BASES
 from lispac.gui.units import Base
-from lispac.io.plan_file import TitledPlan
+from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, gettext
 from lispac.messages import error
 

@@ -18,8 +18,8 @@ from lispac.design.site import Site
 from lispac.gui.design.surveys import SimulationRequest
 from lispac.language import N_, gettext_lazy
 from lispac.progress import Progress, Step
-from lispac.workflow.parallel_map import process_pool_mapper
-from lispac.workflow.plan_checks import simulate_surveys
+from lispac.workflow.planning.parallel_map import process_pool_mapper
+from lispac.workflow.planning.plan_checks import simulate_surveys
 
 MAX_SERIAL_PLANS = 600
 """Plans that are examined sooner than other processes are started."""

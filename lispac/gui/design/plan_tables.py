@@ -12,7 +12,7 @@ from lispac.gui.design.edits import PlacedTarget
 from lispac.gui.design.number_table import NumberTable, TableColumn
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
-from lispac.io.plan_file import SIDES
+from lispac.io.config.plan_file import SIDES
 from lispac.language import N_, LazyText, gettext, gettext_lazy
 
 LINE_FIELDS = (

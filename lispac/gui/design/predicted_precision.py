@@ -10,11 +10,11 @@ from lispac.design.plan_choices import have_targets_one_orientation
 from lispac.design.plan_search import InformationGain, information_gains
 from lispac.design.prediction import Prediction, predict
 from lispac.gui import units
-from lispac.io.plan_file import TitledPlan
+from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, Plural, gettext, number
 from lispac.messages import Message, note
 from lispac.progress import Progress, no_progress
-from lispac.workflow.plan_checks import observability_messages
+from lispac.workflow.planning.plan_checks import observability_messages
 
 NO_VALUE, UNDETERMINED = "–", N_("undetermined")
 

@@ -18,7 +18,7 @@ from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row
 from lispac.language import N_, current_language, gettext, number
 from lispac.message_texts import message_text
-from lispac.workflow.plan_checks import plan_warnings
+from lispac.workflow.planning.plan_checks import plan_warnings
 
 PLAN_KEYS = ("plan", "thesis")
 TITLES = N_("this plan"), N_("Shahraji's plan")

@@ -12,7 +12,7 @@ from lispac.gui.design.edits import PlacedTarget
 from lispac.gui.design.wall_view import FINE_STEP, SNAP_STEP, moved_target
 from lispac.gui.design.workspace import Workspace
 from lispac.gui.viewport.base import DragHandle, PickedPoint, Sketch, Viewport
-from lispac.io.plan_file import TitledPlan
+from lispac.io.config.plan_file import TitledPlan
 from lispac.language import gettext_lazy
 from lispac.simulation.closed_form_survey import Ball, Board
 

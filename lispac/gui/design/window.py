@@ -28,9 +28,9 @@ from lispac.gui.design.workspace import Workspace
 from lispac.gui.panels import widgets
 from lispac.gui.statusbar import TaskStatusBar
 from lispac.gui.viewport.base import Viewport
-from lispac.io.plan_file import TitledPlan
+from lispac.io.config.plan_file import TitledPlan
 from lispac.language import N_, gettext, gettext_lazy
-from lispac.workflow.plan_comparison import PlanComparison
+from lispac.workflow.planning.plan_comparison import PlanComparison
 
 COMPARE = N_(
     "After the survey, open the project in the main window and the survey plan in this window, "

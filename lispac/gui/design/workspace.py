@@ -9,7 +9,7 @@ from lispac.design.plan import Line
 from lispac.gui.design import edits
 from lispac.gui.design.edits import PlacedTarget
 from lispac.gui.design.undo_history import UndoHistory
-from lispac.io.plan_file import TitledPlan
+from lispac.io.config.plan_file import TitledPlan
 from lispac.language import LazyText, gettext, gettext_lazy
 
 

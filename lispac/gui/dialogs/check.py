@@ -27,8 +27,8 @@ from lispac.report.absolute_values import (
     ReferenceDistances,
 )
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE
-from lispac.workflow.output_crs import LOCAL
+from lispac.workflow.checking.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE
+from lispac.workflow.output.output_crs import LOCAL
 
 AS_IN_FILE = N_("System of the file, or local frame if it has none")
 DISTANCE_COLUMNS = (

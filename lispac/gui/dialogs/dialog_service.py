@@ -42,17 +42,17 @@ from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.visibility_study import VisibilityStudy
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.targets.finder_settings import FinderChoices
-from lispac.workflow.calibration_history import CalibrationHistory
-from lispac.workflow.export_request import ExportRequest, What
-from lispac.workflow.georeferencing import Which
-from lispac.workflow.input_files import ImportRequest
-from lispac.workflow.line_quality import LineQuality
-from lispac.workflow.proposals import Proposal
-from lispac.workflow.seed_lists import ListedSeed, SeedOutcome
-from lispac.workflow.subsampling import SubsamplingResult
+from lispac.workflow.calibration.proposals import Proposal
+from lispac.workflow.calibration.seed_lists import ListedSeed, SeedOutcome
+from lispac.workflow.checking.calibration_history import CalibrationHistory
+from lispac.workflow.checking.line_quality import LineQuality
+from lispac.workflow.checking.subsampling import SubsamplingResult
+from lispac.workflow.importing.input_files import ImportRequest
+from lispac.workflow.output.export_request import ExportRequest, What
+from lispac.workflow.output.georeferencing import Which
 
 if TYPE_CHECKING:
-    from lispac.workflow.script import Script
+    from lispac.workflow.output.script import Script
 
 DesignFile = Literal["open", "save", "page", "site"]
 DESIGN_FILES: dict[DesignFile, tuple[str, str, bool]] = {

@@ -29,15 +29,15 @@ from lispac.message_texts import message_text
 from lispac.messages import Message, error, note
 from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.data_export import trajectory_datum_note
-from lispac.workflow.export_request import (
+from lispac.workflow.output.data_export import trajectory_datum_note
+from lispac.workflow.output.export_request import (
     ENDINGS,
     ExportRequest,
     What,
     output_system_of,
 )
-from lispac.workflow.georeferencing import Which
-from lispac.workflow.output_crs import LOCAL, trajectory_datum_of
+from lispac.workflow.output.georeferencing import Which
+from lispac.workflow.output.output_crs import LOCAL, trajectory_datum_of
 
 CONTENTS: dict[What, str] = {
     "lines": N_("Georeferenced lines with all attributes"),

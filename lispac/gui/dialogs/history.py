@@ -12,7 +12,7 @@ from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, 
 from lispac.language import N_, gettext, short_date
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.workflow.calibration_history import (
+from lispac.workflow.checking.calibration_history import (
     CalibratedSystem,
     CalibrationHistory,
     HistoryEntry,

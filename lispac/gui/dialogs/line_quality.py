@@ -8,8 +8,8 @@ from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.validation.line_differences import Facing
-from lispac.workflow.georeferencing import Which
-from lispac.workflow.line_quality import DifferenceStatistics, LineQuality
+from lispac.workflow.checking.line_quality import DifferenceStatistics, LineQuality
+from lispac.workflow.output.georeferencing import Which
 
 STATISTIC_COLUMNS = (
     (

@@ -19,7 +19,7 @@ from lispac.gui.actions import dialog_title
 from lispac.gui.panels import widgets
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.workflow.proposals import Proposal
+from lispac.workflow.calibration.proposals import Proposal
 
 ROLES = {"target": N_("Target"), "validation": N_("Validation plane")}
 HEADS = (N_("Name"), N_("Role"), N_("Lines"), N_("Reason"))

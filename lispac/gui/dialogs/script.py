@@ -13,7 +13,7 @@ from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 
 if TYPE_CHECKING:
-    from lispac.workflow.script import Script
+    from lispac.workflow.output.script import Script
 
 INTRODUCTION = N_(
     "This Python script recomputes the project from its raw files and gives the same results. You "

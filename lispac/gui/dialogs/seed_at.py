@@ -11,13 +11,13 @@ from lispac.gui.dialogs.error import exception_text
 from lispac.gui.dialogs.system_choice import CoordinateSystemFields
 from lispac.gui.panels import widgets
 from lispac.gui.seed_options import SeedOptions
-from lispac.io.text_table import find_coordinates, parse_coordinate
+from lispac.io.text.text_table import find_coordinates, parse_coordinate
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import error
 from lispac.project import Project, Triple, require_target_name
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.coordinates import (
+from lispac.workflow.project.coordinates import (
     axis_names,
     distances_from_trajectory,
     require_near_trajectory,

@@ -27,8 +27,8 @@ from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
 from lispac.project import Project, Role, Target
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.coordinates import distances_from_trajectory
-from lispac.workflow.seed_lists import ListedSeed, SeedList, SeedOutcome, read_seeds
+from lispac.workflow.calibration.seed_lists import ListedSeed, SeedList, SeedOutcome, read_seeds
+from lispac.workflow.project.coordinates import distances_from_trajectory
 
 ROLES: dict[Role, str] = {"target": N_("Target"), "validation": N_("Validation plane")}
 READ_HEADS = (

@@ -10,7 +10,7 @@ from lispac.errors import InputError
 from lispac.gui import theme
 from lispac.gui.dialogs.error import exception_text
 from lispac.gui.panels import widgets
-from lispac.io.sensor_file import (
+from lispac.io.config.sensor_file import (
     STATES,
     Figures,
     PosAccuracy,
@@ -18,7 +18,7 @@ from lispac.io.sensor_file import (
     ScannerSpecification,
 )
 from lispac.language import N_, gettext
-from lispac.workflow.sensors import require_storable, store_sensor
+from lispac.workflow.planning.sensors import require_storable, store_sensor
 
 NEW_SCANNER = ScannerSpecification("", 0.005, 0.01, 0.5, "")
 NEW_POS = PosSpecification("", (PosAccuracy("ppk", (0.02, 0.02, 0.03), (0.01, 0.01, 0.015), ""),))

@@ -23,10 +23,21 @@ from lispac.gui.dialogs.import_files.sensor_choice import SOLUTIONS
 from lispac.gui.dialogs.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
 from lispac.gui.panels import widgets
 from lispac.gui.units import Base
-from lispac.io.sensor_file import Figures, PosAccuracy, PosSpecification, ScannerSpecification
+from lispac.io.config.sensor_file import (
+    Figures,
+    PosAccuracy,
+    PosSpecification,
+    ScannerSpecification,
+)
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.workflow.sensors import LONGEST, Sensor, read_library, remove_sensor, source_text
+from lispac.workflow.planning.sensors import (
+    LONGEST,
+    Sensor,
+    read_library,
+    remove_sensor,
+    source_text,
+)
 
 HEADS = (N_("Sensor"), N_("Standard deviations (1 σ)"), N_("Source"))
 AnySensor = Sensor[ScannerSpecification] | Sensor[PosSpecification]

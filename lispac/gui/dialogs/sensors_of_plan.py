@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QWidget
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.panels import widgets
-from lispac.io.sensor_file import PosAccuracy, ScannerSpecification
+from lispac.io.config.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.language import gettext
-from lispac.workflow.sensors import read_library
+from lispac.workflow.planning.sensors import read_library
 
 Sensors = tuple[ScannerSpecification | None, PosAccuracy | None]
 

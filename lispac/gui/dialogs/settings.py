@@ -16,7 +16,7 @@ from lispac.gui.preferences import Preferences
 from lispac.gui.settings import POINT_BUDGETS, POINT_SIZES
 from lispac.gui.units import ANGLES, LENGTHS
 from lispac.language import LANGUAGES, N_, gettext
-from lispac.workflow.sensors import read_library
+from lispac.workflow.planning.sensors import read_library
 
 MILLION = 1_000_000
 UNITS = {

@@ -10,7 +10,7 @@ from lispac.gui.actions import dialog_title
 from lispac.gui.dialogs.study_dialog import StudyDialog, angle_columns
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import gettext
-from lispac.workflow.subsampling import SubsamplingResult
+from lispac.workflow.checking.subsampling import SubsamplingResult
 
 
 class SubsamplingDialog(StudyDialog):

@@ -11,8 +11,8 @@ from lispac.messages import error
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.survey.trajectory import LocalTrajectory
-from lispac.workflow.export_request import output_system_of
-from lispac.workflow.output_crs import LOCAL, common_system, utm_zone
+from lispac.workflow.output.export_request import output_system_of
+from lispac.workflow.output.output_crs import LOCAL, common_system, utm_zone
 
 DELAY_MS = 300
 LOCAL_NAME = N_("Local frame – North, West, Up")

@@ -22,7 +22,7 @@ from lispac.gui.panels.mounting_sketch import MountingView
 from lispac.gui.panels.number_field import EQUAL_TOLERANCE
 from lispac.language import gettext, number
 from lispac.project import Project, Settings
-from lispac.workflow.survey import Survey
+from lispac.workflow.project.survey import Survey
 
 
 class DataPanel(QWidget):

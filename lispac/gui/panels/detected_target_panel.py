@@ -11,7 +11,7 @@ from lispac.gui.tab_order import ENTER_KEYS
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.project import Project, Role, Shape, Target
-from lispac.workflow.survey import Survey
+from lispac.workflow.project.survey import Survey
 
 TITLES: dict[Role, tuple[str, str]] = {
     "target": (N_("Target {name}"), N_("Target {name} (replaces the existing target)")),
@@ -106,7 +106,7 @@ class DetectedTargetPanel(QFrame):
 
 def _comparison_text(target: Target, survey: Survey) -> str:
     """How the target differs from the expected one, on the first line with a difference."""
-    from lispac.workflow.sighting_assessment import unexpected_deviations
+    from lispac.workflow.calibration.sighting_assessment import unexpected_deviations
 
     differences = unexpected_deviations(target, survey)
     if not differences:
@@ -127,7 +127,7 @@ def _comparison_text(target: Target, survey: Survey) -> str:
 
 def _spheres_text(target: Target, survey: Survey) -> str:
     """Radius and visible part of the spheres over the lines."""
-    from lispac.workflow.picking import spheres_of
+    from lispac.workflow.calibration.picking import spheres_of
 
     patches = spheres_of(target, survey).values()
     radii = [patch.sphere.radius for patch in patches]

@@ -12,7 +12,7 @@ from lispac.gui.status import StepStatus
 from lispac.language import LANGUAGES, N_, current_language, gettext
 from lispac.report.options import PAGES, USUAL, ReportOptions
 from lispac.survey.conventions.systems import LISPAC, SYSTEMS, Status
-from lispac.workflow.report_options import report_options
+from lispac.workflow.output.report_options import report_options
 
 OTHER_SYSTEMS = tuple(each for each in SYSTEMS if each.key != LISPAC.key)
 STATUS: dict[Status, str] = {

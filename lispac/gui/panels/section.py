@@ -10,7 +10,7 @@ from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.gui.viewport.base import Colour
 from lispac.language import N_, gettext
-from lispac.workflow.survey_sections import SectionPoints
+from lispac.workflow.checking.survey_sections import SectionPoints
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

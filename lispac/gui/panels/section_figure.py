@@ -13,7 +13,7 @@ from lispac.gui.panels.ticks import convert_axis_units
 from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.viewport.overlay import length_text, scale_bar_length
 from lispac.language import N_, gettext
-from lispac.workflow.survey_sections import SectionPoints
+from lispac.workflow.checking.survey_sections import SectionPoints
 
 MAX_POINTS = 60_000
 """Largest number of points drawn; of more, an even subsample of all lines."""

@@ -20,7 +20,7 @@ from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import message_text
 from lispac.project import PickedSighting, Project, Target
 from lispac.targets.sighting_quality import Rating, SightingQuality
-from lispac.workflow.survey import Survey
+from lispac.workflow.project.survey import Survey
 
 Role = Qt.ItemDataRole
 Index = QModelIndex | QPersistentModelIndex

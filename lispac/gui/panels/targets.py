@@ -27,7 +27,7 @@ from lispac.gui.units import Base
 from lispac.language import N_, gettext
 from lispac.project import Project, Role, Shape, Target
 from lispac.targets.expected_target import ExpectedTarget
-from lispac.workflow.survey import Survey
+from lispac.workflow.project.survey import Survey
 
 ALL_LINES = N_("All lines")
 
@@ -228,7 +228,7 @@ class TargetsPanel(QWidget):
     def _show_default_threshold(self) -> None:
         if self._project is None:
             return
-        from lispac.workflow.target_search import TargetSearch
+        from lispac.workflow.calibration.target_search import TargetSearch
 
         search = TargetSearch(self.shape, self.sphere_radius)
         default = 1000 * search.threshold(self._project.settings.threshold)

@@ -6,7 +6,7 @@ from lispac.gui.dialogs.import_files.dialog import MOUNTING, ImportDialog
 from lispac.gui.settings import AppSettings
 from lispac.language import gettext
 from lispac.project import LineSource, Project
-from lispac.workflow.input_files import InputFiles
+from lispac.workflow.importing.input_files import InputFiles
 
 
 class AddLinesDialog(ImportDialog):

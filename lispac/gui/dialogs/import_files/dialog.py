@@ -41,8 +41,8 @@ from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.language import Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Action
-from lispac.workflow.input_files import ImportRequest, InputFiles, proposed_folder
-from lispac.workflow.sensors import read_library
+from lispac.workflow.importing.input_files import ImportRequest, InputFiles, proposed_folder
+from lispac.workflow.planning.sensors import read_library
 
 FILE, TIMELINE, QUALITY, MOUNTING = range(4)
 

@@ -20,9 +20,9 @@ from lispac.gui.panels import widgets
 from lispac.language import gettext
 from lispac.message_texts import fact_text, message_text
 from lispac.messages import Action
-from lispac.workflow.input_file import InputFile
-from lispac.workflow.input_file_messages import option_to_choose
-from lispac.workflow.input_files import InputFiles
+from lispac.workflow.importing.input_file import InputFile
+from lispac.workflow.importing.input_file_messages import option_to_choose
+from lispac.workflow.importing.input_files import InputFiles
 
 
 class FilePage(QWidget):

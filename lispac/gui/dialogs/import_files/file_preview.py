@@ -7,8 +7,13 @@ from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.language import gettext
-from lispac.workflow.input_columns import PASSED_OVER, has_columns, meaning_label, possible_meanings
-from lispac.workflow.input_file import InputFile
+from lispac.workflow.importing.input_columns import (
+    PASSED_OVER,
+    has_columns,
+    meaning_label,
+    possible_meanings,
+)
+from lispac.workflow.importing.input_file import InputFile
 
 NAMED_FORMATS = ("las", "e57")
 """Formats whose files name their columns; these names are not translated."""

@@ -19,8 +19,8 @@ from lispac.gui.panels import widgets
 from lispac.io.format_types import Kind
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.workflow.input_file import InputFile
-from lispac.workflow.input_files import InputFiles
+from lispac.workflow.importing.input_file import InputFile
+from lispac.workflow.importing.input_files import InputFiles
 
 FILE, ROLE, FORMAT, COUNT, SPAN, FRAME, STATE = range(7)
 _HEADS = (

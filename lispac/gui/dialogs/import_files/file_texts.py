@@ -4,15 +4,15 @@ from PySide6.QtGui import QIcon
 
 from lispac.gui import theme
 from lispac.io.format_types import Kind
-from lispac.io.line_times import LineTimes
+from lispac.io.points.line_times import LineTimes
 from lispac.language import N_, Plural, gettext, number
 from lispac.message_texts import fact_text, message_text
 from lispac.messages import Level
 from lispac.survey.known_time_base import base_message
 from lispac.survey.time_base import KEYS, TimeBase, base_of_key
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
-from lispac.workflow.input_file import InputFile
-from lispac.workflow.input_files import InputFiles
+from lispac.workflow.importing.input_file import InputFile
+from lispac.workflow.importing.input_files import InputFiles
 
 ROLES: dict[Kind | None, str] = {
     "trajectory": N_("Trajectory"), "accuracy": N_("Accuracy"), "points": N_("Line"),

@@ -14,8 +14,13 @@ from lispac.language import gettext
 from lispac.messages import Message, error
 from lispac.progress import Progress
 from lispac.survey.line_source import printable
-from lispac.workflow.input_file import InputFile, examine_file, examine_project_file, reexamine_file
-from lispac.workflow.input_files import InputFiles, collect_files, find_project
+from lispac.workflow.importing.input_file import (
+    InputFile,
+    examine_file,
+    examine_project_file,
+    reexamine_file,
+)
+from lispac.workflow.importing.input_files import InputFiles, collect_files, find_project
 
 STOPPED_CODE = "import.stopped"
 """Code of the entries that were not read because the user stopped the reading."""

@@ -7,12 +7,12 @@ from lispac.gui import theme
 from lispac.gui.dialogs.import_files.sensor_choice import SensorChoice
 from lispac.gui.panels import widgets
 from lispac.gui.panels.mounting_sketch import MountingView
-from lispac.io.sensor_file import PosAccuracy, ScannerSpecification
+from lispac.io.config.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.language import gettext
 from lispac.messages import Message
 from lispac.project import Settings
 from lispac.survey.lever_arm_warnings import lever_arm_warnings
-from lispac.workflow.sensors import SensorLibrary
+from lispac.workflow.planning.sensors import SensorLibrary
 
 GEOGRAPHIC = ("new_latitude", "new_longitude")
 """Always in degrees, whatever the unit of angles."""

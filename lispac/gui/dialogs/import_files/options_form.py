@@ -8,7 +8,7 @@ from lispac.gui.panels import widgets
 from lispac.io.format_types import FileFormat, FormatOption
 from lispac.language import gettext
 from lispac.message_texts import message_text
-from lispac.workflow.input_file import InputFile
+from lispac.workflow.importing.input_file import InputFile
 
 _GEOREFERENCED = ("crs", "height", "height_unit", "trajectory_datum", "epoch")
 _SCANNER = ("unit",)

@@ -13,11 +13,11 @@ from lispac.gui import theme, units
 from lispac.gui.dialogs.import_files.envelope import envelope
 from lispac.gui.dialogs.import_files.file_texts import time_axis_title
 from lispac.gui.panels.ticks import convert_axis_units
-from lispac.io.line_times import LineTimes
-from lispac.io.trajectory_facts import motion_of
+from lispac.io.points.line_times import LineTimes
+from lispac.io.trajectory.trajectory_facts import motion_of
 from lispac.language import gettext
 from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
-from lispac.workflow.input_files import InputFiles
+from lispac.workflow.importing.input_files import InputFiles
 
 Array = NDArray[np.float64]
 LINE_STYLES = ("-", (0, (6, 3)), (0, (2, 2)))

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QVBoxLayout, QWidget
 from lispac.gui import theme
 from lispac.gui.panels import widgets
 from lispac.language import N_, gettext
-from lispac.workflow.input_files import InputFiles
+from lispac.workflow.importing.input_files import InputFiles
 
 ACCURACIES, TRACK, MOTION = "accuracies", "track", "motion"
 NAMES = {

@@ -4,9 +4,9 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.panels import widgets
-from lispac.io.sensor_file import PosAccuracy, PosSpecification, ScannerSpecification
+from lispac.io.config.sensor_file import PosAccuracy, PosSpecification, ScannerSpecification
 from lispac.language import N_, gettext
-from lispac.workflow.sensors import SensorLibrary, source_text
+from lispac.workflow.planning.sensors import SensorLibrary, source_text
 
 OTHER = N_("Other (enter specifications)")
 SOLUTIONS = {"rtk": "RTK", "ppk": "PPK", "degraded": N_("degraded GNSS")}

@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from lispac.gui import theme
 from lispac.gui.dialogs.import_files.file_texts import time_axis_title
-from lispac.io.line_times import LineTimes
+from lispac.io.points.line_times import LineTimes
 from lispac.language import Plural, gettext, number
 from lispac.survey.time_quality import TrajectoryCoverage
-from lispac.workflow.input_files import InputFiles
+from lispac.workflow.importing.input_files import InputFiles
 
 NAME_PX, TEXT_PX, ROW_PX, AXIS_PX, TOP_PX = 170, 190, 26, 44, 8
 """Pixels left and right of the bars, of a row, and below and above the bars."""

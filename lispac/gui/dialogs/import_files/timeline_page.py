@@ -12,7 +12,7 @@ from lispac.gui.dialogs.import_files.timeline import TimelineView
 from lispac.gui.panels import widgets
 from lispac.language import Plural, gettext
 from lispac.messages import Action, Level, Message
-from lispac.workflow.input_files import InputFiles
+from lispac.workflow.importing.input_files import InputFiles
 
 
 class TimelinePage(QWidget):

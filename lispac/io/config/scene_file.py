@@ -1,0 +1,199 @@
+"""A scene from TOML: surfaces, targets among them, and the lines past them."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import ProjectError
+from lispac.io.config.toml_table import TomlTable
+from lispac.io.points.mesh_file import read_mesh
+from lispac.picked_targets import require_target_name
+from lispac.simulation.motion_source import TrajectoryStretch
+from lispac.simulation.scene import (
+    Cylinder,
+    Rectangle,
+    Scene,
+    Sphere,
+    Surface,
+    box_faces,
+    tilted_rectangle,
+    upright_rectangle,
+)
+from lispac.simulation.vessel_motion import StraightPass
+
+KINDS = ("board", "wall", "box", "cylinder", "sphere", "mesh")
+ROLES = ("target", "validation")
+
+
+@dataclass(frozen=True, eq=False)
+class SceneFile:
+    """Content of a scene file.
+
+    Attributes
+    ----------
+    title : str
+    vessel, scanner : str
+        Names or files of those it is meant for.
+    origin : tuple of float or None
+        Latitude and longitude (radians) and ellipsoidal height (metres) of the local frame; None
+        for the mean of a recorded trajectory.
+    scene : Scene
+    targets, validation : tuple of str
+        Names of surfaces.
+    passes : tuple of StraightPass
+        Courses to be sailed, or none where a recorded trajectory is replayed.
+    stretches : tuple of TrajectoryStretch
+        What of a recorded trajectory becomes lines.
+    trajectory : Path or None
+        The recorded trajectory.
+    pulses_per_second : float or None
+        Of the scanner, where the scene wants another rate than the scanner's own.
+    """
+
+    title: str
+    vessel: str
+    scanner: str
+    origin: tuple[float, float, float] | None
+    scene: Scene
+    targets: tuple[str, ...]
+    validation: tuple[str, ...]
+    passes: tuple[StraightPass, ...]
+    stretches: tuple[TrajectoryStretch, ...]
+    trajectory: Path | None
+    pulses_per_second: float | None
+
+
+def read_scene(path: Path) -> SceneFile:
+    """Read a scene.
+
+    Raises
+    ------
+    InputError
+        With the file, the key and what to do.
+    """
+    with TomlTable.read(path, "scene") as table:
+        surfaces: list[Surface] = []
+        roles: dict[str, list[str]] = {role: [] for role in ROLES}
+        for each in table.tables("surfaces"):
+            name = each.text("name")
+            role = each.one_of("role", ROLES, None)
+            if role is not None:
+                _require_target_name(each, name, surfaces)
+                roles[role].append(name)
+            surfaces += _read_surfaces(each, name, is_target=role is not None)
+        if not surfaces:
+            raise table.refuse("surfaces", "scene.no_surfaces")
+        passes, stretches = _read_lines(table)
+        trajectory = table.text("trajectory", None)
+        return SceneFile(
+            table.text("title"), table.text("vessel"), table.text("scanner"), _read_origin(table),
+            Scene.of(surfaces), tuple(roles["target"]), tuple(roles["validation"]), passes,
+            stretches, None if trajectory is None else Path(path).parent / trajectory,
+            table.number("pulses_per_second", None, over=0, high=1e7),
+        )  # fmt: skip
+
+
+def _read_origin(table: TomlTable) -> tuple[float, float, float] | None:
+    if "origin" not in table:
+        return None
+    with table.table("origin") as origin:
+        latitude = origin.number("latitude_deg", low=-90, high=90)
+        longitude = origin.number("longitude_deg", low=-360, high=360)
+        height = origin.number("height_m", low=-1000, high=10_000)
+        return float(np.radians(latitude)), float(np.radians(longitude)), height
+
+
+def _require_target_name(table: TomlTable, name: str, surfaces: list[Surface]) -> None:
+    try:
+        require_target_name(name)
+    except ProjectError as failure:
+        raise table.refuse("name", "scene.target_name", reason=failure.reason) from failure
+    if any(surface.name == name for surface in surfaces):
+        raise table.refuse("name", "scene.name_twice", name=name)
+
+
+def _read_surfaces(table: TomlTable, name: str, *, is_target: bool) -> list[Surface]:
+    kind = table.one_of("kind", KINDS)
+    if is_target and kind not in ("board", "wall", "sphere"):
+        raise table.refuse("role", "scene.role_of_kind", kind=kind)
+    if is_target and kind == "sphere" and table.one_of("role", ROLES) == "validation":
+        raise table.refuse("role", "scene.validation_sphere")
+    reflectance = table.number("reflectance", 0.4, low=0, high=1)
+    if kind == "board":
+        return [_read_board(table, name, reflectance)]
+    if kind == "wall":
+        bottom = table.number("bottom_m")
+        return [
+            upright_rectangle(
+                name, (table.number("north_m"), table.number("west_m")), bottom,
+                table.number("top_m", over=bottom), table.number("width_m", over=0),
+                table.number("facing_deg"), reflectance,
+            )
+        ]  # fmt: skip
+    if kind == "box":
+        bottom = table.number("bottom_m")
+        north, west = table.numbers("north_m", 2), table.numbers("west_m", 2)
+        return [
+            *box_faces(
+                name, (north[0], north[1]), (west[0], west[1]), bottom,
+                table.number("top_m", over=bottom), reflectance,
+            )
+        ]  # fmt: skip
+    if kind == "cylinder":
+        bottom = table.number("bottom_m")
+        return [
+            Cylinder(
+                name, table.number("north_m"), table.number("west_m"), bottom,
+                table.number("top_m", over=bottom), table.number("radius_m", over=0), reflectance,
+            )
+        ]  # fmt: skip
+    if kind == "sphere":
+        centre = np.array(table.three_numbers("centre_m"))
+        return [Sphere(name, centre, table.number("radius_m", over=0), reflectance)]
+    return [read_mesh(table.path.parent / table.text("file"), name, reflectance)]
+
+
+def _read_board(table: TomlTable, name: str, reflectance: float) -> Rectangle:
+    return tilted_rectangle(
+        name, table.three_numbers("centre_m"), table.number("width_m", over=0),
+        table.number("height_m", over=0), table.number("facing_deg"),
+        table.number("elevation_deg", 0.0, low=-90, high=90), reflectance,
+    )  # fmt: skip
+
+
+def _read_lines(table: TomlTable) -> tuple[tuple[StraightPass, ...], tuple[TrajectoryStretch, ...]]:
+    """Passes or stretches: a line with ``start_s`` is one of a recorded trajectory."""
+    passes: list[StraightPass] = []
+    stretches: list[TrajectoryStretch] = []
+    with table.table("pattern") as pattern:
+        about = pattern.numbers("about_m", 2, (0.0, 0.0))
+        distance = pattern.number("distance_m", None, low=0)
+    for line in table.tables("lines"):
+        if "start_s" in line:
+            start = line.number("start_s")
+            side = line.one_of("side", ("port", "starboard"))
+            stop = line.number("stop_s", over=start)
+            stretches.append(TrajectoryStretch(start, stop, side == "starboard"))
+            continue
+        if distance is None:
+            raise table.refuse("pattern.distance_m", "scene.no_distance")
+        heading, bearing = line.number("heading_deg"), line.number("bearing_deg")
+        off = (bearing - heading) % 360
+        if off in (0, 180):
+            raise line.refuse("bearing_deg", "scene.bearing_along_heading")
+        to = np.radians(bearing)
+        passes.append(
+            StraightPass(
+                float(np.radians(heading)),
+                (float(about[0] - distance * np.cos(to)), float(about[1] + distance * np.sin(to))),
+                line.number("run_in_m", low=0), line.number("run_out_m", low=0), off < 180,
+            )
+        )  # fmt: skip
+    if passes and stretches:
+        raise table.refuse("lines", "scene.mixed_lines")
+    if not passes and not stretches:
+        raise table.refuse("lines", "scene.no_lines")
+    if any(each.run_in + each.run_out < 1 for each in passes):
+        raise table.refuse("lines", "scene.line_too_short")
+    return tuple(passes), tuple(stretches)

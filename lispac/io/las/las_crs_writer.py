@@ -1,0 +1,114 @@
+"""Writing a coordinate system into a LAS header.
+
+WKT is written in its first version wherever that can say it: the LAS specification names that one,
+and much software reads no other. Point formats before 6 call for GeoTIFF keys; laspy's know no
+heights and no units, so they are made here.
+"""
+
+import warnings
+
+import laspy
+from laspy.vlrs.known import (
+    GeoAsciiParamsVlr,
+    GeoKeyDirectoryVlr,
+    GeoKeyEntryStruct,
+    WktCoordinateSystemVlr,
+)
+from pyproj import CRS
+from pyproj.exceptions import CRSError
+
+from lispac.io.las.las_crs import (
+    GEOCENTRIC_MODEL,
+    GEOGRAPHIC,
+    GEOGRAPHIC_CITATION,
+    MODEL,
+    PROJECTED,
+    PROJECTED_CITATION,
+    UNIT_CODES,
+    UNIT_NAMES,
+    VERTICAL,
+    VERTICAL_UNIT,
+)
+
+NUMBER, TEXT = 0, 34737
+"""Where a key's value is: in the key itself, or among the texts."""
+PROJECTED_MODEL, GEOGRAPHIC_MODEL = 1, 2
+RECORDS = ("WktCoordinateSystemVlr", "WktMathTransformVlr", "GeoKeyDirectoryVlr",
+           "GeoAsciiParamsVlr", "GeoDoubleParamsVlr")  # fmt: skip
+OWN_ID, LOCAL_FRAME = "LISPAC", 1
+"""User and record ID of the record that marks a cloud in the local frame of a project."""
+
+
+def is_in_local_frame(header: laspy.LasHeader) -> bool:
+    """True if a cloud was written in the local frame of a project."""
+    return any(each.user_id == OWN_ID and each.record_id == LOCAL_FRAME for each in header.vlrs)
+
+
+def write_crs(header: laspy.LasHeader, crs: CRS | None) -> None:
+    """Write a coordinate system into a header, in the place of any other; None for the local frame.
+
+    Where neither WKT nor keys would do by the header's version, the version becomes 1.4.
+    """
+    for name in RECORDS:
+        header.vlrs.extract(name)
+        if header.evlrs is not None:
+            header.evlrs.extract(name)
+    header.vlrs[:] = [each for each in header.vlrs if each.user_id != OWN_ID]
+    header.global_encoding.wkt = header.point_format.id >= 6
+    if crs is None:
+        return
+    header.vlrs.append(WktCoordinateSystemVlr(_crs_wkt(crs)))
+    if header.point_format.id >= 6:
+        return
+    numbers, text = _geotiff_keys(crs)
+    if not numbers:
+        header.version = laspy.header.Version(1, 4)
+        header.global_encoding.wkt = True
+        return
+    directory = GeoKeyDirectoryVlr()
+    citation = PROJECTED_CITATION if PROJECTED in numbers else GEOGRAPHIC_CITATION
+    keys = [GeoKeyEntryStruct(key, NUMBER, 1, value) for key, value in numbers.items()]
+    keys.append(GeoKeyEntryStruct(citation, TEXT, len(text), 0))
+    directory.geo_keys = sorted(keys, key=lambda key: key.id)
+    directory.geo_keys_header.number_of_keys = len(keys)
+    texts = GeoAsciiParamsVlr()
+    texts.strings = [text]
+    header.vlrs.extend([directory, texts])
+
+
+def _crs_wkt(crs: CRS) -> str:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # PROJ's warnings on what version 1 omits
+        try:
+            wkt = crs.to_wkt("WKT1_GDAL")
+            same = CRS.from_wkt(wkt)
+        except CRSError:
+            return str(crs.to_wkt())
+    # Version 1 says nothing of a third axis: then the system is not the same any more.
+    return str(wkt) if len(same.axis_info) == len(crs.axis_info) else str(crs.to_wkt())
+
+
+def _geotiff_keys(crs: CRS) -> tuple[dict[int, int], str]:
+    """GeoTIFF's keys with numbers and the citation; no keys where a part has no code."""
+    parts = crs.sub_crs_list if crs.is_compound else [crs]
+    horizontal = parts[0]
+    if horizontal.is_geocentric:
+        model, key, code = GEOCENTRIC_MODEL, GEOGRAPHIC, horizontal.to_epsg()
+    elif horizontal.is_geographic:
+        model, key, code = GEOGRAPHIC_MODEL, GEOGRAPHIC, horizontal.to_2d().to_epsg()
+    else:
+        model, key, code = PROJECTED_MODEL, PROJECTED, horizontal.to_epsg()
+    if not code or code > 32766:
+        return {}, ""
+    numbers = {MODEL: model, key: code}
+    if len(parts) > 1:
+        heights = parts[1].to_epsg()
+        if not heights or heights > 32766:
+            return {}, ""
+        numbers[VERTICAL] = heights
+        unit = UNIT_NAMES.get(parts[1].axis_info[0].unit_name, "")
+        known = {name: code for code, name in UNIT_CODES.items()}
+        if unit:
+            numbers[VERTICAL_UNIT] = known[unit]
+    text = str(crs.name).encode("ascii", "replace").decode() + "|"
+    return numbers, text

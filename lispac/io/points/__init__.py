@@ -1,0 +1,1 @@
+"""Points in other formats, and what all readers of points share."""

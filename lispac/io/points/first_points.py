@@ -1,0 +1,156 @@
+"""Frame and bounds of the first points of a file, and warnings that their numbers give."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.format_types import Fact
+from lispac.io.points.point_reader_common import (
+    CHOOSE_FRAME,
+    CHOOSE_SYSTEM,
+    COARSEST_TIME,
+    GEOREFERENCED,
+    NO_SYSTEM,
+    SCANNER,
+    time_resolution,
+    usable_mask,
+)
+from lispac.messages import Message, note, warning
+from lispac.survey.crs import ELLIPSOID, coordinate_system
+from lispac.survey.point_screening import LARGEST
+from lispac.survey.time_quality import assess_times
+from lispac.survey.time_rollover import find_rollover, resolve_rollover
+
+Array = NDArray[np.float64]
+
+SCANNER_REACH = 1000.0
+"""Metres beyond which a vessel's scanner hardly sees."""
+QUANTILE_COUNT, QUANTILE = 100, 0.99
+"""Points from which on the farthest are not examined, and the share that is."""
+
+
+@dataclass(frozen=True)
+class FirstPointsCheck:
+    """Frame and bounds of the first points; see `check_first_points`.
+
+    Attributes
+    ----------
+    frame : str
+    facts : dict of str to Fact
+    file_warnings : tuple of Message
+    """
+
+    frame: str
+    facts: dict[str, Fact]
+    file_warnings: tuple[Message, ...]
+
+
+def check_first_points(
+    xyz: Array,
+    time: NDArray[Any],
+    *,
+    file: str,
+    crs: str,
+    low: Array | None = None,
+    high: Array | None = None,
+) -> FirstPointsCheck:
+    """Check the frame and the numbers of the first points of a file.
+
+    Parameters
+    ----------
+    xyz : ndarray of shape (n, 3), frame and unit of the file
+    time : ndarray of shape (n,), seconds
+    file : str
+        Name of the file.
+    crs : str
+        Coordinate system named in the file; empty if none.
+    low, high : ndarray of shape (3,), frame and unit of the file
+        Bounds the header states, where it does.
+    """
+    file_warnings: list[Message] = []
+    usable = usable_mask(xyz, time)
+    if not usable.all():  # their number is reported where all points are read
+        low = high = None
+        if usable.any():
+            xyz, time = xyz[usable], time[usable]
+        else:
+            xyz = np.nan_to_num(xyz).clip(-LARGEST, LARGEST)
+    is_filled = (xyz[:, 0] == xyz[:, 1]) & (xyz[:, 1] == xyz[:, 2])  # no echo: 0 or -9999 say
+    if is_filled.any() and not is_filled.all():
+        xyz, time, low, high = xyz[~is_filled], time[~is_filled], None, None
+    low = xyz.min(axis=0) if low is None else low
+    high = xyz.max(axis=0) if high is None else high
+    facts: dict[str, Fact] = {
+        f"{axis} from, to": note("fact.interval", low=low[i], high=high[i])
+        for i, axis in enumerate("xyz")
+    }
+    facts["time from, to"] = note("fact.times", low=time.min(), high=time.max(), count=len(time))
+    if len(xyz) >= QUANTILE_COUNT:  # single outliers do not determine the frame
+        distance = np.linalg.norm(xyz, axis=1)
+        usual = xyz[(distance <= np.quantile(distance, QUANTILE)) & (distance > 0)]
+        if len(usual) and np.linalg.norm(usual, axis=1).max() < SCANNER_REACH:
+            low, high = usual.min(axis=0), usual.max(axis=0)
+    farthest = float(np.linalg.norm(np.maximum(np.abs(low), np.abs(high))))
+    size = float(np.linalg.norm(high - low))
+    away = float(np.linalg.norm(np.maximum(0, np.maximum(low, -high))))
+    on_map = bool(crs) or farthest > 10 * SCANNER_REACH
+    if on_map and not crs:
+        file_warnings.append(
+            warning(NO_SYSTEM, file=file, largest=farthest, actions=(CHOOSE_SYSTEM,))
+        )
+        if away == 0 and farthest < 1000 * SCANNER_REACH:
+            file_warnings.append(
+                warning("points.around_origin", file=file, actions=(CHOOSE_FRAME,))
+            )
+    elif crs and farthest < SCANNER_REACH and not _is_geographic(crs):
+        file_warnings.append(
+            warning("points.small_coordinates", file=file, actions=(CHOOSE_FRAME,))
+        )
+    elif not on_map and farthest > SCANNER_REACH:
+        file_warnings.append(
+            warning("points.far_from_origin", file=file, distance=farthest, actions=(CHOOSE_FRAME,))
+        )
+    elif not on_map and away > max(3 * size, 200.0):
+        file_warnings.append(
+            warning("points.away_from_origin", file=file, distance=away, actions=(CHOOSE_FRAME,))
+        )
+    elif len(xyz) > 100 and _is_likely_geographic(low, high) and (high - low)[:2].max() < 0.02:
+        file_warnings.append(warning("points.degrees", file=file, actions=(CHOOSE_FRAME,)))
+    file_warnings += _time_warnings(time, len(xyz), file)
+    return FirstPointsCheck(GEOREFERENCED if on_map else SCANNER, facts, tuple(file_warnings))
+
+
+def _time_warnings(time: NDArray[Any], count: int, file: str) -> tuple[Message, ...]:
+    """Warnings about ``time`` (n,), seconds as stored."""
+    file_warnings = []
+    step = time_resolution(time)
+    hidden = assess_times(time).resolution if time.dtype == np.float64 and count > 100 else None
+    if step > COARSEST_TIME / 10:
+        file_warnings.append(warning("times.coarse", file=file, step=step))
+    elif hidden is not None and hidden > COARSEST_TIME:
+        file_warnings.append(warning("times.coarse", file=file, step=hidden))
+    if np.issubdtype(time.dtype, np.integer):
+        file_warnings.append(warning("times.whole_numbers", file=file))
+    elif count > 1 and (time == time[0]).all():
+        file_warnings.append(warning("times.all_equal", file=file))
+    whole = time.astype(np.float64)
+    backward = int(np.count_nonzero(np.diff(resolve_rollover(whole, find_rollover(whole))) < 0))
+    if backward:
+        file_warnings.append(
+            warning("times.decreasing_points", file=file, count=backward, total=count)
+        )
+    return tuple(file_warnings)
+
+
+def _is_likely_geographic(low: Array, high: Array) -> bool:
+    return bool(abs(low[:2]).max() <= 360 and abs(high[:2]).max() <= 360)
+
+
+def _is_geographic(crs: str) -> bool:
+    try:
+        return coordinate_system(crs, height=ELLIPSOID).is_geographic
+    except InputError:
+        return False

@@ -1,0 +1,181 @@
+"""The times of a line before it is imported: all of a short one, a sample of a long one."""
+
+import time as clock
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.format_types import Choice, FileFormat, PointChunk
+from lispac.io.las.las_chunks import opened_las, point_count
+from lispac.io.points.point_reader_common import (
+    FRAME,
+    SCANNER,
+    coordinate_scale,
+    report_damage,
+    require_distinct_times,
+    usable_points,
+)
+from lispac.language import gettext_lazy
+from lispac.messages import error
+from lispac.progress import Progress, no_progress
+from lispac.survey.line_source import RESTART
+from lispac.survey.scanner_frame_recovery import require_scanner_frame
+from lispac.survey.time_rollover import PERIODS, find_rollover, resolve_rollover
+
+Array = NDArray[np.float64]
+
+MAX_TIMES = 20_000
+"""Times kept of a line: one of every few hundred milliseconds of an hour."""
+READ_WHOLE = 3_000_000
+"""Points that LAS and LAZ are read whole up to; of more, blocks here and there."""
+BLOCKS, BLOCK = 40, 500
+PLACE_STEP = 10
+"""Of so many examined points for their time, one is examined for its place."""
+TIME_LIMIT = 15.0
+"""Seconds after which reading stops; what was not read is checked at the import."""
+
+
+@dataclass(frozen=True, eq=False)
+class LineTimes:
+    """Times of a line's points, in the time base of the file.
+
+    Attributes
+    ----------
+    sample : ndarray of shape (n,), seconds, in the file's time base, in the order of the file
+        Continued across a time rollover.
+    start, end : float, seconds
+        Of the examined points.
+    count : int or None
+        Number of points of the file, if read completely or given in its header.
+    whole : bool
+        Whether every point was examined, so that start and end are certain.
+    reached_end : bool
+        Whether the end of the file was examined.
+    place : ndarray of shape (3,), frame and unit of the file
+        Coordinates of one point, as the file has them.
+    restart : str
+        Where the times start again, as given or found (`lispac.survey.time_rollover`); empty where
+        they do not.
+    """
+
+    sample: Array
+    start: float
+    end: float
+    count: int | None
+    whole: bool
+    reached_end: bool
+    place: Array
+    restart: str = ""
+
+
+def read_line_times(
+    path: Path, format: FileFormat, choice: Choice, *, progress: Progress = no_progress
+) -> LineTimes:
+    """Read the times of a line: all of a short one, a sample of a long one.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read with these options, or holds no points in the scanner frame
+        that it is read in.
+    """
+    given = str(choice.get(RESTART, ""))
+    resolved = format.resolved(choice)
+    scanner = resolved[FRAME.name] == SCANNER
+    if format.key == "las" and (count := point_count(path)) > READ_WHOLE:
+        found, places = _sample_times(path, count, progress)
+        if scanner:
+            require_scanner_frame(places * coordinate_scale(resolved), path)
+        return _resolve_rollover(found, given)
+    chunks = format.read(path, choice)
+    assert isinstance(chunks, Iterator)
+    return _resolve_rollover(_read_times(path, chunks, scanner, progress), given)
+
+
+def _resolve_rollover(line_times: LineTimes, given: str) -> LineTimes:
+    restart = given or find_rollover(
+        np.append(line_times.sample, [line_times.start, line_times.end])
+    )
+    if restart not in PERIODS:
+        return line_times
+    # Earliest and latest lie on the two sides of the start, and the sample may have missed one.
+    ends = np.append(line_times.sample, [line_times.start, line_times.end])
+    counted = resolve_rollover(ends, restart)
+    return replace(
+        line_times, sample=counted[:-2], start=float(counted.min()), end=float(counted.max()),
+        restart=restart,
+    )  # fmt: skip
+
+
+def _read_times(
+    path: Path, chunks: Iterator[PointChunk], scanner: bool, progress: Progress
+) -> LineTimes:
+    started, done, read = clock.monotonic(), 0, 0
+    parts: list[Array] = []
+    place = np.zeros(3)
+    start, end, ended, total = np.inf, -np.inf, True, None
+    for whole in chunks:
+        read += len(whole.time)
+        chunk = usable_points(whole)
+        if not len(chunk.time):
+            continue
+        if not done:
+            if scanner:
+                require_scanner_frame(chunk.xyz, path)
+            place = np.asarray(chunk.xyz[len(chunk.xyz) // 2], dtype=np.float64)
+        done += len(chunk.time)
+        start, end = min(start, float(chunk.time.min())), max(end, float(chunk.time.max()))
+        parts.append(np.asarray(chunk.time[:: max(1, len(chunk.time) // MAX_TIMES)]))
+        total = chunk.total
+        progress(
+            done / max(total or 2 * done, 1),
+            gettext_lazy("Examining {file}: {count:n} points", file=path.name, count=done),
+        )
+        if clock.monotonic() - started > TIME_LIMIT:
+            ended = total is not None and read >= total
+            break
+    if not done:
+        raise InputError(error("line.no_points", file=str(path)))
+    if ended:
+        require_distinct_times(start, end, done, path)
+    sample = np.concatenate(parts)
+    sample = sample[:: max(1, len(sample) // MAX_TIMES)]
+    return LineTimes(sample, start, end, read if ended else total, ended, ended, place)
+
+
+def _sample_times(path: Path, count: int, progress: Progress) -> tuple[LineTimes, Array]:
+    """Times of points all over a long line, and coordinates (n, 3) of some, in the file's unit.
+
+    Raises
+    ------
+    InputError
+        Where no time is usable.
+    """
+    parts, places = [], []
+    with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
+        for k, first in enumerate(np.linspace(0, count - BLOCK, BLOCKS).astype(int)):
+            progress(
+                k / BLOCKS,
+                gettext_lazy(
+                    "Examining {file}: {count:n} of {total:n} places",
+                    file=path.name,
+                    count=k,
+                    total=BLOCKS,
+                ),
+            )
+            reader.seek(int(first))
+            points = reader.read_points(BLOCK)
+            parts.append(np.array(points.gps_time, dtype=np.float64))
+            xyz = np.stack([points.x, points.y, points.z], axis=1)
+            places.append(np.asarray(xyz[::PLACE_STEP], dtype=np.float64))
+    times = np.concatenate(parts)
+    times = times[np.isfinite(times)]
+    if not len(times):
+        raise InputError(error("line.no_usable_time", file=str(path)))
+    places_read = np.concatenate(places)
+    start, end = float(times.min()), float(times.max())
+    return LineTimes(times, start, end, count, False, True, places_read[0]), places_read

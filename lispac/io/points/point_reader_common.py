@@ -1,0 +1,395 @@
+"""Options and checks that all readers of points share."""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from functools import wraps
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import Cancelled, InputError, LispacError, system_reason
+from lispac.io.files import file_kind_message, require_file
+from lispac.io.format_types import NOT, SAME_TIME_BASE, Choice, Fact, FormatOption, PointChunk
+from lispac.io.text.units import LENGTH_NAMES
+from lispac.language import N_
+from lispac.messages import Action, Message, error, note, warning
+from lispac.survey.crs import UNITS, CoordinateSystem, coordinate_system
+from lispac.survey.known_time_base import base_message
+from lispac.survey.line_source import RESTART
+from lispac.survey.point_screening import LARGEST, LARGEST_TIME
+from lispac.survey.time_base import KEYS, base_of_key, plausible_bases
+from lispac.survey.time_rollover import KEYS as KEYS_OF_RESTART
+
+Array = NDArray[np.float64]
+
+CHUNK = 1_000_000
+PREVIEW_POINTS = 10_000
+"""Number of points that an examination reads."""
+PREVIEW_ROWS = 10
+"""Points that a preview shows."""
+HEAD = 65_536
+"""Bytes that a sniff reads."""
+
+SCANNER, GEOREFERENCED = "scanner", "georeferenced"
+FRAME = FormatOption(
+    "frame", N_("Frame of the coordinates: that of the scanner, or the map."),
+    (SCANNER, GEOREFERENCED), SCANNER,
+)  # fmt: skip
+SCANNER_UNITS = UNITS | {
+    "millimetre": 1e-3, "centimetre": 1e-2, "kilometre": 1e3, "inch": 0.3048 / 12,
+    "yard": 3 * 0.3048, "fathom": 6 * 0.3048,
+}  # fmt: skip
+UNIT = FormatOption(
+    "unit", N_("Unit of coordinates in the scanner frame."), tuple(SCANNER_UNITS), "metre"
+)
+CRS = FormatOption(
+    "crs", N_("Coordinate system of georeferenced points: EPSG code, such as EPSG:32619, or WKT.")
+)
+HEIGHT = FormatOption(
+    "height",
+    N_(
+        "Vertical reference: ellipsoid, EPSG code of a vertical system, path of a geoid grid, or "
+        "metres to be added, with their sign. Empty: as in the coordinate system."
+    ),
+)
+HEIGHT_UNIT = FormatOption(
+    "height_unit", N_("Unit of heights. Empty: as in the coordinate system."), ("", *UNITS)
+)
+DATUM = FormatOption(
+    "trajectory_datum",
+    N_("Geographic system of the trajectory, such as EPSG:7912. Empty: that of the points."),
+)
+EPOCH = FormatOption(
+    "epoch", N_("Date of the survey as a decimal year, where the datums move against each other.")
+)
+TIME_BASE = FormatOption("time_base", N_("Time base. Empty: as in the file."), ("", *KEYS))
+TIMES_RESTART = FormatOption(
+    RESTART, N_("Where the times of the line restart at zero. Empty: detected from the times."),
+    ("", *KEYS_OF_RESTART),
+)  # fmt: skip
+WITHHELD = FormatOption(
+    "withheld", N_("Points with the withheld flag: exclude or use them."), ("exclude", "keep"),
+    "exclude",
+)  # fmt: skip
+EXCLUDE_CLASSES = FormatOption(
+    "exclude_classes", N_("Classes of points to exclude, such as 7 18 for noise. Empty: none.")
+)
+ONLY = FormatOption(
+    "only",
+    N_(
+        "Use only points with these attributes, such as scanner_channel=0 or time=1200:1260. "
+        "Empty: all points."
+    ),
+)
+MAX_RANGE = FormatOption("max_range", N_("Largest range of the scanner in metres. Empty: 10000."))
+PLACE = (
+    FRAME, UNIT, CRS, HEIGHT, HEIGHT_UNIT, DATUM, EPOCH, TIME_BASE, TIMES_RESTART, WITHHELD,
+    EXCLUDE_CLASSES, ONLY, MAX_RANGE,
+)  # fmt: skip
+"""Options of every reader: where the points are, when, and which of them are used."""
+
+SECONDS = {
+    "second": 1.0, "millisecond": 1e-3, "microsecond": 1e-6, "nanosecond": 1e-9,
+    "minute": 60.0, "hour": 3600.0,
+}  # fmt: skip
+TIME_FIELD = FormatOption(
+    "time_field", N_("Name of the field with the time. Empty: one of the usual names.")
+)
+TIME_UNIT = FormatOption("time_unit", N_("Unit of the time."), tuple(SECONDS), "second")
+TIME_NAMES = (
+    "time", "gps_time", "gpstime", "timestamp", "time_stamp", "t", "scalar_gpstime",
+    "scalar_gps_time", "scalar_time", "scalar_timestamp",
+)  # fmt: skip
+"""Lower case, first one first."""
+
+COARSEST_TIME = 1e-3
+"""Seconds: at 10 deg/s, a brisk turn, a vessel turns by 0.01 deg in it."""
+CHOOSE_SYSTEM = Action("choose_system", {"name": CRS.name})
+CHOOSE_FRAME = Action("choose_frame", {"name": FRAME.name})
+CHOOSE_TIME_BASE = Action("choose_time_base", {"name": TIME_BASE.name})
+USE_FEET = (
+    Action("use_feet", {"name": UNIT.name, "value": "foot"}),
+    Action("use_us_survey_feet", {"name": UNIT.name, "value": "us-survey-foot"}),
+)
+SCANNER_COLUMNS = (
+    note("assumed.scanner_coordinates"), note("assumed.other_columns_kept"), SAME_TIME_BASE,
+)  # fmt: skip
+"""Assumptions about files with coordinates in several frames."""
+NO_SYSTEM = "points.no_system"
+"""Code of the warning that a file states no coordinate system."""
+
+
+def crs_of_options(choice: Choice, path: Path | None = None) -> CoordinateSystem | None:
+    """Coordinate system of complete options; None for points in the scanner frame.
+
+    Parameters
+    ----------
+    path : Path, optional
+        Of the file that the options belong to, for messages.
+
+    Raises
+    ------
+    InputError
+        Where the system is not known or the options contradict each other.
+    """
+    if choice[FRAME.name] == SCANNER:
+        return None
+    epoch = str(choice[EPOCH.name]).strip()
+    try:
+        year = float(epoch) if epoch else None
+    except ValueError:
+        raise InputError(error("file.epoch", epoch=epoch)) from None
+    try:
+        return coordinate_system(
+            choice[CRS.name],
+            height=choice[HEIGHT.name],
+            height_unit=choice[HEIGHT_UNIT.name],
+            trajectory_datum=choice[DATUM.name],
+            epoch=year,
+        )
+    except InputError as failure:
+        if path is None:
+            raise
+        raise InputError(
+            error("file.coordinate_system", file=str(path), reason=failure.reason)
+        ) from failure
+
+
+def coordinate_scale(choice: Choice) -> float:
+    """Factor from the coordinates of a file to metres in the scanner frame; else 1."""
+    return SCANNER_UNITS[choice[UNIT.name]] if choice[FRAME.name] == SCANNER else 1.0
+
+
+def frame_facts(choice: Choice) -> dict[str, Fact]:
+    """Facts on the frame and unit of complete options."""
+    if choice[FRAME.name] == SCANNER:
+        metres = SCANNER_UNITS[choice[UNIT.name]]
+        unit = LENGTH_NAMES[metres]
+        return {
+            "frame": note("fact.scanner_frame"),
+            "unit": unit if metres == 1.0 else note("fact.converted_unit", unit=unit),
+        }
+    return {"frame": note("fact.georeferenced"), "unit": note("fact.unit_of_system")}
+
+
+@contextmanager
+def report_damage(path: Path, what: str) -> Iterator[None]:
+    """Convert errors of a library on a damaged file into one InputError.
+
+    Libraries fail on damaged bytes with errors of any kind, so all are caught; only calls of
+    libraries and of decoders belong inside.
+
+    Raises
+    ------
+    InputError
+    """  # noqa: DOC501 - what passes through is not its own
+    try:
+        yield
+    except (LispacError, Cancelled):
+        raise
+    except OSError as failure:
+        if failure.errno is None:  # gzip's word for damaged data
+            raise damaged_file_error(path, what, failure) from failure
+        reason = system_reason(failure)
+        raise InputError(error("file.not_readable", file=str(path), reason=reason)) from failure
+    except Exception as failure:
+        raise damaged_file_error(path, what, failure) from failure
+
+
+def damaged_file_error(path: Path, what: str, failure: Exception) -> InputError:
+    """Make the error of a file that a decoder cannot read; ``what`` names its format."""
+    reason = " ".join(str(failure).split())[:120] or type(failure).__name__
+    return InputError(
+        error("file.damaged", file=str(path), kind=file_kind_message(what), reason=reason)
+    )
+
+
+def head_sniffer(judge: Callable[[bytes, Path], float]) -> Callable[[Path], float]:
+    """Format detection by the first bytes of a file, which never raises an error."""
+
+    @wraps(judge)
+    def sniff(path: Path) -> float:
+        try:
+            if not Path(path).is_file():
+                return NOT
+            with Path(path).open("rb") as file:
+                return judge(file.read(HEAD), Path(path))
+        except Exception:  # whatever a stranger's file does to a parser, it is not one of ours
+            return NOT
+
+    return sniff
+
+
+def require_not_empty(path: Path, what: str) -> Path:
+    """Give the path back where it is a file that can be read and holds something.
+
+    Raises
+    ------
+    InputError
+    """
+    path = require_file(Path(path), what)
+    if path.stat().st_size == 0:
+        raise InputError(error("file.empty", file=str(path), kind=file_kind_message(what)))
+    return path
+
+
+def find_time_field(path: Path, names: Sequence[str], requested: str) -> str:
+    """Name of the field that holds the time.
+
+    Raises
+    ------
+    InputError
+        Where there is none.
+    """
+    if requested:
+        if requested in names:
+            return requested
+        raise InputError(
+            error("file.no_such_field", file=str(path), field=requested, fields=tuple(names))
+        )
+    for usual in TIME_NAMES:
+        for name in names:
+            if name.lower() == usual:
+                return name
+    raise InputError(error("file.no_time", file=str(path), fields=tuple(names)))
+
+
+MAX_UNUSABLE_SHARE = 0.25
+"""Share of values that are no usable numbers from which a file is refused."""
+MAX_UNDECIDED_POINTS = 10
+"""Number of points too small to determine the byte order."""
+
+
+def require_usable_points(xyz: Array, time: NDArray[Any], path: Path, first: int = 0) -> None:
+    """Refuse points of which many are not usable numbers, and times too coarse to be used.
+
+    Single points with such values are excluded later, by `lispac.survey.point_screening`.
+
+    Parameters
+    ----------
+    xyz : ndarray of shape (n, 3), frame and unit of the file
+    time : ndarray of shape (n,), in the unit of the file
+        As stored: its type gives the resolution.
+    first : int
+        Points of the file before these.
+
+    Raises
+    ------
+    InputError
+    """
+    if not (_are_within_limit(xyz, LARGEST) and _are_within_limit(time, LARGEST_TIME)):
+        good = usable_mask(xyz, time)
+        bad = int((~good).sum())
+        if bad > MAX_UNUSABLE_SHARE * len(good):
+            point, file = first + int(np.argmin(good)) + 1, str(path)
+            if len(good) > MAX_UNDECIDED_POINTS:
+                raise InputError(error("file.points_byte_order", file=file, point=point, count=bad))
+            raise InputError(error("file.points_not_usable", file=file, point=point, count=bad))
+        time = time[good]
+    step = time_resolution(time)
+    if step > COARSEST_TIME:
+        largest = float(np.max(np.abs(time)))
+        raise InputError(error("file.time_32_bits", file=str(path), time=largest, step=step))
+
+
+def require_distinct_times(start: float, end: float, count: int, path: Path) -> None:
+    """Refuse a line of which many points share one time.
+
+    Parameters
+    ----------
+    start, end : float, seconds
+        Of all points.
+    count : int
+        Points of the line.
+
+    Raises
+    ------
+    InputError
+    """
+    if count >= MIN_EQUAL_TIMES and start == end:
+        raise InputError(error("file.one_time", file=str(path), count=count, time=start))
+
+
+MIN_EQUAL_TIMES = 1000
+"""Points that share one time only where a file has no times."""
+
+
+def usable_mask(xyz: Array, time: NDArray[Any]) -> NDArray[np.bool_]:
+    """Mask of the points with usable coordinates and times, shape (n,).
+
+    Parameters
+    ----------
+    xyz : ndarray of shape (n, 3), frame and unit of the file
+    time : ndarray of shape (n,), in the unit of the file
+    """
+    return np.asarray(
+        (np.abs(xyz) <= LARGEST).all(axis=1) & (np.abs(time) <= LARGEST_TIME), dtype=bool
+    )
+
+
+def usable_points(chunk: PointChunk) -> PointChunk:
+    """The points of a chunk whose coordinates and times are usable numbers."""
+    good = usable_mask(chunk.xyz, chunk.time)
+    if good.all():
+        return chunk
+    extra = {name: values[good] for name, values in chunk.extra.items()}
+    return replace(chunk, xyz=chunk.xyz[good], time=chunk.time[good], extra=extra)
+
+
+def _are_within_limit(values: NDArray[Any], limit: float) -> bool:
+    """True if all values are numbers with magnitudes up to ``limit``."""
+    return not len(values) or bool(values.min() >= -limit and values.max() <= limit)
+
+
+def time_resolution(time: NDArray[Any], seconds: float = 1.0) -> float:
+    """Resolution of ``time`` (n,) stored with 32 bits, seconds; zero for 64 bits."""
+    finite = time[np.isfinite(time)] if time.dtype == np.float32 else time[:0]
+    if not len(finite):
+        return 0.0
+    return float(np.spacing(np.float32(np.max(np.abs(finite))))) * seconds
+
+
+def time_base_message(time: NDArray[np.float64], base_key: str) -> Message:
+    """Message on the base of ``time`` (n,), seconds: as given, or those that fit."""
+    if base_key:
+        return note("fact.time_base_specified", base=base_message(base_of_key(base_key)))
+    fitting = tuple(map(base_message, plausible_bases(time)))
+    return note("fact.time_bases_fitting", bases=fitting) if fitting else note("fact.not_specified")
+
+
+def time_base_warnings(time: NDArray[np.float64], base_key: str, file: str) -> tuple[Message, ...]:
+    """Warning that ``time`` (n,), seconds, contradicts the base given in the file ``file``."""
+    if not base_key or not len(time):
+        return ()
+    possible = plausible_bases(time)
+    if base_key in {each.key for each in possible}:
+        return ()
+    fitting = tuple(base_message(each) for each in possible)
+    base, first, actions = base_message(base_of_key(base_key)), float(time[0]), (CHOOSE_TIME_BASE,)
+    if not fitting:
+        return (
+            warning("times.base_impossible", file=file, base=base, time=first, actions=actions),
+        )
+    return (
+        warning(
+            "times.base_contradicted", file=file, base=base, time=first, bases=fitting,
+            actions=actions,
+        ),
+    )  # fmt: skip
+
+
+def preview_table(
+    names: Sequence[str], columns: Sequence[NDArray[Any]]
+) -> tuple[tuple[str, ...], ...]:
+    """First rows of columns as text, the names at the head."""
+    rows = zip(*(column[:PREVIEW_ROWS].tolist() for column in columns), strict=True)
+    return (tuple(names), *(tuple(_value_text(value) for value in row) for row in rows))
+
+
+def _value_text(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value:.6f}".rstrip("0").rstrip(".") if abs(value) >= 1e-3 else f"{value:g}"
+    return str(value)

@@ -1,0 +1,634 @@
+"""The project on disk: a folder with ``project.json`` and the points of each sighting.
+
+``project.json`` holds paths (relative to the folder where they can be), settings, targets and
+results. The indices of each target's points go to ``sightings/NAME-HASH.npz``, named by their
+content: a new state never overwrites the file that the old ``project.json`` refers to, so a crash
+between the two writes leaves the old project whole. ``unsaved.json`` beside it is of the same form
+and holds what is not saved yet, as long as it is not. ``project.lispac`` is there to be
+double-clicked, since no system ties a program to a folder, or to one name among all JSON.
+"""
+
+import hashlib
+import json
+import os
+import re
+import tokenize
+import zipfile
+import zlib
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import replace
+from io import BytesIO
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.result import ANGLES, AdjustmentResult, CrossChecks
+from lispac.alternative_methods import AlternativeResult
+from lispac.errors import InputError, ProjectChanged, ProjectError, system_reason
+from lispac.identity import Identity
+from lispac.io.files import (
+    atomic_write,
+    bad_name_error,
+    remove_abandoned_files,
+    remove_empty_folders,
+    write_error,
+)
+from lispac.io.project.project_consistency import require_consistent, require_unique_names
+from lispac.io.project.project_lock import FILE_NAME as FILE_NAME
+from lispac.io.project.project_lock import content_digest, project_lock
+from lispac.io.project.project_upgrades import SCHEMA_VERSION, upgrade_content
+from lispac.io.value_conversion import decode_value, encode_value, failure_summary
+from lispac.message_texts import has_text
+from lispac.messages import Message, error
+from lispac.project import (
+    LineSource,
+    PickedSighting,
+    Project,
+    ProposalPrediction,
+    Reading,
+    Settings,
+    Target,
+    Triple,
+)
+from lispac.survey.store.layout import is_link, require_no_link
+from lispac.targets.expected_target import ExpectedTarget
+from lispac.targets.finder_settings import USUAL, FinderChoices
+from lispac.untrusted_values import InvalidContentError, json_values
+from lispac.validation.absolute_check import AbsoluteCheck
+from lispac.validation.plane_comparison import PlaneComparison
+
+UNSAVED_NAME = "unsaved.json"
+SIGHTINGS = "sightings"
+BLOCK = 1 << 20
+OPENER = "project.lispac"
+OPENER_ENDING = ".lispac"
+OPENER_TEXT = "This file opens the LISPAC project in its folder.\n"
+Points = Callable[[Path, str, Sequence[int]], Sequence[NDArray[np.int64]]]
+"""Gives the indices of the sightings of a target, by its file, its name and their numbers."""
+
+
+def write_project(project: Project, *, expected: str | None = None) -> str:
+    """Write the project into its folder; the old state remains until the new one is complete.
+
+    What is kept against a crash stays: it may be of another window, or not have been offered yet.
+
+    Parameters
+    ----------
+    expected : str, optional
+        Digest that the project file on the disk must have: `Project.file_digest`, or what the last
+        save returned. Without it, whatever is there is replaced.
+
+    Returns
+    -------
+    str
+        Digest of the new project file.
+
+    Raises
+    ------
+    ProjectChanged
+        Where the file has another digest; nothing is written.
+    ProjectError
+        Where a project is found and none was expected, or another program is changing it.
+    InputError
+        Where the folder cannot be written.
+    """
+    folder, path = project.folder, project.folder / FILE_NAME
+    with _new_folder(folder), project_lock(folder):
+        if expected is not None and (found := _digest_on_disk(path)) != expected:
+            if found and not expected:
+                raise ProjectError(error("project.exists", folder=str(folder)))
+            raise ProjectChanged(error("project.changed_on_disk", folder=str(folder)))
+        used = _write_state(project, FILE_NAME)
+        _write_opener(folder / OPENER)
+        _remove_unused_files(folder, used | _unsaved_point_files(folder))
+        remove_abandoned_files(path)
+        return _digest_on_disk(path)
+
+
+@contextmanager
+def _new_folder(folder: Path) -> Iterator[None]:
+    """Create a folder, and remove it again if nothing is written into it.
+
+    Raises
+    ------
+    InputError
+        Where it cannot be made.
+    """  # noqa: DOC501 - `write_error` makes an InputError
+    made = [path for path in (folder, *folder.parents) if not path.exists()]
+    try:
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except ValueError as failure:
+            raise bad_name_error(folder) from failure
+        yield
+    except OSError as failure:
+        raise write_error(folder / FILE_NAME, failure) from failure
+    finally:
+        remove_empty_folders(made)
+
+
+def _digest_on_disk(path: Path) -> str:
+    """Digest of a project file; empty if there is none."""
+    try:
+        return content_digest(path.read_bytes())
+    except FileNotFoundError:
+        return ""
+
+
+def _write_opener(path: Path) -> None:
+    # The project is saved by now, and is one without it
+    if not path.exists():
+        with suppress(InputError), atomic_write(path) as temporary:
+            temporary.write_text(OPENER_TEXT, encoding="utf-8")
+
+
+def is_project_file(path: Path) -> bool:
+    """True if a path is named like a project file or the file that opens a project."""
+    return path.name == FILE_NAME or (path.suffix == OPENER_ENDING and not path.is_dir())
+
+
+def _write_state(project: Project, name: str) -> set[str]:
+    """Write a state, and return the names of its files of points."""
+    files = {target.name: _indices_file_name(target) for target in project.targets}
+    text = json.dumps(_encode_project(project, files), indent=1) + "\n"
+    _require_readable(project, text)
+    for target in project.targets:
+        _write_indices(project.folder, target)
+    with atomic_write(project.folder / name) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    return set(files.values())
+
+
+def _require_readable(project: Project, text: str) -> None:
+    """Refuse to write what `read_project` would refuse.
+
+    Raises
+    ------
+    ProjectError
+    """
+    points = {target.name: [s.indices for s in target.sightings] for target in project.targets}
+    try:
+        require_unique_names(project)
+        _decode_text(
+            project.folder / FILE_NAME,
+            text.encode("utf-8"),
+            lambda path, name, counts: points[name],
+        )
+    except (ProjectError, InvalidContentError) as failure:
+        reason: Message | str = failure.reason
+        if isinstance(failure, ProjectError) and failure.message is not None:
+            inner = failure.message.params.get("reason")
+            reason = inner if isinstance(inner, Message) else failure.message
+        raise ProjectError(error("project.cannot_be_read_again", reason=reason)) from failure
+
+
+def write_unsaved(project: Project) -> None:
+    """Write the project beside its saved state, for recovery after a crash.
+
+    Raises
+    ------
+    ProjectError
+        Where another program is changing the project.
+    InputError
+        Where the folder cannot be written.
+    """
+    with project_lock(project.folder):
+        _write_state(project, UNSAVED_NAME)
+
+
+def remove_unsaved(folder: Path) -> None:
+    """Remove the recovery copy of a project; its points are removed with the next save."""
+    with suppress(OSError):
+        (folder / UNSAVED_NAME).unlink(missing_ok=True)
+
+
+def read_unsaved(folder: Path) -> Project | None:
+    """Read the unsaved project after a crash; None if there is none.
+
+    Raises
+    ------
+    ProjectError
+        Where it is damaged.
+    """
+    path = folder / UNSAVED_NAME
+    # A crash between the save and the removal leaves a copy with the same contents
+    if not path.is_file() or path.read_bytes() == (folder / FILE_NAME).read_bytes():
+        return None
+    return _read_state(path)
+
+
+def read_project(folder: Path) -> Project:
+    """Read a project from its folder, its ``project.json`` or the file that opens it.
+
+    Raises
+    ------
+    ProjectError
+        Where there is no project, or its file is damaged or of a newer version.
+    """
+    path = project_folder(folder) / FILE_NAME
+    project = _read_state(path)
+    remove_abandoned_files(path)
+    return project
+
+
+def project_folder(path: Path) -> Path:
+    """Folder of a project, from itself, its ``project.json`` or the file that opens it.
+
+    Raises
+    ------
+    ProjectError
+        Where there is no project, or it cannot be searched for.
+    """  # noqa: DOC501 - `_unreadable_error` makes a ProjectError
+    path = Path(path)
+    try:
+        folder = path.parent if is_project_file(path) else path
+        is_project = (folder / FILE_NAME).is_file()
+    except OSError as failure:  # no permission to read it, or too long a name
+        raise _unreadable_error(path, failure) from failure
+    if not is_project:
+        raise ProjectError(error("project.not_found", folder=str(path), missing=FILE_NAME))
+    return folder
+
+
+def _read_state(path: Path) -> Project:
+    """Read a state of a project; again where another program writes one meanwhile.
+
+    The points that a state refers to are removed when the next state is saved.
+
+    Raises
+    ------
+    ProjectError
+    """  # noqa: DOC501 - `_unreadable_error` makes a ProjectError
+    while True:
+        try:
+            content = path.read_bytes()
+        except OSError as failure:
+            raise _unreadable_error(path, failure) from failure
+        try:
+            return replace(_decode_text(path, content), file_digest=content_digest(content))
+        except ProjectError:
+            if _digest_on_disk(path) in ("", content_digest(content)):
+                raise
+
+
+def _unreadable_error(path: Path, failure: OSError) -> ProjectError:
+    """Make the error of a project that cannot be read."""
+    reason = system_reason(failure)
+    return ProjectError(error("project.unreadable", file=str(path), reason=reason))
+
+
+def _decode_text(path: Path, text: bytes, points: Points | None = None) -> Project:
+    try:
+        content = json_values(text)
+        version = content["schema_version"]
+        if type(version) is not int or version < 1:
+            raise InvalidContentError(error("content.invalid_version", version=repr(version)[:40]))
+        if version > SCHEMA_VERSION:
+            raise ProjectError(error("project.newer_version", file=str(path), version=version))
+        project = _decode_project(
+            path.parent.resolve(), upgrade_content(content), points or _read_indices
+        )
+        require_consistent(project)
+    except InputError as failure:
+        raise ProjectError(
+            error("project.invalid_value", file=str(path), reason=failure.reason)
+        ) from failure
+    except (
+        ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError,
+    ) as failure:  # fmt: skip
+        raise ProjectError(
+            error("project.damaged", file=str(path), reason=_damage_message(failure))
+        ) from failure
+    return project
+
+
+def _damage_message(failure: Exception) -> Message:
+    """Message on the invalid content of a project file."""
+    if isinstance(failure, KeyError):
+        return error("content.missing_field", field=str(failure.args[0]))
+    if isinstance(failure, InvalidContentError):
+        return failure.reason
+    return error("content.wrong_type")
+
+
+def _encode_project(project: Project, index_files: dict[str, str]) -> dict[str, Any]:
+    return {
+        "schema_version": SCHEMA_VERSION,
+        "trajectory": _relative_path(project.trajectory, project.folder),
+        "trajectory_reading": encode_value(project.trajectory_reading),
+        "accuracy": project.accuracy and _relative_path(project.accuracy, project.folder),
+        "accuracy_reading": encode_value(project.accuracy_reading),
+        "lines": [
+            {
+                "name": line.name,
+                "path": _relative_path(line.path, project.folder),
+                "columns": list(line.columns),
+                "reading": encode_value(line.reading),
+            }
+            for line in project.lines
+        ],
+        "identity": encode_value(project.identity),
+        "settings": encode_value(project.settings),
+        "targets": [
+            {
+                "name": target.name,
+                "role": target.role,
+                "seed": list(target.seed),
+                "threshold": target.threshold,
+                "radius": target.radius,
+                "used": target.used,
+                "missing": {line: encode_value(why) for line, why in target.missing.items()},
+                "shape": target.shape,
+                "sphere_radius": target.sphere_radius,
+                "expected": encode_value(target.expected),
+                "choices": None if target.choices == USUAL else encode_value(target.choices),
+                "indices": index_files[target.name],
+                "sightings": [
+                    {
+                        "line": s.line,
+                        "points": len(s.indices),
+                        "rms": s.rms,
+                        "used": s.used,
+                        "fingerprint": s.fingerprint,
+                        "one_in": s.one_in,
+                        **({"by_hand": True} if s.by_hand else {}),
+                    }
+                    for s in target.sightings
+                ],
+            }
+            for target in project.targets
+        ],
+        "result": encode_value(project.result),
+        "cross_checks": encode_value(project.cross_checks),
+        "validation": [encode_value(each) for each in project.validation],
+        "not_compared": {name: encode_value(why) for name, why in project.not_compared.items()},
+        "absolute": encode_value(project.absolute),
+        "alternative_results": [encode_value(each) for each in project.alternative_results],
+        "data_messages": [encode_value(each) for each in project.data_messages],
+        "prediction": encode_value(project.prediction),
+        "truth_deg": project.truth_deg,
+    }
+
+
+def _decode_project(folder: Path, content: dict[str, Any], points: Points) -> Project:
+    return Project(
+        folder=folder,
+        trajectory=_absolute_path(content["trajectory"], folder),
+        accuracy=_absolute_path(content["accuracy"], folder) if content["accuracy"] else None,
+        lines=tuple(
+            LineSource(
+                decode_value(line["name"], str),
+                _absolute_path(decode_value(line["path"], str), folder),
+                decode_value(line["columns"], tuple[str, ...]),
+                decode_value(line["reading"], Reading),
+            )
+            for line in content["lines"]
+        ),
+        settings=decode_value(content["settings"], Settings),
+        identity=decode_value(content["identity"], Identity),
+        targets=tuple(_decode_target(folder, target, points) for target in content["targets"]),
+        result=_decode_result(content["result"]) if content["result"] else None,
+        cross_checks=(
+            decode_value(content["cross_checks"], CrossChecks) if content["cross_checks"] else None
+        ),
+        validation=tuple(decode_value(each, PlaneComparison) for each in content["validation"]),
+        not_compared=decode_value(content["not_compared"], dict[str, Message]),
+        truth_deg=_decode_triple(content["truth_deg"]) if content["truth_deg"] else None,
+        trajectory_reading=decode_value(content["trajectory_reading"], Reading),
+        accuracy_reading=decode_value(content["accuracy_reading"], Reading),
+        absolute=decode_value(absolute, AbsoluteCheck)
+        if (absolute := content.get("absolute"))
+        else None,
+        alternative_results=tuple(
+            decode_value(each, AlternativeResult) for each in content["alternative_results"]
+        ),
+        data_messages=tuple(
+            message
+            for each in decode_value(content.get("data_messages", []), list[dict[str, Any]])
+            if has_text(message := decode_value(each, Message))  # of another version: found again
+        ),
+        prediction=decode_value(prediction, ProposalPrediction)
+        if (prediction := content.get("prediction"))
+        else None,
+    )
+
+
+def _decode_result(content: Any) -> AdjustmentResult:
+    """A result whose parts name the same angles, targets and sightings.
+
+    Raises
+    ------
+    InvalidContentError
+        Where they do not, or the content is not a result.
+    """
+    result = decode_value(content, AdjustmentResult)
+    sightings = {each.sighting for each in result.sightings}
+    targets = {each.target for each in result.targets}
+    without_line = result.observability.sigma_without_line if result.observability else {}
+    if (
+        len(result.covariance_all) != len(result.estimated)
+        or len(result.estimated) < len(ANGLES)
+        or not {each.target for each in sightings} <= targets
+        or not {each.sighting for each in result.reliability} <= sightings
+        or any(
+            each is not None and not (each.shape == (3,) and (each >= 0).all())
+            for each in without_line.values()
+        )
+        or not (np.diagonal(result.covariance_all) >= 0).all()
+    ):
+        raise InvalidContentError(error("content.inconsistent_result"))
+    return result
+
+
+def _decode_target(folder: Path, content: dict[str, Any], points: Points) -> Target:
+    name = decode_value(content["name"], str)
+    path = folder / decode_value(content["indices"], str)
+    sightings = tuple(
+        PickedSighting(
+            decode_value(item["line"], str),
+            indices,
+            decode_value(item["rms"], float),
+            decode_value(item["used"], bool),
+            decode_value(item["fingerprint"], str),
+            decode_value(item.get("one_in", 1), int),
+            decode_value(item.get("by_hand", False), bool),
+        )
+        for item, indices in zip(
+            content["sightings"],
+            points(path, name, [_point_count(s) for s in content["sightings"]]),
+            strict=True,
+        )
+    )
+    return Target(
+        name,
+        content["role"],
+        _decode_triple(content["seed"]),
+        decode_value(content["threshold"], float),
+        decode_value(content["radius"], float),
+        sightings,
+        decode_value(content["missing"], dict[str, Message]),
+        decode_value(content["used"], bool),
+        content["shape"],
+        None if content["sphere_radius"] is None else decode_value(content["sphere_radius"], float),
+        decode_value(expected, ExpectedTarget) if (expected := content.get("expected")) else None,
+        decode_value(choices, FinderChoices) if (choices := content["choices"]) else USUAL,
+    )
+
+
+def _point_count(sighting: dict[str, Any]) -> int:
+    """Points of a sighting.
+
+    Raises
+    ------
+    InvalidContentError
+    """
+    count = sighting["points"]
+    if isinstance(count, bool) or not isinstance(count, int) or count < 0:
+        raise InvalidContentError(error("content.invalid_point_count"))
+    return count
+
+
+INDEX_BYTES = 8
+ARRAY_HEADER = 4096
+"""Bytes before the numbers of an array in a file of NumPy, at most."""
+UNREADABLE = (
+    OSError, ValueError, KeyError, EOFError, MemoryError, RuntimeError, SyntaxError,
+    tokenize.TokenError, zipfile.BadZipFile, zlib.error,
+)  # fmt: skip
+"""What numpy and zipfile raise where a file of theirs is damaged."""
+
+
+def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArray[np.int64]]:
+    """Indices of each sighting; ``points`` are their numbers as the project states them.
+
+    Raises
+    ------
+    ProjectError
+    """  # noqa: DOC501 - its own InvalidContentError is caught
+    try:
+        if not path.is_file():
+            raise ProjectError(error("project.points_missing", file=str(path), target=target))
+        # Opened here: numpy leaves a file open where it cannot make sense of it.
+        with path.open("rb") as file, np.load(file) as arrays:
+            found = []
+            for k, count in enumerate(points):
+                # Before it is unpacked: a small file may claim any size
+                size = arrays.zip.getinfo(f"line{k}.npy").file_size
+                if size > INDEX_BYTES * count + ARRAY_HEADER:
+                    raise InvalidContentError(
+                        error("content.too_many_bytes", bytes=size, count=count)
+                    )
+                found.append(arrays[f"line{k}"])
+        for indices, count in zip(found, points, strict=True):
+            if indices.ndim != 1 or indices.dtype.kind not in "iu" or (indices < 0).any():
+                raise InvalidContentError(error("content.not_indices"))
+            if len(indices) != count:
+                raise InvalidContentError(
+                    error("content.too_few_points", held=len(indices), count=count)
+                )
+    except InvalidContentError as failure:
+        raise ProjectError(
+            error("project.points_damaged", file=str(path), target=target, reason=failure.reason)
+        ) from failure
+    except PermissionError as failure:
+        raise _unreadable_error(path, failure) from failure
+    except UNREADABLE as failure:
+        reason = error("content.unreadable", reason=failure_summary(failure))
+        raise ProjectError(
+            error("project.points_damaged", file=str(path), target=target, reason=reason)
+        ) from failure
+    return found
+
+
+def _indices_file_name(target: Target) -> str:
+    """Name of the file of the points of a target, in the folder of the project."""
+    plain = re.sub(r"[^A-Za-z0-9_-]", "_", target.name)
+    return f"{SIGHTINGS}/{plain}-{_arrays_digest(s.indices for s in target.sightings)}.npz"
+
+
+def _write_indices(folder: Path, target: Target) -> None:
+    arrays: dict[str, NDArray[Any]] = {
+        f"line{k}": sighting.indices for k, sighting in enumerate(target.sightings)
+    }
+    name = _indices_file_name(target)
+    require_no_link(folder / SIGHTINGS)
+    if not (folder / name).exists():
+        buffer = BytesIO()
+        np.savez_compressed(buffer, **arrays)  # type: ignore[arg-type]
+        with atomic_write(folder / name) as temporary:
+            temporary.write_bytes(buffer.getvalue())
+
+
+def _arrays_digest(arrays: Iterable[NDArray[Any]]) -> str:
+    """Digest of the content of a file of points, which names it."""
+    digest = hashlib.sha256()
+    for array in arrays:
+        digest.update(array.tobytes() + b"|")
+    return digest.hexdigest()[:16]
+
+
+def _unsaved_point_files(folder: Path) -> set[str]:
+    """Names of the files of points that the unsaved project uses."""
+    try:
+        content = json_values((folder / UNSAVED_NAME).read_bytes())
+        return {target["indices"] for target in content["targets"]}
+    except (OSError, ValueError, KeyError, TypeError):
+        return set()  # there is none, or it cannot be opened either
+
+
+def _remove_unused_files(folder: Path, used: set[str]) -> None:
+    """Remove the program's own files of points that no state uses."""
+    if is_link(folder / SIGHTINGS):
+        return
+    for path in (folder / SIGHTINGS).glob("*.npz"):
+        if f"{SIGHTINGS}/{path.name}" not in used and _has_named_content(path):
+            path.unlink(missing_ok=True)
+
+
+def remove_point_files(folder: Path) -> None:
+    """Remove all files of points of a project that is replaced, but no files of the user."""
+    _remove_unused_files(folder, set())
+    if not is_link(folder / SIGHTINGS):
+        remove_empty_folders([folder / SIGHTINGS])
+
+
+def _has_named_content(path: Path) -> bool:
+    """True if a file of points has the content that its name states."""
+    named = re.fullmatch(r"[A-Za-z0-9_-]*-([0-9a-f]{16})\.npz", path.name)
+    if named is None or is_link(path) or not path.is_file():
+        return False
+    try:
+        with zipfile.ZipFile(path) as arrays:
+            names = sorted(
+                arrays.namelist(), key=lambda name: int(name[len("line") : -len(".npy")])
+            )
+            digest = hashlib.sha256()
+            for name in names:
+                with arrays.open(name) as file:
+                    np.lib.format.read_magic(file)
+                    np.lib.format.read_array_header_1_0(file)
+                    while block := file.read(BLOCK):  # it may unpack to any size
+                        digest.update(block)
+                digest.update(b"|")
+            return digest.hexdigest()[:16] == named[1]
+    except UNREADABLE:
+        return False
+
+
+def _relative_path(path: Path, folder: Path) -> str:
+    try:
+        return Path(os.path.relpath(path, folder)).as_posix()
+    except ValueError:  # another drive on Windows
+        return path.as_posix()
+
+
+def _absolute_path(path: str, folder: Path) -> Path:
+    # Lexical, not resolved: a file reached through a link keeps the name the user knows.
+    return Path(os.path.normpath(folder / path))
+
+
+def _decode_triple(values: list[float]) -> Triple:
+    return decode_value(values, cast(type[Triple], Triple))

@@ -1,0 +1,1 @@
+"""Points, targets and tables as text."""

@@ -1,0 +1,442 @@
+"""Lists of target coordinates, as a total station or a spreadsheet writes them.
+
+A row is a point: its name, where it has one, three coordinates, and perhaps its role. What columns
+mean is taken from a row of names above them, else from their order.
+"""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from lispac.errors import InputError, ProjectError
+from lispac.io.text.text_layout import COMMENT_MARKS, MEANINGS
+from lispac.io.text.text_table import (
+    HEMISPHERES,
+    SEPARATORS,
+    is_number,
+    numbered_lines,
+    parse_coordinate,
+    split_fields,
+)
+from lispac.io.text.units import FOOT, UNITS, UNKNOWN, direction_of, split_title, title_unit
+from lispac.messages import Message, error
+from lispac.picked_targets import Role, require_target_name
+
+WHAT = "coordinate list"
+MAX_ROWS = 1_000
+"""Rows; a longer file is a cloud and not a list of targets."""
+NAME, ROLE, UNUSED = "name", "role", "-"
+COORDINATES = ("x", "y", "z")
+COLUMNS = (NAME, *COORDINATES, ROLE)
+"""Possible contents of a column, besides unused ones."""
+SIGMA, PLANE = "sigma", "plane"
+CHECK_NAMES = {
+    **dict.fromkeys(("sigma", "s", "std", "stdev", "accuracy", "uncertainty"), SIGMA),
+    **dict.fromkeys(("plane", "surface", "face"), PLANE),
+}
+"""Further columns of a list of check points."""
+_NAMES = {
+    **dict.fromkeys(("name", "point", "pointname", "pointid", "pt", "id", "no", "nr", "number",
+                     "target", "pointno", "station", "label"), NAME),
+    **dict.fromkeys(("role", "use", "kind"), ROLE),
+}  # fmt: skip
+LOCAL_NAMES = {"north": "x", "n": "x", "northing": "x", "west": "y", "w": "y"}
+"""What differs in the local frame, whose first axis points north and whose second points west."""
+ROLES: dict[str, Role] = {
+    **dict.fromkeys(("target", "t", "adjustment"), "target"),
+    **dict.fromkeys(("validation", "v", "check", "validation plane"), "validation"),
+}
+
+
+@dataclass(frozen=True)
+class ListedPoint:
+    """One row of a list.
+
+    Attributes
+    ----------
+    row : int
+        Of the file, counted from 1.
+    name : str
+        Empty where the list has no names.
+    role : {"target", "validation"} or None
+        As in the list; None if not given.
+    coordinates : three of float, in the order and unit of their coordinate system
+    sigma : float or None, metres
+        Of a check point, if given in the list.
+    plane : str
+        The plane that a check point lies on with others; empty where it stands alone.
+    """
+
+    row: int
+    name: str
+    role: Role | None
+    coordinates: tuple[float, float, float]
+    sigma: float | None = None
+    plane: str = ""
+
+
+@dataclass(frozen=True)
+class PointList:
+    """Points and columns of a list file.
+
+    Attributes
+    ----------
+    columns : tuple of str
+        Meaning of its columns, from the left: of `COLUMNS`, or ``-`` for one not used.
+    are_columns_given : bool
+        Whether given by a header row or the caller; otherwise by their order.
+    """
+
+    path: Path
+    points: tuple[ListedPoint, ...]
+    columns: tuple[str, ...]
+    are_columns_given: bool
+
+
+def read_point_list(
+    path: Path,
+    *,
+    columns: Sequence[str] = (),
+    local: bool = True,
+    degrees: bool = False,
+    check: bool = False,
+    metres: Sequence[float] = (1.0, 1.0, 1.0),
+) -> PointList:
+    """Read a list of target coordinates.
+
+    Parameters
+    ----------
+    columns : sequence of str
+        What the columns hold, where that is not to be taken from the file; of `COLUMNS`, others
+        are not used.
+    local : bool
+        Whether coordinates are in the local frame: x is then north and y west, else x is easting
+        or longitude and y northing or latitude.
+    degrees : bool
+        Whether degrees, minutes and seconds are understood.
+    check : bool
+        Whether these are check points, which may have columns ``sigma`` (metres) and ``plane``.
+    metres : three of float
+        In a unit of each axis of the coordinate system, to which units in the titles are converted.
+
+    Raises
+    ------
+    InputError
+        With the row where there is one.
+    """
+    path = Path(path)
+    rows = _data_rows(path)
+    first = next(rows, None)
+    if first is None:
+        raise InputError(error("seeds.no_coordinates", file=str(path)))
+    separator = separator_of(first[1])
+    are_given = True
+    factors: Mapping[str, float] = {}
+    if columns:
+        meant = _require_complete_columns(
+            path, None, tuple(_column_meaning(word, local) for word in columns)
+        )
+        if not _is_numeric_row(first[1], separator, meant, degrees):
+            first = None  # its own names
+    elif names := header_meanings(first[1], separator, local=local):
+        if check:
+            names = _with_check_columns(names, split_fields(first[1], separator))
+        meant = _require_complete_columns(path, first[0], names)
+        titles = dict(zip(meant, split_fields(first[1], separator), strict=True))
+        factors, first = _column_factors(path, titles, metres, degrees), None
+    else:
+        meant, are_given = _meanings_by_order(path, *first, separator, check), False
+    points: list[ListedPoint] = []
+    letters: dict[int, set[str]] = {k: set() for k, name in enumerate(meant) if name == UNUSED}
+    for number, row_text in (*((first,) if first else ()), *rows):
+        if first is None and not points:
+            separator = separator_of(row_text)  # names may be parted otherwise than numbers
+        fields = split_fields(row_text, separator)
+        points.append(_parse_point(path, number, fields, meant, degrees, factors))
+        for k, found in letters.items():
+            found.add(fields[k].strip().upper() if k < len(fields) else "")
+    if not points:
+        raise InputError(error("seeds.only_names", file=str(path)))
+    for k, found in letters.items() if degrees else ():
+        if found <= {*HEMISPHERES, "O"}:
+            raise InputError(
+                error(
+                    "seeds.hemispheres", file=str(path), column=k + 1, letters=tuple(sorted(found))
+                )
+            )
+    _require_unique_points(path, points)
+    return PointList(path, tuple(points), meant, are_given)
+
+
+def is_point_list(path: Path) -> bool:
+    """True if a file is a list of named points and not a line or a trajectory."""
+    try:
+        found = read_point_list(path)
+    except (InputError, OSError):
+        return False
+    return NAME in found.columns and any(not is_number(point.name) for point in found.points)
+
+
+def _data_rows(path: Path) -> Iterator[tuple[int, str]]:
+    """Rows that are neither empty nor comments; names may be in a comment of the first rows.
+
+    Raises
+    ------
+    InputError
+        Where there are too many for a list of targets.
+    """
+    count = 0
+    for number, line in numbered_lines(path, WHAT):
+        text = line.strip()
+        if not text.strip(' ,;\t"'):
+            continue
+        if text.startswith(COMMENT_MARKS):
+            bare = text.lstrip("#%/ ")
+            if count or not header_meanings(bare, separator_of(bare), local=True):
+                continue
+            text = bare
+        count += 1
+        if count > MAX_ROWS:
+            raise InputError(error("seeds.too_many_rows", file=str(path), most=MAX_ROWS))
+        yield number, text
+
+
+def separator_of(row: str) -> str:
+    """Separator of the columns of a row, for all rows of the file."""
+    whole = split_fields(row)
+    return next(
+        (name for name in SEPARATORS if name != "auto" and split_fields(row, name) == whole), "auto"
+    )
+
+
+def _column_meaning(word: str, local: bool) -> str:
+    bare = split_title(word)[0].lower()
+    joined = re.sub(r"[\s_.#-]+", "", bare)
+    if local and joined in LOCAL_NAMES:
+        return LOCAL_NAMES[joined]
+    if joined in ("e", "east", "easting", "lon", "longitude", "lat", "latitude") and local:
+        return f"{joined}?"
+    found = _NAMES.get(joined) or MEANINGS.get(bare, UNUSED)
+    return found if found in COLUMNS else UNUSED
+
+
+def header_meanings(row: str, separator: str, *, local: bool) -> tuple[str, ...]:
+    """Meanings of the column names; empty if a row has no names."""
+    fields = split_fields(row, separator)
+    if any(is_number(field) for field in fields):
+        return ()
+    meant = tuple(_column_meaning(field, local) for field in fields)
+    return meant if sum(name != UNUSED for name in meant) >= 2 else ()
+
+
+def _with_check_columns(meant: Sequence[str], names: Sequence[str]) -> tuple[str, ...]:
+    """Column meanings with those that only check points use."""
+    bare = (split_title(name)[0].lower() for name in names)
+    return tuple(
+        CHECK_NAMES.get(name, UNUSED) if known == UNUSED else known
+        for known, name in zip(meant, bare, strict=True)
+    )
+
+
+def _require_complete_columns(
+    path: Path, row: int | None, meant: tuple[str, ...]
+) -> tuple[str, ...]:
+    """Refuse columns that are not three coordinates, each once.
+
+    Parameters
+    ----------
+    row : int or None
+        Of the file, with the names of the columns; None where the user gives them.
+
+    Raises
+    ------
+    InputError
+    """
+    if foreign := [name.rstrip("?") for name in meant if name.endswith("?")]:
+        raise InputError(_columns_error("other_axes", path, row, foreign))
+    if lacking := [name for name in COORDINATES if name not in meant]:
+        raise InputError(_columns_error("columns_missing", path, row, lacking))
+    if twice := [name for name in COLUMNS if meant.count(name) > 1]:
+        raise InputError(_columns_error("duplicate_columns", path, row, twice))
+    return meant
+
+
+_COLUMN_ERRORS = {
+    "other_axes": ("seeds.other_axes", "seeds.other_axes_in_row"),
+    "columns_missing": ("seeds.columns_missing", "seeds.columns_missing_in_row"),
+    "duplicate_columns": ("seeds.duplicate_columns", "seeds.duplicate_columns_in_row"),
+}
+"""Codes of errors of columns that the user names, and of those that a row of the file names."""
+
+
+def _columns_error(what: str, path: Path, row: int | None, names: Sequence[str]) -> Message:
+    given, in_row = _COLUMN_ERRORS[what]
+    if row is None:
+        return error(given, file=str(path), names=tuple(names))
+    return error(in_row, file=str(path), row=row, names=tuple(names))
+
+
+def _is_numeric_row(row: str, separator: str, meant: Sequence[str], degrees: bool) -> bool:
+    fields = split_fields(row, separator)
+    return any(
+        name in COORDINATES and k < len(fields)
+        and parse_coordinate(fields[k], degrees=degrees) is not None
+        for k, name in enumerate(meant)
+    )  # fmt: skip
+
+
+def _meanings_by_order(
+    path: Path, row: int, text: str, separator: str, check: bool
+) -> tuple[str, ...]:
+    """Meanings of the columns of a row of numbers by their order: name, x, y, z, role.
+
+    Of check points: name, x, y, z, sigma, plane; without a name there is no sigma either.
+
+    Raises
+    ------
+    InputError
+        If the order is unknown.
+    """
+    fields = split_fields(text, separator)
+    numbers = [is_number(field) for field in fields]
+    count = sum(numbers)
+    if check and len(fields) in (5, 6) and all(numbers[1:5]):
+        return (NAME, *COORDINATES, SIGMA, PLANE)[: len(fields)]
+    if numbers[:3] == [True] * 3 and count == 3:
+        start = 0
+    elif numbers[1:4] == [True] * 3 and count - numbers[0] == 3:
+        start = 1
+    else:
+        code = "seeds.too_few_numbers" if count < 3 else "seeds.order_unclear"
+        raise InputError(error(code, file=str(path), row=row, found=count, total=len(fields)))
+    rest = fields[start + 3 :]
+    has_role = bool(rest) and rest[0].lower() in ROLES
+    return (
+        ((NAME,) if start else ())
+        + COORDINATES
+        + (((ROLE,) if has_role else (UNUSED,)) if rest else ())
+    )
+
+
+def _column_factors(
+    path: Path, titles: Mapping[str, str], metres: Sequence[float], degrees: bool
+) -> dict[str, float]:
+    """Factor of each column, for the unit and direction in its title.
+
+    Raises
+    ------
+    InputError
+        Where a unit is not known or is none of the column's kind.
+    """
+    factors: dict[str, float] = {}
+    for name, own in (*zip(COORDINATES, metres, strict=True), (SIGMA, 1.0)):
+        title = titles.get(name, "")
+        unit = title_unit(title)
+        angle = degrees and name in COORDINATES[:2]
+        if angle:
+            turned = direction_of(title) == ("west" if name == "x" else "south")
+            factors[name] = -1.0 if turned else 1.0
+        if not unit or (unit in ("dms", "ddmm") and angle):
+            continue
+        kind = "angle" if angle else "length"
+        if unit == UNKNOWN or UNITS[unit].kind != kind:
+            code = "seeds.not_an_angle" if angle else "seeds.not_a_length"
+            raise InputError(error(code, file=str(path), column=title))
+        one = UNITS["deg"].si if angle else own
+        is_of_system = unit == "ft" and abs(own / FOOT - 1) < 1e-5  # US survey feet as well
+        if not is_of_system:
+            factors[name] = factors.get(name, 1.0) * UNITS[unit].si / one
+    return factors
+
+
+LIMITS = {"x": (360.0, "NS"), "y": (90.0, "EW")}
+"""Degrees that longitude and latitude do not exceed, and hemispheres of the other one."""
+
+
+def _parse_point(
+    path: Path, row: int, fields: list[str], meant: Sequence[str], degrees: bool,
+    factors: Mapping[str, float],
+) -> ListedPoint:  # fmt: skip
+    at = {name: k for k, name in enumerate(meant) if name != UNUSED}
+    needed = 1 + max(at[name] for name in (NAME, *COORDINATES) if name in at)
+    if len(fields) < needed:
+        raise InputError(
+            error(
+                "seeds.row_too_short", file=str(path), row=row, found=len(fields), needed=needed,
+                names=meant,
+            )
+        )  # fmt: skip
+    values = []
+    for axis in COORDINATES:
+        field = fields[at[axis]]
+        value = parse_coordinate(field, degrees=degrees)
+        if degrees and axis in LIMITS and value is not None:
+            limit, others = LIMITS[axis]
+            ends = {field.strip().upper()[:1], field.strip().upper()[-1:]}
+            if abs(value * factors.get(axis, 1.0)) > limit or ends & set(others):
+                value = None
+        if value is None:
+            raise InputError(
+                error(
+                    "seeds.unusable_coordinate", file=str(path), row=row, axis=axis,
+                    value=field[:40],
+                )
+            )  # fmt: skip
+        values.append(value * factors.get(axis, 1.0))
+    name = fields[at[NAME]].strip() if NAME in at else ""
+    if NAME in at:
+        try:
+            require_target_name(name)
+        except ProjectError as failure:
+            raise InputError(
+                error("seeds.invalid_name", file=str(path), row=row, reason=failure.reason)
+            ) from failure
+    word = fields[at[ROLE]].strip().lower() if ROLE in at and at[ROLE] < len(fields) else ""
+    if word and word not in ROLES:
+        raise InputError(error("seeds.unknown_role", file=str(path), row=row, role=word[:40]))
+    x, y, z = values
+    sigma, plane = (
+        fields[at[what]].strip() if what in at and at[what] < len(fields) else ""
+        for what in (SIGMA, PLANE)
+    )
+    own = _parse_sigma(path, row, sigma)
+    if own is not None:
+        own *= factors.get(SIGMA, 1.0)
+    return ListedPoint(row, name, ROLES[word] if word else None, (x, y, z), own, plane)
+
+
+def _parse_sigma(path: Path, row: int, text: str) -> float | None:
+    if not text:
+        return None
+    value = parse_coordinate(text)
+    if value is None or value < 0.0:
+        raise InputError(error("seeds.invalid_sigma", file=str(path), row=row, value=text[:40]))
+    return value
+
+
+def _require_unique_points(path: Path, points: Sequence[ListedPoint]) -> None:
+    """Refuse a list with the same name or place twice.
+
+    Raises
+    ------
+    InputError
+    """
+    names: dict[str, int] = {}
+    places: dict[tuple[float, float, float], int] = {}
+    for point in points:
+        if point.name and point.name in names:
+            raise InputError(
+                error(
+                    "seeds.duplicate_name", file=str(path), row=point.row, name=point.name,
+                    other=names[point.name],
+                )
+            )  # fmt: skip
+        if point.coordinates in places:
+            raise InputError(
+                error(
+                    "seeds.duplicate_place", file=str(path), row=point.row,
+                    other=places[point.coordinates],
+                )
+            )  # fmt: skip
+        names[point.name], places[point.coordinates] = point.row, point.row

@@ -1,0 +1,128 @@
+"""Targets as CSV, as this program exports them, read as points of a line."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.io.format_types import (
+    NOT,
+    SAME_TIME_BASE,
+    SURE,
+    Choice,
+    FileFormat,
+    FilePreview,
+    PointChunk,
+)
+from lispac.io.points.first_points import check_first_points
+from lispac.io.points.point_reader_common import (
+    PLACE,
+    coordinate_scale,
+    frame_facts,
+    head_sniffer,
+    preview_table,
+    report_damage,
+    require_not_empty,
+    require_usable_points,
+    time_base_message,
+)
+from lispac.io.text.text_export import LINE_AND_TIME, SCANNER_NAMES
+from lispac.messages import error, note, warning
+from lispac.survey.line_source import printable
+
+FIRST_LIDAR = 5
+"""Column of the scanner's x: line, time and three coordinates on the map or in the local frame come
+before it."""
+INTENSITY = 8
+
+
+@head_sniffer
+def sniff(head: bytes, path: Path) -> float:
+    """Likelihood by the column names of an exported target."""
+    names = head.split(b"\n", 1)[0].decode("utf-8").strip().split(",")
+    return SURE if _are_target_columns(names) else NOT
+
+
+def preview_file(path: Path, choice: Choice) -> FilePreview:
+    """Read the file; targets are small.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or is damaged.
+    """
+    chunk = _read_points(require_not_empty(path, "target"))
+    file = printable(path.name)
+    resolved = TARGETS.resolved(choice)
+    seen = check_first_points(chunk.xyz, chunk.time, file=file, crs="")
+    facts = {
+        "format": note("fact.target"),
+        "points": len(chunk.time),
+        **frame_facts(resolved),
+        "time base": time_base_message(chunk.time, resolved["time_base"]),
+        **seen.facts,
+    }
+    rows = preview_table(("time", "x lidar", "y lidar", "z lidar"), (chunk.time, *chunk.xyz.T))
+    file_warnings = (warning("points.of_one_target", file=file), *seen.file_warnings)
+    return FilePreview(
+        facts, rows, {}, file_warnings, (note("assumed.scanner_coordinates"), SAME_TIME_BASE)
+    )
+
+
+def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
+    """Read as one chunk, with the lines numbered from 1 as ``point_source_id``.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or is damaged.
+    """
+    path = require_not_empty(path, "target")
+    scale = coordinate_scale(TARGETS.resolved(choice))
+    chunk = _read_points(path)
+    require_usable_points(chunk.xyz, chunk.time, path)
+    yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra, chunk.total)
+
+
+def _are_target_columns(names: Sequence[str]) -> bool:
+    lidar = tuple(names[FIRST_LIDAR : FIRST_LIDAR + 3])
+    return tuple(names[:2]) == LINE_AND_TIME and lidar == SCANNER_NAMES
+
+
+def _read_points(path: Path) -> PointChunk:
+    """The points in the LiDAR frame.
+
+    Raises
+    ------
+    InputError
+    """
+    with report_damage(path, "a target as CSV"), path.open(encoding="utf-8") as file:
+        names = file.readline().strip().split(",")
+        rows = [line.rstrip("\r\n").split(",") for line in file]
+    if not _are_target_columns(names):
+        raise InputError(error("text.not_a_target", file=str(path)))
+    if not rows:
+        raise InputError(error("line.no_points", file=str(path)))
+    for number, row in enumerate(rows, start=2):
+        if len(row) != len(names):
+            raise InputError(
+                error(
+                    "text.uneven_row", file=str(path), row=number, found=len(row),
+                    needed=len(names),
+                )
+            )  # fmt: skip
+    with report_damage(path, "a target as CSV"):
+        values = np.array([row[1:] for row in rows], dtype=float)
+    _, first, line = np.unique([row[0] for row in rows], return_index=True, return_inverse=True)
+    order = np.argsort(np.argsort(first))
+    extra = {"point_source_id": (order[line.reshape(-1)] + 1).astype(np.uint16)}
+    if len(names) > INTENSITY:
+        extra["intensity"] = values[:, INTENSITY - 1].copy()
+    xyz = np.ascontiguousarray(values[:, FIRST_LIDAR - 1 : FIRST_LIDAR + 2])
+    return PointChunk(xyz, values[:, 0].copy(), extra, len(rows))
+
+
+TARGETS = FileFormat(
+    note("format.target"), "target", "points", (".csv",), PLACE, sniff, preview_file, read
+)

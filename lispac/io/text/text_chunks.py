@@ -1,0 +1,418 @@
+"""Points as text, plain or gzipped: one point a row, columns named by its first row or the user."""
+
+import gzip
+import zlib
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import IO, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.format_types import (
+    LIKELY,
+    NOT,
+    POSSIBLE,
+    SAME_TIME_BASE,
+    Choice,
+    Fact,
+    FileFormat,
+    FilePreview,
+    FormatOption,
+    PointChunk,
+)
+from lispac.io.points.first_points import check_first_points
+from lispac.io.points.point_reader_common import (
+    CHOOSE_TIME_BASE,
+    CHUNK,
+    HEAD,
+    PLACE,
+    PREVIEW_POINTS,
+    PREVIEW_ROWS,
+    SCANNER,
+    SCANNER_UNITS,
+    SECONDS,
+    TIME_UNIT,
+    USE_FEET,
+    coordinate_scale,
+    frame_facts,
+    head_sniffer,
+    report_damage,
+    require_not_empty,
+    require_usable_points,
+    time_base_message,
+    usable_points,
+)
+from lispac.io.text.text_layout import REQUIRED, SEPARATORS, RowLayout, data_rows, guess_layout
+from lispac.io.text.text_table import clock_seconds, is_clock
+from lispac.io.text.text_units import (
+    header_options,
+    height_unit_of,
+    require_cartesian,
+    require_degrees,
+    require_one_unit,
+    unit_messages,
+    unit_warnings,
+)
+from lispac.io.text.units import TIME_UNIT_NAMES
+from lispac.language import N_
+from lispac.messages import Message, error, note, warning
+from lispac.survey.line_source import printable
+
+COLUMNS = FormatOption(
+    "columns",
+    N_(
+        "Names of the columns from the left, separated by blanks. time x y z are needed; - skips a "
+        "column. Empty: as in the first row of the file."
+    ),
+)
+SEPARATOR = FormatOption(
+    "separator", N_("Separator of the columns."), ("auto", *SEPARATORS), "auto"
+)
+DECIMAL = FormatOption("decimal", N_("Decimal sign."), ("auto", "point", "comma"), "auto")
+BLOCK = 8 << 20  # bytes parsed at once
+GZIP, UTF16 = b"\x1f\x8b", (b"\xff\xfe", b"\xfe\xff")
+
+
+@head_sniffer
+def sniff(head: bytes, path: Path) -> float:
+    """Likelihood by the numbers per row and the names time, x, y and z in a first row."""
+    if head.startswith(GZIP):
+        head = zlib.decompressobj(wbits=31).decompress(head, HEAD)
+    if b"\0" in head:
+        return NOT
+    lines = _decode_text(head).splitlines()[:100]
+    layout, rows = guess_layout(lines), data_rows(lines)
+    body = rows[layout.first : -1] or rows[layout.first :]  # the last row may be cut
+    if not body or not all(layout.is_numeric_row(row) for row in body):
+        return NOT
+    return LIKELY if set(REQUIRED) <= set(layout.names) else POSSIBLE
+
+
+def preview_file(path: Path, choice: Choice) -> FilePreview:
+    """Read the first rows, and propose separator, decimal sign and columns.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or holds no rows of numbers.
+    """
+    path = require_not_empty(path, "text")
+    file = printable(path.name)
+    found, layout, lines = _detect_options(path)
+    if not choice.get("columns"):
+        require_degrees(path, layout)
+    rows = data_rows(lines)
+    resolved = _merge_options(found, choice)
+    shown = [layout.fields(row) for row in rows[layout.first : layout.first + PREVIEW_ROWS]]
+    columns = resolved["columns"].split()
+    head = (
+        columns if len(columns) == len(shown[0]) else [f"{k}" for k in range(1, 1 + len(shown[0]))]
+    )
+    preview = tuple(tuple(row) for row in (head, *shown))
+    facts: dict[str, Fact] = {
+        "format": note("fact.text_gzipped" if _is_gzipped(path) else "fact.text"),
+        "separator": resolved["separator"],
+        "decimal": resolved["decimal"],
+        "columns": resolved["columns"] or note("fact.not_named"),
+    }
+    if not columns:
+        not_named = warning("text.columns_not_named", file=file)
+        return FilePreview({**facts, **frame_facts(resolved)}, preview, found, (not_named,))
+    chunk = next(_read_chunks(path, resolved, PREVIEW_POINTS), None)
+    if chunk is None:
+        raise InputError(error("line.no_points", file=str(path)))
+    require_usable_points(chunk.xyz, chunk.time, path)
+    chunk = usable_points(chunk)
+    metres = SCANNER_UNITS[str(choice.get("unit") or found.get("unit", "metre"))]
+    crs = str(choice.get("crs", ""))
+    seen = check_first_points(metres * chunk.xyz, chunk.time, file=file, crs=crs)
+    found["frame"] = seen.frame
+    units = layout.units()
+    if crs and (unit := height_unit_of(units, crs)):
+        found["height_unit"] = unit
+    resolved = _merge_options(found, choice)
+    if resolved["frame"] == SCANNER and not choice.get("unit"):
+        require_one_unit(path, layout)
+    facts |= {
+        **frame_facts(resolved),
+        "time base": time_base_message(chunk.time, resolved["time_base"]),
+        **seen.facts,
+    }
+    above = " ".join(lines[: max(1, len(lines) - len(rows) + layout.first)]).lower()
+    feet = any(word in above for word in ("feet", "foot", "_ft", "[ft]", "(ft)"))
+    file_warnings: tuple[Message, ...] = ()
+    if feet and "unit" not in header_options(layout):
+        file_warnings = (warning("points.feet_in_header", file=file, actions=USE_FEET),)
+    if crs and units:
+        file_warnings = unit_warnings(
+            units, crs, file
+        )  # the names say which, and which does not fit
+    if (
+        not resolved["time_base"]
+        and "time" in columns
+        and is_clock(shown[0][columns.index("time")])
+    ):
+        actions = (CHOOSE_TIME_BASE,)
+        file_warnings += (warning("times.clock_without_base", file=file, actions=actions),)
+    messages = tuple(unit_messages(path, layout, choice))
+    assumptions = (
+        note("assumed.time_unit", unit=TIME_UNIT_NAMES[SECONDS[resolved["time_unit"]]]),
+        SAME_TIME_BASE,
+    )
+    return FilePreview(
+        facts, preview, found, (*file_warnings, *seen.file_warnings), assumptions, messages
+    )
+
+
+def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
+    """Read in chunks; columns beyond time, x, y, z go along under their names.
+
+    Separator, decimal sign and names of columns are those of the file where not chosen.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, empty, damaged, or a row does not fit the columns.
+    """
+    path = require_not_empty(path, "text")
+    found, layout, _ = _detect_options(path)
+    resolved = _merge_options(found, choice)
+    if resolved["frame"] == SCANNER and not choice.get("unit") and not choice.get("columns"):
+        require_one_unit(path, layout)
+    if not resolved["columns"]:
+        raise InputError(error("text.columns_not_named", file=str(path)))
+    scale, done = coordinate_scale(resolved), 0
+    for chunk in _read_chunks(path, resolved, CHUNK):
+        require_usable_points(chunk.xyz, chunk.time, path, done)
+        done += len(chunk.time)
+        yield PointChunk(chunk.xyz * scale, chunk.time, chunk.extra) if scale != 1 else chunk
+    if not done:
+        raise InputError(error("line.no_points", file=str(path)))
+
+
+def _detect_options(path: Path) -> tuple[dict[str, str], RowLayout, list[str]]:
+    """Detected options of a file, its layout, and its first lines.
+
+    Raises
+    ------
+    InputError
+        Where no row has four numbers.
+    """
+    with report_damage(path, "text"), _opened_text(path) as file:
+        lines = next(_line_blocks(file, path, HEAD), [])[:200]
+    layout = guess_layout(lines)
+    if layout.first == len(data_rows(lines)):
+        raise InputError(error("text.no_number_rows", file=str(path)))
+    found = {
+        "separator": layout.separator,
+        "decimal": "comma" if layout.decimal_comma else "point",
+    }
+    if set(REQUIRED) <= set(layout.names):
+        found["columns"] = " ".join(layout.names)
+        found |= header_options(layout)
+    else:
+        require_cartesian(path, layout)
+    return found, layout, lines
+
+
+def _merge_options(detected: Choice, choice: Choice) -> dict[str, str]:
+    """Chosen options, completed by the detected ones."""
+    return TEXT.resolved(
+        {**detected, **{name: value for name, value in choice.items() if value not in ("", "auto")}}
+    )
+
+
+def _read_chunks(path: Path, resolved: Choice, rows: int) -> Iterator[PointChunk]:
+    names = _chosen_columns(path, resolved["columns"])
+    layout = RowLayout(resolved["separator"], resolved["decimal"] == "comma")
+    columns = [k for k, name in enumerate(names) if name != "-"]
+    factor = SECONDS[resolved["time_unit"]]
+    parts: list[NDArray[np.float64]] = []
+    number = pending = 0
+    with report_damage(path, "text"), _opened_text(path) as file:
+        for block in _line_blocks(file, path, min(BLOCK, 100 * rows)):
+            parts.append(_parse_block(path, block, number, names, columns, layout))
+            number += len(block)
+            pending += len(parts[-1])
+            if pending >= rows:
+                whole = np.concatenate(parts)
+                full = pending - pending % rows
+                for start in range(0, full, rows):
+                    yield _point_chunk(whole[start : start + rows], names, columns, factor)
+                parts, pending = [whole[full:]], pending - full
+    if pending:
+        yield _point_chunk(np.concatenate(parts), names, columns, factor)
+
+
+def _point_chunk(
+    part: NDArray[np.float64], names: Sequence[str], columns: list[int], factor: float
+) -> PointChunk:
+    at = {names[k]: column for column, k in enumerate(columns)}
+    xyz = np.ascontiguousarray(part[:, [at["x"], at["y"], at["z"]]])
+    extra = {name: part[:, column].copy() for name, column in at.items() if name not in REQUIRED}
+    return PointChunk(xyz, part[:, at["time"]] * factor, extra)
+
+
+def _chosen_columns(path: Path, text: str) -> list[str]:
+    known = (*REQUIRED, "intensity")
+    names = [
+        name.lower() if name.lower() in known else name
+        for name in text.replace(",", " ").replace(";", " ").split()
+    ]
+    if not names:
+        raise InputError(error("text.columns_not_named", file=str(path)))
+    missing = [name for name in REQUIRED if name not in names]
+    if missing:
+        raise InputError(
+            error(
+                "text.columns_missing", file=str(path), names=tuple(names), missing=tuple(missing)
+            )
+        )
+    twice = sorted({name for name in names if name != "-" and names.count(name) > 1})
+    if twice:
+        raise InputError(error("text.duplicate_columns", file=str(path), names=tuple(twice)))
+    return names
+
+
+def _parse_block(
+    path: Path, block: list[str], number: int, names: Sequence[str], columns: list[int],
+    layout: RowLayout,
+) -> NDArray[np.float64]:  # fmt: skip
+    """Numbers of a block of lines, of which ``number`` came before.
+
+    Raises
+    ------
+    InputError
+        Where a row is not of numbers.
+    """
+    rows = data_rows(block)
+    before = 0
+    if number == 0:  # names of columns, or a count of points, at the head
+        before = next((k for k, row in enumerate(rows) if layout.is_numeric_row(row)), len(rows))
+    text = [layout.plain(row) for row in rows[before:]]
+    if not text:
+        return np.empty((0, len(columns)))
+    _require_width(path, block, number, layout.fields(text[0]), names)
+    at = names.index("time")
+    clocks = is_clock(layout.fields(text[0])[at])
+    try:
+        return np.loadtxt(
+            text, delimiter=SEPARATORS[layout.separator], usecols=columns, ndmin=2, comments=None,
+            converters={at: clock_seconds} if clocks else None, encoding=None,
+        )  # fmt: skip
+    except ValueError as failure:
+        _raise_row_error(path, block, number, before, names, columns, layout, clocks=clocks)
+        raise InputError(
+            error("text.not_numbers", file=str(path), reason=str(failure))
+        ) from failure
+
+
+def _raise_row_error(
+    path: Path, block: list[str], number: int, before: int, names: Sequence[str],
+    columns: list[int], layout: RowLayout, *, clocks: bool,
+) -> None:  # fmt: skip
+    """Raise an error that names the faulty row of a block.
+
+    Raises
+    ------
+    InputError
+    """
+    passed = 0
+    for k, line in enumerate(block, start=number + 1):
+        if not data_rows([line]):
+            continue
+        passed += 1
+        if passed <= before:
+            continue
+        fields = layout.fields(line)
+        _require_width(path, [line], k - 1, fields, names)
+        for column in columns:
+            as_clock = clocks and names[column] == "time"
+            try:
+                (clock_seconds if as_clock else _parse_number)(fields[column])
+            except ValueError:
+                code = "text.not_a_clock_time" if as_clock else "text.not_a_number"
+                raise InputError(
+                    error(
+                        code, file=str(path), row=k, column=names[column],
+                        value=fields[column][:40],
+                    )
+                ) from None  # fmt: skip
+
+
+def _parse_number(field: str) -> float:
+    """A number as NumPy reads it: Python also takes ``1_000`` and digits of other scripts.
+
+    Raises
+    ------
+    ValueError
+    """
+    if "_" in field or not field.isascii():
+        raise ValueError(field)
+    return float(field)
+
+
+def _require_width(
+    path: Path, lines: list[str], number: int, fields: list[str], names: Sequence[str]
+) -> None:
+    if len(fields) < len(names):
+        row = number + 1 if len(lines) == 1 else number + 1 + _first_row(lines)
+        raise InputError(
+            error(
+                "text.row_too_short", file=str(path), row=row, found=len(fields),
+                needed=len(names), names=tuple(names),
+            )
+        )  # fmt: skip
+
+
+def _first_row(lines: list[str]) -> int:
+    return next((k for k, line in enumerate(lines) if data_rows([line])), 0)
+
+
+def _is_gzipped(path: Path) -> bool:
+    with path.open("rb") as file:
+        return file.read(2) == GZIP
+
+
+@contextmanager
+def _opened_text(path: Path) -> Iterator[IO[bytes]]:
+    with path.open("rb") as raw:
+        start = raw.read(2)
+        raw.seek(0)
+        if start in UTF16:
+            raise InputError(error("text.utf16", file=str(path)))
+        yield cast(IO[bytes], gzip.GzipFile(fileobj=raw)) if start == GZIP else raw
+
+
+def _decode_text(data: bytes) -> str:
+    return data.decode("utf-8-sig", errors="replace")
+
+
+def _line_blocks(file: IO[bytes], path: Path, size: int) -> Iterator[list[str]]:
+    """Blocks of whole lines, ``size`` bytes at once.
+
+    Raises
+    ------
+    InputError
+        Where the file is not text in rows.
+    """
+    rest = b""
+    while data := file.read(size):
+        data = rest + data
+        end = data.rfind(b"\n") + 1
+        data, rest = data[:end], data[end:]
+        if len(rest) > HEAD or b"\0" in data[:HEAD]:
+            raise InputError(error("text.no_rows_of_points", file=str(path)))
+        if data:
+            yield _decode_text(data).split("\n")[:-1]
+    if rest.strip():
+        yield [_decode_text(rest)]
+
+
+TEXT = FileFormat(
+    note("format.text"), "text", "points", (".txt", ".csv", ".xyz", ".asc", ".pts", ".gz"),
+    (COLUMNS, SEPARATOR, DECIMAL, TIME_UNIT, *PLACE), sniff, preview_file, read,
+)  # fmt: skip

@@ -1,0 +1,154 @@
+"""Units in the titles of columns of points as text, and contradictions to them."""
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from lispac.errors import InputError
+from lispac.io.format_types import Choice
+from lispac.io.points.point_reader_common import SCANNER_UNITS
+from lispac.io.text.text_layout import (
+    BEAMS,
+    TIME_BASES,
+    RowLayout,
+    ambiguous_columns,
+    name_without_unit,
+)
+from lispac.io.text.units import ANGLE_CODES, LENGTH_NAMES, UNKNOWN, direction_of
+from lispac.io.trajectory.trajectory_projection import LENGTHS
+from lispac.messages import Action, Level, Message, error, warning
+from lispac.survey.crs import UNITS as SYSTEM_UNITS
+from lispac.survey.crs import CoordinateSystem, coordinate_system
+from lispac.survey.line_source import printable
+
+TIME_UNITS = {"s": "second", "ms": "millisecond", "us": "microsecond", "ns": "nanosecond",
+              "min": "minute", "h": "hour"}  # fmt: skip
+"""Units of time as the option ``time_unit`` has them."""
+AXES = ("x", "y", "z")
+
+
+def header_options(layout: RowLayout) -> dict[str, str]:
+    """Options ``time_unit``, ``time_base`` and ``unit`` given in the titles of the columns."""
+    units, found = layout.units(), dict[str, str]()
+    if "time" in layout.names:
+        title = layout.titles[layout.names.index("time")]
+        if base := TIME_BASES.get(name_without_unit(title)):
+            found["time_base"] = base
+    if time := TIME_UNITS.get(units.get("time", "")):
+        found["time_unit"] = time
+    axis_units = [units.get(axis, "") for axis in AXES]
+    if len(set(axis_units)) == 1 and axis_units[0] in LENGTHS:
+        metres = LENGTHS[axis_units[0]]
+        found["unit"] = next(name for name, own in SCANNER_UNITS.items() if own == metres)
+    return found
+
+
+def require_one_unit(path: Path, layout: RowLayout) -> None:
+    """Refuse coordinates in the scanner frame whose titles give several units, or an unknown one.
+
+    Raises
+    ------
+    InputError
+    """
+    units = layout.units()
+    axis_units = {axis: units.get(axis, "") for axis in AXES}
+    if len(set(axis_units.values())) == 1 and set(axis_units.values()) <= {"", *LENGTHS}:
+        return
+    titles = [layout.titles[layout.names.index(axis)] for axis, unit in axis_units.items() if unit]
+    raise InputError(error("text.several_units", file=str(path), titles=tuple(titles)))
+
+
+def require_degrees(path: Path, layout: RowLayout) -> None:
+    """Refuse longitudes and latitudes that are not in degrees to the east and north.
+
+    Raises
+    ------
+    InputError
+    """
+    units = layout.units()
+    for axis, way in (("x", "west"), ("y", "south")):
+        if axis not in layout.names:
+            continue
+        title = layout.titles[layout.names.index(axis)]
+        other = units.get(axis, "") in ANGLE_CODES and units[axis] not in ("deg", "dms")
+        if other or (
+            name_without_unit(title) in ANGLE_NAMES and direction_of(title) in (way, UNKNOWN)
+        ):
+            raise InputError(error("text.not_degrees", file=str(path), column=title))
+
+
+ANGLE_NAMES = {"lon", "longitude", "lat", "latitude"}
+
+
+def require_cartesian(path: Path, layout: RowLayout) -> None:
+    """Refuse points in polar coordinates.
+
+    Raises
+    ------
+    InputError
+    """
+    polar = [title for title in layout.titles if name_without_unit(title) in BEAMS]
+    if len(polar) >= 2 and not set(AXES) <= set(layout.names):
+        raise InputError(error("text.polar_coordinates", file=str(path), columns=tuple(polar)))
+
+
+def unit_messages(path: Path, layout: RowLayout, choice: Choice) -> Iterator[Message]:
+    """Warnings about titles that the reading does not follow.
+
+    Parameters
+    ----------
+    choice : mapping
+        Options as the user sets them.
+    """
+    file = printable(path.name)
+    for option, specified in header_options(layout).items():
+        unit_option = str(choice.get(option, specified))
+        if unit_option not in ("", specified):
+            own = AXES if option == "unit" else ("time",)
+            titles = tuple(layout.titles[layout.names.index(name)] for name in own)
+            params = {"file": file, "option": option, "stated": titles, "given": unit_option}
+            actions = (Action("set_option", {"name": option, "value": specified}),)
+            yield Message("text.unit_overridden", Level.WARNING, params, actions=actions)
+    if layout.units().get("time") == UNKNOWN:
+        column = layout.titles[layout.names.index("time")]
+        params = {"file": file, "column": column, "used": "seconds"}
+        yield Message("text.unknown_unit", Level.WARNING, params)
+    for meaning, titles_of_one in ambiguous_columns(layout.titles).items():
+        if meaning in (*AXES, "time"):
+            used = layout.titles[layout.names.index(meaning)]
+            params = {"file": file, "columns": tuple(titles_of_one), "used": used}
+            yield Message("text.two_columns", Level.WARNING, params)
+
+
+def height_unit_of(units: Mapping[str, str], crs: str) -> str:
+    """Option for the unit of heights; empty if the titles add nothing to the system.
+
+    Plain feet are those of a system in feet.
+    """
+    unit = units.get("z", "")
+    system = _parse_crs(crs)
+    if unit not in LENGTHS or (unit == "ft" and system is not None and "foot" in system.unit):
+        return ""
+    return next((name for name, metres in SYSTEM_UNITS.items() if metres == LENGTHS[unit]), "")
+
+
+def unit_warnings(units: Mapping[str, str], crs: str, file: str) -> tuple[Message, ...]:
+    """A warning where eastings by their name are in another unit than the system's."""
+    unit, system = units.get("x", ""), _parse_crs(crs)
+    if unit not in LENGTHS or system is None or system.is_geographic:
+        return ()
+    own = system.metres[0]
+    if (unit == "ft" and "foot" in system.unit) or abs(LENGTHS[unit] / own - 1) < 1e-9:
+        return ()
+    return (
+        warning(
+            "points.unit_of_column", file=file, unit=LENGTH_NAMES[LENGTHS[unit]],
+            system=system.name, system_unit=system.unit,
+        ),
+    )  # fmt: skip
+
+
+def _parse_crs(crs: str) -> CoordinateSystem | None:
+    try:
+        return coordinate_system(crs) if crs else None
+    except InputError:
+        return None  # reported where points are georeferenced

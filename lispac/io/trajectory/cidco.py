@@ -1,0 +1,136 @@
+"""CIDCO's binary points: 22 little-endian float64 each, made for boresight calibration.
+
+X, Y, Z local; time; x, y, z LiDAR and their sigmas; roll, pitch, heading (radians) and their
+sigmas; POS position local and its sigmas. The points are read in the LiDAR frame; what else a
+point has goes along.
+"""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.format_types import LIKELY, NOT, Choice, FileFormat, FilePreview, PointChunk
+from lispac.io.points.first_points import check_first_points
+from lispac.io.points.point_reader_common import (
+    CHUNK,
+    PLACE,
+    PREVIEW_POINTS,
+    SCANNER_COLUMNS,
+    coordinate_scale,
+    frame_facts,
+    head_sniffer,
+    preview_table,
+    report_damage,
+    require_not_empty,
+    require_usable_points,
+    time_base_message,
+    usable_mask,
+)
+from lispac.messages import error, note
+from lispac.survey.line_source import printable
+
+N_COLUMNS = 22
+RECORD = 8 * N_COLUMNS
+PARTS = {
+    "points_local": slice(0, 3), "sigma_lidar": slice(7, 10), "attitude": slice(10, 13),
+    "sigma_attitude": slice(13, 16), "position": slice(16, 19), "sigma_position": slice(19, 22),
+}  # fmt: skip
+NAMES = (
+    "X", "Y", "Z", "time", "x lidar", "y lidar", "z lidar", "sx", "sy", "sz", "roll", "pitch",
+    "heading", "s roll", "s pitch", "s heading", "X pos", "Y pos", "Z pos", "s X", "s Y", "s Z",
+)  # fmt: skip
+LONGEST_LEVER = 50.0  # metres between POS and LiDAR on any vessel
+
+
+@head_sniffer
+def sniff(head: bytes, path: Path) -> float:
+    """Likelihood by the geometry of each record: POS to point is as long as the LiDAR range."""
+    if path.stat().st_size % RECORD:
+        return NOT
+    records = np.frombuffer(head[: len(head) // RECORD * RECORD], "<f8").reshape(-1, N_COLUMNS)
+    return LIKELY if len(records) and _are_consistent_records(records).all() else NOT
+
+
+def _are_consistent_records(records: NDArray[np.float64]) -> NDArray[np.bool_]:
+    sigmas = records[:, [7, 8, 9, 13, 14, 15, 19, 20, 21]]
+    angles = records[:, 10:13]
+    with np.errstate(all="ignore"):  # a stranger's bytes make any numbers
+        distance = np.linalg.norm(records[:, 0:3] - records[:, 16:19], axis=1)
+        measured = np.linalg.norm(records[:, 4:7], axis=1)
+        finite = np.isfinite(records).all(axis=1)
+        near = np.abs(distance - measured) < LONGEST_LEVER
+        sound = (sigmas >= 0).all(axis=1) & (np.abs(angles) < 2 * np.pi + 1e-6).all(axis=1)
+        return finite & near & sound & (measured < 1e4) & (np.abs(records[:, 3]) < 1e10)
+
+
+def preview_file(path: Path, choice: Choice) -> FilePreview:
+    """Read the first points.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read or does not hold such records.
+    """
+    path = require_not_empty(path, "CIDCO")
+    resolved = CIDCO.resolved(choice)
+    records = next(record_chunks(path, PREVIEW_POINTS))
+    seen = check_first_points(records[:, 4:7], records[:, 3], file=printable(path.name), crs="")
+    facts = {
+        "format": note("fact.cidco"),
+        "points": path.stat().st_size // RECORD,
+        **frame_facts(resolved),
+        "time base": time_base_message(records[:, 3], resolved["time_base"]),
+        **seen.facts,
+    }
+    assumptions = (note("assumed.cidco_columns"), *SCANNER_COLUMNS)
+    return FilePreview(
+        facts, preview_table(NAMES, tuple(records.T)), {}, seen.file_warnings, assumptions
+    )
+
+
+def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
+    """Read in chunks.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, cut short, empty, or does not hold such records.
+    """
+    path = require_not_empty(path, "CIDCO")
+    scale, total = coordinate_scale(CIDCO.resolved(choice)), path.stat().st_size // RECORD
+    for records in record_chunks(path, CHUNK):
+        extra = {name: records[:, columns].copy() for name, columns in PARTS.items()}
+        yield PointChunk(records[:, 4:7] * scale, records[:, 3].copy(), extra, total)
+
+
+def record_chunks(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
+    """All records, shape (n, 22), some at a time.
+
+    Raises
+    ------
+    InputError
+    """
+    size = path.stat().st_size
+    if size % RECORD:
+        raise InputError(
+            error("cidco.cut_short", file=str(path), bytes=size, record=RECORD, rest=size % RECORD)
+        )
+    with report_damage(path, "CIDCO binary"), path.open("rb") as file:
+        done = 0
+        while data := file.read(rows * RECORD):
+            whole = len(data) // RECORD * RECORD
+            records = np.frombuffer(data[:whole], "<f8").reshape(-1, N_COLUMNS).astype(np.float64)
+            require_usable_points(records[:, 4:7], records[:, 3], path, done)
+            usable = usable_mask(records[:, 4:7], records[:, 3])
+            bad = usable & ~_are_consistent_records(records)
+            if bad.any():
+                point = done + int(np.argmax(bad)) + 1
+                raise InputError(error("cidco.inconsistent_point", file=str(path), point=point))
+            done += len(records)
+            yield records
+
+
+CIDCO = FileFormat(note("format.cidco"), "cidco", "points", (), PLACE, sniff, preview_file, read)

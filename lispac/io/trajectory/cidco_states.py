@@ -1,0 +1,173 @@
+"""The POS states in CIDCO's binary points, as a trajectory of their own.
+
+Every point holds the state at its time: position in a local frame (north, west, up), roll, pitch
+and heading against it, and the sigmas. What lies between the objects that were cut out is not in
+the file, and neither is the place of its frame on Earth. Files of several lines are joined by
+copying them one after the other: records have no header.
+"""
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame
+from lispac.geometry.rotations import rotation_angles, rotation_matrix
+from lispac.io.files import require_numbers
+from lispac.io.format_types import NOT, POSSIBLE, Choice, Fact, FilePreview, FormatOption
+from lispac.io.points.point_reader_common import (
+    CHUNK,
+    PREVIEW_POINTS,
+    preview_table,
+    report_damage,
+    require_not_empty,
+)
+from lispac.io.trajectory.cidco import NAMES, record_chunks
+from lispac.io.trajectory.cidco import sniff as sniff_points
+from lispac.io.trajectory.trajectory_checks import require_attitude, require_heights
+from lispac.io.trajectory.trajectory_facts import span_facts
+from lispac.io.trajectory.trajectory_preview import accuracy_facts
+from lispac.language import N_
+from lispac.messages import Message, error, note, warning
+from lispac.survey.line_source import printable
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+
+Array = NDArray[np.float64]
+
+ORIGIN = FormatOption(
+    "origin",
+    N_(
+        "Origin of the local frame of the file: latitude and longitude in degrees, height in "
+        "metres above the ellipsoid, as in 46.8 -71.2 20."
+    ),
+    (),
+    "0 0 0",
+)
+STATES = slice(10, 22)
+TOLERANCE = 1e-6
+"""Metres or radians by which states of one time may differ."""
+
+
+def sniff_states(path: Path) -> float:
+    """Likelihood that a CIDCO file holds states, never above that of its points."""
+    return POSSIBLE if sniff_points(path) > NOT else NOT
+
+
+def preview_states(path: Path, choice: Choice) -> FilePreview:
+    """Read the whole file; such files are small.
+
+    Raises
+    ------
+    InputError
+    """
+    states = _state_table(path)
+    return FilePreview(
+        _state_facts(states),
+        _preview_rows(path),
+        {},
+        _origin_warnings(path, choice),
+        _assumptions(choice),
+    )
+
+
+def read_states(path: Path, choice: Choice) -> Trajectory:
+    """Bring the states into geographic coordinates about the origin.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read, the origin is none, or states of one time differ.
+    """
+    states = _state_table(path)
+    frame = _origin_frame(choice)
+    require_attitude(path, states[:, 0], tuple(states[:, 1:4].T))
+    latitude, longitude, height = frame.to_geodetic(states[:, 7:10])
+    require_heights(path, height)
+    rotation_level_local = np.swapaxes(frame.rotation_local_level(latitude, longitude), -1, -2)
+    attitude = rotation_angles(rotation_level_local @ rotation_matrix(*states[:, 1:4].T))
+    return Trajectory(states[:, 0], latitude, longitude, height, attitude, _assumptions(choice))
+
+
+def preview_sigmas(path: Path, choice: Choice) -> FilePreview:
+    """Read the whole file and describe the standard deviations of its states."""
+    facts, file_warnings = accuracy_facts(read_sigmas(path, choice), printable(path.name))
+    return FilePreview(
+        _state_facts(_state_table(path)) | facts, _preview_rows(path), {}, file_warnings
+    )
+
+
+def read_sigmas(path: Path, choice: Choice) -> TrajectoryAccuracy:
+    """The sigmas of the states: north, west and up are those of north, east and down.
+
+    Raises
+    ------
+    InputError
+    """
+    states = _state_table(path)
+    return TrajectoryAccuracy(states[:, 0], states[:, 10:13], states[:, 4:7])
+
+
+def _state_table(path: Path) -> Array:
+    """Time, attitude, its sigmas, position, its sigmas; shape (n, 13), each time once.
+
+    Raises
+    ------
+    InputError
+        Where they are not those of one trajectory.
+    """
+    path = require_not_empty(path, "CIDCO")
+    with report_damage(path, "CIDCO binary"):
+        records = np.concatenate(list(record_chunks(path, CHUNK)))
+    states = np.column_stack([records[:, 3], records[:, STATES]])
+    require_numbers(states, path, "CIDCO binary")
+    states = states[np.argsort(states[:, 0], kind="stable")]
+    repeated = np.diff(states[:, 0]) == 0
+    unlike = repeated & (np.abs(np.diff(states[:, 1:], axis=0)) > TOLERANCE).any(axis=1)
+    if unlike.any():
+        time = float(states[int(np.argmax(unlike)), 0])
+        raise InputError(error("cidco.different_states", file=str(path), time=time))
+    states = states[np.concatenate([[True], ~repeated])]
+    if len(states) < 2:
+        raise InputError(error("cidco.one_state", file=str(path)))
+    return np.ascontiguousarray(states)
+
+
+def _origin_frame(choice: Choice) -> LocalFrame:
+    text = choice.get("origin", ORIGIN.default) or ORIGIN.default
+    try:
+        latitude, longitude, height = (float(word) for word in text.replace(",", " ").split())
+    except ValueError:
+        latitude = longitude = height = np.nan
+    if not (abs(latitude) < 89 and abs(longitude) <= 360 and abs(height) < 1e5):
+        raise InputError(error("cidco.invalid_origin", origin=text))
+    return LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
+
+
+def _preview_rows(path: Path) -> tuple[tuple[str, ...], ...]:
+    records = next(record_chunks(path, PREVIEW_POINTS))
+    return preview_table(NAMES, tuple(records.T))
+
+
+def _state_facts(states: Array) -> dict[str, Fact]:
+    low, high = states[:, 7:10].min(axis=0), states[:, 7:10].max(axis=0)
+    facts: dict[str, Fact] = {"Records": note("fact.states", count=len(states))}
+    facts |= span_facts(states[:, 0])
+    for axis, a, b in zip(("north", "west", "up"), low, high, strict=True):
+        facts[f"Position {axis}"] = note("fact.lengths", low=a, high=b)
+    return facts
+
+
+def _origin_warnings(path: Path, choice: Choice) -> tuple[Message, ...]:
+    if choice.get("origin", ORIGIN.default) not in ("", ORIGIN.default):
+        return ()
+    return (warning("cidco.no_origin", file=printable(path.name)),)
+
+
+def _assumptions(choice: Choice) -> tuple[Message, ...]:
+    origin = choice.get("origin", ORIGIN.default) or ORIGIN.default
+    return (
+        note("assumed.cidco_positions", origin=str(origin)),
+        note("assumed.cidco_attitude"),
+        note("assumed.times_of_points"),
+    )

@@ -1,0 +1,258 @@
+"""Text exports of Exail (iXblue) post-processing: APPS and Delph INS.
+
+These exports are made from templates, so their columns differ; what each column is stands in the
+header. Comment lines give the name, its meaning and its unit, and the last one all names:
+
+    # latitude: Latitude, decimal degree
+    # heading: Heading, degree
+    #date   time   latitude   longitude   ellipsoidHeight   heading   roll   pitch
+
+The reader goes by these names and units, never by position. Signs are not in the header: iXblue's
+are roll positive port side up and pitch positive bow down.
+"""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+from lispac.errors import InputError
+from lispac.io.format_types import LIKELY, NOT, SURE, Choice, Fact, FilePreview
+from lispac.io.text.text_table import first_lines, is_clock, numbered_lines, split_fields
+from lispac.io.text.units import direction_of, parse_unit
+from lispac.io.trajectory.trajectory_columns import (
+    GRID,
+    HEIGHTS,
+    HEMISPHERES,
+    POSITION,
+    SIGN_NAMES,
+    Column,
+    Rows,
+    TrajectoryConventions,
+    accuracy_of,
+    role_of,
+    trajectory_of,
+)
+from lispac.io.trajectory.trajectory_preview import (
+    TextLayout,
+    has_sigmas,
+    preview_accuracy,
+    preview_text,
+    sign_assumed_warning,
+)
+from lispac.io.trajectory.trajectory_projection import UNSPECIFIED
+from lispac.io.trajectory.trajectory_velocities import velocity_columns
+from lispac.messages import Level, Message, error, note, warning
+from lispac.survey.line_source import printable
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+
+_MAKER = re.compile(r"delph|ixblue|ixsea|exail|\bapps\b", re.IGNORECASE)
+_DESCRIPTION = re.compile(r"#\s*(\w+)\s*:\s*(.+)")
+_SIGNS = {
+    "bow-up": r"(bow|nose) up|up (bow|nose)",
+    "bow-down": r"(bow|nose) down|down (bow|nose)",
+    "starboard-down": r"port( side)? up|left( side)? up|starboard( side)? down|right( side)? down",
+    "port-down": r"starboard( side)? up|right( side)? up|port( side)? down|left( side)? down",
+}
+
+
+def sniff_exail(path: Path) -> float:
+    """Likelihood of such an export, by the maker and the columns named in its comments."""
+    comments = [line for line in first_lines(path) if line.startswith("#")]
+    if not comments:
+        return NOT
+    names = _column_names(comments)
+    if len({role_of(name) for name in names} - {""}) < 5:
+        return NOT
+    if any(_MAKER.search(line) for line in comments):
+        return SURE
+    # Columns described one a line are the templates' way; a bare row of names is anybody's.
+    described = sum(_DESCRIPTION.match(line) is not None for line in comments)
+    return LIKELY if described >= 5 else NOT
+
+
+def sniff_exail_accuracy(path: Path) -> float:
+    """Likelihood of such an export with all standard deviations."""
+    confidence = sniff_exail(path)
+    if not confidence:
+        return NOT
+    return confidence if has_sigmas(exail_layout(path).columns) else NOT
+
+
+def exail_layout(path: Path) -> TextLayout:
+    """Columns by the comment lines at the head.
+
+    Raises
+    ------
+    InputError
+        Where no comment line names columns.
+    """
+    lines = first_lines(path)
+    comments = [line for line in lines if line.startswith("#")]
+    names = _column_names(comments)
+    if not names:
+        # Reading the first line detects a missing, empty or binary file.
+        next(numbered_lines(path, "Exail text"), None)
+        raise InputError(error("trajectory.exail_header", file=str(path)))
+    described = {
+        match[1].lower(): match[2] for line in comments if (match := _DESCRIPTION.match(line))
+    }
+    sample = next((line for line in lines if line.strip() and not line.startswith("#")), "")
+    separator = "tab" if "\t" in sample else "auto"
+    fields = split_fields(sample, separator)
+    columns, file_warnings = [], []
+    for index, name in enumerate(names):
+        role = role_of(name)
+        if not role:
+            continue
+        words = described.get(name.lower(), "")
+        if role == "sea_height" and "ellips" in words.lower():
+            role = "height"
+        unit = "hemisphere" if role in HEMISPHERES else parse_unit(words)
+        way = direction_of(f"{name} [{words}]") if role in POSITION else ""
+        if (role, way) in (("longitude", "west"), ("latitude", "south")):
+            unit = f"{unit or 'deg'}-{way}"
+        if role == "time" and index < len(fields):
+            unit = "clock" if is_clock(fields[index]) else unit or "s"
+        if not unit:
+            unit = default_unit(role)
+            file_warnings.append(unit_assumed_warning(path, name, unit))
+        columns.append(Column(role, index, name, unit))
+    facts: dict[str, Fact] = {"Header": comments[0].lstrip("# ").strip() or note("fact.no_title")}
+    signs = {
+        column.role: sign
+        for column in columns
+        if (sign := sign_in_description(described.get(column.name.lower(), "")))
+    }
+    for angle, sign in signs.items():
+        facts[f"Sign of {angle}"] = SIGN_NAMES[sign]
+    units = [parse_unit(described.get(name.lower(), "")) for name in names]
+    return TextLayout(
+        tuple(columns), names, separator, exail_rows, facts, tuple(file_warnings),
+        velocity_columns(names, units), signs,
+    )  # fmt: skip
+
+
+def default_unit(role: str) -> str:
+    """Unit that is assumed for a column without a unit in the header."""
+    if role in ("time", "date"):
+        return {"time": "s", "date": "date"}[role]
+    if role in (*GRID, *HEIGHTS):
+        return UNSPECIFIED
+    angles = ("latitude", "longitude", "roll", "pitch", "heading")
+    return "deg" if role.removesuffix("_sd") in angles else "m"
+
+
+def unit_assumed_warning(path: Path, name: str, unit: str) -> Message:
+    """Warning that a header states no unit for a column and that ``unit`` is assumed."""
+    return Message(_ASSUMED[unit], Level.WARNING, {"file": printable(path.name), "column": name})
+
+
+_ASSUMED = {
+    "s": "trajectory.seconds_assumed", "date": "trajectory.dates_assumed",
+    "deg": "trajectory.degrees_assumed", "m": "trajectory.metres_assumed",
+    UNSPECIFIED: "trajectory.unit_of_system_assumed",
+}  # fmt: skip
+"""Code of the warning by the unit that is assumed (`default_unit`)."""
+
+
+def sign_in_description(words: str) -> str:
+    """Sign that a description states (``positive bow down``), as an option; empty where none."""
+    if "positive" not in words.lower() and "+" not in words:
+        return ""
+    return next((sign for sign, form in _SIGNS.items() if re.search(form, words.lower())), "")
+
+
+def exail_rows(path: Path) -> Rows:
+    """Rows of data, split."""
+    separator = ""
+    for row, line in numbered_lines(path, "Exail text"):
+        if not line.strip() or line.startswith("#"):
+            continue
+        separator = separator or ("tab" if "\t" in line else "auto")
+        yield row, split_fields(line, separator)
+
+
+def preview_exail(path: Path, choice: Choice) -> FilePreview:
+    """Header, first rows, detected options and warnings."""
+    path = Path(path)
+    layout = exail_layout(path)
+    found = _detect_options(layout) | dict(choice)
+    finding = preview_text(path, layout, _conventions(layout, found), found)
+    file_warnings = list(finding.file_warnings)
+    for angle in ("roll", "pitch"):
+        if angle not in layout.signs and angle not in choice:
+            file_warnings.append(sign_assumed_warning(path, angle, found[angle]))
+    if any(column.unit == "clock" for column in layout.columns) and "time" not in choice:
+        file_warnings.append(warning("times.utc_assumed", file=printable(path.name)))
+    return replace(finding, choice=found, file_warnings=tuple(file_warnings))
+
+
+def read_exail(path: Path, choice: Choice) -> Trajectory:
+    """Read the trajectory.
+
+    Raises
+    ------
+    InputError
+    """
+    path = Path(path)
+    layout = exail_layout(path)
+    conventions = _conventions(layout, _detect_options(layout) | dict(choice))
+    header = note("assumed.header_columns", format=note("format.exail"))
+    return trajectory_of(
+        path, exail_rows(path), layout.columns, conventions, (header, *layout.file_warnings)
+    )
+
+
+def preview_exail_accuracy(path: Path, choice: Choice) -> FilePreview:
+    """Size of the standard deviations."""
+    path = Path(path)
+    layout = exail_layout(path)
+    return preview_accuracy(
+        path, layout, _conventions(layout, _detect_options(layout) | dict(choice))
+    )
+
+
+def read_exail_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
+    """Read the standard deviations.
+
+    Raises
+    ------
+    InputError
+    """
+    path = Path(path)
+    layout = exail_layout(path)
+    conventions = _conventions(layout, _detect_options(layout) | dict(choice))
+    return accuracy_of(path, exail_rows(path), layout.columns, conventions)
+
+
+def _column_names(comments: list[str]) -> tuple[str, ...]:
+    """Names in the last comment line that has at least three that mean something."""
+    for line in reversed(comments):
+        names = split_fields(line.lstrip("# \t"), "tab" if "\t" in line.strip() else "auto")
+        if sum(bool(role_of(name)) for name in names) >= 3:
+            return tuple(names)
+    return ()
+
+
+def _detect_options(layout: TextLayout) -> dict[str, str]:
+    roles = {column.role: column for column in layout.columns}
+    time = "gps-week"
+    if "date" in roles:
+        time = "unix"
+    elif "time" in roles and roles["time"].unit == "clock":
+        time = "utc-day"
+    return {
+        "pitch": layout.signs.get("pitch", "bow-down"),
+        "roll": layout.signs.get("roll", "starboard-down"),
+        "time": time,
+    }
+
+
+def _conventions(layout: TextLayout, choice: Choice) -> TrajectoryConventions:
+    geographic = {column.role for column in layout.columns}.issuperset(POSITION)
+    return TrajectoryConventions(
+        pitch=choice["pitch"],
+        roll=choice["roll"],
+        time=choice["time"],
+        crs="" if geographic else choice.get("crs", ""),
+    )

@@ -1,0 +1,233 @@
+"""Velocity frame, heading and signs of an SBET, detected from its motion.
+
+The frame of the velocities shows when they are compared with the positions, and with it whether the
+heading counts from the wander azimuth. The signs of roll and pitch show in the angular rates, where
+there are any. Roll in turns and pitch against vertical velocity are not used: a vessel may heel to
+either side in a turn, and pitches about its heave a quarter of a wave apart.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.io.trajectory.sbet import AXES, SbetOptions, velocity_in_axes
+from lispac.io.trajectory.trajectory_columns import SIGN_NAMES
+from lispac.io.trajectory.trajectory_facts import (
+    MIN_SPEED,
+    SHORTEST_STEP,
+    TrajectoryMotion,
+    wrap_angle,
+)
+from lispac.messages import Action, Message, note, warning
+
+Array = NDArray[np.float64]
+
+MAX_RESIDUAL, MIN_RATIO = 0.02, 3.0
+"""Part of the speed by which velocities may miss, and by how many times the next must miss more."""
+
+SMALLEST_WANDER = 1e-4
+"""Radians below which a wander angle changes nothing."""
+
+
+def detect_velocity_frame(
+    blocks: Sequence[Array],
+    motions: Sequence[tuple[TrajectoryMotion, TrajectoryMotion]],
+    options: SbetOptions,
+    file: str,
+) -> tuple[SbetOptions, Message, list[Message]]:
+    """Detect the frame of the velocities by comparison with the motion of the positions.
+
+    Returns
+    -------
+    SbetOptions
+    Message
+        The fact about the velocities.
+    list of Message
+        Warnings.
+    """
+    velocity, wander, own, exchanged = _moving_states(blocks, motions)
+    turns = float(np.abs(np.concatenate([block[:, 10] for block in blocks])).max())
+    has_wander = turns >= SMALLEST_WANDER
+    unchecked = [warning("sbet.wander_assumed", file=file)] if has_wander else []
+    if not any(np.any(block[:, 4:7]) for block in blocks):
+        zero = warning("sbet.zero_velocities", file=file)
+        return options, note("fact.velocities_zero"), [zero, *unchecked]
+    if len(velocity) < 20:
+        slow = warning("sbet.too_slow", file=file)
+        return options, note("fact.velocities_not_checked"), [slow, *unchecked]
+    residuals = {
+        key: _velocity_residual(velocity_in_axes(key, velocity, wander), own) for key in AXES
+    }
+    swapped = min(
+        _velocity_residual(velocity_in_axes(key, velocity, wander), exchanged) for key in residuals
+    )
+    best = min(residuals, key=lambda key: residuals[key])
+    if residuals[best] > MAX_RESIDUAL:
+        if swapped <= MAX_RESIDUAL and options.order == "latitude-longitude":
+            chosen = replace(options, order="longitude-latitude")
+            again = [(other, first) for first, other in motions]
+            chosen, fact, found = detect_velocity_frame(blocks, again, chosen, file)
+            order = warning("sbet.longitude_first_by_velocity", file=file)
+            return chosen, fact, [order, *found]
+        disagree = warning(
+            "sbet.velocities_disagree", file=file, axes=AXES[best], share=residuals[best],
+        )  # fmt: skip
+        return options, note("fact.velocities_in_no_frame"), [disagree, *unchecked]
+    share = residuals[best]
+    fact = note("fact.velocity_axes", axes=AXES[best], share=share)
+    chosen = replace(options, axes=best)
+    limit = max(MIN_RATIO * residuals[best], residuals[best] + 0.003)
+    rivals = [key for key in residuals if key != best and residuals[key] < limit]
+    if not rivals and turns >= SMALLEST_WANDER:
+        return _detect_heading(chosen, blocks, motions, turns, fact, file)
+    if turns < SMALLEST_WANDER:
+        # Without a wander angle its frames are those counted from north.
+        plain = [key for key in (best, *rivals) if not key.startswith("wander")]
+        chosen = replace(chosen, axes=plain[0])
+        fact = note("fact.velocity_axes", axes=AXES[plain[0]], share=share)
+        rivals = plain[1:]
+        if not rivals:
+            return chosen, fact, []
+    others = tuple(AXES[key] for key in rivals)
+    several = warning("sbet.several_axes", file=file, axes=others)
+    return chosen, fact, [several, *unchecked]
+
+
+def _detect_heading(
+    chosen: SbetOptions,
+    blocks: Sequence[Array],
+    motions: Sequence[tuple[TrajectoryMotion, TrajectoryMotion]],
+    turns: float,
+    fact: Message,
+    file: str,
+) -> tuple[SbetOptions, Message, list[Message]]:
+    """Detect the heading by an unambiguous velocity frame, where there is a wander angle."""
+    if chosen.axes.startswith("wander"):
+        return replace(chosen, heading="minus-wander"), fact, []
+    offsets = []
+    for kept in (1.0, 0.0):
+        found = [
+            wrap_angle(own.course - block[own.index, 9] + kept * block[own.index, 10])[
+                own.speed > MIN_SPEED
+            ]
+            for block, (own, _) in zip(blocks, motions, strict=True)
+        ]
+        offsets.append(abs(float(np.median(np.concatenate(found)))))
+    less, whole = offsets
+    # A vessel's drift angle rarely exceeds 15 deg; smaller wander angles cannot be separated.
+    if turns > np.radians(30) and min(less, whole) < np.radians(15) < max(less, whole):
+        used, other = min(less, whole), max(less, whole)
+        if less < whole:
+            resolved = warning("sbet.heading_less_wander", file=file, used=used, other=other)
+            return replace(chosen, heading="minus-wander"), fact, [resolved]
+        resolved = warning("sbet.heading_as_is", file=file, used=used, other=other)
+        return replace(chosen, heading="as-is"), fact, [resolved]
+    return chosen, fact, [warning("sbet.heading_uncertain", file=file, wander=turns)]
+
+
+def _moving_states(
+    blocks: Sequence[Array], motions: Sequence[tuple[TrajectoryMotion, TrajectoryMotion]]
+) -> tuple[Array, Array, Array, Array]:
+    """Velocities, wander and velocities from positions (as read, exchanged) of moving states."""
+    rows: list[tuple[Array, Array, Array, Array]] = []
+    for block, (own, exchanged) in zip(blocks, motions, strict=True):
+        common, first, second = np.intersect1d(own.index, exchanged.index, return_indices=True)
+        fast = np.hypot(block[common, 4], block[common, 5]) > MIN_SPEED
+        rows.append(
+            (
+                block[common, 4:7][fast],
+                block[common, 10][fast],
+                _velocity_columns(own, first[fast]),
+                _velocity_columns(exchanged, second[fast]),
+            )
+        )
+    velocity, wander, own_all, exchanged_all = (
+        np.concatenate([row[k] for row in rows]) for k in range(4)
+    )
+    return velocity, wander, own_all, exchanged_all
+
+
+def _velocity_columns(motion: TrajectoryMotion, rows: NDArray[np.int64]) -> Array:
+    return np.stack([motion.north[rows], motion.east[rows], motion.up[rows]], axis=1)
+
+
+def _velocity_residual(velocity: Array, truth: Array) -> float:
+    """Median difference of velocities from those of the positions, relative to the speed.
+
+    The vertical is weighted by its size: it is small for a vessel and then has no effect.
+    """
+    speed = float(np.median(np.hypot(velocity[:, 0], velocity[:, 1])))
+    return float(np.median(np.linalg.norm(velocity - truth, axis=1))) / max(speed, 1e-9)
+
+
+def detect_signs(
+    blocks: Sequence[Array], options: SbetOptions, file: str
+) -> tuple[SbetOptions, Message, list[Message]]:
+    """Detect the signs of roll and pitch by the angular rates of the body.
+
+    A positive rate about the forward axis takes the starboard side down whether y is to starboard
+    or to port; the rate about y raises the bow in the first case and lowers it in the second, and
+    the rate about z against the heading decides between the cases.
+    """
+    check = (Action("check_sign", {"name": "pitch"}),)
+    if not any(np.any(block[:, 14:17]) for block in blocks):
+        zero = warning("sbet.zero_rates", file=file, actions=check)
+        return options, note("fact.signs_not_checked"), [zero]
+    roll, pitch, heading = (_rate_correlation(blocks, 7 + k, 14 + k) for k in range(3))
+    signs, file_warnings = [], []
+    if roll is not None:
+        options = replace(options, roll="starboard-down" if roll > 0 else "port-down")
+
+        signs.append(SIGN_NAMES[options.roll])
+    if pitch is not None and heading is not None:
+        options = replace(options, pitch="bow-up" if pitch * heading > 0 else "bow-down")
+
+        signs.append(SIGN_NAMES[options.pitch])
+    if len(signs) < 2:
+        unknown = []
+        if roll is None:
+            unknown.append(note("quantity.roll"))
+        if pitch is None or heading is None:
+            unknown.append(note("quantity.pitch"))
+        file_warnings.append(
+            warning("sbet.signs_not_checked", file=file, angles=unknown, actions=check)
+        )
+    if signs and (options.roll == "port-down" or options.pitch == "bow-down"):
+        file_warnings.append(warning("sbet.other_signs", file=file, signs=signs, actions=check))
+    fact = note("fact.signs", signs=signs) if signs else note("fact.signs_not_checked")
+    return options, fact, file_warnings
+
+
+def _rate_correlation(blocks: Sequence[Array], angle: int, rate: int) -> float | None:
+    """Correlation of changes of an angle with its integrated rate; None if undetermined.
+
+    Changes over half a second, of a tenth of a degree at least: shorter ones are noise and
+    vibration.
+    """
+    changes, turns = [], []
+    for block in blocks:
+        time = block[:, 0]
+        steps = np.diff(time)
+        if len(time) < 3 or (steps < SHORTEST_STEP).any() or (steps > 1).any():
+            continue
+        reach = max(1, round(0.5 / float(np.median(steps))))
+        values = np.unwrap(block[:, angle])
+        turned = np.concatenate(
+            [[0.0], np.cumsum((block[1:, rate] + block[:-1, rate]) / 2 * steps)]
+        )
+        changes.append((values[reach:] - values[:-reach])[::reach])
+        turns.append((turned[reach:] - turned[:-reach])[::reach])
+    if not changes:
+        return None
+    change, turn = np.concatenate(changes), np.concatenate(turns)
+    if len(change) < 10:
+        return None
+    # About zero, not about the mean: a steady turn gives the sign as well.
+    size = float(np.sqrt(np.mean(change**2)))
+    length = float(np.linalg.norm(change) * np.linalg.norm(turn))
+    if size < np.radians(0.1) or length == 0:
+        return None
+    agreement = float(change @ turn) / length
+    return agreement if abs(agreement) > 0.9 else None

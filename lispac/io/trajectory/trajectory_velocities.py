@@ -1,0 +1,76 @@
+"""Comparison of the velocities of a trajectory of text with the motion of its positions.
+
+A trajectory does not need them, but a wrong unit or coordinate system of the positions shows.
+"""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.io.text.text_table import parse_number, read_columns
+from lispac.io.trajectory.trajectory_columns import Column
+from lispac.io.trajectory.trajectory_facts import MIN_SPEED, TrajectoryMotion
+from lispac.io.trajectory.trajectory_projection import LENGTHS
+from lispac.messages import Level, Message, Value
+from lispac.survey.line_source import printable
+
+_NAMES = {
+    "east_velocity": ("eastvelocity", "velocityeast", "eastvel", "veleast", "veast", "ve"),
+    "north_velocity": ("northvelocity", "velocitynorth", "northvel", "velnorth", "vnorth", "vn"),
+}
+SPEED_TOLERANCE = 0.05
+"""Part by which two speeds of the same motion do not differ in the middle."""
+FOOT = 0.3048
+"""Metres; US survey feet are the same to `SPEED_TOLERANCE`."""
+
+
+def velocity_columns(names: Sequence[str], units: Sequence[str]) -> tuple[Column, ...]:
+    """East and north velocity among columns; empty where one is missing.
+
+    Parameters
+    ----------
+    units : sequence of str
+        Of the length in each, for each name; empty where not known.
+    """
+    bare = ["".join(c for c in name.lower() if c.isalnum()) for name in names]
+    found = []
+    for role, known in _NAMES.items():
+        index = next((k for k, name in enumerate(bare) if name in known), None)
+        if index is None:
+            return ()
+        found.append(Column(role, index, names[index], units[index]))
+    return tuple(found)
+
+
+def speed_warnings(
+    path: Path,
+    rows: Sequence[tuple[int, list[str]]],
+    velocities: Sequence[Column],
+    motion: TrajectoryMotion,
+) -> tuple[Message, ...]:
+    """A warning where positions move at another speed than the velocities of the same rows."""
+    if not velocities:
+        return ()
+    try:
+        columns = [(column.index, parse_number, column.name) for column in velocities]
+        (east, north), _ = read_columns(path, iter(rows), columns)
+    except InputError:
+        return ()  # columns that are not used may have any content
+    factor = LENGTHS.get(velocities[0].unit)
+    recorded = np.hypot(east, north)[motion.index] * (factor or 1.0)
+    moving = recorded > MIN_SPEED
+    if np.count_nonzero(moving) < 20:
+        return ()
+    ratio = float(np.median(motion.speed[moving] / recorded[moving]))
+    by_feet = min(abs(ratio / FOOT - 1), abs(ratio * FOOT - 1)) < SPEED_TOLERANCE
+    # Velocities in a unit that is not known may be knots; those of feet and metres show alone.
+    if abs(ratio - 1) <= SPEED_TOLERANCE or (factor is None and not by_feet):
+        return ()
+    code = "trajectory.speed_differs_by_feet" if by_feet else "trajectory.speed_differs"
+    params: dict[str, Value] = {
+        "file": printable(path.name), "ratio": ratio, "east": velocities[0].name,
+        "north": velocities[1].name,
+    }  # fmt: skip
+    return (Message(code, Level.WARNING, params),)

@@ -1,0 +1,1 @@
+"""From seeds to the boresight: targets, estimation, alternative methods."""

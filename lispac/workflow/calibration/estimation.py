@@ -1,0 +1,402 @@
+"""From picked targets to the boresight."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.common_target_parts import find_common_parts
+from lispac.adjustment.crosscheck import cross_checks
+from lispac.adjustment.failure_causes import adjust_or_explain
+from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.point_averaging import average_points_in_cells
+from lispac.adjustment.result import AdjustmentResult, CommonCoverage
+from lispac.design.further_line_advice import further_line_advice
+from lispac.duplicate_targets import single_line_notes
+from lispac.errors import AdjustmentError, NotConverged, RankDeficient, TargetDisagrees
+from lispac.language import gettext_lazy
+from lispac.messages import Level, Message, error
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import Project, Settings
+from lispac.survey.georeferencing import Mounting, place_points
+from lispac.survey.trajectory import Poses
+from lispac.targets.thinning import thin_points
+from lispac.workflow.calibration.reselection import reselect_targets
+from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+
+RESELECTIONS = 3
+"""Each selection leaves about a third of the error that the smear of the one before it caused."""
+
+MAX_WARNINGS = 3
+"""Warnings about the data that the error of a failed adjustment names."""
+
+SELECTION_SPACING = 0.1
+"""Metres between the points that steer a selection: near a slow scanner a surface has hundreds of
+points where its far end has one, and these must not decide alone."""
+
+CONVERGENCE_LIMIT = 0.1
+"""Change of an angle, as a share of its sigma, below which the selection is not repeated."""
+
+
+def observations_of(
+    project: Project,
+    survey: Survey,
+    *,
+    settings: Settings | None = None,
+    mounting: Mounting | None = None,
+) -> Observations:
+    """Bring the points of every used sighting into the adjustment's form, fewer of them.
+
+    Neighbours are averaged; with independent POS errors one of them is kept, as in the thesis.
+
+    Parameters
+    ----------
+    settings : Settings, optional
+        In place of the project's.
+    mounting : Mounting, optional
+        Places the points to find neighbours; the prior where not given.
+
+    Raises
+    ------
+    AdjustmentError
+        Where no target is left that two lines have.
+    RankDeficient
+        Where there is one line only.
+    """
+    settings = settings or project.settings
+    averages = settings.pos_errors == "correlated"
+    sightings: list[Sighting] = []
+    indices = []
+    radii = {}
+    _require_two_lines(project)
+    for target in project.targets_of_role("target"):
+        if not target.is_compared:  # a warning says so: see `lispac.duplicate_targets`
+            continue
+        used = target.used_sightings
+        if target.shape == "sphere":
+            radii[target.name] = target.sphere_radius
+        for sighting in used:
+            chosen = sighting.indices
+            if not averages:
+                chosen = chosen[
+                    thin_points(survey.clouds[sighting.line][chosen], settings.subsample)
+                ]
+            indices.append(chosen)
+            sightings.append(Sighting(target.name, sighting.line))
+    if not sightings:
+        alone = [each.name for each in project.targets_of_role("target") if each.used_sightings]
+        raise AdjustmentError(
+            error("estimate.no_common_target", targets=alone)
+            if alone
+            else error("estimate.no_target", project=project.name)
+        )
+    parts = [survey.scans[s.line].take(i) for s, i in zip(sightings, indices, strict=True)]
+    points = np.concatenate([points for points, _ in parts])
+    time = np.concatenate([times for _, times in parts])
+    poses = survey.trajectory.at(time + settings.latency)
+    sigma_position, sigma_attitude = survey.accuracy.at(time)
+    observations = Observations(
+        points_lidar=points,
+        position=poses.position,
+        attitude=poses.attitude,
+        sigma_lidar=_lidar_sigma(points, settings),
+        beam_sigmas=settings.lidar_beam_sigma is not None,
+        sigma_position=sigma_position,
+        sigma_attitude=sigma_attitude,
+        pose_rate=survey.trajectory.rate_at(time + settings.latency),
+        latency=settings.latency,
+        time=time,
+        sighting=np.repeat(np.arange(len(sightings)), [len(i) for i in indices]),
+        sightings=tuple(sightings),
+        radii=radii,
+    )
+    if not averages:
+        return observations
+    return thin_observations(observations, mounting or project.mounting("prior"), settings)
+
+
+def thin_observations(
+    observations: Observations, mounting: Mounting, settings: Settings
+) -> Observations:
+    """Fewer observations: neighbours are averaged; with independent POS errors one of them is kept.
+
+    Parameters
+    ----------
+    mounting : Mounting
+        Places the points to find neighbours.
+    settings : Settings
+        With the distance of neighbours and the model of the errors.
+    """
+    if settings.pos_errors == "correlated":
+        return average_points_in_cells(
+            observations,
+            mounting,
+            settings.subsample,
+            longest=settings.stochastic_model.knot_interval,
+            no_outliers=settings.stochastic_model.loss != "none",
+        )
+    poses = Poses(observations.position, observations.attitude)
+    points = place_points(observations.points_lidar, poses, mounting)
+    keep = np.zeros(len(observations), dtype=bool)
+    for k in range(len(observations.sightings)):
+        own = np.flatnonzero(observations.sighting == k)
+        keep[own[thin_points(points[own], settings.subsample)]] = True
+    return observations.where(keep)
+
+
+def _require_two_lines(project: Project) -> None:
+    lines = {
+        sighting.line
+        for target in project.targets_of_role("target")
+        if target.used
+        for sighting in target.used_sightings
+    }
+    if len(lines) == 1:
+        raise RankDeficient(error("estimate.one_line", line=lines.pop()))
+
+
+def with_lidar_noise(observations: Observations, settings: Settings) -> Observations:
+    """The observations with the LiDAR noise that is given, on each axis or along the beam."""
+    return replace(
+        observations,
+        sigma_lidar=_lidar_sigma(observations.points_lidar, settings),
+        beam_sigmas=settings.lidar_beam_sigma is not None,
+    )
+
+
+def _lidar_sigma(points_lidar: Array, settings: Settings) -> Array:
+    """Sigmas along x, y, z, or along the beam and twice across it, shape (n, 3), metres."""
+    if settings.lidar_beam_sigma is not None:
+        along, angle_deg = settings.lidar_beam_sigma
+        across = np.linalg.norm(points_lidar, axis=1) * np.radians(angle_deg)
+        return np.column_stack([np.full(len(points_lidar), along), across, across])
+    axes = settings.lidar_sigma_xyz or (settings.lidar_sigma,) * 3
+    return np.tile(np.array(axes, dtype=float), (len(points_lidar), 1))
+
+
+def estimate(
+    project: Project,
+    survey: Survey,
+    *,
+    settings: Settings | None = None,
+    reselections: int = RESELECTIONS,
+    cross_check: bool = True,
+    progress: Progress = no_progress,
+) -> Project:
+    """Adjust the boresight on the project's targets.
+
+    Parameters
+    ----------
+    settings : Settings, optional
+        In place of the project's.
+    reselections : int
+        How often the points are selected again; 0 takes the picks as they are.
+    cross_check : bool
+        Whether to adjust parts of the data too.
+
+    Raises
+    ------
+    AdjustmentError
+        Where targets and lines cannot give a result.
+    """
+    settings = settings or project.settings
+    settings.require_sound()
+    if settings != project.settings:
+        project = project.with_settings(settings)
+    project = project.with_data_messages(survey.messages)
+    started = perf_counter()
+    selected = reselect_points(
+        project, survey, rounds=reselections, progress=sub_progress(progress, 0.0, 0.7)
+    )
+    solved = adjust_selected(
+        project,
+        selected,
+        survey,
+        cross_check=cross_check,
+        progress=sub_progress(progress, 0.7, 1.0),
+    )
+    assert solved.result is not None
+    result = replace(solved.result, elapsed=perf_counter() - started)
+    return replace(solved, result=result)
+
+
+@contextmanager
+def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
+    """Add possible causes to the reason of an adjustment without a solution.
+
+    Raises
+    ------
+    NotConverged
+    RankDeficient
+    TargetDisagrees
+        The error of the block, with the causes.
+    """
+    try:
+        yield
+    except (NotConverged, RankDeficient) as failure:
+        warnings = [each for each in survey.messages if each.level is Level.WARNING]
+        alone = single_line_notes(project.targets)
+        reason = failure.reason
+        causes: list[Message | str] = [*alone, *warnings[:MAX_WARNINGS]]
+        for cause in causes:
+            reason = error("estimate.possible_cause", reason=reason, cause=cause)
+        if isinstance(failure, TargetDisagrees):
+            raise TargetDisagrees(reason, failure.target) from None
+        raise type(failure)(reason) from None
+
+
+def reselect_points(
+    project: Project,
+    survey: Survey,
+    *,
+    rounds: int = RESELECTIONS,
+    progress: Progress = no_progress,
+) -> Project:
+    """The project with its targets' points selected again, with a boresight found on the way.
+
+    The picks were made with the prior boresight, which smears a surface that is seen from a moving
+    platform. The result is for `adjust_selected`; the picks in the project stay as they were.
+    """
+    settings, selected = project.settings, replace(project, result=None)
+    prior = project.mounting("prior")
+    coarse = replace(
+        settings,
+        pos_errors="independent",
+        subsample=max(settings.subsample, SELECTION_SPACING),
+        parameters=(),
+    )
+    # The geometry is judged by the times and surfaces that are given.
+    judged = replace(settings.stochastic_model, pos_errors="independent", loss="none")
+    angles = prior.boresight
+    for k in range(rounds):
+        step = sub_progress(progress, k / rounds, (k + 1) / rounds)
+        step(
+            0.0,
+            gettext_lazy(
+                "Reselecting the points: iteration {number:n} of {count:n}",
+                number=k + 1,
+                count=rounds,
+            ),
+        )
+        # Points of another surface among the picks would be treated as POS errors by the correlated
+        # model; this one leaves them to stand out.
+        with _add_failure_causes(project, survey):
+            thinned = observations_of(selected, survey, settings=coarse)
+            result = adjust_or_explain(
+                thinned, prior, judged,
+                accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
+            )  # fmt: skip
+        changes = np.abs(result.boresight - angles)
+        if k > 0 and (changes < CONVERGENCE_LIMIT * result.sigma).all():
+            break
+        angles = result.boresight
+        selected = reselect_targets(selected.with_result(result), survey, progress=step)
+    return selected
+
+
+def adjust_selected(
+    project: Project,
+    selected: Project,
+    survey: Survey,
+    *,
+    cross_check: bool = True,
+    advise: bool = True,
+    progress: Progress = no_progress,
+) -> Project:
+    """Adjust the points of ``selected``, those of the sightings that ``project`` uses.
+
+    Fast enough to follow a click: a target or line switched off needs no new selection. Without
+    ``advise`` no further line is recommended; `complete_result` adds that, and the cross-checks.
+    """
+    settings, prior = project.settings, project.mounting("prior")
+    with _add_failure_causes(project, survey):
+        observations, parts = _selected_observations(project, selected, survey)
+        result = adjust_or_explain(
+            observations,
+            prior,
+            settings.stochastic_model,
+            parameters=settings.parameters,
+            components=settings.variance_components,
+            accept_single_orientation=settings.accept_single_orientation,
+            progress=sub_progress(progress, 0.0, 0.4 if cross_check else 1.0),
+        )
+    result = replace(result, common_parts=parts)
+    observations = observations.without_targets(result.excluded_targets)
+    solved = project.with_result(_with_advice(result, observations) if advise else result)
+    return (
+        _with_cross_checks(solved, observations, sub_progress(progress, 0.4, 1.0))
+        if cross_check
+        else solved
+    )
+
+
+def complete_result(
+    project: Project,
+    selected: Project,
+    survey: Survey,
+    *,
+    cross_check: bool = True,
+    progress: Progress = no_progress,
+) -> Project:
+    """Complete a result with the parts omitted for speed: a further line, the cross-checks.
+
+    For what was solved without advice: a click is followed at once, and this comes after it. The
+    result is the same but for the note on a further line.
+    """
+    assert project.result is not None
+    observations, _ = _selected_observations(project, selected, survey)
+    observations = observations.without_targets(project.result.excluded_targets)
+    advised = replace(project, result=_with_advice(project.result, observations))
+    return _with_cross_checks(advised, observations, progress) if cross_check else advised
+
+
+def _with_advice(result: AdjustmentResult, observations: Observations) -> AdjustmentResult:
+    """The result with a note on the further line that would help most."""
+    # A further line is judged by the sigmas of the whole.
+    judged = observations.with_sigmas(*result.sigma_factors)
+    seen = result.observability
+    if seen is None or not (found := further_line_advice(judged, result)):
+        return result
+    messages = (*seen.messages, *found)
+    return replace(result, observability=replace(seen, messages=messages))
+
+
+def _selected_observations(
+    project: Project, selected: Project, survey: Survey
+) -> tuple[Observations, tuple[CommonCoverage, ...]]:
+    """The points of ``selected`` on the sightings that the project uses, and what was cut.
+
+    Raises
+    ------
+    AdjustmentError
+        Where no two lines show a common part of any target.
+    """
+    near = selected.result.mounting if selected.result else project.mounting("prior")
+    observations = observations_of(
+        project.with_points_of(selected), survey, settings=project.settings, mounting=near
+    )
+    if selected.result is None:  # the prior boresight displaces the lines
+        return observations, ()
+    observations, parts = find_common_parts(observations, near)
+    if not len(observations):
+        raise AdjustmentError(error("estimate.no_common_part", targets=[p.target for p in parts]))
+    return observations, parts
+
+
+def _with_cross_checks(project: Project, observations: Observations, progress: Progress) -> Project:
+    assert project.result is not None
+    # The parts are judged by the sigmas of the whole.
+    observations = observations.with_sigmas(*project.result.sigma_factors)
+    prior, parameters = project.mounting("prior"), project.settings.parameters
+    checks = cross_checks(observations, prior, project.result, parameters, progress=progress)
+    return project.with_cross_checks(checks)
+
+
+def count_points(project: Project, survey: Survey, settings: Settings) -> int:
+    """Points that would take part with these settings."""
+    return len(observations_of(project, survey, settings=settings))

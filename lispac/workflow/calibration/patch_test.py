@@ -1,0 +1,263 @@
+"""LiDAR patch test of a project: proposed objects and pairs, angles, assessment.
+
+It is an alternative to the adjustment of targets: other objects, another measure, the same
+georeferencing and the same POS errors. The project's targets take no part.
+"""
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import AdjustmentError
+from lispac.language import gettext_lazy
+from lispac.messages import error
+from lispac.patchtest.bootstrap_precision import bootstrap_precision
+from lispac.patchtest.line_mismatch import Mismatch, PairBlock, pair_blocks
+from lispac.patchtest.line_pairs import Kind, LinePair, pairs_of_lines
+from lispac.patchtest.mismatch_minimisation import (
+    MismatchMinimum,
+    minimise_angle_by_angle,
+    minimise_mismatch,
+)
+from lispac.patchtest.object_boxes import PatchObject
+from lispac.patchtest.object_proposal import OBJECT_COUNT, find_objects
+from lispac.patchtest.object_sample import MARGIN, ObjectSample
+from lispac.patchtest.patch_test_result import PatchTestResult
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import Project
+from lispac.survey.cloud import Cloud, place_clouds
+from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+
+RESELECT_ANGLE = np.radians(0.05)
+"""Where an angle has moved by more, radians, the objects' points are taken again: lines were apart
+when they were taken, and boxes did not hold the same of each."""
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedObjects:
+    """Objects of a survey, with the points of each line in their boxes.
+
+    Attributes
+    ----------
+    objects : tuple of PatchObject
+    placings : tuple of ndarray of shape (3,), radians
+        Of each object, the boresight with which the lines were placed when its points were taken.
+    sample : ObjectSample
+    """
+
+    objects: tuple[PatchObject, ...]
+    placings: tuple[Array, ...]
+    sample: ObjectSample = field(repr=False)
+
+    @property
+    def boresight(self) -> Array:
+        """The placing of all objects, shape (3,), radians; NaN where they have no common one."""
+        first, *others = self.placings or (np.full(3, np.nan),)
+        same = all(np.array_equal(first, each) for each in others)
+        return first if same else np.full(3, np.nan)
+
+    def blocks(self, objects: Collection[str], pairs: Sequence[LinePair]) -> list[PairBlock]:
+        """Blocks of points that some objects and pairs of lines compare."""
+        return [b for b in pair_blocks(self.sample, pairs) if b.first.object.name in objects]
+
+    def select_objects(self, names: Collection[str]) -> "PlacedObjects":
+        """Some of the objects."""
+        kept = [k for k, each in enumerate(self.objects) if each.name in names]
+        return PlacedObjects(
+            tuple(self.objects[k] for k in kept),
+            tuple(self.placings[k] for k in kept),
+            self.sample.of_objects(names),
+        )
+
+    def joined_with(self, other: "PlacedObjects") -> "PlacedObjects":
+        """These objects and others, of which none has the same name."""
+        return PlacedObjects(
+            self.objects + other.objects,
+            self.placings + other.placings,
+            self.sample.joined_with(other.sample),
+        )
+
+    def moved_to_boresight(self, boresight: Array) -> tuple[PatchObject, ...]:
+        """Objects with their boxes moved along with the lines at another boresight.
+
+        A box that was laid about what one line saw goes with the line that has most points in it.
+
+        Parameters
+        ----------
+        boresight : ndarray of shape (3,), radians
+        """
+        after = self.sample.placed_points(boresight)
+        before = {at.tobytes(): self.sample.placed_points(at) for at in self.placings}
+        found = []
+        for each, at in zip(self.objects, self.placings, strict=True):
+            parts = [
+                np.arange(seen.begin, seen.end)[seen.inside]
+                for seen in self.sample.observed
+                if seen.object.name == each.name
+            ]
+            own = max(parts, key=len, default=np.arange(0))
+            if len(own):
+                move = (after[own] - before[at.tobytes()][own]).mean(axis=0)
+                each = replace(each, box=replace(each.box, centre=each.box.centre + move))
+            found.append(each)
+        return tuple(found)
+
+
+def line_pairs(survey: Survey, kinds: Collection[Kind] = ()) -> tuple[LinePair, ...]:
+    """All pairs of lines, reciprocal ones first; those of some kinds where kinds are given."""
+    return tuple(p for p in pairs_of_lines(survey.heading) if not kinds or p.kind in kinds)
+
+
+def place_lines(project: Project, survey: Survey, boresight: Array) -> dict[str, Cloud]:
+    """Lines placed with a boresight, shape (3,), radians."""
+    return place_clouds(survey.clouds, project.mounting("prior").with_boresight(boresight))
+
+
+def propose_objects(
+    project: Project, survey: Survey, *, count: int = OBJECT_COUNT, progress: Progress = no_progress
+) -> PlacedObjects:
+    """Find objects that lines share, wherever the prior boresight is.
+
+    Raises
+    ------
+    AdjustmentError
+        Where the lines share none.
+    """
+    if len(survey.clouds) < 2:
+        raise AdjustmentError(error("patch_test.single_line", project=project.name))
+    progress(0.0, gettext_lazy("Aligning the lines"))
+    boresight = survey.alignment.mounting.boresight
+    clouds = place_lines(project, survey, boresight)
+    progress(0.4, gettext_lazy("Detecting objects"))
+    objects = find_objects(
+        clouds, survey.accuracy, project.settings.lidar_sigma, count=count,
+        progress=sub_progress(progress, 0.4, 0.6),
+    )  # fmt: skip
+    if not objects:
+        raise AdjustmentError(error("patch_test.nothing_shared", project=project.name))
+    return place_objects(
+        project, survey, objects, boresight, progress=sub_progress(progress, 0.6, 1.0)
+    )
+
+
+def place_objects(
+    project: Project,
+    survey: Survey,
+    objects: Sequence[PatchObject],
+    boresight: Array,
+    *,
+    margin: float = MARGIN,
+    progress: Progress = no_progress,
+) -> PlacedObjects:
+    """Take the points that lines have in the objects' boxes.
+
+    Parameters
+    ----------
+    boresight : ndarray of shape (3,), radians
+        With which the lines are placed; the boxes are to hold what is meant then.
+    """
+    progress(0.0, gettext_lazy("Selecting the points around the objects"))
+    clouds = place_lines(project, survey, boresight)
+    sample = ObjectSample.of(objects, clouds, survey.scans, margin=margin, progress=progress)
+    at = np.array(boresight, dtype=float)
+    return PlacedObjects(tuple(objects), (at,) * len(objects), sample)
+
+
+def find_boresight(
+    project: Project,
+    survey: Survey,
+    laid: PlacedObjects,
+    *,
+    pairs: Sequence[LinePair] | None = None,
+    start: Array | None = None,
+    progress: Progress = no_progress,
+) -> PatchTestResult:
+    """Find the three angles with the smallest mismatch, and assess the result.
+
+    Parameters
+    ----------
+    pairs : sequence of LinePair, optional
+        All there are where it is not given.
+    start : ndarray of shape (3,), radians, optional
+        That with which the objects were laid out where it is not given.
+
+    Raises
+    ------
+    AdjustmentError
+        Where lines do not meet at the objects, or leave an angle open.
+    """
+    project.settings.require_sound()
+    chosen = line_pairs(survey) if pairs is None else tuple(pairs)
+    names = {each.name for each in laid.objects}
+    at = np.asarray(laid.boresight if start is None else start, dtype=float)
+    together = minimise_mismatch(
+        laid.sample, laid.blocks(names, chosen), at, progress=sub_progress(progress, 0.0, 0.4)
+    )
+    if not np.abs(together.boresight - laid.boresight).max() <= RESELECT_ANGLE:
+        laid = place_objects(
+            project,
+            survey,
+            laid.moved_to_boresight(together.boresight),
+            together.boresight,
+            progress=sub_progress(progress, 0.4, 0.5),
+        )
+        step = sub_progress(progress, 0.5, 0.7)
+        together = minimise_mismatch(
+            laid.sample, laid.blocks(names, chosen), together.boresight, progress=step
+        )
+    blocks = laid.blocks(names, chosen)
+    turned = minimise_angle_by_angle(
+        laid.sample, blocks, at, progress=sub_progress(progress, 0.7, 1.0)
+    )
+    return _assess_patch_test(project, survey, laid, blocks, together, turned)
+
+
+def find_angle(
+    laid: PlacedObjects, blocks: Sequence[PairBlock], start: Array, angle: int,
+    *, progress: Progress = no_progress,
+) -> MismatchMinimum:  # fmt: skip
+    """Find one angle with the smallest mismatch, the others fixed.
+
+    Parameters
+    ----------
+    start : ndarray of shape (3,), radians
+    angle : int
+        0 roll, 1 pitch, 2 yaw.
+
+    Raises
+    ------
+    AdjustmentError
+        Where lines do not meet at the objects, or leave the angle open.
+    """
+    return minimise_mismatch(laid.sample, blocks, start, (angle,), progress=progress)
+
+
+def _assess_patch_test(
+    project: Project, survey: Survey, laid: PlacedObjects, blocks: Sequence[PairBlock],
+    together: MismatchMinimum, turned: MismatchMinimum,
+) -> PatchTestResult:  # fmt: skip
+    model, mismatch = project.settings.stochastic_model, Mismatch(laid.sample, blocks)
+    judged = bootstrap_precision(
+        mismatch, together.boresight, survey.accuracy, model.position_time, model.attitude_time
+    )
+    used_names = {each.name for each in judged.objects}
+    used = [b for b in blocks if b.first.object.name in used_names]
+    return PatchTestResult(
+        boresight=together.boresight,
+        one_by_one=turned.boresight,
+        covariance=judged.covariance,
+        curvature=judged.curvature,
+        mismatch_before=mismatch(project.mounting("prior").boresight),
+        mismatch=mismatch(together.boresight),
+        lines=tuple(
+            line for line in survey.lines if any(line in block.pair.lines for block in used)
+        ),
+        objects=judged.objects,
+        rounds=turned.rounds,
+        converged=together.converged and turned.converged,
+        without_pairs=tuple(each.name for each in laid.objects if each.name not in used_names),
+    )

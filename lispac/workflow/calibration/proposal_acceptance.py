@@ -1,0 +1,60 @@
+"""Acceptance of proposed targets into a project."""
+
+from collections.abc import Collection
+from dataclasses import replace
+
+from lispac.duplicate_targets import find_overlap
+from lispac.messages import Message
+from lispac.project import Project, ProposalPrediction, Target
+from lispac.workflow.calibration.picking import next_name
+from lispac.workflow.calibration.proposals import Proposal
+
+
+def without_picked(project: Project, proposal: Proposal) -> Proposal:
+    """The proposal without the surfaces that the project has already, under free names."""
+    targets: list[Target] = []
+    reasons: dict[str, Message] = {}
+    picked: list[str] = []
+    numbered = project
+    for target in proposal.targets:
+        own = _same_picked_target(target, project)
+        if own is not None:
+            picked += [own] if target.role == "target" else []
+            continue
+        name = next_name(numbered, target.role)
+        targets.append(replace(target, name=name))
+        reasons[name] = proposal.reasons[target.name]
+        numbered = numbered.with_target(targets[-1])
+    return replace(proposal, targets=tuple(targets), reasons=reasons, picked=tuple(picked))
+
+
+def with_accepted(
+    project: Project, proposal: Proposal, names: Collection[str]
+) -> tuple[Project, tuple[str, ...]]:
+    """The project with the proposed targets of these names, and the names they have there.
+
+    A name that is taken gives way to the next free one. What was predicted is kept where it holds
+    for the targets that the project has then.
+    """
+    new_names: list[str] = []
+    targets = set(proposal.picked)
+    for target in proposal.targets:
+        if target.name not in names:
+            continue
+        is_used = any(picked.name == target.name for picked in project.targets)
+        name = next_name(project, target.role) if is_used else target.name
+        project = project.with_target(replace(target, name=name))
+        new_names.append(name)
+        targets |= {name} if target.role == "target" else set()
+    proposed = [target for target in proposal.targets if target.role == "target"]
+    used = {target.name for target in project.targets_of_role("target") if target.used}
+    if used == targets and all(target.name in names for target in proposed):
+        project = project.with_prediction(ProposalPrediction(tuple(sorted(used)), proposal.sigma))
+    return project, tuple(new_names)
+
+
+def _same_picked_target(target: Target, project: Project) -> str | None:
+    """Name of the project's target on the same surface; None if there is none."""
+    # What is proposed may have the name of another one that was picked.
+    found = find_overlap(replace(target, name=""), project.targets)
+    return found.other if found is not None and found.is_same_surface else None

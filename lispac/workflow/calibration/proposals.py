@@ -1,0 +1,493 @@
+"""Targets and validation planes proposed without a click: the user accepts, edits or rejects."""
+
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.adjustment_problem import AdjustmentProblem, LinearisedProblem
+from lispac.adjustment.blas_threads import single_blas_thread
+from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.observability import have_one_orientation
+from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.adjustment.solver import adjust
+from lispac.adjustment.warnings import result_warnings
+from lispac.errors import AdjustmentError, TargetNotFound
+from lispac.geometry.planes import fit_plane
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note, warning
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import PickedSighting, Project, Role, Target, Triple
+from lispac.survey.cloud import Cloud, place_clouds
+from lispac.targets.boresight_smear import ROUGHLY_OFF
+from lispac.targets.occlusion import does_plane_end_within
+from lispac.targets.plane_detection import DetectedPlane, Found, detect_planes
+from lispac.targets.plane_finder import FinderSettings
+from lispac.targets.sighting_quality import SightingQuality
+from lispac.validation.plane_comparison import comparable_pairs, reciprocal
+from lispac.warning_causes import RESULT
+from lispac.workflow.calibration.estimation import estimate, observations_of
+from lispac.workflow.calibration.refusals import refused_by_method
+from lispac.workflow.calibration.sighting_assessment import sighting_qualities
+from lispac.workflow.calibration.target_choice import (
+    MIN_TARGETS,
+    MIN_VALIDATION,
+    CandidatePlanes,
+    choose_targets,
+)
+from lispac.workflow.calibration.target_search import ALIGNED_MAX_SHIFT, find_planes_in_lines
+from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+
+MIN_AREA = 2.0
+"""Square metres from which a plane is large enough for validation, where there are others."""
+MAX_POOR = 0.5
+"""Share of its sightings: a plane whose flatness is doubtful or poor on so many is proposed for
+nothing. One that is observed poorly on so many is proposed where there are too few others, and on
+more for nothing."""
+MAX_SHARED_POINTS = 0.01
+"""Share of the points of a plane from which it overlaps another one."""
+UNCHECKED = {
+    "adjustment.target_unchecked", "adjustment.targets_clustered", "adjustment.carried_by_one",
+}  # fmt: skip
+"""Codes of warnings that targets do not check each other."""
+
+
+@dataclass(frozen=True, eq=False)
+class Proposal:
+    """Proposed targets and validation planes, with reasons.
+
+    Attributes
+    ----------
+    targets : tuple of Target
+        Named T1, T2 ... and V1, V2 ..., with their sightings in every line.
+    reasons : dict of name to Message
+    sigma : ndarray of shape (3,), radians
+        Of roll, pitch, yaw: predicted from the geometry of the proposed targets, with the given
+        standard deviations and the noise seen on all flat planes.
+    picked : tuple of str
+        Targets of the project that would have been proposed.
+    warnings : tuple of Message
+        Those of an adjustment of the proposed targets, without notes.
+    """
+
+    targets: tuple[Target, ...]
+    reasons: dict[str, Message]
+    sigma: Array
+    picked: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
+
+
+def propose_targets(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> Proposal:
+    """Propose targets and validation planes, without changing the project.
+
+    Of the flat planes those are targets that determine the angles best and check each other (see
+    `target_choice`). They are adjusted; planes that are not flat with the estimated boresight, or
+    of which the adjustment rejects a sighting, are replaced. Of the others those that are flat as
+    well, and that the lines can be compared on, are for validation, spread in height and range.
+
+    Raises
+    ------
+    TargetNotFound
+        Fewer than two planes on two lines or more.
+    AdjustmentError
+        The planes do not determine the boresight.
+    """
+    threshold = project.settings.threshold
+    progress(0.0, gettext_lazy("Aligning the lines"))
+    aligned = survey.alignment
+    settings = FinderSettings(threshold=threshold)
+    if aligned.is_aligned:
+        settings = replace(settings, max_shift=ALIGNED_MAX_SHIFT)
+
+    def find(seed: Array, line: str, step: Progress) -> Found:
+        return find_planes_in_lines(
+            aligned.clouds, seed, settings,
+            first_line=line, accuracy=aligned.accuracy, progress=step,
+        )  # fmt: skip
+
+    detected = detect_planes(
+        {name: cloud.sample for name, cloud in aligned.clouds.items()},
+        settings,
+        lines=aligned.clouds,
+        find=find,
+        progress=sub_progress(progress, 0.1, 0.85),
+    )
+    progress(0.85, gettext_lazy("Fitting the planes"))
+    named = {f"P{k + 1}": plane for k, plane in enumerate(detected)}
+    targets = tuple(
+        _proposed_target(survey, plane, name, "target", threshold) for name, plane in named.items()
+    )
+    judged = _assess_planes(replace(project, targets=targets, result=None), survey)
+    flat = [target for target in targets if judged[target.name].use == "any"]
+    if len(flat) < 2:
+        raise TargetNotFound(_too_few_planes_message(project, len(flat), list(judged.values())))
+    progress(0.9, gettext_lazy("Selecting the targets"))
+    with refused_by_method(project.name, "propose"):
+        chosen, solved, planes = _choose_targets(project, survey, flat, named, judged)
+    if len(chosen) < MIN_TARGETS:
+        spare = [target for target in targets if judged[target.name].use == "at need"]
+        flat = [target for target in targets if judged[target.name].use == "any"]
+        with suppress(AdjustmentError, TargetNotFound):
+            others = _choose_targets(project, survey, [*flat, *spare], named, judged)
+            if len(others[0]) > len(chosen):
+                chosen, solved, planes = others
+    assert solved.result is not None
+    left = [target for target in targets if target.name not in chosen]
+    compared = _comparable_planes(solved, survey, left, judged)
+    separate = {
+        name: pairs
+        for name, pairs in compared.items()
+        if not any(_do_planes_overlap(named[name], named[other]) for other in chosen)
+    }
+    proposed: list[Target] = []
+    reasons: dict[str, Message] = {}
+    for number, name in enumerate(chosen, start=1):
+        proposed.append(_proposed_target(survey, named[name], f"T{number}", "target", threshold))
+        reasons[f"T{number}"] = _target_reason(planes, chosen, name, len(named[name].found))
+    ordered = _order_validation_planes({name: named[name] for name in separate}, separate, survey)
+    for number, name in enumerate(ordered, start=1):
+        plane, is_reciprocal = named[name], _has_reciprocal_lines(separate[name], survey)
+        proposed.append(_proposed_target(survey, plane, f"V{number}", "validation", threshold))
+        reasons[f"V{number}"] = _validation_plane_reason(plane, is_reciprocal, judged[name])
+    warnings = _adjustment_warnings(solved.result)
+    if not ordered:
+        warnings += (warning("targets.no_validation_plane", subject=RESULT),)
+    progress(1.0)
+    return Proposal(tuple(proposed), reasons, planes.predicted_sigma(chosen), (), warnings)
+
+
+def _comparable_planes(
+    solved: Project,
+    survey: Survey,
+    left: Sequence[Target],
+    judged: Mapping[str, "_PlaneAssessment"],
+) -> dict[str, tuple[tuple[str, str], ...]]:
+    """Planes for validation, with the pairs of lines that can be compared on them.
+
+    They are flat by the test of the targets. Those that are observed poorly are last, and as many
+    as there are too few others.
+    """
+    assert solved.result is not None
+    usable = [target for target in left if judged[target.name].use in ("any", "at need")]
+    if _is_boresight_known(solved.result):
+        now = _assess_planes(replace(solved, targets=tuple(usable)), survey)
+        usable = [target for target in usable if now[target.name].flat]
+    placed = place_clouds(survey.clouds, solved.result.mounting)
+    found: dict[str, tuple[tuple[str, str], ...]] = {}
+    for target in sorted(usable, key=lambda target: judged[target.name].use == "at need"):
+        if judged[target.name].use == "at need" and len(found) >= MIN_VALIDATION:
+            break
+        before, after = (
+            {
+                sighting.line: clouds[sighting.line][sighting.indices]
+                for sighting in target.sightings
+            }
+            for clouds in (survey.clouds, placed)
+        )
+        if pairs := comparable_pairs(before, after):
+            found[target.name] = pairs
+    return found
+
+
+def _is_boresight_known(result: AdjustmentResult) -> bool:
+    """True if the boresight is known so well that a bend of a plane is that of the surface."""
+    return float(result.sigma.max()) <= ROUGHLY_OFF
+
+
+def _choose_targets(
+    project: Project,
+    survey: Survey,
+    flat: Sequence[Target],
+    named: Mapping[str, DetectedPlane],
+    judged: dict[str, "_PlaneAssessment"],
+) -> tuple[list[str], Project, CandidatePlanes]:
+    """Names of the targets to propose, a project with their adjustment, and all planes.
+
+    Planes that turn out not to be flat are marked so in ``judged``.
+
+    Raises
+    ------
+    TargetNotFound
+    AdjustmentError
+    """
+    candidates = list(flat)
+    while True:
+        everything = replace(project, targets=tuple(candidates), result=None)
+        planes = _candidate_planes(
+            everything, survey, {each.name: named[each.name] for each in candidates}
+        )
+        chosen = choose_targets(planes)
+        targets = tuple(
+            replace(each, name=f"T{number}")
+            for number, name in enumerate(chosen, start=1)
+            for each in candidates
+            if each.name == name
+        )
+        solved = estimate(replace(project, targets=targets, result=None), survey, cross_check=False)
+        result = solved.result
+        assert result is not None
+        suspects = {sighting.target for sighting in result.rejected_sightings} | set(
+            result.excluded_targets
+        )
+        known = _is_boresight_known(result)
+        now = _assess_planes(solved, survey) if known else {}
+        rejected = {
+            name
+            for name, target in zip(chosen, targets, strict=True)
+            if target.name in suspects or (known and not now[target.name].flat)
+        }
+        if not rejected:
+            return chosen, solved, planes
+        judged |= {name: replace(judged[name], use="not flat") for name in rejected}
+        candidates = [each for each in candidates if each.name not in rejected]
+        if len(candidates) < 2:
+            raise TargetNotFound(
+                _too_few_planes_message(project, len(candidates), list(judged.values()))
+            )
+
+
+def _candidate_planes(
+    project: Project, survey: Survey, named: Mapping[str, DetectedPlane]
+) -> CandidatePlanes:
+    """Candidate planes for the choice, from the project's targets."""
+    linearised = _linearise_planes(project, survey)
+    uneven = _unevenness(project, place_clouds(survey.clouds, linearised.state.mounting))
+    named = {name: named[name] for name in linearised.problem.observations.targets}
+    return CandidatePlanes(
+        _with_unevenness(linearised, uneven),
+        linearised,
+        {name: plane.centre for name, plane in named.items()},
+        _complete_planes(named),
+        _parallel_pairs(project, named),
+    )
+
+
+def _target_reason(
+    planes: CandidatePlanes, chosen: Sequence[str], name: str, lines: int
+) -> Message:
+    """Why a target is proposed: the angle whose sigma would grow most without it."""
+    without = planes.predicted_sigma(set(chosen) - {name})
+    now = planes.predicted_sigma(chosen)
+    k = int(np.argmax(without / now))
+    if len(chosen) < MIN_TARGETS or not np.isfinite(without[k]):
+        return note("propose.target_needed", lines=lines)
+    return note(
+        "propose.target",
+        lines=lines, angle=mounting_value_name(ANGLES[k]),
+        without=float(without[k]), sigma=float(now[k]),
+    )  # fmt: skip
+
+
+def _validation_plane_reason(
+    plane: DetectedPlane, is_reciprocal: bool, judged: "_PlaneAssessment"
+) -> Message:
+    """Reason for a validation plane, with the lines that observe it poorly."""
+    found = note(
+        "propose.validation_plane_reciprocal"
+        if is_reciprocal
+        else "propose.validation_plane",
+        area=plane.area, lines=len(plane.found), height=float(plane.centre[2]),
+    )  # fmt: skip
+    if not judged.poor:
+        return found
+    reason = judged.reason
+    return note("propose.validation_plane_poor", plane=found, lines=judged.poor, reason=reason)
+
+
+def _adjustment_warnings(result: AdjustmentResult) -> tuple[Message, ...]:
+    """Warnings of the adjustment of the chosen targets."""
+    found = [message for message in result_warnings(result, None) if message.is_serious]
+    if any(message.code in UNCHECKED for message in found):
+        found.append(warning("targets.proposal_unchecked", subject=RESULT))
+    return tuple(found)
+
+
+def _do_planes_overlap(plane: DetectedPlane, other: DetectedPlane) -> bool:
+    """True if two planes have points in common."""
+    return any(
+        np.isin(plane.found[line].indices, other.found[line].indices).mean() > MAX_SHARED_POINTS
+        for line in plane.found
+        if line in other.found
+    )
+
+
+def _proposed_target(
+    survey: Survey, plane: DetectedPlane, name: str, role: Role, threshold: float
+) -> Target:
+    # Where the prior boresight puts it, as if it had been clicked.
+    line = plane.line if plane.line in plane.found else next(iter(plane.found))
+    indices, aligned = plane.found[line].indices, survey.alignment
+    distances = np.linalg.norm(aligned.clouds[line][indices] - plane.seed, axis=1)
+    clicked = survey.clouds[line][indices[np.argmin(distances)][None]][0]
+    seed: Triple = (float(clicked[0]), float(clicked[1]), float(clicked[2]))
+    sightings = tuple(
+        PickedSighting(
+            line,
+            patch.indices,
+            patch.rms,
+            fingerprint=survey.scans[line].fingerprint,
+            one_in=patch.one_in,
+        )
+        for line, patch in ((n, plane.found[n]) for n in survey.lines if n in plane.found)
+    )
+    radius = FinderSettings().radius
+    return Target(name, role, seed, threshold, radius, sightings, missing=dict(plane.missing))
+
+
+@dataclass(frozen=True)
+class _PlaneAssessment:
+    """Use of a plane: any, at need, or none.
+
+    Attributes
+    ----------
+    poor : lines that show it poorly
+    reason : why the first of them does
+    """
+
+    use: Literal["any", "at need", "not flat", "poor"]
+    poor: tuple[str, ...]
+    reason: Message | str
+
+    @property
+    def flat(self) -> bool:
+        return self.use != "not flat"
+
+
+def _assess_planes(project: Project, survey: Survey) -> dict[str, _PlaneAssessment]:
+    """Assessment of each target by the quality of its sightings."""
+    found: dict[str, dict[str, SightingQuality]] = {target.name: {} for target in project.targets}
+    for (name, line), quality in sighting_qualities(project, survey).items():
+        found[name][line] = quality
+    return {name: _assess_plane(lines) for name, lines in found.items()}
+
+
+def _assess_plane(lines: Mapping[str, SightingQuality]) -> _PlaneAssessment:
+    poor = tuple(line for line, quality in lines.items() if quality.rating == "poor")
+    uneven = [line for line, quality in lines.items() if quality.flatness != "good"]
+    reason = lines[poor[0]].reasons[0] if poor else ""
+    if len(uneven) >= MAX_POOR * len(lines):
+        return _PlaneAssessment("not flat", poor, reason)
+    if len(poor) < MAX_POOR * len(lines):
+        return _PlaneAssessment("any", poor, reason)
+    at_limit = len(poor) == MAX_POOR * len(lines)
+    return _PlaneAssessment("at need" if at_limit else "poor", poor, reason)
+
+
+def _too_few_planes_message(
+    project: Project, flat: int, judged: Sequence[_PlaneAssessment]
+) -> Message:
+    """Warning that there are too few planes, with the reasons why others do not count."""
+    uneven = sum(not each.flat for each in judged)
+    poor = len(judged) - flat - uneven
+    return error(
+        "propose.few_flat_surfaces", project=project.name, count=flat, uneven=uneven, poor=poor
+    )
+
+
+def _linearise_planes(project: Project, survey: Survey) -> LinearisedProblem:
+    """All planes together, linearised where the adjustment ends up with them."""
+    observations = observations_of(project, survey)
+    model = project.settings.stochastic_model
+    prior = project.mounting("prior")
+    # Planes that all face one way are refused, or accepted, where the pairs of them are known.
+    result = adjust(observations, prior, model, accept_single_orientation=True, diagnostics=False)
+    observations = observations.without_targets(result.excluded_targets)
+    shapes = np.stack([target.plane for target in result.targets])
+    with single_blas_thread():
+        problem = AdjustmentProblem.of(observations, result.mounting, model)
+        problem = replace(problem, noise=np.array([target.noise for target in result.targets]))
+        if model.correlated:
+            problem = problem.with_surface_sigma(np.maximum(result.surfaces, 1e-5))
+        return problem.linearised(problem.start(result.mounting, shapes))
+
+
+def _unevenness(project: Project, clouds: Mapping[str, Cloud]) -> dict[str, float]:
+    """RMS difference of the planes of different lines on each surface, metres.
+
+    A board is the same from everywhere. A tarpaulin or a bonnet shows each line another part of
+    itself, or is no plane at all, which limits its information for the adjustment.
+    """
+    uneven: dict[str, float] = {}
+    for target in project.targets:
+        placed = [clouds[sighting.line][sighting.indices] for sighting in target.sightings]
+        everywhere = np.concatenate([points[:: 1 + len(points) // 1000] for points in placed])
+        everywhere -= everywhere.mean(axis=0)
+        normals = np.stack([fit_plane(points).normal for points in placed])
+        normals *= np.sign(normals @ normals[0])[:, None]
+        departed = everywhere @ (normals - normals.mean(axis=0)).T
+        uneven[target.name] = float(np.sqrt((departed**2).mean() * len(placed) / (len(placed) - 1)))
+    return uneven
+
+
+def _with_unevenness(linearised: LinearisedProblem, uneven: dict[str, float]) -> LinearisedProblem:
+    """Linearised problem whose surface sigmas are at least the observed roughness."""
+    problem = linearised.problem
+    if not problem.model.correlated:
+        return linearised
+    for k, sighting in enumerate(problem.observations.sightings):
+        sigma = np.maximum(problem.surface_sigma[k], uneven[sighting.target])
+        problem = problem.with_sighting_surface_sigma([k], slice(0, 3), sigma)
+    return problem.linearised(linearised.state)
+
+
+def _parallel_pairs(project: Project, planes: Mapping[str, DetectedPlane]) -> set[tuple[str, str]]:
+    """Pairs of planes that face one way, which the adjustment would refuse."""
+    if project.settings.accept_single_orientation:
+        return set()
+    normals = {
+        name: next(iter(plane.found.values())).plane.normal for name, plane in planes.items()
+    }
+    free = np.zeros(2, dtype=bool)
+    return {
+        (a, b)
+        for a, b in combinations(planes, 2)
+        if have_one_orientation(np.stack([normals[a], normals[b]]), free)
+    }
+
+
+def _complete_planes(planes: Mapping[str, DetectedPlane]) -> set[str]:
+    """Names of the planes that end within the search radius: the same outline on every line."""
+    radius = FinderSettings().radius
+    return {
+        name
+        for name, plane in planes.items()
+        if does_plane_end_within(radius, [patch.extent for patch in plane.found.values()])
+    }
+
+
+def _has_reciprocal_lines(pairs: Sequence[tuple[str, str]], survey: Survey) -> bool:
+    return any(reciprocal(survey.heading[a], survey.heading[b]) for a, b in pairs)
+
+
+def _order_validation_planes(
+    planes: Mapping[str, DetectedPlane],
+    compared: Mapping[str, Sequence[tuple[str, str]]],
+    survey: Survey,
+) -> list[str]:
+    """Validation planes in order: reciprocal lines first, then by distance from the others."""
+    large = [name for name, plane in planes.items() if plane.area >= MIN_AREA]
+    names = large if len(large) >= MIN_VALIDATION else list(planes)
+    is_reciprocal = {name: _has_reciprocal_lines(compared[name], survey) for name in names}
+    left = sorted(names, key=lambda name: (not is_reciprocal[name], -planes[name].area))
+    kept = left[:1]
+    while len(left) > len(kept) and len(kept) < MIN_VALIDATION + 1:
+        rest = [name for name in left if name not in kept]
+        opposite = [name for name in rest if is_reciprocal[name]] or rest
+        kept.append(
+            max(
+                opposite,
+                key=lambda name: min(
+                    float(np.linalg.norm(planes[name].centre - planes[other].centre))
+                    for other in kept
+                ),
+            )
+        )
+    return kept

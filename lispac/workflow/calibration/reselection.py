@@ -1,0 +1,110 @@
+"""Repeated selection of the points of every target, with the estimated boresight."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import TargetNotFound
+from lispac.language import gettext_lazy
+from lispac.progress import Progress, no_progress
+from lispac.project import PickedSighting, Project, Target
+from lispac.survey.cloud import Cloud
+from lispac.targets.boresight_smear import ROUGHLY_OFF
+from lispac.targets.sighting_agreement import PlacementAccuracy
+from lispac.workflow.calibration.target_search import ALIGNED_MAX_SHIFT, TargetSearch
+from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+
+ESTIMATED = PlacementAccuracy(ROUGHLY_OFF)
+"""Of lines that an adjustment has placed; the first one used points smeared by the prior."""
+
+THRESHOLD_FACTOR = 2 / 3
+"""Share of the pick's threshold that is left once the boresight no longer smears the surface: two
+LiDAR sigma where the pick took three. For planes alone: what displaces the profiles of a sphere is
+the motion of the vessel, and that stays."""
+
+
+def reselect_targets(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> Project:
+    """Search every used target again, in lines placed with the estimated boresight.
+
+    A sighting that is not found again keeps its points, and so does one that was edited by hand. No
+    sighting is added: which lines a
+    target is used in is the user's choice.
+    """
+    clouds = survey.placed(project, "estimated")
+    used = [target for target in project.targets_of_role("target") if target.used_sightings]
+    for k, target in enumerate(used):
+        progress(
+            k / len(used),
+            gettext_lazy("Reselecting the points of {target}", target=target.name),
+        )
+        again = reselect_target(target, survey.clouds, clouds)
+        project = replace(
+            project,
+            targets=tuple(again if other is target else other for other in project.targets),
+        )
+    return project
+
+
+def reselect_target(
+    target: Target,
+    before: Mapping[str, Cloud],
+    after: Mapping[str, Cloud],
+    *,
+    narrowed: float = THRESHOLD_FACTOR,
+) -> Target:
+    """Search the used sightings of a target again, in lines placed differently.
+
+    Parameters
+    ----------
+    before, after : lines by name, as the target was picked in them and as they are placed now
+    narrowed : float
+        Share of the threshold of the pick; that of a sphere stays.
+    """
+    line, seed = _moved_seed(target, before, after)
+    narrowed = narrowed if target.shape == "plane" else 1.0
+    settings = target.choices.settings(
+        threshold=narrowed * target.threshold, radius=target.radius, max_shift=ALIGNED_MAX_SHIFT
+    )
+    lines = {sighting.line: after[sighting.line] for sighting in target.used_sightings}
+    try:
+        found, _ = TargetSearch.for_target(target).find_in_lines(
+            lines, seed, settings, first_line=line, accuracy=ESTIMATED
+        )
+    except TargetNotFound:
+        return target
+    return replace(
+        target,
+        sightings=tuple(
+            PickedSighting(
+                s.line,
+                found[s.line].indices,
+                found[s.line].rms,
+                s.used,
+                one_in=found[s.line].one_in,
+            )
+            if s.line in found and not s.by_hand
+            else s
+            for s in target.sightings
+        ),
+    )
+
+
+def _moved_seed(
+    target: Target, before: Mapping[str, Cloud], after: Mapping[str, Cloud]
+) -> tuple[str, Array]:
+    """Line of the nearest sighting point to the seed, and the seed moved along with it."""
+    seed = np.array(target.seed)
+    nearest: list[tuple[float, str, int]] = []
+    for sighting in target.used_sightings:
+        distances = np.linalg.norm(before[sighting.line][sighting.indices] - seed, axis=1)
+        k = int(np.argmin(distances))
+        nearest.append((float(distances[k]), sighting.line, int(sighting.indices[k])))
+    _, line, number = min(nearest)
+    own = np.array([number])
+    return line, seed + after[line][own][0] - before[line][own][0]

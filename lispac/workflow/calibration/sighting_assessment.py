@@ -1,0 +1,328 @@
+"""Assessment of the quality of each sighting of a project."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import LispacError
+from lispac.geometry.planes import extent_in_plane, fit_plane
+from lispac.geometry.spheres import fit_sphere
+from lispac.language import gettext_lazy
+from lispac.messages import Message, as_message, note
+from lispac.progress import Progress, no_progress
+from lispac.project import PickedSighting, Project, Role, Settings, Target
+from lispac.survey.georeferencing import Georeferencer
+from lispac.targets.boresight_smear import PRIOR_OFF, ROUGHLY_OFF
+from lispac.targets.expected_target import deviations_from_expected
+from lispac.targets.finder_settings import FinderSettings
+from lispac.targets.occlusion import ObservedExtent, compare_observed_extents, does_plane_end_within
+from lispac.targets.sighting_quality import (
+    SightingQuality,
+    add_messages,
+    plane_quality,
+    sphere_quality,
+    undetermined_quality,
+)
+from lispac.targets.similar_surfaces import nearest_similar_surface
+from lispac.workflow.calibration.reselection import reselect_target
+from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+
+Key = tuple[str, str]
+"""Names of target and line."""
+
+STEP = 1e-5
+"""Radians by which the boresight is turned to see how points move."""
+MAX_POINTS = 50_000
+"""Points about a sighting among which surfaces like it are searched for."""
+
+
+@dataclass(frozen=True, eq=False)
+class AssessedQuality:
+    """Quality of a sighting, with the data it was assessed from.
+
+    Attributes
+    ----------
+    indices : ndarray of shape (n,), int
+        Of the points.
+    """
+
+    quality: SightingQuality
+    indices: NDArray[np.int64]
+    beside: tuple[tuple[NDArray[np.int64], bool], ...]
+    of: tuple[object, ...]
+
+    def is_current(self, project: Project, target: Target, sighting: PickedSighting) -> bool:
+        """True if the quality was assessed from the present state of the sighting."""
+        now = _compared_sightings(target)
+        return (
+            self.indices is sighting.indices
+            and len(self.beside) == len(now)
+            and all(a[0] is b[0] and a[1] == b[1] for a, b in zip(self.beside, now, strict=True))
+            and self.of == _quality_dependencies(project, target)
+        )
+
+
+def assess_sightings(
+    project: Project,
+    survey: Survey,
+    *,
+    known: Mapping[Key, AssessedQuality] | None = None,
+    progress: Progress = no_progress,
+) -> dict[Key, AssessedQuality]:
+    """Assess every sighting of a project; valid ``known`` results are kept.
+
+    Before the calibration the points are those that were picked, and what an error of the rough
+    boresight can explain in them does not count. After it they are selected once more in the lines
+    as they lie then, with the threshold of the pick: the adjustment too leaves the picked ones. Of
+    validation planes, which nothing selects again, the picked points are judged before and after.
+    """
+    known = known or {}
+    judged: dict[Key, AssessedQuality] = {}
+    placings = {
+        role: _PlacedMounting.of(project, survey, estimated=_is_selected_again(project, role))
+        for role in {target.role for target in project.targets}
+    }
+    placed = survey.placed(project, "estimated") if project.result is not None else None
+    for k, target in enumerate(project.targets):
+        progress(
+            k / len(project.targets),
+            gettext_lazy("Assessing the sightings of {target}", target=target.name),
+        )
+        kept = {
+            key: known[key]
+            for key in ((target.name, sighting.line) for sighting in target.sightings)
+            if key in known
+        }
+        if all(
+            (target.name, s.line) in kept
+            and kept[target.name, s.line].is_current(project, target, s)
+            for s in target.sightings
+        ):
+            judged |= kept
+            continue
+        now = target
+        if placed is not None and _is_selected_again(project, target.role):
+            sightings = tuple(replace(s, used=True) for s in target.sightings)
+            every = replace(target, sightings=sightings, used=True)
+            now = reselect_target(every, survey.clouds, placed, narrowed=1.0)
+        found = _target_qualities(project, survey, placings[target.role], target, now.sightings)
+        for picked, quality in zip(target.sightings, found, strict=True):
+            judged[target.name, picked.line] = AssessedQuality(
+                quality,
+                picked.indices,
+                _compared_sightings(target),
+                _quality_dependencies(project, target),
+            )
+    return judged
+
+
+def _is_selected_again(project: Project, role: Role) -> bool:
+    return project.result is not None and role == "target"
+
+
+def assess_target(project: Project, survey: Survey, target: Target) -> dict[str, SightingQuality]:
+    """The quality of each sighting of a target, by line, before a calibration or after it."""
+    judged = assess_sightings(replace(project, targets=(target,)), survey)
+    return {line: each.quality for (_, line), each in judged.items()}
+
+
+def sighting_qualities(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> dict[Key, SightingQuality]:
+    """The quality of every sighting, by the names of target and line."""
+    judged = assess_sightings(project, survey, progress=progress)
+    return {key: each.quality for key, each in judged.items()}
+
+
+@dataclass(frozen=True, eq=False)
+class _PlacedMounting:
+    """Placed points and scanner positions, and their derivatives by each angle.
+
+    With the estimated mounting where there is one. Before, with the one that makes the lines nearly
+    meet, whose error bends a plane that is seen from a moving vessel: what such an error can
+    explain does not count.
+    """
+
+    points: Georeferencer
+    scanner: Georeferencer
+    turned: tuple[Georeferencer, ...]
+    boresight_off: float
+    is_nearly_aligned: bool
+
+    @classmethod
+    def of(cls, project: Project, survey: Survey, *, estimated: bool) -> "_PlacedMounting":
+        """Placement with the estimated or the prior mounting."""
+        mounting = project.mounting("estimated") if estimated else survey.alignment.mounting
+        # A range offset does not affect the position of the scanner.
+        scanner = replace(mounting, range_offset=0.0, scan_angle_offset=0.0)
+        turned = (mounting.with_boresight(mounting.boresight + step) for step in STEP * np.eye(3))
+        return cls(
+            Georeferencer.of(survey.trajectory, mounting),
+            Georeferencer.of(survey.trajectory, scanner),
+            tuple(Georeferencer.of(survey.trajectory, each) for each in turned)
+            if not estimated
+            else (),
+            ROUGHLY_OFF if estimated or survey.alignment.is_aligned else PRIOR_OFF,
+            estimated or survey.alignment.is_aligned,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class _SightingPoints:
+    """The points of a sighting: as measured, when, and placed."""
+
+    lidar: Array
+    time: Array
+    local: Array
+
+    @classmethod
+    def of(
+        cls, survey: Survey, placing: _PlacedMounting, sighting: PickedSighting
+    ) -> "_SightingPoints":
+        lidar, time = survey.scans[sighting.line].take(sighting.indices)
+        return cls(lidar, time, placing.points(lidar, time))
+
+
+def _target_qualities(
+    project: Project,
+    survey: Survey,
+    placing: _PlacedMounting,
+    target: Target,
+    sightings: tuple[PickedSighting, ...],
+) -> list[SightingQuality]:
+    """The quality of each sighting as selected, those that were picked being the target's own."""
+    seen = [_SightingPoints.of(survey, placing, sighting) for sighting in sightings]
+    shown: list[ObservedExtent | None] = [None] * len(seen)
+    if target.shape == "plane" and placing.is_nearly_aligned:
+        shown = _observed_parts(target, placing, seen)
+    judged = [
+        _sighting_quality(project, placing, target, sighting, each, beside)
+        for sighting, each, beside in zip(sightings, seen, shown, strict=True)
+    ]
+    if target.shape == "plane" and not placing.is_nearly_aligned:
+        judged = [
+            add_messages(quality, _ambiguity_note(target, survey, sighting))
+            for quality, sighting in zip(judged, sightings, strict=True)
+        ]
+    return judged
+
+
+def _ambiguity_note(
+    target: Target, survey: Survey, sighting: PickedSighting
+) -> tuple[Message, ...]:
+    """Note that another surface could be confused with the target, if there is one."""
+    cloud = survey.alignment.clouds[sighting.line]
+    points = cloud[sighting.indices]
+    try:
+        plane = fit_plane(points)
+    except LispacError:  # reported with its quality
+        return ()
+    reach = FinderSettings().max_shift
+    about = cloud.within(points.mean(axis=0), reach + target.radius, limit=MAX_POINTS)
+    distance = nearest_similar_surface(about.points, points, plane, target.threshold, reach)
+    if distance is None:
+        return ()
+    return (note("quality.mistakable", distance=distance),)
+
+
+def _observed_parts(
+    target: Target, placing: _PlacedMounting, seen: list[_SightingPoints]
+) -> list[ObservedExtent | None]:
+    """Part of a plane that each line shows, if the search radius cuts it on none."""
+    planes: dict[int, Array] = {}
+    extents = []
+    for k, each in enumerate(seen):
+        try:
+            extents.append(extent_in_plane(fit_plane(each.local), each.local))
+        except LispacError:  # reported with that sighting
+            continue
+        planes[k] = each.local
+    shown: list[ObservedExtent | None] = [None] * len(seen)
+    if len(planes) < 2 or not does_plane_end_within(target.radius, extents):
+        return shown
+    ranges = [float(np.median(np.linalg.norm(seen[k].lidar, axis=1))) for k in planes]
+    found = compare_observed_extents(
+        list(planes.values()),
+        [target.sightings[k].used for k in planes],
+        placing.boresight_off * max(ranges),
+    )
+    for k, each_shown in zip(planes, found, strict=True):
+        shown[k] = each_shown
+    return shown
+
+
+def _sighting_quality(
+    project: Project,
+    placing: _PlacedMounting,
+    target: Target,
+    sighting: PickedSighting,
+    seen: _SightingPoints,
+    shown: ObservedExtent | None,
+) -> SightingQuality:
+    noise = lidar_noise(project.settings)
+    every = np.arange(len(seen.local))
+    try:
+        if target.shape == "sphere":
+            sphere = fit_sphere(seen.local, target.sphere_radius)
+            return sphere_quality(seen.lidar, seen.local, every, sphere, noise)
+        plane = fit_plane(seen.local)
+    except LispacError as error:
+        return undetermined_quality(len(every), sighting.rms, as_message(error.reason))
+    turns = None
+    if placing.turned:
+        turned = [each(seen.lidar, seen.time) for each in placing.turned]
+        turns = np.stack([(points - seen.local) / STEP for points in turned])
+    quality = plane_quality(
+        seen.lidar, seen.local, every, plane, noise,
+        scanner_local=placing.scanner(np.zeros_like(seen.lidar), seen.time), turns_local=turns,
+        boresight_off=placing.boresight_off,
+        threshold=None if sighting.by_hand else target.threshold, shown=shown,
+    )  # fmt: skip
+    if target.expected is None or quality.extent is None:
+        return quality
+    return add_messages(
+        quality, deviations_from_expected(target.expected, quality.extent, plane.normal)
+    )
+
+
+def unexpected_deviations(target: Target, survey: Survey) -> dict[str, tuple[Message, ...]]:
+    """Deviations of each sighting from the expected target, as messages, by line."""
+    messages: dict[str, tuple[Message, ...]] = {}
+    for sighting in target.sightings if target.expected is not None else ():
+        assert target.expected is not None
+        points = survey.clouds[sighting.line][sighting.indices]
+        plane = fit_plane(points)
+        found = deviations_from_expected(
+            target.expected, extent_in_plane(plane, points), plane.normal
+        )
+        if found:
+            messages[sighting.line] = found
+    return messages
+
+
+def lidar_noise(settings: Settings) -> float:
+    """Sigma of a point along the normal of a surface at zero incidence, metres."""
+    if settings.lidar_beam_sigma is not None:
+        return settings.lidar_beam_sigma[0]
+    if settings.lidar_sigma_xyz is not None:
+        return float(np.sqrt(np.mean(np.square(settings.lidar_sigma_xyz))))
+    return settings.lidar_sigma
+
+
+def _compared_sightings(target: Target) -> tuple[tuple[NDArray[np.int64], bool], ...]:
+    """Point indices and use of all sightings of a target."""
+    return tuple((sighting.indices, sighting.used) for sighting in target.sightings)
+
+
+def _quality_dependencies(project: Project, target: Target) -> tuple[object, ...]:
+    """Values besides the points that a quality depends on."""
+    estimated = _is_selected_again(project, target.role)
+    mounting = project.mounting("estimated" if estimated else "prior")
+    return (
+        target.shape, target.sphere_radius, target.radius, target.expected,
+        target.threshold, lidar_noise(project.settings), estimated, *mounting.values.tolist(),
+    )  # fmt: skip

@@ -1,0 +1,304 @@
+"""The boresight from the scene alone, without a target.
+
+Patches of natural surfaces become targets of the same adjustment: their points are averaged,
+weighed, tested and cross-checked as those of boards are. With each new boresight the scene is cut
+again, until the angles stay.
+"""
+
+from collections import Counter
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass, replace
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.excess_scatter import raise_sigmas_by_scatter
+from lispac.adjustment.line_shifts import LineShiftScores
+from lispac.adjustment.observability import assess_observability
+from lispac.adjustment.result import AdjustmentResult
+from lispac.adjustment.solved_equations import SolvedEquations
+from lispac.adjustment.solver import adjust
+from lispac.errors import AdjustmentError
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note
+from lispac.natural.patch_choice import PATCH_COUNT, PatchChoice, choose_patches
+from lispac.natural.patches import Patches, find_patches
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import PickedSighting, Project, Target
+from lispac.survey.cloud import Cloud, place_clouds
+from lispac.workflow.calibration.estimation import observations_of, reselect_points
+from lispac.workflow.calibration.refusals import refused_by_method
+from lispac.workflow.project.survey import Survey
+
+Indices = NDArray[np.int64]
+
+THRESHOLDS = (0.06, 0.03, 0.03, 0.03, 0.03)
+"""Metres that a line may be off its region, from round to round: at first as much as a tenth of a
+degree moves it some tens of metres away."""
+QUICK_SPACING = 0.3
+"""Metres over which points are averaged between the rounds."""
+CONVERGENCE_LIMIT = 0.1
+"""Change of an angle, as a share of its sigma, below which no further round is run."""
+MIN_PATCHES = 4
+"""Patches below which nothing of them can be checked."""
+MAX_SHARE = 0.3
+"""Share of its sightings that do not agree by which a line is named."""
+
+
+@dataclass(frozen=True, eq=False)
+class TargetlessResult:
+    """Result of the targetless method.
+
+    Attributes
+    ----------
+    project : Project
+        With the patches as its targets, and the result.
+    rounds : int
+    converged : bool
+        Whether the angles stayed where they were in the last of them.
+    candidates : int
+        Patches that were found; the chosen ones are targets of the project.
+    disagreeing : tuple of str
+        Lines that share no surface with the others, or do not agree with them as a whole.
+    targets : int
+        Of the project, adjusted with the scene.
+    raised : float
+        Largest factor on the sigma of an angle for what the model of errors does not predict.
+    """
+
+    project: Project
+    rounds: int
+    converged: bool
+    candidates: int
+    disagreeing: tuple[str, ...]
+    targets: int = 0
+    raised: float = 1.0
+
+    @property
+    def result(self) -> AdjustmentResult:
+        """Result of the adjustment."""
+        assert self.project.result is not None
+        return self.project.result
+
+    @property
+    def messages(self) -> tuple[Message, ...]:
+        """Messages on the basis and the limits of the result."""
+        used = len(self.project.targets) - self.targets
+        found = [note("targetless.basis", used=used, total=self.candidates, rounds=self.rounds)]
+        if self.targets:
+            found.append(note("targetless.with_targets", targets=self.targets))
+        if not self.converged:
+            found.append(note("targetless.not_converged", share=CONVERGENCE_LIMIT))
+        if self.disagreeing:
+            found.append(note("targetless.lines_disagree", lines=self.disagreeing))
+        return tuple(found)
+
+
+def targetless(
+    project: Project,
+    survey: Survey,
+    *,
+    count: int = PATCH_COUNT,
+    with_targets: bool = False,
+    progress: Progress = no_progress,
+) -> TargetlessResult:
+    """Find the boresight from surfaces of the scene that the lines share.
+
+    Parameters
+    ----------
+    count : int
+        Most surfaces that are adjusted.
+    with_targets : bool
+        Adjust the project's targets with them; else these take no part.
+
+    Raises
+    ------
+    AdjustmentError
+        Where lines do not overlap, or share too few surfaces; with targets also where one of these
+        is used on a single line.
+    """
+    settings = project.settings
+    settings.require_sound()
+    if len(survey.clouds) < 2:
+        raise AdjustmentError(error("targetless.single_line", project=project.name))
+    own = _targets_only(project) if with_targets else None
+    started = perf_counter()
+    progress(0.0, gettext_lazy("Aligning the lines"))
+    # Wherever the prior is, near or far, the start is the same.
+    mounting = survey.alignment.mounting
+    quick = replace(settings, subsample=max(settings.subsample, QUICK_SPACING), parameters=())
+    judged = replace(settings.stochastic_model, pos_errors="independent", loss="huber")
+    picked, found, rounds, converged, mixed = project, 0, 0, False, 0
+    for rounds, threshold in enumerate(THRESHOLDS, 1):
+        step = sub_progress(progress, 0.1 * rounds, 0.1 * rounds + 0.1)
+        step(0.0, gettext_lazy("Matching the lines: iteration {number:n}", number=rounds))
+        clouds = place_clouds(survey.clouds, mounting)
+        patches = find_patches(
+            clouds, settings.lidar_sigma, max(threshold, settings.threshold),
+            progress=sub_progress(step, 0.0, 0.6),
+        )  # fmt: skip
+        choice = choose_patches(patches, clouds, survey.accuracy, count)
+        found = len(patches)
+        if len(choice.rows) < MIN_PATCHES:
+            raise AdjustmentError(
+                error(
+                    "targetless.few_surfaces",
+                    project=project.name,
+                    count=len(choice.rows),
+                    least=MIN_PATCHES,
+                )
+            )
+        picked = replace(
+            project, targets=_targets_of_patches(patches, choice, clouds, survey), result=None
+        )
+        observations = observations_of(picked, survey, settings=quick, mounting=mounting)
+        with refused_by_method(project.name, "targetless"):
+            result = adjust(
+                observations, mounting, judged,
+                accept_single_orientation=settings.accept_single_orientation, diagnostics=False,
+                progress=sub_progress(step, 0.7, 1.0),
+            )  # fmt: skip
+        changes = np.abs(result.boresight - mounting.boresight)
+        mounting = mounting.with_boresight(result.boresight)
+        # The quick model's own sigmas are far too small to be moved less than.
+        converged = rounds > 1 and bool((changes < CONVERGENCE_LIMIT * choice.sigma).all())
+        if converged:
+            break
+    if own is not None:
+        mine = reselect_points(own, survey, progress=sub_progress(progress, 0.4, 0.5)).targets
+        picked = replace(picked, targets=(*mine, *_surfaces_off_targets(picked.targets, mine)))
+        mixed = len(mine)
+    observations = observations_of(picked, survey, mounting=mounting)
+    with refused_by_method(project.name, "targetless"):
+        result = adjust(
+            observations,
+            project.mounting("prior"),
+            settings.stochastic_model,
+            parameters=settings.parameters,
+            components=settings.variance_components,
+            accept_single_orientation=settings.accept_single_orientation,
+            test_model=False,  # places of the scene and stretches of lines show it better
+            progress=sub_progress(progress, 0.5, 0.9),
+        )
+    solved = SolvedEquations.of(
+        result,
+        observations.with_sigmas(*result.sigma_factors),
+        project.mounting("prior"),
+        settings.parameters,
+        progress=sub_progress(progress, 0.9, 0.95),
+    )
+    raised_result, shifted = result, tuple[str, ...]()
+    if solved is not None:
+        raised_result = raise_sigmas_by_scatter(
+            result, solved.here, solved.origins, progress=sub_progress(progress, 0.95, 1.0)
+        )
+        if (
+            raised_result.observability is not None
+            and raised_result.angle_sigma_factors is not None
+        ):
+            seen = assess_observability(
+                solved.here,
+                angle_sigma_factors=raised_result.angle_sigma_factors,
+                covariance=raised_result.covariance,
+                origins=solved.origins,
+            )
+            raised_result = replace(raised_result, observability=seen)
+        shifted = LineShiftScores.of(solved.here).shifted_lines()
+    raised = float((raised_result.sigma / result.sigma).max())
+    final = replace(picked, result=replace(raised_result, elapsed=perf_counter() - started))
+    named = disagreeing_lines(result, survey.clouds, shifted)
+    return TargetlessResult(final, rounds, converged, found, named, mixed, raised)
+
+
+def _targets_only(project: Project) -> Project:
+    targets = tuple(target for target in project.targets_of_role("target") if target.used)
+    if not targets:
+        raise AdjustmentError(error("targetless.no_target", project=project.name))
+    return replace(project, targets=targets, result=None)
+
+
+def _surfaces_off_targets(
+    surfaces: tuple[Target, ...], targets: tuple[Target, ...]
+) -> tuple[Target, ...]:
+    """Surfaces of the scene that no target lies on, none with the name of a target.
+
+    What is seen of a board would count twice else.
+    """
+    on: dict[str, list[Indices]] = {}
+    for target in targets:
+        for sighting in target.sightings:
+            on.setdefault(sighting.line, []).append(sighting.indices)
+    used_points = {line: np.concatenate(parts) for line, parts in on.items()}
+    names = {target.name for target in targets}
+
+    def is_free(surface: Target) -> bool:
+        return not any(
+            np.isin(each.indices, used_points[each.line]).any()
+            for each in surface.sightings
+            if each.line in used_points
+        )
+
+    return tuple(
+        replace(each, name=f"{each.name}*") if each.name in names else each
+        for each in surfaces
+        if is_free(each)
+    )
+
+
+def _targets_of_patches(
+    patches: Patches, choice: PatchChoice, clouds: Mapping[str, Cloud], survey: Survey
+) -> tuple[Target, ...]:
+    """The patches chosen, with all points that lie on each line's own plane in the region."""
+    planes, names = patches.planes, list(clouds)
+    found = []
+    for k, rows in enumerate(choice.rows):
+        sightings = []
+        for row in rows:
+            line = names[planes.line[row]]
+            numbers, one_in = patches.points_on(row, clouds[line])
+            sightings.append(
+                PickedSighting(
+                    line,
+                    numbers,
+                    float(planes.rough[row]),
+                    fingerprint=survey.scans[line].fingerprint,
+                    one_in=one_in,
+                )
+            )
+        lead = rows[np.argmax(planes.count[rows])]
+        found.append(
+            Target(
+                name=f"N{k + 1:03d}",
+                role="target",
+                seed=tuple(planes.centre[lead].tolist()),
+                threshold=float(planes.far[rows].max()),
+                radius=float(planes.reach[rows].max()),
+                sightings=tuple(sightings),
+            )
+        )
+    return tuple(found)
+
+
+def disagreeing_lines(
+    result: AdjustmentResult, lines: Iterable[str], shifted: Collection[str]
+) -> tuple[str, ...]:
+    """Lines that are shifted, share no surface, or have many rejected sightings.
+
+    A line that is too far off for its POS error shows by its sightings: there are none, or others
+    are not agreed with.
+
+    Parameters
+    ----------
+    lines : iterable of str
+        All that there are.
+    shifted : collection of str
+        Those whose position is shifted as a whole.
+    """
+    count = Counter(residual.sighting.line for residual in result.sightings)
+    rejected = Counter(sighting.line for sighting in result.rejected_sightings)
+    return tuple(
+        line
+        for line in lines
+        if not count[line] or line in shifted or rejected[line] >= max(2.0, MAX_SHARE * count[line])
+    )

@@ -1,0 +1,1 @@
+"""Checks of a calibration: validation, references, warnings, history."""

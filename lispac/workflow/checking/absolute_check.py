@@ -1,0 +1,345 @@
+"""Distances of the lines from a static scan, or from surveyed points and planes."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.point_sensitivity import sensitivity
+from lispac.errors import InputError, NotComparable, ProjectError
+from lispac.geometry.nearest_neighbours import build_tree
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import Project
+from lispac.survey.georeferencing import CALIBRATION
+from lispac.targets.thinning import thin_points
+from lispac.validation.absolute_check import (
+    AbsoluteCheck,
+    LinePlaces,
+    PointCheck,
+    check_lines,
+    check_points,
+    find_other_surfaces,
+    shared_histogram,
+)
+from lispac.validation.cylinder_diameters import (
+    NARROWEST,
+    WIDE,
+    WIDEST,
+    candidate_places,
+    cylinder_diameters,
+    select_separate_places,
+    twelfth_neighbour_distance,
+)
+from lispac.validation.normal_distance import NormalDistances
+from lispac.validation.reference_places import (
+    SMOOTH,
+    CorePointDistances,
+    is_reference_flat,
+    measure_to_points,
+    measure_to_surface,
+)
+from lispac.workflow.checking.references import Reference, read_reference
+from lispac.workflow.project.survey import Survey
+
+if TYPE_CHECKING:
+    from scipy.spatial import cKDTree
+
+Array = NDArray[np.float64]
+
+DEFAULT_SIGMA = 0.005
+"""Metres; default sigma of a reference."""
+SEARCH_DISTANCE = 1.0
+"""Metres from the reference within which lines are searched for; at 50 m, 1.1 deg of boresight."""
+PER_DIAMETER, PER_WIDTH = 4, 5
+"""Points that stand for a surveyed plane along the diameter of a cylinder, and cylinders along the
+plane's shorter side."""
+MIN_PLACES = {"scan": 30, "points": 1}
+"""Smallest number of places of a line for a result."""
+
+
+def check_absolute(
+    project: Project,
+    survey: Survey,
+    path: Path,
+    *,
+    crs: str = "",
+    height: str = "",
+    trajectory_datum: str | None = None,
+    epoch: float | None = None,
+    sigma: float = DEFAULT_SIGMA,
+    reach: float = SEARCH_DISTANCE,
+    progress: Progress = no_progress,
+) -> tuple[Project, tuple[Message, ...]]:
+    """Measure every line against a reference, with the prior and the estimated boresight.
+
+    Parameters
+    ----------
+    path : Path
+        A static scan (LAS, LAZ, E57, PTS, text), or a list of check points: name, x, y, z, and
+        perhaps sigma and the plane that they lie on with others.
+    crs : str
+        Coordinate system of the reference, or ``local``; empty: as the file states it, else the
+        local frame. Height, datum and epoch as `lispac.survey.crs.coordinate_system`.
+    sigma : float, metres
+        Of the reference: of a scan that which all its points share (registration and control), of
+        a list that of each point it states none for.
+    reach : float, metres
+        How far from the reference a line is searched for.
+
+    Returns
+    -------
+    project : Project
+        With the check.
+    notes : tuple of Message
+        How the reference was read, and warnings about it.
+
+    Raises
+    ------
+    ProjectError
+        Where nothing was estimated.
+    InputError
+        Where the reference cannot be read or is elsewhere.
+    NotComparable
+        Where no line has points on it.
+    """
+    if project.result is None:
+        raise ProjectError(error("estimate.needed", project=project.name))
+    if not 0.0 <= sigma < np.inf:
+        raise InputError(error("check.reference_sigma", sigma=sigma))
+    if not 0.0 < reach <= 10.0:
+        raise InputError(error("check.search_distance", distance=reach))
+    reference = read_reference(
+        path, project, survey, sigma=sigma, reach=reach, crs=crs, height=height,
+        trajectory_datum=trajectory_datum, epoch=epoch, progress=sub_progress(progress, 0.0, 0.3),
+    )  # fmt: skip
+    clouds = _lines_near_reference(project, survey, reference, reach)
+    where = _MeasuredReference.of(reference, survey, project.settings.lidar_sigma, reach)
+    lines, not_compared = [], list[Message]()
+    for k, cloud in enumerate(clouds):
+        progress(
+            0.3 + 0.7 * k / len(clouds),
+            gettext_lazy("Comparing {line} with {file}", line=cloud.line, file=path.name),
+        )
+        try:
+            lines.append(_compare_line(project, survey, cloud, where))
+        except NotComparable as failure:
+            not_compared.append(
+                note("check.line_not_compared", line=cloud.line, reason=failure.reason)
+            )
+    if not lines:
+        raise NotComparable(
+            error(
+                "check.no_flat_place",
+                file=str(path),
+                count=MIN_PLACES[reference.kind],
+                distance=reach,
+            )
+        )
+    settings = project.settings
+    times = settings.position_time, settings.attitude_time
+    each, together = check_lines(lines, where.sigmas, times)
+    points: tuple[PointCheck, ...] = ()
+    if reference.kind == "points":
+        points = check_points(lines, where.names, where.sigmas, times)
+    missed = sorted(set(where.names) - {p.name for p in points})
+    if reference.kind == "points" and missed:
+        not_compared.append(note("check.points_not_compared", distance=reach, points=missed))
+    edges, before, after = shared_histogram(lines)
+    check = AbsoluteCheck(
+        path.name, reference.size_bytes, reference.sha256, reference.kind, reference.system,
+        reference.sigma, reach, each, together, tuple(not_compared), edges, before, after, points,
+        find_other_surfaces(lines),
+    )  # fmt: skip
+    progress(1.0)
+    return project.with_absolute(check), reference.notes
+
+
+@dataclass(frozen=True, eq=False)
+class _LineNearReference:
+    """Points of a line that may lie on the reference, with both boresights."""
+
+    line: str
+    numbers: NDArray[np.int64]
+    before: Array
+    after: Array
+
+
+def _lines_near_reference(
+    project: Project, survey: Survey, reference: Reference, reach: float
+) -> list[_LineNearReference]:
+    everything = [reference.surface, reference.places, *(p.points for p in reference.planes)]
+    points = np.concatenate(everything)
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    radius = float(np.linalg.norm(points - centre, axis=1).max()) + 2 * reach
+    placed = survey.placed(project, "estimated")
+    clouds = []
+    for line, cloud in survey.clouds.items():
+        region = cloud.within(centre, radius)
+        clouds.append(
+            _LineNearReference(line, region.numbers, region.points, placed[line][region.numbers])
+        )
+    return clouds
+
+
+@dataclass(frozen=True, eq=False)
+class _MeasuredReference:
+    """Reference surfaces and places that the lines are compared with.
+
+    Of a scan: ``candidates`` for places, shape (k, 3), and the diameter that the scan's own density
+    asks for at each. ``sigmas`` are those of the scan, or of surveyed points and then planes.
+    """
+
+    reference: Reference
+    candidates: Array
+    diameters: Array
+    names: tuple[str, ...]
+    sigmas: Array
+    vessel: Array
+    reach: float
+    roughest: float
+
+    @classmethod
+    def of(
+        cls, reference: Reference, survey: Survey, lidar_sigma: float, reach: float
+    ) -> "_MeasuredReference":
+        planes, surface = reference.planes, reference.surface
+        places = candidate_places(surface) if len(surface) else surface
+        own = (
+            twelfth_neighbour_distance(build_tree(surface), places) if len(surface) else np.zeros(0)
+        )
+        return cls(
+            reference, places, np.minimum(WIDE * own, WIDEST),
+            (*reference.names, *(plane.name for plane in planes)),
+            np.array([reference.sigma]) if reference.kind == "scan"
+            else np.array([*reference.sigmas, *(plane.sigma for plane in planes)]),
+            survey.trajectory.position.mean(axis=0), reach,
+            3 * max(reference.sigma, lidar_sigma),
+        )  # fmt: skip
+
+    def surfaces(self, tree: "cKDTree") -> Iterator[tuple[Array, Array, Array, int]]:
+        """Surfaces that a line came near, each with its number among ``sigmas``.
+
+        Their points, their places, and the diameters there by how dense both are.
+        """
+        diameters = cylinder_diameters(tree, self.candidates, self.reach)
+        near = np.flatnonzero(np.isfinite(diameters))
+        if len(near):
+            both = np.maximum(diameters, self.diameters)[near]
+            chosen, wide = select_separate_places(self.candidates[near], both)
+            surface, cores = self.reference.surface, self.candidates[near][chosen]
+            flat = is_reference_flat(surface, cores, SMOOTH * wide, self.roughest)
+            yield surface, cores[flat], wide[flat], 0
+        for k, plane in enumerate(self.reference.planes):
+            # It is flat at any width, and a line may be sparse there.
+            side = float(np.clip(plane.width / PER_WIDTH, NARROWEST, WIDEST))
+            diameters = cylinder_diameters(tree, plane.grid(side), self.reach)
+            if np.isfinite(diameters).any():
+                side = max(side, float(np.nanmedian(diameters)))
+                grid = plane.grid(side / PER_DIAMETER)
+                cores = grid[thin_points(grid, side)]
+                yield grid, cores, np.full(len(cores), side), len(self.reference.names) + k
+
+
+def _compare_line(
+    project: Project, survey: Survey, cloud: _LineNearReference, where: _MeasuredReference
+) -> LinePlaces:
+    """Compare a line with the whole reference.
+
+    Raises
+    ------
+    NotComparable
+        With what would help.
+    """
+    found: list[tuple[CorePointDistances, NDArray[np.intp]]] = []
+    tree, tried = build_tree(cloud.after), 0
+    for surface, cores, diameters, group in where.surfaces(tree):
+        tried += len(cores)
+        try:
+            measured = measure_to_surface(
+                cloud.before, cloud.after, surface, cores, facing=where.vessel - cores,
+                diameters=diameters, reach=where.reach, roughest=where.roughest,
+            )  # fmt: skip
+        except NotComparable:
+            continue
+        found.append((measured, np.full(len(measured.after.distance), group)))
+    places = where.reference.places
+    wide = cylinder_diameters(tree, places, where.reach)
+    if (near := np.flatnonzero(np.isfinite(wide))).size:
+        tried += len(near)
+        try:
+            alone = measure_to_points(
+                cloud.before, cloud.after, places[near], facing=where.vessel - places[near],
+                diameters=wide[near], reach=where.reach, roughest=where.roughest,
+            )  # fmt: skip
+            found.append((alone, near[alone.after.at]))
+        except NotComparable:
+            pass
+    count = sum(len(group) for _, group in found)
+    if count < MIN_PLACES[where.reference.kind]:
+        raise NotComparable(_too_few_message(where, count, tried))
+    measured = CorePointDistances(
+        _concatenate_distances([each.before for each, _ in found]),
+        _concatenate_distances([each.after for each, _ in found]),
+        np.concatenate([each.to_other_surface for each, _ in found]),
+    )
+    return _place_sensitivities(
+        project, survey, cloud, measured, np.concatenate([g for _, g in found])
+    )
+
+
+def _too_few_message(where: _MeasuredReference, count: int, tried: int) -> Message:
+    """Message on the reason why a line is not compared, and on a suggested action."""
+    if where.reference.kind == "points":
+        return error("check.no_surveyed_point_near", distance=where.reach)
+    if not tried:
+        return error("check.no_reference_near", distance=where.reach)
+    return error(
+        "check.few_places", places=count, tried=tried, distance=where.reach,
+        least=MIN_PLACES["scan"],
+    )  # fmt: skip
+
+
+def _concatenate_distances(several: Sequence[NormalDistances]) -> NormalDistances:
+    return NormalDistances(
+        np.concatenate([each.cores for each in several]),
+        np.concatenate([each.distance for each in several]),
+        np.concatenate([each.half_width for each in several]),
+        sum(each.no_distance for each in several),
+        np.concatenate([each.normals for each in several]),
+        np.concatenate([each.at for each in several]),
+    )
+
+
+def _place_sensitivities(
+    project: Project, survey: Survey, cloud: _LineNearReference, measured: CorePointDistances,
+    group: NDArray[np.intp],
+) -> LinePlaces:  # fmt: skip
+    """Sensitivity of each place to the placement of the nearest point of the line."""
+    result = project.result
+    assert result is not None
+    mounting = result.mounting
+    _, nearest = build_tree(cloud.after).query(measured.after.cores)
+    points_lidar, time = survey.scans[cloud.line].take(cloud.numbers[nearest])
+    moves = sensitivity(
+        points_lidar, survey.trajectory.at(time + mounting.latency), mounting,
+        measured.after.normals, pose_rate=survey.trajectory.rate_at(time + mounting.latency),
+    )  # fmt: skip
+    sigma_position, sigma_attitude = survey.accuracy.at(time)
+    _, position, attitude = result.sigma_factors
+    values, vectors = np.linalg.eigh(result.covariance_all)
+    mixtures = vectors * np.sqrt(np.maximum(values, 0.0))
+    estimated = [CALIBRATION.index(name) for name in result.estimated]
+    return LinePlaces(
+        cloud.line,
+        float(np.median(time)),
+        measured,
+        group,
+        position * moves.by_position * sigma_position,
+        attitude * moves.by_attitude * sigma_attitude,
+        moves.by_mounting[:, estimated] @ mixtures,
+    )

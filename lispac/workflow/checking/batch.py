@@ -1,0 +1,260 @@
+"""Many projects calibrated one after the other: a row of a table for each."""
+
+import csv
+import math
+from collections.abc import Iterator, Sequence
+from contextlib import nullcontext
+from dataclasses import dataclass, replace
+from io import StringIO
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from lispac.adjustment.display_text import to_plain_text
+from lispac.adjustment.result import ANGLES
+from lispac.errors import InputError, LispacError, NotComparable
+from lispac.former_names import accept_script_names
+from lispac.io.files import atomic_write
+from lispac.language import gettext_lazy
+from lispac.message_texts import english_text, message_text
+from lispac.messages import error
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import Project, Triple
+from lispac.report.options import USUAL, ReportOptions
+from lispac.untrusted_values import as_csv_cell
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.checking.calibration_history import find_projects
+from lispac.workflow.checking.validation import validate
+from lispac.workflow.output.export import report_content_of, write_report
+from lispac.workflow.project.projects import locked_project, open_project, save_project
+from lispac.workflow.project.survey import load_survey
+from lispac.workflow.project.survey_dates import survey_dates
+
+Verdict = Literal["good", "notes", "warnings", "refused"]
+REPORTS = ("pdf", "html", "json", "zip")
+
+
+@accept_script_names
+@dataclass(frozen=True)
+class BatchRow:
+    """Result of one project in the table.
+
+    Attributes
+    ----------
+    folder : Path
+    name, vessel, dates : str
+        Blank where they are not known.
+    verdict : {"good", "notes", "warnings", "refused"}
+        Highest level of the messages of the report; ``warnings`` where one is an error, too.
+    boresight_deg, sigma_deg : roll, pitch, yaw in degrees, or None
+    sigma_0 : float or None, no unit
+        A posteriori: 1 if the errors agree with the given sigmas.
+    test_passed : bool or None
+        Chi-square test of the variance factor.
+    rms_before, rms_after : float or None, metres
+        Distances between the lines on all validation planes.
+    messages : tuple of str
+        Of a refused project the reason.
+    """
+
+    folder: Path
+    name: str
+    verdict: Verdict
+    messages: tuple[str, ...]
+    vessel: str = ""
+    dates: str = ""
+    boresight_deg: Triple | None = None
+    sigma_deg: Triple | None = None
+    sigma_0: float | None = None
+    test_passed: bool | None = None
+    rms_before: float | None = None
+    rms_after: float | None = None
+
+
+def batch(
+    *folders: str | Path,
+    save: bool = False,
+    reports: str | Path | None = None,
+    form: str = "pdf",
+    options: ReportOptions = USUAL,
+    progress: Progress = no_progress,
+) -> tuple[BatchRow, ...]:
+    """Estimate and validate every project in these folders, targets as they are picked.
+
+    A project that is refused is a row too, and the next one follows.
+
+    Parameters
+    ----------
+    folders : searched at any depth
+    save : bool
+        Whether the projects keep what is found; otherwise they stay as they are on disk.
+    reports : path, optional
+        Folder in which each project's report is written.
+    form : {"pdf", "html", "json", "zip"}
+        Of the reports.
+    options : ReportOptions
+        As `lispac.workflow.output.report_options` gives them.
+
+    Raises
+    ------
+    ProjectError
+        Where a folder does not exist, or there is no project in any.
+    InputError
+        Where there is no such form of report.
+    """
+    return tuple(
+        calibrate_each(
+            *folders, save=save, reports=reports, form=form, options=options, progress=progress
+        )
+    )
+
+
+def calibrate_each(
+    *folders: str | Path,
+    save: bool,
+    reports: str | Path | None,
+    form: str,
+    options: ReportOptions,
+    progress: Progress,
+) -> Iterator[BatchRow]:
+    """Calibrate the projects one after the other, and yield the row of each.
+
+    Raises
+    ------
+    InputError
+        Where there is no such form of report.
+    """
+    if form not in REPORTS:
+        raise InputError(error("report.format", formats=tuple(REPORTS), format=form))
+    found, unreadable = find_projects([Path(folder) for folder in folders])
+    files = [f"{name}.{form}" for name in _report_names(found)]
+    for k, (folder, file) in enumerate(zip(found, files, strict=True)):
+        step = sub_progress(progress, k / len(found), (k + 1) / len(found))
+        step(
+            0.0,
+            gettext_lazy(
+                "{project} ({number:n} of {count:n})",
+                project=folder.name,
+                number=k + 1,
+                count=len(found),
+            ),
+        )
+        report = None if reports is None else Path(reports) / file
+        yield _calibrate_folder(folder, save, report, options, step)
+    for message in unreadable:
+        folder = Path(str(message.params["folder"]))
+        yield BatchRow(folder, folder.name, "refused", (english_text(message),))
+    progress(1.0)
+
+
+def _calibrate_folder(
+    folder: Path, save: bool, report: Path | None, options: ReportOptions, progress: Progress
+) -> BatchRow:
+    known = BatchRow(folder, folder.name, "refused", ())
+    try:
+        with locked_project(folder) if save else nullcontext(open_project(folder)) as project:
+            known = replace(
+                known, vessel=project.identity.vessel,
+                dates=project.identity.dates or survey_dates(project),
+            )  # fmt: skip
+            return _calibrate_project(known, project, save, report, options, progress)
+    except LispacError as error:
+        return replace(known, messages=(str(error),))
+    except OSError as error:
+        return replace(known, messages=(f"{error.filename or folder}: {error.strerror or error}.",))
+    except MemoryError:
+        return replace(known, messages=("There is not enough memory; use shorter lines.",))
+
+
+def _calibrate_project(
+    known: BatchRow,
+    project: Project,
+    save: bool,
+    report: Path | None,
+    options: ReportOptions,
+    progress: Progress,
+) -> BatchRow:
+    survey = load_survey(project, progress=sub_progress(progress, 0.0, 0.3))
+    project = estimate(project, survey, progress=sub_progress(progress, 0.3, 0.7))
+    failures: tuple[str, ...] = ()
+    if any(plane.used for plane in project.targets_of_role("validation")):
+        try:
+            project = validate(project, survey, progress=sub_progress(progress, 0.7, 0.9))
+        except NotComparable as error:
+            failures = (str(error),)
+    if save:
+        save_project(project)
+    if report is not None:
+        write_report(
+            project, survey, report, options=options, progress=sub_progress(progress, 0.9, 0.95)
+        )
+    warnings = report_content_of(
+        project, survey, progress=sub_progress(progress, 0.95, 1.0)
+    ).warnings
+    serious = any(message.is_serious for message in warnings)
+    result = project.result
+    assert result is not None
+    roll, pitch, yaw = np.degrees(result.angles).tolist()
+    sigmas = np.degrees(result.sigma).tolist()
+    return replace(
+        known,
+        verdict="warnings" if serious else "notes" if warnings or failures else "good",
+        messages=(*failures, *(to_plain_text(message_text(message)) for message in warnings)),
+        boresight_deg=(roll, pitch, yaw),
+        sigma_deg=(sigmas[0], sigmas[1], sigmas[2]),
+        sigma_0=None if result.variance_factor is None else math.sqrt(result.variance_factor),
+        test_passed=result.chi_square.passed,
+        rms_before=_pooled_rms(
+            [(plane.before.rms, plane.before.n) for plane in project.validation]
+        ),
+        rms_after=_pooled_rms([(plane.after.rms, plane.after.n) for plane in project.validation]),
+    )
+
+
+def _pooled_rms(planes: Sequence[tuple[float, int]]) -> float | None:
+    count = sum(n for _, n in planes)
+    return math.sqrt(sum(n * rms**2 for rms, n in planes) / count) if count else None
+
+
+def _report_names(folders: Sequence[Path]) -> Iterator[str]:
+    """A name for each folder's report: its own, with a number where others have the same."""
+    used_names: set[str] = set()
+    for folder in folders:
+        name, k = folder.name, 1
+        while name.lower() in used_names:
+            k += 1
+            name = f"{folder.name}-{k}"
+        used_names.add(name.lower())
+        yield name
+
+
+HEADS = (
+    "folder", "project", "vessel", "dates", "verdict",
+    *(f"{angle}_deg" for angle in ANGLES), *(f"sigma_{angle}_deg" for angle in ANGLES),
+    "sigma_0", "chi_square_passed", "rms_before_m", "rms_after_m", "messages",
+)  # fmt: skip
+
+
+def write_table(rows: Sequence[BatchRow], path: Path) -> None:
+    """Write the rows as CSV, numbers in full.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be written.
+    """
+    stream = StringIO()
+    stream.write("\ufeff")  # a spreadsheet takes the file for UTF-8 by its mark
+    writer = csv.writer(stream)
+    writer.writerow(HEADS)
+    for row in rows:
+        cells = (
+            row.folder, row.name, row.vessel, row.dates, row.verdict,
+            *(row.boresight_deg or (None,) * 3), *(row.sigma_deg or (None,) * 3), row.sigma_0,
+            None if row.test_passed is None else "yes" if row.test_passed else "no",
+            row.rms_before, row.rms_after, " | ".join(row.messages),
+        )  # fmt: skip
+        writer.writerow(map(as_csv_cell, cells))
+    with atomic_write(path) as temporary:
+        temporary.write_text(stream.getvalue(), encoding="utf-8", errors="replace", newline="")

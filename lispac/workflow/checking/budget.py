@@ -1,0 +1,76 @@
+"""The error budget of a project's system at a distance."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.adjustment.error_budget import DISTANCES, ErrorBudget, SystemErrors, error_budget
+from lispac.errors import InputError, ProjectError
+from lispac.messages import error
+from lispac.project import Project
+from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+
+TIMES_PER_LINE = 1_000
+"""Times of each line at which accuracies and rates are interpolated."""
+
+
+def error_budget_of(
+    project: Project,
+    survey: Survey,
+    distances: Sequence[float] = DISTANCES,
+    *,
+    lever_sigma: Sequence[float] | None = None,
+) -> ErrorBudget:
+    """Error budget of a point of this system by source of error.
+
+    Parameters
+    ----------
+    distances : metres from the scanner
+    lever_sigma : three of float, metres, optional
+        How well the lever arm is known, forward, left, up.
+
+    Raises
+    ------
+    ProjectError
+        Where nothing was estimated.
+    InputError
+        Where a distance or a sigma makes no sense.
+    """
+    result = project.result
+    if result is None:
+        raise ProjectError(error("estimate.needed", project=project.name))
+    if lever_sigma is not None and not all(0.0 <= each < np.inf for each in lever_sigma):
+        raise InputError(error("estimate.lever_arm_sigma"))
+    latency = result.mounting.latency
+    time = np.concatenate(
+        [
+            np.linspace(scan.first_time, scan.last_time, TIMES_PER_LINE + 2)[1:-1]
+            for scan in survey.scans.values()
+        ]
+    )
+    time = time[survey.trajectory.covers(time + latency)]
+    position, attitude = survey.accuracy.at(time)
+    rate = survey.trajectory.rate_at(time + latency)
+    lidar, of_position, of_attitude = result.sigma_factors
+    beam = project.settings.lidar_beam_sigma
+    axes = project.settings.lidar_sigma_xyz or (project.settings.lidar_sigma,) * 3
+    return error_budget(
+        SystemErrors(
+            position=of_position * np.median(position, axis=0),
+            attitude=of_attitude * np.median(attitude, axis=0),
+            lidar=(lidar * beam[0], lidar * float(np.radians(beam[1])))
+            if beam
+            else lidar * float(np.sqrt(np.mean(np.square(axes)))),
+            lever_arm=None if lever_sigma is None else np.array(lever_sigma, dtype=float),
+            mounting=result.mounting,
+            prior_boresight=result.prior_boresight,
+            estimated=result.estimated,
+            covariance=result.covariance_all,
+            speed=float(np.median(np.linalg.norm(rate[:, :3], axis=1))),
+            rates=np.sqrt(np.mean(rate[:, 3:] ** 2, axis=0)),
+        ),
+        distances,
+    )

@@ -1,0 +1,199 @@
+"""Differences between the lines of a survey with the current georeferencing."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, NotComparable
+from lispac.language import gettext_lazy
+from lispac.messages import Message, as_message, error
+from lispac.progress import Progress, no_progress
+from lispac.project import Project
+from lispac.survey.cloud import Cloud
+from lispac.validation.line_differences import (
+    FACINGS,
+    Facing,
+    LineDifference,
+    compare_lines,
+)
+from lispac.validation.normal_distance import NMAD
+from lispac.workflow.output.georeferencing import Which
+from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+
+SEARCH_DISTANCE = 1.0
+"""Metres that lines may be apart: a prior boresight that is half a degree off moves a wall at 60 m
+by half a metre."""
+MIN_PLACES = 10
+"""Smallest number of places for a figure."""
+
+
+@dataclass(frozen=True)
+class DifferenceStatistics:
+    """Statistics of the differences at some places.
+
+    Attributes
+    ----------
+    places : int
+    median : float or None, metres
+        Along the normal, positive where the second line lies nearer to the vessel; None of several
+        pairs, since which line is the second is then nobody's.
+    rmsd : float, metres
+        Root mean square of the differences.
+    robust_sigma : float or None, metres
+        1.4826 times the median absolute deviation from the median; None where there is no median.
+    p95, largest : float, metres
+        Of the differences without their signs.
+    significant : float, in [0, 1]
+        Share of the places whose difference is more than the noise of the points.
+    """
+
+    places: int
+    median: float | None
+    rmsd: float
+    robust_sigma: float | None
+    p95: float
+    largest: float
+    significant: float
+
+    @classmethod
+    def of(cls, distance: Array, half_width: Array) -> "DifferenceStatistics":
+        """Summarise the differences at some places.
+
+        Parameters
+        ----------
+        distance, half_width : ndarray of shape (n,), metres
+            With half their 95 % intervals.
+        """
+        size, median = np.abs(distance), float(np.median(distance))
+        return cls(
+            len(distance),
+            median,
+            float(np.sqrt(np.mean(distance**2))),
+            NMAD * float(np.median(np.abs(distance - median))),
+            float(np.percentile(size, 95.0)),
+            float(size.max()),
+            float(np.mean(size > half_width)),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class LineQuality:
+    """Differences between the lines of a survey.
+
+    Attributes
+    ----------
+    which : placed with the prior or with the estimated boresight
+    pairs : of all lines that share a flat place
+    not_compared : why two lines were not
+    """
+
+    which: Which
+    pairs: tuple[LineDifference, ...]
+    not_compared: tuple[Message, ...]
+
+    def figures_of_pair(
+        self, pair: LineDifference, facing: Facing = "all"
+    ) -> DifferenceStatistics | None:
+        """Statistics of a pair; None if too few places face that way."""
+        own = pair.facing(facing)
+        return _difference_statistics([own])
+
+    def pooled_figures(self, facing: Facing = "all") -> DifferenceStatistics | None:
+        """Statistics of all pairs, with equal weight for each place."""
+        figures = _difference_statistics([pair.facing(facing) for pair in self.pairs])
+        return figures and replace(figures, median=None, robust_sigma=None)
+
+    def rows(self) -> list[tuple[str, str, Facing, DifferenceStatistics]]:
+        """All statistics: of each pair, then of all pairs together."""
+        found: list[tuple[str, str, Facing, DifferenceStatistics]] = []
+
+        def add(one: str, other: str, of: Callable[[Facing], DifferenceStatistics | None]) -> None:
+            for facing in FACINGS:
+                figures = of(facing)
+                if figures is not None:
+                    found.append((one, other, facing, figures))
+
+        for pair in self.pairs:
+            add(
+                pair.first,
+                pair.second,
+                lambda facing, pair=pair: self.figures_of_pair(pair, facing),  # type: ignore[misc]
+            )
+        if len(self.pairs) > 1:
+            add("all", "all", self.pooled_figures)
+        return found
+
+
+def _difference_statistics(parts: list[LineDifference]) -> DifferenceStatistics | None:
+    distance = np.concatenate([each.distance for each in parts])
+    if len(distance) < MIN_PLACES:
+        return None
+    return DifferenceStatistics.of(distance, np.concatenate([each.half_width for each in parts]))
+
+
+def line_quality(
+    project: Project,
+    survey: Survey,
+    *,
+    which: Which = "prior",
+    reach: float = SEARCH_DISTANCE,
+    progress: Progress = no_progress,
+) -> LineQuality:
+    """Compare every two lines of a survey on flat places, calibrated or not.
+
+    Parameters
+    ----------
+    which : lines as the prior boresight places them, or the estimated one
+    reach : float, metres
+        The farthest that two lines may be apart.
+
+    Raises
+    ------
+    InputError
+        A reach out of range.
+    NotComparable
+        Where no two lines share a flat place.
+    ProjectError
+        Where the estimated boresight is selected and there is none.
+    """
+    if not 0.0 < reach <= 10.0:
+        raise InputError(error("check.search_distance", distance=reach))
+    clouds = survey.placed(project, which)
+    points = {name: _finite_sample(cloud) for name, cloud in clouds.items()}
+    pairs = list(combinations(points, 2))
+    found, missed = [], []
+    for k, (one, other) in enumerate(pairs):
+        progress(k / len(pairs), gettext_lazy("Comparing {one} and {other}", one=one, other=other))
+        vessel = _mean_vessel_position(survey, one, other)
+        try:
+            found.append(
+                compare_lines(
+                    (one, points[one]), (other, points[other]), vessel,
+                    noise=project.settings.lidar_sigma, reach=reach,
+                )
+            )  # fmt: skip
+        except NotComparable as failure:
+            missed.append(as_message(failure.reason))
+    if not found:
+        raise NotComparable(error("check.no_common_place", project=project.name, distance=reach))
+    progress(1.0)
+    return LineQuality(which, tuple(found), tuple(missed))
+
+
+def _finite_sample(cloud: Cloud) -> Array:
+    sample = cloud.sample
+    return np.ascontiguousarray(sample[np.isfinite(sample).all(axis=1)])
+
+
+def _mean_vessel_position(survey: Survey, *lines: str) -> Array:
+    """Mean position of the vessel while it scanned some lines, shape (3,), metres."""
+    times = np.concatenate(
+        [np.linspace(survey.scans[n].first_time, survey.scans[n].last_time, 21) for n in lines]
+    )
+    middle: Array = survey.trajectory.at(times).position.mean(axis=0)
+    return middle

@@ -1,0 +1,376 @@
+"""References for the check of the lines: a static scan, or surveyed points and planes."""
+
+import hashlib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, PlaneNotFound
+from lispac.geometry.planes import Plane, extent_in_plane, fit_plane, plane_axes
+from lispac.io.points.static_scan import StaticScan, has_at_most_rows, open_static_scan
+from lispac.io.text.seed_file import MAX_ROWS, ListedPoint, read_point_list
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note, warning
+from lispac.progress import Progress, no_progress
+from lispac.project import Project
+from lispac.survey.crs import CoordinateSystem, coordinate_system
+from lispac.survey.store.spatial_cells import MAX_HALVINGS, is_number_in_sample
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.validation.absolute_check import Kind
+from lispac.workflow.calibration.seed_lists import columns_note
+from lispac.workflow.output.export_request import output_system_of
+from lispac.workflow.output.output_crs import LOCAL, trajectory_datum_of
+from lispac.workflow.project.coordinates import (
+    distances_from_trajectory,
+    require_near_trajectory,
+    to_local_frame,
+)
+from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+
+MAX_POINTS = 2_000_000
+"""Of a static scan; of more a fair sample is kept."""
+LARGEST_SIGMA = 0.2
+"""Metres; of a surveyed point, a larger one is rather one in millimetres."""
+LEAST_CELL = 1.0
+"""Metres: side of the cells that mark the part of a scan covered by the lines."""
+
+
+@dataclass(frozen=True, eq=False)
+class PlaneReference:
+    """A plane through surveyed points.
+
+    Attributes
+    ----------
+    name : str
+    points : ndarray of shape (k, 3), metres, local frame
+    plane : Plane
+    sigma : float, metres
+        Of the plane in the middle of its points.
+    """
+
+    name: str
+    points: Array
+    plane: Plane
+    sigma: float
+
+    @property
+    def width(self) -> float:
+        """The shorter side of what its points span, metres."""
+        return float(extent_in_plane(self.plane, self.points).min())
+
+    def grid(self, spacing: float) -> Array:
+        """Places on the plane within the hull of its points, shape (n, 3), metres, local frame.
+
+        Parameters
+        ----------
+        spacing : float, metres
+            Between them.
+        """
+        from scipy.spatial import Delaunay
+
+        axes, middle = plane_axes(self.plane.normal), self.points.mean(axis=0)
+        middle = middle - self.plane.distances(middle) * self.plane.normal
+        flat = (self.points - middle) @ axes.T
+        low, high = flat.min(axis=0), flat.max(axis=0)
+        across, up = (np.arange(low[k], high[k] + spacing / 2, spacing) for k in range(2))
+        places = np.stack(np.meshgrid(across, up), axis=-1).reshape(-1, 2)
+        return middle + places[Delaunay(flat).find_simplex(places) >= 0] @ axes
+
+
+@dataclass(frozen=True, eq=False)
+class Reference:
+    """A reference in the local frame.
+
+    Attributes
+    ----------
+    path : Path
+    size_bytes : int, sha256 : str
+    kind : {"scan", "points"}
+    system : str
+        As text.
+    sigma : float, metres
+        Of a scan, which all its points share; the usual one of points.
+    notes : tuple of Message or str
+        How it was read, and warnings about it.
+    surface : ndarray of shape (n, 3), metres, local frame
+        Points of a scan where the lines have been; none otherwise.
+    names : tuple of str
+        Of surveyed points that stand alone.
+    places : ndarray of shape (k, 3), metres, local frame
+    sigmas : ndarray of shape (k,), metres
+    planes : tuple of PlaneReference
+    """
+
+    path: Path
+    size_bytes: int
+    sha256: str
+    kind: Kind
+    system: str
+    sigma: float
+    notes: tuple[Message, ...]
+    surface: Array
+    names: tuple[str, ...]
+    places: Array
+    sigmas: Array
+    planes: tuple[PlaneReference, ...]
+
+
+def read_reference(
+    path: Path,
+    project: Project,
+    survey: Survey,
+    *,
+    sigma: float,
+    reach: float,
+    crs: str = "",
+    height: str = "",
+    trajectory_datum: str | None = None,
+    epoch: float | None = None,
+    progress: Progress = no_progress,
+) -> Reference:
+    """Read a reference and bring it into the local frame.
+
+    Parameters
+    ----------
+    sigma : float, metres
+        Of the scan, or of each point that the list states none for.
+    reach : float, metres
+        How far from the lines a scan is read.
+    crs : str
+        Coordinate system, or ``local``; empty: as the file states it, else the local frame.
+
+    Raises
+    ------
+    InputError
+        Where the file or its coordinates cannot be used.
+    """
+    path = Path(path)
+    found = open_static_scan(path)
+    listed = not found.system and _is_control_point_list(path, found)
+    if not crs and found.system and not height and trajectory_datum is None:
+        datum, year = trajectory_datum_of(project.lines)
+        system: CoordinateSystem | None = coordinate_system(
+            found.system, height_unit=found.height_unit, trajectory_datum=datum,
+            epoch=year if epoch is None else epoch,
+        )  # fmt: skip
+    else:
+        chosen = crs or found.system or LOCAL
+        system = output_system_of(
+            project, survey.trajectory, chosen, height, trajectory_datum, epoch
+        )
+    words = "the local frame" if system is None else system.name
+    notes: tuple[Message, ...] = (
+        note("assumed.local_frame")
+        if system is None
+        else note("assumed.list_system", system=words),
+        *(() if system is None else system.assumptions),
+        *(each for each in found.messages if not (crs and each.actions)),
+    )
+    with path.open("rb") as file:
+        digest = hashlib.file_digest(file, "sha256").hexdigest()
+    file_facts = (path, path.stat().st_size, digest)
+    if listed:
+        points, columns = _read_points(path, system, survey.trajectory)
+        names, places, sigmas, planes, messages = _group_points(points, sigma, path)
+        messages += _sigma_warnings([point for point, _ in points])
+        usual = float(np.median([*sigmas, *(p.sigma for p in planes)]))
+        return Reference(
+            *file_facts, "points", words, usual, (*notes, columns, *messages), np.zeros((0, 3)),
+            names, places, sigmas, planes,
+        )  # fmt: skip
+    surface, used = _read_surface(found, system, survey, project, reach, progress)
+    nothing = np.zeros((0, 3))
+    return Reference(
+        *file_facts, "scan", words, sigma, (*notes, used), surface, (), nothing, np.zeros(0), ()
+    )
+
+
+def _is_control_point_list(path: Path, scan: StaticScan) -> bool:
+    return not scan.is_cloud and has_at_most_rows(path, MAX_ROWS)
+
+
+def _read_points(
+    path: Path, system: CoordinateSystem | None, trajectory: LocalTrajectory
+) -> tuple[list[tuple[ListedPoint, Array]], Message]:
+    geographic = system is not None and system.is_geographic
+    metres = (1.0, 1.0, 1.0) if system is None else system.metres
+    found = read_point_list(
+        path, local=system is None, degrees=geographic, check=True, metres=metres
+    )
+    placed = []
+    for number, point in enumerate(found.points, start=1):
+        name = point.name or f"P{number}"
+        where = f"{path}, row {point.row}: {name}"
+        place = require_near_trajectory(np.array(point.coordinates), system, trajectory, where)
+        placed.append((point, place))
+    return placed, columns_note(found, system)
+
+
+def _group_points(
+    points: Sequence[tuple[ListedPoint, Array]], sigma: float, path: Path
+) -> tuple[tuple[str, ...], Array, Array, tuple[PlaneReference, ...], list[Message]]:
+    """Group surveyed points into single points and planes."""
+    alone = [(p.name or f"P{k}", x, sigma if p.sigma is None else p.sigma)
+             for k, (p, x) in enumerate(points, start=1) if not p.plane]  # fmt: skip
+    together: dict[str, list[tuple[Array, float]]] = {}
+    for point, place in points:
+        if point.plane:
+            own = sigma if point.sigma is None else point.sigma
+            together.setdefault(point.plane, []).append((place, own))
+    planes, uneven = [], []
+    for name, some in together.items():
+        plane, off = _plane_reference(
+            name, np.array([x for x, _ in some]), [s for _, s in some], path
+        )
+        planes.append(plane)
+        if off is not None:
+            uneven.append(off)
+    return (
+        tuple(name for name, _, _ in alone),
+        np.array([x for _, x, _ in alone]).reshape(-1, 3),
+        np.array([s for _, _, s in alone]),
+        tuple(planes),
+        uneven,
+    )
+
+
+def _sigma_warnings(points: Sequence[ListedPoint]) -> list[Message]:
+    """The warning about standard deviations that are probably not in metres; or none."""
+    large = [
+        (point.name or f"P{k}", point.sigma)
+        for k, point in enumerate(points, start=1)
+        if point.sigma is not None and point.sigma > LARGEST_SIGMA
+    ]
+    if not large:
+        return []
+    name, sigma = large[0]
+    limit = LARGEST_SIGMA
+    return [warning("reference.large_sigma", count=len(large), name=name, sigma=sigma, limit=limit)]
+
+
+def _plane_reference(
+    name: str, points: Array, sigmas: Sequence[float], path: Path
+) -> tuple[PlaneReference, Message | None]:
+    """A plane, and the warning about a point that does not lie on it.
+
+    Raises
+    ------
+    InputError
+        Where they make no plane.
+    """
+    from scipy.spatial import Delaunay, QhullError
+
+    if len(points) < 3:
+        raise InputError(
+            error("check.few_plane_points", file=str(path), plane=name, count=len(points))
+        )
+    own = np.maximum(np.array(sigmas), 1e-6)
+    try:
+        plane = fit_plane(points, 1 / own**2)
+        Delaunay((points - points.mean(axis=0)) @ plane_axes(plane.normal).T)
+    except (PlaneNotFound, QhullError) as failure:
+        raise InputError(error("check.points_in_one_row", file=str(path), plane=name)) from failure
+    flat = (points - points.mean(axis=0)) @ plane_axes(plane.normal).T
+    design = np.column_stack([np.ones(len(points)), flat])
+    covariance = np.linalg.inv(design.T @ (design / own[:, None] ** 2))
+    off = plane.distances(points)
+    worst = int(np.argmax(np.abs(off) / own))
+    found = PlaneReference(name, points, plane, float(np.sqrt(covariance[0, 0])))
+    if abs(off[worst]) <= 3 * own[worst]:
+        return found, None
+    distance, own_sigma = abs(off[worst]), own[worst]
+    return found, warning("reference.plane_off", plane=name, distance=distance, sigma=own_sigma)
+
+
+def _read_surface(
+    scan: StaticScan, system: CoordinateSystem | None, survey: Survey, project: Project,
+    reach: float, progress: Progress,
+) -> tuple[Array, Message]:  # fmt: skip
+    """The part of a scan where the lines have been, and its number of points.
+
+    Raises
+    ------
+    InputError
+        Where no point of it is near the lines.
+    """
+    seen = _VisibleCells.of(survey, project, reach)
+    parts: list[Array] = []
+    numbers: list[NDArray[np.int64]] = []
+    done = kept = halvings = 0
+    for chunk in scan.coordinate_chunks(local=system is None):
+        placed = to_local_frame(chunk, system, survey.trajectory)
+        if not done:
+            _require_same_site(scan.path, chunk, placed, system, survey.trajectory)
+        own = np.arange(done, done + len(chunk))
+        good = seen.contains(placed)
+        if halvings:
+            good &= is_number_in_sample(own, halvings)
+        parts.append(placed[good])
+        numbers.append(own[good])
+        done, kept = done + len(chunk), kept + int(good.sum())
+        while kept > MAX_POINTS and halvings < MAX_HALVINGS:
+            halvings += 1
+            chosen = [is_number_in_sample(some, halvings) for some in numbers]
+            parts = [part[which] for part, which in zip(parts, chosen, strict=True)]
+            numbers = [some[which] for some, which in zip(numbers, chosen, strict=True)]
+            kept = sum(map(len, parts))
+        progress(
+            0.5, gettext_lazy("Reading {file}: {count:n} points", file=scan.path.name, count=done)
+        )
+    if not kept:
+        raise InputError(error("check.reference_elsewhere", file=str(scan.path), distance=reach))
+    used = note(
+        "reference.points_used_sample" if halvings else "reference.points_used",
+        file=scan.path.name, used=kept, total=done, one_in=2**halvings,
+    )  # fmt: skip
+    return np.concatenate(parts), used
+
+
+def _require_same_site(
+    path: Path, chunk: Array, placed: Array, system: CoordinateSystem | None,
+    trajectory: LocalTrajectory,
+) -> None:  # fmt: skip
+    """Refuse a scan of another place, by the point of its first chunk that is nearest."""
+    step = max(1, len(placed) // 1000)
+    nearest = int(np.argmin(distances_from_trajectory(placed[::step], trajectory)))
+    require_near_trajectory(chunk[::step][nearest], system, trajectory, f"{path}")
+
+
+@dataclass(frozen=True, eq=False)
+class _VisibleCells:
+    """Cells of the local frame that contain points of the lines, and their neighbours."""
+
+    side: float
+    low: Array
+    counts: NDArray[np.int64]
+    cells: NDArray[np.int64]
+
+    @classmethod
+    def of(cls, survey: Survey, project: Project, reach: float) -> "_VisibleCells":
+        side = max(LEAST_CELL, reach)
+        seen = [
+            np.unique(np.floor(cloud.sample / side).astype(np.int64), axis=0)
+            for clouds in (survey.clouds, survey.placed(project, "estimated"))
+            for cloud in clouds.values()
+        ]
+        cells = np.unique(np.concatenate(seen), axis=0)
+        low = cells.min(axis=0) - 1
+        counts = cells.max(axis=0) + 2 - low
+        beside = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3), axis=-1).reshape(-1, 3)
+        wide = [np.ravel_multi_index((cells - low + b).T, counts) for b in beside]
+        return cls(side, low, counts, np.unique(np.concatenate(wide)))
+
+    def contains(self, points: Array) -> NDArray[np.bool_]:
+        """Which points, shape (n, 3), lie there; those that are not finite do not."""
+        at = np.floor(points / self.side) - self.low
+        inside = np.asarray(((at >= 0) & (at < self.counts)).all(axis=1))
+        found = np.zeros(len(points), dtype=bool)
+        keys = np.ravel_multi_index(at[inside].astype(np.int64).T, self.counts)
+        where = np.minimum(np.searchsorted(self.cells, keys), len(self.cells) - 1)
+        found[inside] = self.cells[where] == keys
+        return found

@@ -1,0 +1,98 @@
+"""Dependence of the result on the subsampling distance (thesis table 4.3).
+
+With errors that a sighting's points have in common, more points of the same sightings soon add
+no information, and only take time.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, ProjectError
+from lispac.language import gettext_lazy
+from lispac.messages import error
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import Project
+from lispac.workflow.calibration.estimation import adjust_selected, reselect_points
+from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+
+DISTANCES = (0.0, 0.05, 0.10, 0.15, 0.20)
+"""Metres: all points, the thesis's distances, and one more."""
+
+
+@dataclass(frozen=True, eq=False)
+class SubsamplingResult:
+    """Result with one subsampling distance.
+
+    Attributes
+    ----------
+    distance : float, metres; 0 for all points
+    points : int
+        That took part; averaged ones count once.
+    boresight, sigma : ndarrays of shape (3,), radians
+    seconds : float
+        The adjustment took; the selection of the points, the same for all, is not in it.
+    """
+
+    distance: float
+    points: int
+    boresight: Array
+    sigma: Array
+    seconds: float
+
+
+def subsampling_study(
+    project: Project,
+    survey: Survey,
+    distances: Sequence[float] = DISTANCES,
+    *,
+    progress: Progress = no_progress,
+) -> tuple[SubsamplingResult, ...]:
+    """Adjust the project's targets for each distance, without changing the project.
+
+    Parameters
+    ----------
+    distances : metres; 0 for all points
+
+    Raises
+    ------
+    InputError
+        No distance, or a negative one.
+    ProjectError
+        No target has been picked.
+    AdjustmentError
+        Where targets and lines cannot give a result.
+    """
+    if not distances or not all(0.0 <= distance < np.inf for distance in distances):
+        raise InputError(error("estimate.point_spacing"))
+    if not project.targets_of_role("target"):
+        raise ProjectError(error("estimate.no_target", project=project.name))
+    chosen = sorted(set(distances))
+    selected = reselect_points(project, survey, progress=sub_progress(progress, 0.0, 0.4))
+    found = []
+    for k, distance in enumerate(chosen):
+        step = sub_progress(
+            progress, 0.4 + 0.6 * k / len(chosen), 0.4 + 0.6 * (k + 1) / len(chosen)
+        )
+        step(
+            0.0, gettext_lazy("Adjusting with a point spacing of {distance:m} m", distance=distance)
+        )
+        settings = replace(project.settings, subsample=distance)
+        started = perf_counter()
+        solved = adjust_selected(
+            project.with_settings(settings), selected, survey,
+            cross_check=False, advise=False, progress=step,
+        )  # fmt: skip
+        seconds = perf_counter() - started
+        result = solved.result
+        assert result is not None
+        found.append(
+            SubsamplingResult(distance, result.points, result.boresight, result.sigma, seconds)
+        )
+    progress(1.0)
+    return tuple(found)

@@ -1,0 +1,146 @@
+"""Sections of a survey, before and after."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import ProjectError
+from lispac.language import gettext_lazy
+from lispac.messages import error
+from lispac.progress import Progress, no_progress
+from lispac.project import Project, Target
+from lispac.survey.cloud import Cloud, Line
+from lispac.targets.cross_section import (
+    Section,
+    common_normal,
+    section_across_target,
+    section_between,
+)
+from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+Which = Literal["prior", "estimated"]
+
+
+@dataclass(frozen=True, eq=False)
+class SectionPoints:
+    """A section through the lines in one placement.
+
+    Attributes
+    ----------
+    section : Section
+        Where it was laid.
+    points : ndarray of shape (n, 2) by line, metres, to the right and upwards of the middle
+    separation : float or None, metres
+        Along a plane's normal, the greatest distance between two lines; None without a plane.
+    """
+
+    which: Which
+    section: Section
+    points: Mapping[str, Array]
+    separation: float | None = None
+
+
+def section_at_target(
+    project: Project,
+    survey: Survey,
+    name: str,
+    *,
+    level: bool = False,
+    size: float = 2.0,
+    thickness: float = 0.2,
+    progress: Progress = no_progress,
+) -> tuple[SectionPoints, ...]:
+    """Lay a strip across a target, before and, where there is a result, after.
+
+    Both have the same directions and lie through the middle that the target has in them; what
+    all lines move together is not seen.
+
+    Parameters
+    ----------
+    level, size, thickness : see `section_across_target`
+
+    Raises
+    ------
+    ProjectError
+        Where there is no such target, or it has no points.
+    """
+    target = project.target(name)
+    groups = {
+        which: _sighting_points(target, clouds) for which, clouds in _placements(project, survey)
+    }
+    latest = list(groups.values())[-1]
+    if not latest:
+        raise ProjectError(error("section.no_points", target=name))
+    normal = common_normal(latest.values())
+    ends = np.concatenate([_end_times(survey.scans[line]) for line in latest])
+    viewpoint = survey.trajectory.at(ends).position.mean(axis=0)
+    cuts = []
+    for which, clouds in _placements(project, survey):
+        middles = {line: points.mean(axis=0) for line, points in groups[which].items()}
+        centre = np.mean(list(middles.values()), axis=0)
+        section = section_across_target(
+            centre, normal, viewpoint, level=level, size=size, thickness=thickness
+        )
+        cut = _section_points(which, clouds, section, progress)
+        if target.shape == "plane":
+            offsets = [float((middle - centre) @ normal) for middle in middles.values()]
+            cut = replace(cut, separation=float(np.ptp(offsets)))
+        cuts.append(cut)
+    return tuple(cuts)
+
+
+def cut_between_points(
+    project: Project,
+    survey: Survey,
+    first: Array,
+    second: Array,
+    *,
+    height: float | None = None,
+    thickness: float = 0.2,
+    progress: Progress = no_progress,
+) -> tuple[SectionPoints, ...]:
+    """Lay an upright strip from one point to another, at the same place before and after.
+
+    Parameters
+    ----------
+    first, second, height, thickness : see `section_between`
+
+    Raises
+    ------
+    InputError
+        Where the points lie above each other.
+    """
+    section = section_between(first, second, height=height, thickness=thickness)
+    return tuple(
+        _section_points(which, clouds, section, progress)
+        for which, clouds in _placements(project, survey)
+    )
+
+
+def _placements(project: Project, survey: Survey) -> list[tuple[Which, Mapping[str, Cloud]]]:
+    placements: list[tuple[Which, Mapping[str, Cloud]]] = [("prior", survey.clouds)]
+    if project.result is not None:
+        placements.append(("estimated", survey.placed(project, "estimated")))
+    return placements
+
+
+def _sighting_points(target: Target, clouds: Mapping[str, Cloud]) -> dict[str, Array]:
+    return {s.line: clouds[s.line][s.indices] for s in target.sightings if len(s.indices)}
+
+
+def _end_times(line: Line) -> Array:
+    return np.array([line.first_time, line.last_time])
+
+
+def _section_points(
+    which: Which, clouds: Mapping[str, Cloud], section: Section, progress: Progress
+) -> SectionPoints:
+    points = {}
+    for k, (line, cloud) in enumerate(clouds.items()):
+        progress(k / len(clouds), gettext_lazy("Computing the section of {line}", line=line))
+        points[line] = section.cut_points(cloud)
+    return SectionPoints(which, section, points)

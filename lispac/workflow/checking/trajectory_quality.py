@@ -1,0 +1,40 @@
+"""Quality of the trajectory on each line."""
+
+import numpy as np
+
+from lispac.report.trajectory_values import LineTrajectorySummary
+from lispac.workflow.project.survey import Survey
+
+
+def trajectory_on_lines(survey: Survey) -> tuple[LineTrajectorySummary, ...]:
+    """Motion and accuracy of the trajectory on each line that it covers for two states."""
+    found = []
+    for name, scan in survey.scans.items():
+        times = survey.trajectory.time
+        # The states on both sides of the line's first and last time belong to it.
+        first = max(int(np.searchsorted(times, scan.first_time, side="right")) - 1, 0)
+        last = min(int(np.searchsorted(times, scan.last_time)) + 1, len(times))
+        own = slice(first, last)
+        if last - first < 2:
+            continue
+        times = times[own]
+        steps = np.diff(times)
+        way = np.linalg.norm(np.diff(survey.trajectory.position[own], axis=0), axis=1).sum()
+        motion = np.degrees(survey.trajectory.attitude[own, :2]).std(axis=0)
+        position, attitude = survey.accuracy.at(times)
+        angles = np.degrees(attitude)
+        found.append(
+            LineTrajectorySummary(
+                line=name,
+                duration_s=scan.last_time - scan.first_time,
+                speed_m_s=float(way / (times[-1] - times[0])),
+                interval_s=float(np.median(steps)),
+                longest_gap_s=float(steps.max()),
+                motion_deg=(float(motion[0]), float(motion[1])),
+                sigma_horizontal_m=float(np.hypot(position[:, 0], position[:, 1]).max()),
+                sigma_vertical_m=float(position[:, 2].max()),
+                sigma_roll_pitch_deg=float(angles[:, :2].max()),
+                sigma_heading_deg=float(angles[:, 2].max()),
+            )
+        )
+    return tuple(found)

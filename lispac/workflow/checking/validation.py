@@ -1,0 +1,97 @@
+"""Distances of the lines on planes not used in the adjustment, before and after."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from lispac.errors import NotComparable, ProjectError
+from lispac.language import gettext_lazy
+from lispac.messages import Message, as_message, error
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import Project
+from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
+from lispac.validation.plane_comparison import PlaneComparison, compare_plane
+from lispac.workflow.project.survey import Survey
+
+
+def validate(
+    project: Project,
+    survey: Survey,
+    *,
+    model: LocalModel = SIX_POINT_PLANE,
+    progress: Progress = no_progress,
+) -> Project:
+    """Compare the lines on every validation plane with the prior and the estimated boresight.
+
+    Parameters
+    ----------
+    model : LocalModel
+        What stands for the surface between the points of a line.
+
+    Raises
+    ------
+    ProjectError
+        Where nothing was estimated, or there is no validation plane.
+    NotComparable
+        Where no plane is seen in common by two lines; one of several such planes is named in
+        ``not_compared`` instead.
+    """
+    placed = survey.placed(project, "estimated")
+    planes = [plane for plane in project.targets_of_role("validation") if plane.used]
+    if not planes:
+        raise ProjectError(error("validate.no_planes", project=project.name))
+    comparisons: list[PlaneComparison] = []
+    not_compared: dict[str, Message] = {}
+    reasons: list[Message | str] = []
+    for k, plane in enumerate(planes):
+        step = sub_progress(progress, k / len(planes), (k + 1) / len(planes))
+        step(0.0, gettext_lazy("Comparing the lines on {target}", target=plane.name))
+        before, after, ranges = {}, {}, {}
+        for sighting in plane.used_sightings:
+            before[sighting.line] = survey.clouds[sighting.line][sighting.indices]
+            after[sighting.line] = placed[sighting.line][sighting.indices]
+            points_lidar, _ = survey.scans[sighting.line].take(sighting.indices)
+            ranges[sighting.line] = np.linalg.norm(points_lidar, axis=1)
+        facing = survey.trajectory.position.mean(axis=0) - np.array(plane.seed)
+        try:
+            comparisons.append(
+                compare_plane(
+                    plane.name, before, after, survey.heading, model=model, facing=facing,
+                    ranges=ranges, progress=step,
+                )
+            )  # fmt: skip
+        except NotComparable as failure:
+            not_compared[plane.name] = as_message(failure.reason)
+            reasons.append(failure.reason)
+    if not comparisons:
+        refusal = reasons[0]
+        for reason in reasons[1:]:
+            refusal = error("validate.also", first=refusal, reason=reason)
+        raise NotComparable(refusal)
+    return project.with_validation(tuple(comparisons), not_compared)
+
+
+def validate_with_truth(
+    project: Project, survey: Survey, *, progress: Progress = no_progress
+) -> tuple[PlaneComparison, ...]:
+    """Compare the lines on the validation planes with the simulated true boresight as "after".
+
+    What is left between the lines then is the POS error of each of them, which no boresight
+    removes: a result cannot be better than that.
+
+    Parameters
+    ----------
+    project : Project
+        Simulated, and validated: what distances are measured to is taken from it.
+
+    Raises
+    ------
+    ProjectError
+        The survey is not a simulated one, or has not been validated.
+    """
+    if project.truth_deg is None or project.result is None or not project.validation:
+        raise ProjectError(error("validate.not_simulated", project=project.name))
+    true = project.result.mounting.with_boresight(np.radians(project.truth_deg))
+    placed = project.with_result(replace(project.result, mounting=true))
+    model = project.validation[0].model
+    return validate(placed, survey, model=model, progress=progress).validation

@@ -1,0 +1,171 @@
+"""All warnings about an open project in one list, each with its cause.
+
+No rules are applied here: the list contains the messages about the files, the
+sightings, the adjustment, the validation and the checks.
+"""
+
+from collections.abc import Iterator, Mapping
+from datetime import UTC, datetime
+
+import numpy as np
+
+from lispac.adjustment import outdated_result
+from lispac.duplicate_targets import all_warnings
+from lispac.messages import Level, Message, note, sort_by_level, warning
+from lispac.project import Project
+from lispac.report.content import report_content
+from lispac.report.report_warnings import report_warnings
+from lispac.survey.lever_arm_warnings import lever_arm_warnings
+from lispac.survey.line_source import printable
+from lispac.targets.sighting_quality import SightingQuality
+from lispac.warning_causes import Cause
+from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
+from lispac.workflow.project.survey import Survey
+
+DATA, ADJUST = Cause.of_step("Data"), Cause.of_step("Adjust")
+
+LISTED_SINGLY = {
+    "report.sightings", "report.not_found_target", "report.not_found_plane", "report.not_compared",
+}  # fmt: skip
+"""Codes of a report that sum up what is a message each here."""
+OF_A_REPORT = {"report.not_calibrated"}
+"""Codes for a report only: in the window the steps show what remains to be done."""
+
+
+def warnings_of(
+    project: Project,
+    survey: Survey | None,
+    qualities: Mapping[tuple[str, str], SightingQuality] | None = None,
+    *,
+    refusal: Message | str = "",
+    refused_since: Message | str = "",
+    outdated: bool = False,
+    storage: Message | None = None,
+) -> tuple[Message, ...]:
+    """All warnings, then all notes, in the order of the work; assumptions last.
+
+    Parameters
+    ----------
+    survey : Survey or None
+        None while the data are not loaded.
+    qualities : of the sightings, by the names of target and line, as far as they are known
+    refusal : why no result follows from the last edit
+    refused_since : why an estimate after the result was refused
+    outdated : whether there was a result that an edit has dropped
+    storage : why no recovery copy of unsaved changes is written
+    """
+    if survey is not None:
+        project = project.with_data_messages(survey.messages)
+    found = [
+        *_storage_warning(storage),
+        *lever_arm_warnings(project.settings.lever_arm),
+        *_trajectory_gaps(project, survey),
+        *_poor_sightings(project, qualities or {}),
+        *_target_notes(project, survey),
+        *_refusal_warning(refusal, outdated and project.result is None),
+        *_result_warnings(
+            project,
+            (outdated_result.outdated_result_warning(refused_since),) if refused_since else (),
+        ),
+        *_planes_not_compared(project),
+        *_reading_notes(project, survey),
+        *_targets_not_found(project),
+    ]
+    return sort_by_level(found)
+
+
+def _storage_warning(storage: Message | None) -> Iterator[Message]:
+    if storage is not None:
+        yield warning("project.storage", reason=storage, subject=DATA)
+
+
+def _trajectory_gaps(project: Project, survey: Survey | None) -> Iterator[Message]:
+    """Gaps of the trajectory that are not interpolated."""
+    if survey is None:
+        return
+    steps, limit = np.diff(survey.trajectory.time), project.settings.longest_gap
+    if count := int((steps > limit).sum()):
+        longest = float(steps.max())
+        yield note(
+            "project.trajectory_gaps", count=count, limit=limit, longest=longest, subject=DATA
+        )
+
+
+def _reading_notes(project: Project, survey: Survey | None) -> Iterator[Message]:
+    """Notes on assumptions and exclusions while the files were read."""
+    if survey is None:
+        return
+    for each in survey.notes:
+        yield note("project.import_note", reason=each, subject=_file_cause(project, each))
+    for message in survey.messages:  # warnings come with those about the result
+        if message.level is Level.NOTE:
+            yield message
+
+
+def _file_cause(project: Project, about: Message) -> Cause:
+    """Cause of a note about a file: its line, else the data."""
+    lines = [
+        line for line in project.lines
+        if about.params.get("file") in (printable(line.path.name), str(line.path))
+    ]  # fmt: skip
+    return Cause.of_line(lines[0].name) if len(lines) == 1 else DATA
+
+
+def _poor_sightings(
+    project: Project, qualities: Mapping[tuple[str, str], SightingQuality]
+) -> Iterator[Message]:
+    for target in project.targets:
+        for sighting in target.used_sightings:
+            quality = qualities.get((target.name, sighting.line))
+            if quality is not None and quality.rating != "good":
+                is_poor = quality.rating == "poor"
+                yield note(
+                    "project.poor_sighting" if is_poor else "project.doubtful_sighting",
+                    target=target.name, line=sighting.line, reasons=quality.reasons,
+                    subject=Cause.of_sighting(target.name, sighting.line),
+                )  # fmt: skip
+
+
+def _targets_not_found(project: Project) -> Iterator[Message]:
+    for target in project.targets:
+        for line, reason in target.missing.items() if target.used else ():
+            yield note(
+                "project.not_found_on_line",
+                target=target.name, line=line, reason=reason,
+                subject=Cause.of_sighting(target.name, line),
+            )  # fmt: skip
+
+
+def _target_notes(project: Project, survey: Survey | None) -> Iterator[Message]:
+    """Notes on targets that an estimation would refuse, before there is a result."""
+    if project.result is not None:
+        return
+    used = [target for target in project.targets_of_role("target") if target.used]
+    if len(used) == 1:
+        yield note("project.single_target", subject=Cause.of_target(used[0].name))
+    if survey is not None and do_targets_face_one_way(project, survey):
+        yield note("project.one_facing", subject=Cause.of_target(used[-1].name))
+
+
+def _refusal_warning(refusal: Message | str, outdated: bool) -> Iterator[Message]:
+    if refusal:
+        yield warning("project.refused", reason=refusal, subject=ADJUST)
+    elif outdated:
+        yield note("project.out_of_date", subject=ADJUST)
+
+
+def _result_warnings(project: Project, also: tuple[Message, ...]) -> Iterator[Message]:
+    """Warnings about the result, without those that only a report needs."""
+    content = report_content(
+        project, headings_deg={}, counts={}, track_local={}, notes=(),
+        generated=datetime.now(UTC), digests=False,
+    )  # fmt: skip
+    yield from all_warnings(project, also)
+    for message in report_warnings(content, ()):
+        if message.code not in LISTED_SINGLY | OF_A_REPORT:
+            yield message
+
+
+def _planes_not_compared(project: Project) -> Iterator[Message]:
+    for name, reason in project.not_compared.items():
+        yield note("report.not_compared", reason=reason, subject=Cause.of_target(name))

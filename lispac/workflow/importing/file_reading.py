@@ -1,0 +1,266 @@
+"""Reading the files of a survey in their formats, and checking a file before it is used."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.geometry.frames import LocalFrame
+from lispac.io.files import message_with_file_name, require_file
+from lispac.io.format_types import LIKELY, Choice, FileFormat, FilePreview, Kind
+from lispac.io.formats import format_of, is_las, recognise_formats
+from lispac.io.las.las_format import ASSUMPTIONS as LAS_ASSUMPTIONS
+from lispac.io.points.point_reader_common import (
+    CHOOSE_FRAME,
+    NO_SYSTEM,
+    SCANNER,
+    crs_of_options,
+    require_not_empty,
+)
+from lispac.io.points.static_scan import has_no_time
+from lispac.io.trajectory.sbet import read_sbet, read_smrmsg
+from lispac.messages import Message, error, note, warning
+from lispac.project import LineSource, Project, Reading
+from lispac.survey.line_source import printable
+from lispac.survey.trajectory import LocalTrajectory, Trajectory, TrajectoryAccuracy
+
+MAX_ORIGIN_DISTANCE = 100_000.0
+"""Metres; beyond, a plane tangent at the origin is no frame for the site."""
+WORDS: Mapping[Kind, str] = {
+    "trajectory": "trajectory", "accuracy": "trajectory accuracy", "points": "line",
+}  # fmt: skip
+_NOT_OF_KIND: Mapping[Kind, str] = {
+    "trajectory": "import.not_trajectory_format",
+    "accuracy": "import.not_accuracy_format",
+    "points": "import.not_line_format",
+}
+_UNKNOWN_OF_KIND: Mapping[Kind, str] = {
+    "trajectory": "import.unknown_trajectory_format",
+    "accuracy": "import.unknown_accuracy_format",
+    "points": "import.unknown_line_format",
+}
+
+
+@dataclass(frozen=True)
+class FileCheck:
+    """Preview of a file in one format that it may have.
+
+    Attributes
+    ----------
+    format : FileFormat
+    confidence : float, 0 to 1
+    finding : FilePreview or None
+    error : Message or None
+        Why it cannot be read, where there is no finding.
+    """
+
+    format: FileFormat
+    confidence: float
+    finding: FilePreview | None
+    error: Message | None = None
+
+
+def check_file(
+    path: Path, kinds: tuple[Kind, ...] = ("trajectory", "accuracy", "points")
+) -> list[FileCheck]:
+    """Check a file in each format that it may have, the most likely first.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing or empty, no format knows it, or it is a cloud without time.
+    """
+    path = require_not_empty(Path(path), "survey")
+    found = [(format, sure) for kind in kinds for format, sure in recognise_formats(path, kind)]
+    if has_no_time(path, or_text=not found):
+        raise InputError(error("import.points_without_time", file=str(path)))
+    if not found:
+        raise InputError(error("import.unknown_format", file=str(path)))
+    found.sort(key=lambda pair: -pair[1])
+    surest = found[0][1]
+    return [
+        _check_format(path, format, sure) for format, sure in found if sure >= min(surest, LIKELY)
+    ]
+
+
+def _check_format(path: Path, format: FileFormat, sure: float) -> FileCheck:
+    try:
+        return FileCheck(format, sure, format.preview(path, {}))
+    except InputError as refused:
+        return FileCheck(format, sure, None, message_with_file_name(refused, path))
+
+
+def preview_with_options(path: Path, format: FileFormat, given: Choice) -> FilePreview:
+    """Preview of a file with the options that the user gives.
+
+    There is no warning about a missing coordinate system where one is given, and a warning where
+    the one given is not used.
+
+    Raises
+    ------
+    InputError
+        As the format's own examination.
+    """
+    finding = format.preview(path, given)
+    crs = str(given.get("crs", ""))
+    if format.kind != "points" or not crs:
+        return finding
+    if {**finding.choice, **given}.get("frame", SCANNER) != SCANNER:
+        kept = tuple(each for each in finding.file_warnings if each.code != NO_SYSTEM)
+        return replace(finding, file_warnings=kept)
+    unused = warning(
+        "points.unused_system", file=printable(path.name), system=crs, actions=(CHOOSE_FRAME,)
+    )
+    return replace(finding, file_warnings=(*finding.file_warnings, unused))
+
+
+def detect_reading(path: Path, kind: Kind, reading: Reading) -> tuple[Reading, tuple[Message, ...]]:
+    """Complete how a file is read: the given options, and the detected ones for the rest.
+
+    Returns
+    -------
+    reading : Reading
+    messages : tuple of Message
+        Warnings, and a note on the options that were detected.
+
+    Raises
+    ------
+    InputError
+        Where the file is missing, its format not known, or an option is none of it.
+    """
+    path = require_file(Path(path), WORDS[kind])
+    if reading.format:
+        format = format_of(reading.format)
+        if format.kind != kind:
+            raise InputError(error(_NOT_OF_KIND[kind], file=str(path), format=format.name))
+    else:
+        found = recognise_formats(path, kind)
+        if not found:
+            raise InputError(error(_UNKNOWN_OF_KIND[kind], file=str(path)))
+        format = found[0][0]
+    given = dict(reading.options)
+    finding = preview_with_options(path, format, given)
+    choice = format.resolved({**finding.choice, **given})
+    messages = list(finding.file_warnings)
+    detected = [f"{name}={value}" for name, value in choice.items() if value and name not in given]
+    if detected:
+        file = printable(path.name)
+        messages.append(note(READ_AS, file=file, format=format.name, options=detected))
+    options = tuple((name, str(value)) for name, value in choice.items() if value != "")
+    return replace(reading, format=format.key, options=options), tuple(messages)
+
+
+READ_AS = "import.read_as"
+"""Code of the note on the options that were detected."""
+
+
+def usual_or_detected_reading(
+    path: Path, kind: Kind, given_reading: Reading, *, columns: bool = False
+) -> tuple[Reading, tuple[Message, ...]]:
+    """Complete how a file is read, or keep the defaults if the file agrees with them.
+
+    Parameters
+    ----------
+    columns : bool
+        Whether the columns of a text file are named.
+
+    Raises
+    ------
+    InputError
+    """
+    if columns and not given_reading.format and not given_reading.options:
+        found = recognise_formats(path, kind)
+        if not found or found[0][0].key == "text":
+            return given_reading, ()
+    if not given_reading.format and not given_reading.options and not recognise_formats(path, kind):
+        return given_reading, ()  # the usual reader gives the best message for a damaged file
+    reading, messages = detect_reading(path, kind, given_reading)
+    usual = USUAL[kind]
+    own = reading.format == usual and not given_reading.format and not given_reading.options
+    if own and _agrees_with_usual(reading, usual):
+        kept = tuple(each for each in messages if each.code != READ_AS)
+        return replace(reading, format="", options=()), kept
+    return reading, messages
+
+
+USUAL: Mapping[Kind, str] = {"trajectory": "sbet", "accuracy": "smrmsg", "points": "las"}
+"""Formats with default options of the program."""
+
+BESIDE = ("axes", "time", "time_base", "crs", "height_unit")
+"""Options that change nothing of how points in the LiDAR frame, or poses, are read: what follows
+from time bases is a shift of the line's times (`shift_lines_to_trajectory`)."""
+
+
+def _agrees_with_usual(reading: Reading, key: str) -> bool:
+    usual = {name: value for name, value in format_of(key).resolved({}).items() if value != ""}
+    found = dict(reading.options)
+    return {k: v for k, v in found.items() if k not in BESIDE} == {
+        k: v for k, v in usual.items() if k not in BESIDE
+    }
+
+
+def read_trajectory(path: Path, reading: Reading) -> Trajectory:
+    """Read a trajectory, by default as SBET in Applanix's convention.
+
+    Raises
+    ------
+    InputError
+    """
+    if not reading.format:
+        return read_sbet(path).with_positions_only()
+    found = format_of(reading.format).read(Path(path), dict(reading.options))
+    assert isinstance(found, Trajectory)
+    return found.with_positions_only()
+
+
+def local_trajectory(project: Project) -> tuple[LocalTrajectory, tuple[Message, ...]]:
+    """The trajectory of a project in its local frame, and the assumptions of its reading.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be read, or the local frame's origin is far from it.
+    """
+    raw = read_trajectory(project.trajectory, project.trajectory_reading)
+    frame = raw.mean_frame()
+    if project.settings.origin_deg_m is not None:
+        latitude, longitude, height = project.settings.origin_deg_m
+        frame = LocalFrame(float(np.radians(latitude)), float(np.radians(longitude)), height)
+    trajectory = LocalTrajectory.of(raw, frame, project.settings.longest_gap)
+    distance = float(np.linalg.norm(trajectory.position[0]))
+    if distance > MAX_ORIGIN_DISTANCE:
+        raise InputError(error("import.origin_too_far", project=project.name, distance=distance))
+    return trajectory, raw.assumptions
+
+
+def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:
+    """Read a trajectory's accuracies, by default as smrmsg.
+
+    Raises
+    ------
+    InputError
+    """
+    if not reading.format:
+        return read_smrmsg(path)
+    found = format_of(reading.format).read(Path(path), dict(reading.options))
+    assert isinstance(found, TrajectoryAccuracy)
+    return found
+
+
+def format_of_line(line: LineSource) -> tuple[FileFormat, Choice, tuple[Message, ...]]:
+    """Format of a line, its options, and the assumptions of its reader."""
+    if line.reading.format:
+        format = format_of(line.reading.format)
+        choice: Choice = format.resolved(dict(line.reading.options))
+        assumed: tuple[Message, ...] = (
+            note("assumed.format", file=printable(line.path.name), format=format.name),
+        )
+        if crs_of_options(choice, line.path) is None:
+            assumed += (note("assumed.scanner_frame"),)
+        return format, choice, assumed
+    if is_las(line.path):
+        return format_of("las"), {}, LAS_ASSUMPTIONS
+    options = {"columns": " ".join(line.columns)}
+    return format_of("text"), options, (note("assumed.metres_in_scanner_frame"),)

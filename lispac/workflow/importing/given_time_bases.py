@@ -1,0 +1,151 @@
+"""Time shifts of lines that follow from given time bases."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from lispac.errors import InputError
+from lispac.io.format_types import Choice, FileFormat
+from lispac.io.formats import format_of, has_suggested_time_base
+from lispac.io.points.line_times import read_line_times
+from lispac.messages import Message, error, note
+from lispac.project import LineSource, Reading
+from lispac.survey.known_time_base import (
+    KnownTimeBase,
+    known_base_notes,
+    matches_of_known_bases,
+    no_overlap_error,
+    time_base_error,
+)
+from lispac.survey.line_source import RESTART, printable
+from lispac.survey.time_base import base_of_key
+from lispac.survey.time_rollover import NONE
+from lispac.workflow.importing.file_reading import USUAL, format_of_line, read_trajectory
+
+SHIFT_TOLERANCE = 1e-3
+"""Seconds that a typed shift may differ from the one that follows, to be the same."""
+
+
+def known_time_base(
+    format: FileFormat, path: Path, choice: Choice, option: str, *, given: bool
+) -> KnownTimeBase:
+    """The time base of a file.
+
+    Parameters
+    ----------
+    option : str
+        Its name among the options of the format.
+    given : bool
+        Whether ``choice`` names it because the user does.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be examined.
+    """
+    base_key = str(choice.get(option, ""))
+    if not base_key:
+        found = format.resolved({**format.preview(path, choice).choice, **choice})
+        base_key, given = str(found.get(option, "")), False
+    suggested = not given and has_suggested_time_base(format)
+    return KnownTimeBase(base_of_key(base_key) if base_key else None, given, suggested)
+
+
+def has_given_time_base(trajectory: Path, reading: Reading) -> bool:
+    """True if the reading of a trajectory gives a time base that its file does not contain.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be examined.
+    """
+    kept = dict(reading.options)
+    given = kept.pop("time", "")
+    if not given:
+        return False
+    format = format_of(reading.format or USUAL["trajectory"])
+    found = format.resolved({**format.preview(trajectory, kept).choice, **kept})
+    return given != str(found.get("time", ""))
+
+
+def shift_lines_to_trajectory(
+    lines: Sequence[LineSource],
+    given_readings: Sequence[Reading],
+    trajectory: Path,
+    trajectory_reading: Reading,
+    *,
+    trajectory_given: bool,
+) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
+    """Give lines the time shift that follows from the given time bases.
+
+    Parameters
+    ----------
+    lines : sequence of LineSource
+        Complete reading options.
+    given_readings : sequence of Reading
+        Given by the user for each.
+    trajectory_reading : Reading
+        Complete reading options.
+    trajectory_given : bool
+        Whether the user gives the time base of the trajectory.
+
+    Returns
+    -------
+    lines : tuple of LineSource
+        Those that nothing follows for as they came.
+    notes : tuple of Message
+
+    Raises
+    ------
+    InputError
+        Where the times cannot be what is given, or a shift is given besides that differs from
+        the one that follows.
+    """
+    bases = [dict(reading.options).get("time_base", "") for reading in given_readings]
+    if not any(bases) and not trajectory_given:
+        return tuple(lines), ()
+    track = read_trajectory(trajectory, trajectory_reading).time
+    other = known_time_base(
+        format_of(trajectory_reading.format or USUAL["trajectory"]), trajectory,
+        dict(trajectory_reading.options), "time", given=trajectory_given,
+    )  # fmt: skip
+    shifted_lines: list[LineSource] = []
+    notes: list[Message] = []
+    for line, base in zip(lines, bases, strict=True):
+        shifted_lines.append(line)
+        if not base and not trajectory_given:
+            continue
+        format, choice, _ = format_of_line(line)
+        own = known_time_base(format, line.path, choice, "time_base", given=bool(base))
+        choice = {**choice, RESTART: line.reading.restart or NONE}
+        times = read_line_times(line.path, format, choice).sample
+        if wrong := time_base_error(times, own, str(line.path)):
+            raise InputError(wrong)
+        found = matches_of_known_bases(times, track, own, other)
+        typed = line.reading.time_shift
+        if found is None:
+            if own.base is None and not typed:
+                file = printable(line.path.name)
+                notes.append(note("import.base_assumed", file=file, base=other.message))
+            continue
+        if not found:
+            if not typed:
+                raise InputError(no_overlap_error(own, other, times, track, str(line.path)))
+            continue
+        shift = found[0].shift
+        if typed:
+            if all(abs(typed - match.shift) > SHIFT_TOLERANCE for match in found):
+                raise InputError(
+                    error(
+                        "import.shift_contradicts_base",
+                        file=str(line.path),
+                        given=typed,
+                        needed=shift,
+                        base=own.message,
+                        trajectory_base=other.message,
+                    )
+                )
+        elif shift:
+            shifted_lines[-1] = replace(line, reading=replace(line.reading, time_shift=shift))
+            notes += known_base_notes(found, own, other, printable(line.path.name))
+    return tuple(shifted_lines), tuple(notes)

@@ -1,0 +1,117 @@
+"""Columns of text files: possible meanings, missing ones, and remembered layouts."""
+
+from collections.abc import Sequence
+
+from lispac.io.format_types import FileFormat, FilePreview
+from lispac.io.text.text_layout import REQUIRED
+from lispac.io.trajectory.ascii_trajectory import COLUMNS_ASSUMED
+from lispac.io.trajectory.trajectory_columns import ROLES, SIGMAS
+from lispac.language import N_
+from lispac.messages import Message, note
+from lispac.workflow.importing.file_reading import FileCheck
+
+PASSED_OVER = "-"
+_POINTS = (*REQUIRED, "intensity")
+_ORDER = (
+    "time", "date", "latitude", "longitude", "easting", "northing", "height", "sea_height",
+    "roll", "pitch", "heading",
+)  # fmt: skip
+_WORDS = {
+    "time": N_("Time"),
+    "date": N_("Date"),
+    "x": N_("X"),
+    "y": N_("Y"),
+    "z": N_("Z"),
+    "intensity": N_("Intensity"),
+    "latitude": N_("Latitude"),
+    "longitude": N_("Longitude"),
+    "easting": N_("Easting"),
+    "northing": N_("Northing"),
+    "height": N_("Height (ellipsoid)"),
+    "sea_height": N_("Height (sea level)"),
+    "roll": N_("Roll"),
+    "pitch": N_("Pitch"),
+    "heading": N_("Heading"),
+    PASSED_OVER: N_("Skip"),
+}
+
+
+def has_columns(format: FileFormat) -> bool:
+    """True if the user may choose the meaning of each column."""
+    return any(option.name == "columns" for option in format.options)
+
+
+def possible_meanings(format: FileFormat) -> tuple[str, ...]:
+    """Possible meanings of a column, by the words of the option; "unused" comes first."""
+    if format.kind == "points":
+        return (PASSED_OVER, *_POINTS)
+    return (PASSED_OVER, *(role for role in _ORDER if role in set(ROLES.values())))
+
+
+def meaning_label(meaning: str) -> str:
+    """Label of a meaning, to be translated; a name from the file is returned unchanged."""
+    return _WORDS.get(meaning, meaning)
+
+
+def column_meanings(format: FileFormat, finding: FilePreview | None, given: str) -> tuple[str, ...]:
+    """The meaning of each column of the preview, from the left."""
+    if finding is None or not finding.rows:
+        return tuple(given.split())
+    width = max(len(row) for row in finding.rows)
+    named = given or str(finding.choice.get("columns", ""))
+    tokens = [token.strip() or PASSED_OVER for token in named.replace(",", " ").split()]
+    tokens = tokens[:width] + [PASSED_OVER] * (width - len(tokens))
+    if format.kind == "trajectory":
+        tokens = [token if token in SIGMAS else ROLES.get(token, PASSED_OVER) for token in tokens]
+    return tuple(tokens)
+
+
+def with_meaning(tokens: Sequence[str], column: int, meaning: str) -> tuple[str, ...]:
+    """The tokens with one column's meaning changed; a column that had it before loses it."""
+    changed = [
+        PASSED_OVER if token == meaning and meaning != PASSED_OVER else token for token in tokens
+    ]
+    changed[column] = meaning
+    return tuple(changed)
+
+
+def missing_columns(format: FileFormat, tokens: Sequence[str]) -> tuple[Message, ...]:
+    """Names of the required meanings that no column has."""
+    if not has_columns(format) or not tokens:
+        return ()
+    has = set(tokens)
+    if format.kind == "points":
+        missing = [name for name in REQUIRED if name not in has]
+    else:
+        missing = [name for name in ("time", "roll", "pitch", "heading") if name not in has]
+        if not ({"latitude", "longitude"} <= has or {"easting", "northing"} <= has):
+            missing.append("position")
+        if not {"height", "sea_height"} & has:
+            missing.append("height")
+    return tuple(note(_NAMES[name]) for name in missing)
+
+
+_NAMES = {
+    "time": "column.time", "x": "column.x", "y": "column.y", "z": "column.z",
+    "position": "column.position", "height": "column.height", "roll": "column.roll",
+    "pitch": "column.pitch", "heading": "column.heading",
+}  # fmt: skip
+"""Code of the message that names a meaning."""
+
+
+def has_column_names(check: FileCheck) -> bool:
+    """True if the file names its columns."""
+    if check.finding is None:
+        return False
+    if check.format.kind == "points":
+        return bool(check.finding.choice.get("columns"))
+    return not any(each.code == COLUMNS_ASSUMED for each in check.finding.file_warnings)
+
+
+def layout_key(check: FileCheck) -> str:
+    """Key of text files with the same format, number and names of columns."""
+    if not has_columns(check.format) or check.finding is None or not check.finding.rows:
+        return ""
+    rows = check.finding.rows
+    named = " ".join(rows[0]) if has_column_names(check) else ""
+    return f"{check.format.key}/{max(len(row) for row in rows)}/{named}"

@@ -1,0 +1,319 @@
+"""A file to be imported: its format, its options and its content.
+
+An entry is an immutable value. `examine_file` and `reexamine_file` return a new one; they read the
+file, so they run in the worker thread.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from lispac.errors import Cancelled, InputError, LispacError
+from lispac.io.files import message_with_file_name
+from lispac.io.format_types import POSSIBLE, FileFormat, FilePreview, Kind
+from lispac.io.formats import format_of
+from lispac.io.points.line_times import LineTimes, read_line_times
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import LineSource
+from lispac.survey.crs import coordinate_system
+from lispac.survey.line_audit import LineAudit
+from lispac.survey.line_source import Reading, printable
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+from lispac.workflow.importing.file_audit import audit_file
+from lispac.workflow.importing.file_reading import (
+    USUAL,
+    FileCheck,
+    check_file,
+    preview_with_options,
+)
+from lispac.workflow.importing.input_columns import (
+    column_meanings,
+    has_column_names,
+    has_columns,
+    layout_key,
+    missing_columns,
+)
+from lispac.workflow.importing.line_split import parts_of_line
+
+Content = Trajectory | TrajectoryAccuracy | LineTimes
+
+
+@dataclass(frozen=True)
+class LineLocation:
+    """Location of a georeferenced line.
+
+    Attributes
+    ----------
+    system : str
+        Name of its coordinate system.
+    latitude, longitude : float, radians
+        Of one of its points.
+    error : Message or None
+        Why there is no such place.
+    """
+
+    system: str = ""
+    latitude: float = 0.0
+    longitude: float = 0.0
+    error: Message | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class InputFile:
+    """A file to be imported, with its role and options.
+
+    Attributes
+    ----------
+    checks : tuple of FileCheck
+        What each format that knows the file finds in it, the surest first; empty before the file
+        was examined and where no format knows it.
+    role : {"trajectory", "accuracy", "points"} or None
+        None leaves the file out.
+    format : FileFormat or None
+    given_options : mapping of str to str
+        Options given by the user.
+    finding : FilePreview or None
+        With these options; the last one that could be made where they do not fit the file.
+    content : Trajectory, TrajectoryAccuracy, LineTimes or None
+    error : Message or None
+        Why the file cannot be used.
+    shift : float, seconds
+        Added to the times of a line.
+    follows : bool
+        Whether the shift is the one that follows from given time bases.
+    place : LineLocation or None
+        Of a georeferenced line.
+    remembered : bool
+        Whether the columns are those chosen for an earlier file laid out alike.
+    project_reading : Reading or None
+        How an open project reads it: role, format and options are not to be changed then.
+    audit : LineAudit or None
+        Of the points of a line.
+    split_by : str
+        What makes several lines of the file, as `split_line` has it; empty for one line.
+    """
+
+    path: Path
+    checks: tuple[FileCheck, ...] = ()
+    role: Kind | None = None
+    format: FileFormat | None = None
+    given_options: Mapping[str, str] | None = None
+    finding: FilePreview | None = None
+    content: Content | None = None
+    error: Message | None = None
+    shift: float = 0.0
+    follows: bool = False
+    place: LineLocation | None = None
+    pending: bool = True
+    remembered: bool = False
+    project_reading: Reading | None = None
+    audit: LineAudit | None = None
+    split_by: str = ""
+
+    @property
+    def formats(self) -> tuple[FileFormat, ...]:
+        """Formats of its role that know the file, the surest first."""
+        return tuple(check.format for check in self.checks if check.format.kind == self.role)
+
+    @property
+    def roles(self) -> tuple[Kind, ...]:
+        """Roles that some format could give it, the surest first."""
+        return tuple(dict.fromkeys(check.format.kind for check in self.checks))
+
+    @property
+    def options(self) -> dict[str, str]:
+        """All options: given, else detected, else default."""
+        if self.format is None:
+            return {}
+        found = {} if self.finding is None else dict(self.finding.choice)
+        known = {option.name: option.default for option in self.format.options}
+        resolved = known | found | dict(self.given_options or {})
+        return {name: str(resolved[name]) for name in known}
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Meaning of each column of a text file, from the left; empty for other files."""
+        if self.format is None or not has_columns(self.format):
+            return ()
+        given = (self.given_options or {}).get("columns", "")
+        return column_meanings(self.format, self.finding, given)
+
+    @property
+    def reading(self) -> Reading:
+        """Given options of the file, for the project; the others are detected again."""
+        given = {} if self.given_options is None else dict(self.given_options)
+        if self.format is None or (not given and self.format in self.formats[:1]):
+            return Reading("", (), self.shift)
+        return Reading(self.format.key, tuple(given.items()), self.shift)
+
+    @property
+    def layout(self) -> str:
+        """Key of the layout of a text file, to recognise the next one; empty for others."""
+        check = next((check for check in self.checks if check.format is self.format), None)
+        return "" if check is None else layout_key(check)
+
+    def parts(self, line: LineSource) -> tuple[LineSource, ...]:
+        """The lines that the file becomes: ``line`` itself, or what it is split into."""
+        if not self.split_by or self.audit is None or self.format is None:
+            return (line,)
+        return parts_of_line(line, self.audit, self.split_by, self.format.key)
+
+    @property
+    def is_georeferenced(self) -> bool:
+        """True if it is a line in map coordinates."""
+        return self.role == "points" and self.options.get("frame") == "georeferenced"
+
+
+def examine_file(
+    path: Path, mappings: Mapping[str, str] | None = None, *, progress: Progress = no_progress
+) -> InputFile:
+    """Examine a file for the first time.
+
+    Parameters
+    ----------
+    mappings : mapping of str to str
+        Columns chosen for text files before, by their layout.
+    """
+    progress(0.0, gettext_lazy("Examining {file}", file=path.name))
+    try:
+        found = check_file(path)
+    except LispacError as refused:
+        return InputFile(path, error=message_with_file_name(refused, path), pending=False)
+    # Of equally sure formats those whose files end so come first, then those that can be read.
+    ending = path.suffix.lower()
+    found.sort(
+        key=lambda check: (-check.confidence, ending not in check.format.endings, bool(check.error))
+    )
+    first = found[0]
+    entry = InputFile(path, tuple(found), first.format.kind, first.format)
+    if first.confidence <= POSSIBLE and ending not in first.format.endings:
+        unlikely = note(
+            "import.unlikely_format", file=printable(path.name), format=first.format.name
+        )
+        return replace(entry, role=None, format=None, error=unlikely, pending=False)
+    for check in found:
+        columns = (mappings or {}).get(layout_key(check), "")
+        if columns and not has_column_names(check):
+            entry = replace(
+                entry, role=check.format.kind, format=check.format, remembered=True,
+                given_options={"columns": columns},
+            )  # fmt: skip
+            break
+    return reexamine_file(entry, progress=progress)
+
+
+def examine_project_file(entry: InputFile, *, progress: Progress = no_progress) -> InputFile:
+    """Examine a file of an open project for the first time, with the project's options."""
+    progress(0.0, gettext_lazy("Examining {file}", file=entry.path.name))
+    assert entry.role is not None
+    assert entry.project_reading is not None
+    try:
+        found = check_file(entry.path, (entry.role,))
+    except LispacError as refused:
+        return replace(entry, error=message_with_file_name(refused, entry.path), pending=False)
+    format = format_of(entry.project_reading.format or USUAL[entry.role])
+    given = dict(entry.project_reading.options)
+    return reexamine_file(
+        replace(entry, checks=tuple(found), format=format, given_options=given or None),
+        progress=progress,
+    )
+
+
+def reexamine_file(entry: InputFile, *, progress: Progress = no_progress) -> InputFile:
+    """Examine a file with the present role, format and options of its entry.
+
+    Raises
+    ------
+    Cancelled
+    """
+    entry = replace(entry, pending=False, error=None, content=None, place=None)
+    if entry.role is None or entry.format is None:
+        return entry
+    if entry.finding is None or not entry.given_options:
+        entry = _with_preview(entry, {})
+    assert entry.format is not None
+    missing = missing_columns(entry.format, entry.columns)
+    if missing:
+        file = printable(entry.path.name)
+        return replace(entry, error=error(COLUMNS_NOT_CHOSEN, file=file, columns=missing))
+    if entry.given_options:
+        entry = _with_preview(entry, dict(entry.given_options))
+    if entry.error or entry.finding is None:
+        return entry
+    progress(0.1, gettext_lazy("Reading {file}", file=entry.path.name))
+    try:
+        return _with_content(entry, progress)
+    except Cancelled:
+        raise
+    except LispacError as refused:
+        return replace(entry, error=message_with_file_name(refused, entry.path))
+
+
+COLUMNS_NOT_CHOSEN = "import.columns_not_chosen"
+"""Code of the error that the user has to choose what columns are."""
+
+
+def _with_preview(entry: InputFile, given: dict[str, str]) -> InputFile:
+    assert entry.format is not None
+    known = next((check for check in entry.checks if check.format is entry.format), None)
+    if not given and known is not None:
+        # Columns shown again as found are those of the first check.
+        return replace(entry, finding=known.finding, error=known.error)
+    try:
+        return replace(entry, finding=preview_with_options(entry.path, entry.format, given))
+    except LispacError as refused:
+        kept = entry.finding or (None if known is None else known.finding)
+        return replace(entry, finding=kept, error=message_with_file_name(refused, entry.path))
+
+
+def _with_content(entry: InputFile, progress: Progress) -> InputFile:
+    assert entry.format is not None
+    if entry.role == "points":
+        reading = sub_progress(progress, 0.1, 0.5)
+        times = read_line_times(entry.path, entry.format, entry.options, progress=reading)
+        place = entry.place
+        if entry.is_georeferenced:
+            # A line's times do not hang on its coordinate system, so they are read either way.
+            place = _line_location(entry, times)
+        found = audit_file(
+            entry.path, entry.format, entry.options, progress=sub_progress(progress, 0.5, 1.0)
+        )
+        finding = entry.finding
+        if finding is not None:
+            messages = tuple(dict.fromkeys((*finding.messages, *found.messages)))
+            finding = replace(finding, messages=messages)
+        return replace(entry, content=times, place=place, finding=finding, audit=found.audit)
+    content = entry.format.read(entry.path, entry.options)
+    assert isinstance(content, Trajectory | TrajectoryAccuracy)
+    if isinstance(content, Trajectory):
+        content = content.with_positions_only()
+        if content.messages and entry.finding is not None:
+            messages = tuple(dict.fromkeys((*entry.finding.messages, *content.messages)))
+            entry = replace(entry, finding=replace(entry.finding, messages=messages))
+    return replace(entry, content=content)
+
+
+def _line_location(entry: InputFile, times: LineTimes) -> LineLocation:
+    options, file = entry.options, printable(entry.path.name)
+    try:
+        epoch = options.get("epoch", "").strip()
+        system = coordinate_system(
+            options.get("crs", ""),
+            height=options.get("height", ""),
+            height_unit=options.get("height_unit", ""),
+            trajectory_datum=options.get("trajectory_datum", ""),
+            epoch=float(epoch) if epoch else None,
+        )
+        latitude, longitude, _ = system.to_geodetic(times.place[None, :])
+    except InputError as refused:
+        return LineLocation(error=error("file.coordinate_system", file=file, reason=refused.reason))
+    except ValueError:
+        return LineLocation(error=error("file.epoch", epoch=options["epoch"]))
+    if not np.isfinite([latitude[0], longitude[0]]).all():
+        outside = error("import.outside_system", file=file, system=system.name)
+        return LineLocation(system.name, error=outside)
+    return LineLocation(system.name, float(latitude[0]), float(longitude[0]))

@@ -1,0 +1,393 @@
+"""Messages about a file that is to be imported, with the actions that resolve them."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from lispac.geometry.frames import geodetic_to_ecef
+from lispac.io.points.line_times import LineTimes
+from lispac.io.points.point_reader_common import CHOOSE_SYSTEM
+from lispac.io.trajectory.ascii_trajectory import COLUMNS_ASSUMED
+from lispac.io.trajectory.trajectory_facts import GAPS, gap_warnings
+from lispac.messages import Action, Level, Message, Value, error, note, sort_by_level, warning
+from lispac.project import LineSource
+from lispac.survey.known_time_base import (
+    KnownTimeBase,
+    base_message,
+    known_base_notes,
+    matches_of_known_bases,
+    time_base_error,
+)
+from lispac.survey.line_source import RESTART, printable
+from lispac.survey.time_base import TimeBase, TimeMatch, equally_good_matches
+from lispac.survey.time_quality import TrajectoryCoverage, accuracy_coverage_warning
+from lispac.survey.time_rollover import NONE, rollover_note
+from lispac.survey.trajectory import Trajectory, TrajectoryAccuracy
+from lispac.workflow.importing.input_file import COLUMNS_NOT_CHOSEN, InputFile
+from lispac.workflow.importing.input_times import (
+    SHARE_NEEDED,
+    line_coverage,
+    line_time_base,
+    matching_shifts,
+    proposed_shift,
+    trajectory_time_base,
+)
+
+MAX_DISTANCE = 20_000.0
+"""Metres between a line's points and the trajectory; no scanner sees farther."""
+
+SETTING_OPTIONS = {
+    "set_option", "use_degrees", "use_feet", "use_us_survey_feet", "swap_coordinates",
+    "clear_time_base", "ignore_rollover",
+}  # fmt: skip
+"""Actions that give an option (parameter ``name``) a value (parameter ``value``)."""
+CHOOSING_OPTIONS = {
+    "choose_system", "check_system", "choose_vertical_reference", "choose_frame",
+    "choose_time_base", "check_sign",
+}  # fmt: skip
+"""Actions by which the user chooses the value of an option (parameter ``name``)."""
+BRIDGE_GAPS = "bridge_gaps"
+"""Action that changes the longest gap of the project."""
+OF_A_FILE = {
+    "split_line", "keep_one_line", "leave_out", "shift_times", "clear_shift", "detect_columns",
+    BRIDGE_GAPS, *SETTING_OPTIONS, *CHOOSING_OPTIONS,
+}  # fmt: skip
+"""Actions that apply to a file."""
+
+LEAVE_OUT = Action("leave_out")
+CLEAR_TIME_BASE = Action("clear_time_base", {"name": "time_base", "value": ""})
+IGNORE_ROLLOVER = Action("ignore_rollover", {"name": RESTART, "value": NONE})
+
+SYSTEM_ERRORS = {
+    "trajectory.no_system", "trajectory.grid_heading", "trajectory.outside_system",
+    "trajectory.not_projected", "trajectory.unusable_system", "file.coordinate_system",
+    "las.local_frame",
+}  # fmt: skip
+"""Codes of errors that another coordinate system may resolve."""
+ABOUT_COLUMNS = {
+    "text.columns_not_named", "trajectory.columns_missing", "trajectory.position_missing",
+    "trajectory.no_columns", COLUMNS_ASSUMED,
+}  # fmt: skip
+"""Codes of warnings that are redundant if an error requests the columns."""
+
+
+def option_to_choose(action: Action) -> str:
+    """Name of the option whose value an action asks the user to choose; empty for other actions."""
+    return str(action.params["name"]) if action.code in CHOOSING_OPTIONS else ""
+
+
+def already_in_project(entry: InputFile, lines: Mapping[Path, str]) -> tuple[Message, ...]:
+    """The error that a file is a line of the open project; ``lines`` are names by path."""
+    name = lines.get(entry.path)
+    if name is None or entry.role != "points":
+        return ()
+    file = printable(entry.path.name)
+    return (error("import.already_in_project", file=file, line=name, actions=(LEAVE_OUT,)),)
+
+
+def without_changes(entry: InputFile, messages: tuple[Message, ...]) -> tuple[Message, ...]:
+    """Messages without the actions that would change the open project lines are added to."""
+    return tuple(
+        replace(
+            message,
+            actions=tuple(
+                action
+                for action in message.actions
+                if entry.project_reading is None and action.code != BRIDGE_GAPS
+            ),
+        )
+        for message in messages
+    )
+
+
+def file_messages(
+    entry: InputFile,
+    trajectory: InputFile | None,
+    trajectories: int,
+    accuracies: int,
+    longest_gap: float,
+) -> tuple[Message, ...]:
+    """All messages about a file, errors first.
+
+    Parameters
+    ----------
+    trajectory : InputFile or None
+        The first file whose role is the trajectory.
+    trajectories, accuracies : int
+        Files of these roles.
+    longest_gap : float, seconds
+    """
+    if entry.pending:
+        return ()
+    if entry.role is None:
+        return (as_note(entry.error),) if entry.error else ()
+    messages = _own_messages(entry, longest_gap)
+    file, actions = printable(entry.path.name), (LEAVE_OUT,)
+    if entry.role == "trajectory":
+        if trajectories > 1:
+            messages.append(error("import.several_trajectories", file=file, actions=actions))
+    elif entry.role == "accuracy":
+        if accuracies > 1:
+            messages.append(error("import.several_accuracies", file=file, actions=actions))
+        messages += _accuracy_time_messages(entry, trajectory)
+    elif trajectory is not None and isinstance(trajectory.content, Trajectory):
+        base = trajectory_time_base(trajectory)
+        messages += time_messages(entry, trajectory.content, longest_gap, base)
+        messages += _location_messages(entry, trajectory.content)
+    return sort_by_level(with_possible_actions(entry, messages))
+
+
+def as_note(message: Message) -> Message:
+    """A message about an excluded file, changed into a note."""
+    return replace(message, level=Level.NOTE)
+
+
+def with_possible_actions(entry: InputFile, messages: Iterable[Message]) -> tuple[Message, ...]:
+    """The messages with those of their actions that the file has an option for."""
+    return tuple(
+        replace(message, actions=tuple(a for a in message.actions if _is_possible(entry, a)))
+        for message in messages
+    )
+
+
+def _is_possible(entry: InputFile, action: Action) -> bool:
+    if action.code not in OF_A_FILE:
+        return False
+    if action.code not in SETTING_OPTIONS | CHOOSING_OPTIONS:
+        return True
+    options, name = entry.options, str(action.params["name"])
+    return name in options and options[name] != action.params.get("value")
+
+
+def _own_messages(entry: InputFile, longest_gap: float) -> list[Message]:
+    """Messages about a single file, independent of the others."""
+    file = printable(entry.path.name)
+    messages: list[Message] = []
+    if entry.error:
+        about_system = entry.error.code in SYSTEM_ERRORS
+        actions = (CHOOSE_SYSTEM, LEAVE_OUT) if about_system else (LEAVE_OUT,)
+        messages.append(replace(entry.error, actions=(*entry.error.actions, *actions)))
+    elif entry.place is not None and entry.place.error:
+        messages.append(replace(entry.place.error, actions=(CHOOSE_SYSTEM, LEAVE_OUT)))
+    if entry.remembered and entry.finding is not None:
+        actions = (Action("detect_columns"),)
+        messages.append(note("import.columns_remembered", file=file, actions=actions))
+    if entry.finding is not None:
+        messages += [
+            each for each in entry.finding.file_warnings if not _is_superseded(entry, each)
+        ]
+        messages += [
+            message
+            for message in entry.finding.messages
+            if not (entry.split_by and _is_resolved_by_split(message, entry.split_by))
+        ]
+    if entry.split_by:
+        parts = entry.parts(LineSource(printable(entry.path.stem), entry.path))
+        names, actions = tuple(each.name for each in parts), (Action("keep_one_line"),)
+        messages.append(note("file.split", count=len(parts), lines=names, actions=actions))
+    if isinstance(entry.content, Trajectory):
+        messages += gap_warnings(entry.content.time, longest_gap, file)
+    if isinstance(entry.content, LineTimes) and not entry.content.reached_end:
+        messages.append(note("import.first_times", file=file, count=len(entry.content.sample)))
+    return messages
+
+
+def _is_superseded(entry: InputFile, reported: Message) -> bool:
+    """True if another message about the file says the same on a better basis."""
+    if reported.code == GAPS and isinstance(entry.content, Trajectory):
+        return True  # the reader does not know which gaps are to be bridged
+    if entry.error is None:
+        return False
+    is_same = (reported.code, reported.params) == (entry.error.code, entry.error.params)
+    is_about_columns = entry.error.code in ABOUT_COLUMNS | {COLUMNS_NOT_CHOSEN}
+    return is_same or (is_about_columns and reported.code in ABOUT_COLUMNS)
+
+
+def _is_resolved_by_split(message: Message, by: str) -> bool:
+    """True if splitting the file into lines already follows the proposal of a message."""
+    return any(each.code == "split_line" and each.params["by"] == by for each in message.actions)
+
+
+def _accuracy_time_messages(entry: InputFile, trajectory: InputFile | None) -> list[Message]:
+    if trajectory is None or not isinstance(trajectory.content, Trajectory):
+        return []
+    if not isinstance(entry.content, TrajectoryAccuracy):
+        return []
+    file = printable(entry.path.name)
+    own, track = entry.content.time, trajectory.content.time
+    if own[-1] < track[0] or own[0] > track[-1]:
+        return [
+            error(
+                "import.accuracy_times", file=file, first=float(own[0]), last=float(own[-1]),
+                start=float(track[0]), end=float(track[-1]), actions=(LEAVE_OUT,),
+            )
+        ]  # fmt: skip
+    too_short = accuracy_coverage_warning(own, track, file)
+    return [] if too_short is None else [too_short]
+
+
+def time_messages(
+    entry: InputFile, track: Trajectory, longest_gap: float, known: KnownTimeBase
+) -> list[Message]:
+    """Messages on how the trajectory covers a line; ``known`` is the trajectory's time base."""
+    times, covered = entry.content, line_coverage(entry, track, longest_gap)
+    if covered is None or not isinstance(times, LineTimes):
+        return []
+    file = printable(entry.path.name)
+    own, base = line_time_base(entry), known.base
+    if wrong := time_base_error(times.sample, own, file):
+        return [replace(wrong, actions=(CLEAR_TIME_BASE, LEAVE_OUT))]
+    if entry.follows:
+        messages = _given_base_notes(entry, times, track, own, known)
+    else:
+        messages = _shift_messages(entry, times, track, base)
+    if times.restart:
+        restart = rollover_note(times.sample, times.restart, file)
+        messages.append(replace(restart, actions=(IGNORE_ROLLOVER,)))
+    if covered.usable == covered.count:
+        return messages
+    if covered.usable == 0 and covered.outside:
+        return [*messages, *_outside_errors(entry, times, track, base)]
+    messages += _coverage_warnings(
+        covered, file, longest_gap, whole=len(times.sample) == times.count
+    )
+    if better := proposed_shift(entry, track, longest_gap, base):
+        messages.append(
+            warning(
+                "import.shift_offered", file=file, shift=better.shift, share=better.share,
+                base=base_message(better.points), actions=(_shift_action(better),),
+            )
+        )  # fmt: skip
+    return messages
+
+
+def _given_base_notes(
+    entry: InputFile,
+    times: LineTimes,
+    track: Trajectory,
+    line_base: KnownTimeBase,
+    other: KnownTimeBase,
+) -> list[Message]:
+    """Notes on the shift that follows from the time bases given."""
+    found = matches_of_known_bases(times.sample, track.time, line_base, other)
+    if not found or not entry.shift:
+        return []
+    first, *others = known_base_notes(found, line_base, other, printable(entry.path.name))
+    actions = (CLEAR_TIME_BASE,) if line_base.is_given else ()
+    return [replace(first, actions=actions), *others]
+
+
+def _shift_messages(
+    entry: InputFile, times: LineTimes, track: Trajectory, base: TimeBase | None
+) -> list[Message]:
+    """The time shift in use; a warning where another one fits as well."""
+    if not entry.shift:
+        return []
+    file, undo = printable(entry.path.name), Action("clear_shift")
+    found = matching_shifts(times, track, base)
+    rivals = [] if not found else [
+        match for match in (found[0], *equally_good_matches(found)[:2])
+        if abs(match.shift - entry.shift) > 1e-6
+    ]  # fmt: skip
+    messages = [note("import.shifted", file=file, shift=entry.shift, actions=(undo,))]
+    if rivals:
+        actions = (*map(_shift_action, rivals), undo)
+        messages = [replace(messages[0], actions=()), _other_shifts_warning(file, rivals, actions)]
+    return messages
+
+
+def _other_shifts_warning(
+    file: str, rivals: Iterable[TimeMatch], actions: tuple[Action, ...]
+) -> Message:
+    """The warning that other shifts fit the times as well."""
+    shifts = tuple(
+        note("import.shift_from", shift=match.shift, base=base_message(match.points))
+        for match in rivals
+    )
+    return warning("import.other_bases_fit", file=file, shifts=shifts, actions=actions)
+
+
+def _shift_action(match: TimeMatch) -> Action:
+    return Action(
+        "shift_times",
+        {
+            "shift": match.shift,
+            "points": base_message(match.points),
+            "trajectory": base_message(match.trajectory),
+        },
+    )
+
+
+def _coverage_warnings(
+    covered: TrajectoryCoverage, file: str, longest_gap: float, *, whole: bool
+) -> list[Message]:
+    """Warnings that some points have no place on the trajectory."""
+    found = []
+    if covered.outside:
+        code = "import.points_outside" if whole else "import.points_outside_sampled"
+        found.append(warning(code, file=file, share=covered.share_outside))
+    if covered.in_gaps:
+        code = "import.points_in_gaps" if whole else "import.points_in_gaps_sampled"
+        share, limit = covered.share_in_gaps, covered.longest_gap
+        in_gaps = warning(code, file=file, share=share, limit=limit)
+        widest = max((close - open_ for open_, close in covered.gaps), default=0.0)
+        if widest <= 10 * longest_gap:
+            bridged = float(np.ceil(widest * 10) / 10)
+            in_gaps = replace(in_gaps, actions=(Action(BRIDGE_GAPS, {"gap": bridged}),))
+        found.append(in_gaps)
+    return found
+
+
+def _outside_errors(
+    entry: InputFile, times: LineTimes, track: Trajectory, base: TimeBase | None
+) -> list[Message]:
+    """The error that no point of a line lies within the trajectory."""
+    file = printable(entry.path.name)
+    start, end = float(times.start + entry.shift), float(times.end + entry.shift)
+    first, last = float(track.time[0]), float(track.time[-1])
+    found = matching_shifts(times, track, base)
+    if found and found[0].share >= SHARE_NEEDED and abs(found[0].shift - entry.shift) > 1e-9:
+        best, rivals = found[0], equally_good_matches(found)[:2]
+        actions = (*map(_shift_action, (best, *rivals)), LEAVE_OUT)
+        span: dict[str, Value] = {
+            "file": file, "first": start, "last": end, "start": first, "end": last,
+            "share": best.share,
+        }  # fmt: skip
+        if abs(best.shift) < 1e-9:
+            code = "import.outside_without_shift"
+            actions = (Action("clear_shift"), *map(_shift_action, rivals), LEAVE_OUT)
+        else:
+            code = "import.outside_with_shift"
+            span |= {
+                "shift": best.shift, "points": base_message(best.points),
+                "trajectory": base_message(best.trajectory),
+            }  # fmt: skip
+        outside = Message(code, Level.ERROR, span, actions=actions)
+        return [outside, *([_other_shifts_warning(file, rivals, ())] if rivals else [])]
+    is_before = end < first
+    return [
+        error(
+            "import.before_trajectory" if is_before else "import.after_trajectory", file=file,
+            first=start, last=end, start=first, end=last,
+            distance=first - end if is_before else start - last, actions=(LEAVE_OUT,),
+        )
+    ]  # fmt: skip
+
+
+def _location_messages(entry: InputFile, track: Trajectory) -> list[Message]:
+    place = entry.place
+    if place is None or place.error:
+        return []
+    points = geodetic_to_ecef(np.array([place.latitude]), np.array([place.longitude]), np.zeros(1))
+    path = geodetic_to_ecef(track.latitude[::50], track.longitude[::50], 0 * track.height[::50])
+    distance = float(np.linalg.norm(path - points, axis=1).min())
+    if distance < MAX_DISTANCE:
+        return []
+    return [
+        error(
+            "import.far_from_trajectory", file=printable(entry.path.name), system=place.system,
+            distance=distance, actions=(CHOOSE_SYSTEM, LEAVE_OUT),
+        )
+    ]  # fmt: skip

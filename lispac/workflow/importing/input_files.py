@@ -1,0 +1,452 @@
+"""Files to be imported: sorted by role, checked against each other.
+
+An `InputFiles` is an immutable value; the window shows it and asks for the next one. What has to be
+read from files is in `input_file`, the messages about them in `input_file_messages`.
+"""
+
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Literal
+
+from lispac.identity import BLANK, Identity
+from lispac.installation_paths import expand_user, home_folder
+from lispac.io.format_types import POSSIBLE, Kind
+from lispac.io.project.project_file import FILE_NAME, is_project_file
+from lispac.language import Plural, gettext
+from lispac.message_texts import message_text
+from lispac.messages import Action, Level, Message
+from lispac.project import LineSource, Project, Settings
+from lispac.survey.known_time_base import KnownTimeBase
+from lispac.survey.line_source import USUAL, Reading, printable
+from lispac.survey.time_base import TimeBase, plausible_bases
+from lispac.survey.time_quality import TrajectoryCoverage
+from lispac.survey.trajectory import LONGEST_GAP, Trajectory, TrajectoryAccuracy
+from lispac.workflow.importing.input_columns import with_meaning
+from lispac.workflow.importing.input_file import InputFile
+from lispac.workflow.importing.input_file_messages import (
+    BRIDGE_GAPS,
+    SETTING_OPTIONS,
+    already_in_project,
+    file_messages,
+    time_messages,
+    without_changes,
+)
+from lispac.workflow.importing.input_times import (
+    line_coverage,
+    proposed_shift,
+    trajectory_time_base,
+    with_time_base_shifts,
+)
+
+State = Literal["pending", "fine", "warning", "error", "out"]
+
+MAX_FILES = 500
+"""Files taken from one folder; more are hardly a survey's."""
+
+
+@dataclass(frozen=True)
+class ImportRequest:
+    """Arguments for the creation of a new project."""
+
+    folder: Path
+    trajectory: Path
+    accuracy: Path | None
+    lines: tuple[LineSource, ...]
+    settings: Settings
+    trajectory_reading: Reading = USUAL
+    accuracy_reading: Reading = USUAL
+    identity: Identity = BLANK
+
+
+def find_project(paths: Iterable[Path]) -> Path | None:
+    """The first project among files and folders, which is to be opened rather than imported."""
+    for path in paths:
+        if is_project_file(path):
+            return path
+        if (path / FILE_NAME).is_file():
+            return path
+    return None
+
+
+def collect_files(paths: Iterable[Path]) -> tuple[Path, ...]:
+    """Files among paths and directly in folders, without hidden ones."""
+    found: list[Path] = []
+    for path in paths:
+        if path.is_dir():
+            inside = sorted(p for p in path.iterdir() if p.is_file() and p.name[:1] != ".")
+            found += inside[:MAX_FILES]
+        else:
+            found.append(path)
+    return tuple(dict.fromkeys(path.absolute() for path in found))
+
+
+@dataclass(frozen=True, eq=False)
+class InputFiles:
+    """Files to be imported, each with its role, and the longest gap of the trajectory.
+
+    Attributes
+    ----------
+    entries : tuple of InputFile
+        In the order in which they came.
+    longest_gap : float, seconds
+    into : Project or None
+        That lines are added to, where it is no new one that is made.
+    """
+
+    entries: tuple[InputFile, ...] = ()
+    longest_gap: float = LONGEST_GAP
+    into: Project | None = None
+
+    @classmethod
+    def of_project(cls, project: Project) -> "InputFiles":
+        """For lines to be added: the project's trajectory and accuracies are there already."""
+        entries = [
+            InputFile(
+                project.trajectory, role="trajectory", project_reading=project.trajectory_reading
+            )
+        ]
+        if project.accuracy is not None:
+            entries.append(
+                InputFile(
+                    project.accuracy, role="accuracy", project_reading=project.accuracy_reading
+                )
+            )
+        return cls(tuple(entries), project.settings.longest_gap, project)
+
+    # -- edits -------------------------------------------------------------------------------
+
+    def with_files(self, paths: Iterable[Path]) -> "InputFiles":
+        """Add files that are not in the list yet, without examining them."""
+        known = {entry.path for entry in self.entries}
+        new = tuple(InputFile(path) for path in paths if path not in known)
+        return replace(self, entries=self.entries + new)
+
+    def without_file(self, path: Path) -> "InputFiles":
+        """Remove a file from the list, unless an open project has it."""
+        kept = tuple(e for e in self.entries if e.path != path or e.project_reading is not None)
+        return replace(self, entries=kept)
+
+    def with_entry(self, entry: InputFile) -> "InputFiles":
+        """Replace the entry of the same file."""
+        entries = tuple(entry if e.path == entry.path else e for e in self.entries)
+        return replace(self, entries=with_time_base_shifts(entries))
+
+    def with_role(self, path: Path, role: Kind | None) -> "InputFiles":
+        """Give a file another role, in the most likely format of it; requires a new examination."""
+        entry = self.entry(path)
+        if role == entry.role or entry.project_reading is not None:
+            return self
+        changed = replace(
+            entry, role=role, given_options=None, finding=None, remembered=False, shift=0.0
+        )
+        changed = replace(changed, format=next(iter(changed.formats), None))
+        return self.with_entry(replace(changed, pending=role is not None, content=None))
+
+    def with_format(self, path: Path, key: str) -> "InputFiles":
+        """Read a file in another format; requires a new examination."""
+        entry = self.entry(path)
+        chosen = next(format for format in entry.formats if format.key == key)
+        return self.with_entry(
+            replace(
+                entry, format=chosen, given_options=None, finding=None, pending=True,
+                remembered=False,
+            )
+        )  # fmt: skip
+
+    def with_option(self, path: Path, name: str, value: str) -> "InputFiles":
+        """Give an option; requires a new examination."""
+        entry = self.entry(path)
+        given = dict(entry.given_options or {}) | {name: value}
+        return self.with_entry(replace(entry, given_options=given, pending=True))
+
+    def with_column(self, path: Path, column: int, meaning: str) -> "InputFiles":
+        """Give the meaning of a column; requires a new examination."""
+        entry = self.entry(path)
+        tokens = with_meaning(entry.columns, column, meaning)
+        changed = self.with_option(path, "columns", " ".join(tokens))
+        return changed.with_entry(replace(changed.entry(path), remembered=False))
+
+    def with_action(self, path: Path, action: Action) -> "InputFiles":
+        """Apply an action of a message; a file whose options change has to be read again.
+
+        Actions by which the user chooses a value change nothing here.
+        """
+        params, entry = action.params, self.entry(path)
+        if action.code in SETTING_OPTIONS:
+            return self.with_option(path, str(params["name"]), str(params["value"]))
+        match action.code:
+            case code if code == BRIDGE_GAPS:
+                return replace(self, longest_gap=_require_number(params["gap"]))
+            case "shift_times":
+                return self.with_entry(replace(entry, shift=_require_number(params["shift"])))
+            case "clear_shift":
+                return self.with_entry(replace(entry, shift=0.0))
+            case "leave_out":
+                return self.with_role(path, None)
+            case "split_line":
+                return self.with_entry(replace(entry, split_by=str(params["by"])))
+            case "keep_one_line":
+                return self.with_entry(replace(entry, split_by=""))
+            case "detect_columns":
+                given = {k: v for k, v in (entry.given_options or {}).items() if k != "columns"}
+                changed = replace(entry, given_options=given, remembered=False, finding=None)
+                return self.with_entry(replace(changed, pending=True))
+        return self
+
+    def with_shift_for_all(self) -> "InputFiles":
+        """Apply the best time shift to every line that lies outside the trajectory."""
+        changed = self
+        for entry, shift in self.proposed_shifts:
+            changed = changed.with_entry(replace(entry, shift=shift))
+        return changed
+
+    def with_resolved_role(self, path: Path) -> "InputFiles":
+        """Resolve the role of a file by means of the other files.
+
+        Text that may be a trajectory is a line beside one that certainly is.
+        """
+        entry = self.entry(path)
+        surest = {
+            e.path: e.checks[0].confidence for e in self.files_of_role("trajectory") if e.checks
+        }
+        if entry.role != "trajectory" or "points" not in entry.roles or len(surest) < 2:
+            return self
+        if surest[path] <= POSSIBLE and max(surest.values()) > POSSIBLE:
+            return self.with_role(path, "points")
+        return self
+
+    # -- what there is -----------------------------------------------------------------------
+
+    def entry(self, path: Path) -> InputFile:
+        """The entry of a file."""
+        return next(entry for entry in self.entries if entry.path == path)
+
+    def files_of_role(self, role: Kind) -> tuple[InputFile, ...]:
+        """Files that have a role, in their order."""
+        return tuple(entry for entry in self.entries if entry.role == role)
+
+    @property
+    def trajectory(self) -> InputFile | None:
+        """The trajectory's entry, the first where there are several."""
+        return next(iter(self.files_of_role("trajectory")), None)
+
+    @property
+    def accuracy(self) -> InputFile | None:
+        """The accuracy's entry."""
+        return next(iter(self.files_of_role("accuracy")), None)
+
+    @property
+    def lines(self) -> tuple[InputFile, ...]:
+        """Entries of lines."""
+        return self.files_of_role("points")
+
+    @property
+    def trajectory_content(self) -> Trajectory | None:
+        """Trajectory read from its file; None before."""
+        entry = self.trajectory
+        content = None if entry is None else entry.content
+        return content if isinstance(content, Trajectory) else None
+
+    @property
+    def accuracy_content(self) -> TrajectoryAccuracy | None:
+        """Accuracies read from their file; None before."""
+        entry = self.accuracy
+        content = None if entry is None else entry.content
+        return content if isinstance(content, TrajectoryAccuracy) else None
+
+    @property
+    def _base(self) -> KnownTimeBase:
+        return trajectory_time_base(self.trajectory)
+
+    @property
+    def time_base(self) -> TimeBase | None:
+        """Time base of the trajectory, given or assumed; None if its options have none."""
+        if self._base.base is not None:
+            return self._base.base
+        return (
+            next(iter(plausible_bases(self.trajectory_content.time)), None)
+            if self.trajectory_content is not None
+            else None
+        )
+
+    @cached_property
+    def names(self) -> dict[Path, str]:
+        """A name for each line: its file's, with the folder's in front where two are alike."""
+        stems = [printable(entry.path.stem) for entry in self.lines]
+        stems += [line.name for line in self._project_lines]
+        return {
+            entry.path: (
+                printable(entry.path.stem)
+                if stems.count(printable(entry.path.stem)) == 1
+                else printable(f"{entry.path.parent.name}_{entry.path.stem}")
+            )
+            for entry in self.lines
+        }
+
+    @property
+    def _project_lines(self) -> tuple[LineSource, ...]:
+        return () if self.into is None else self.into.lines
+
+    def coverage(self, entry: InputFile) -> TrajectoryCoverage | None:
+        """Coverage of a line by the trajectory; None before both are read."""
+        return (
+            None
+            if self.trajectory_content is None
+            else line_coverage(entry, self.trajectory_content, self.longest_gap)
+        )
+
+    @cached_property
+    def _messages(self) -> dict[Path, tuple[Message, ...]]:
+        counts = len(self.files_of_role("trajectory")), len(self.files_of_role("accuracy"))
+        found = {
+            entry.path: file_messages(entry, self.trajectory, *counts, self.longest_gap)
+            for entry in self.entries
+        }
+        if self.into is None:
+            return found
+        known = {line.path: line.name for line in self.into.lines}
+        return {
+            entry.path: already_in_project(entry, known)
+            or without_changes(entry, found[entry.path])
+            for entry in self.entries
+        }
+
+    def messages(self, entry: InputFile) -> tuple[Message, ...]:
+        """All messages about a file, errors first."""
+        return self._messages[entry.path]
+
+    def time_messages(self, entry: InputFile) -> tuple[Message, ...]:
+        """Messages about the times of a line and those of the trajectory."""
+        if self.trajectory_content is None or entry.role != "points":
+            return ()
+        return tuple(time_messages(entry, self.trajectory_content, self.longest_gap, self._base))
+
+    def state_of_file(self, entry: InputFile) -> State:
+        """State of a file in the import."""
+        if entry.pending:
+            return "pending"
+        if entry.role is None:
+            return "out"
+        levels = {message.level for message in self.messages(entry)}
+        return (
+            "error" if Level.ERROR in levels else "warning" if Level.WARNING in levels else "fine"
+        )
+
+    @cached_property
+    def proposed_shifts(self) -> tuple[tuple[InputFile, float], ...]:
+        """Lines outside the trajectory, wholly or in good part, each with the shift for it."""
+        track = self.trajectory_content
+        if track is None:
+            return ()
+        found = []
+        for entry in self.lines:
+            best = proposed_shift(entry, track, self.longest_gap, self._base.base)
+            if best is not None:
+                found.append((entry, best.shift))
+        return tuple(found)
+
+    # -- the end -----------------------------------------------------------------------------
+
+    def import_problem(self, folder: str) -> str:
+        """Reason why no project can be made, in the language in use; empty if there is none."""
+        return self.files_problem_text() or folder_problem(folder)
+
+    def files_problem_text(self) -> str:
+        """Problem of the files, in the language in use; empty if there is none."""
+        if not self.entries:
+            return gettext("Add the files of the survey: drop them here, or press Add files.")
+        if any(entry.pending for entry in self.entries):
+            return gettext("The files are being examined.")
+        wrong = [entry for entry in self.entries if self.state_of_file(entry) == "error"]
+        if wrong:
+            first = message_text(self.messages(wrong[0])[0])
+            if len(wrong) == 1:
+                return first
+            return gettext(
+                Plural(
+                    "{message} Another file has errors.",
+                    "{message} {count:n} other files have errors.",
+                ),
+                message=first,
+                count=len(wrong) - 1,
+            )
+        if self.trajectory is None:
+            return gettext("The trajectory is missing. Add the SBET, or a text export of it.")
+        if not self.lines:
+            return gettext("There is no line. Add the scan file of at least one line.")
+        names = [line.name for line in (*self.sources(), *self._project_lines)]
+        duplicates = [name for name in names if names.count(name) > 1]
+        if not duplicates:
+            return ""
+        return gettext("Two lines are named {line}. Rename a file.", line=duplicates[0])
+
+    def request(self, folder: Path, settings: Settings) -> ImportRequest:
+        """Arguments for the new project; only without a `import_problem`."""
+        trajectory, accuracy = self.trajectory, self.accuracy
+        assert trajectory is not None
+        return ImportRequest(
+            folder=folder,
+            trajectory=trajectory.path,
+            accuracy=None if accuracy is None else accuracy.path,
+            lines=self.sources(),
+            settings=replace(settings, longest_gap=self.longest_gap),
+            trajectory_reading=trajectory.reading,
+            accuracy_reading=USUAL if accuracy is None else accuracy.reading,
+        )
+
+    def sources(self) -> tuple[LineSource, ...]:
+        """The lines, for the project."""
+        return tuple(
+            line
+            for entry in self.lines
+            for line in entry.parts(
+                LineSource(self.names[entry.path], entry.path, (), entry.reading)
+            )
+        )
+
+    @property
+    def column_mappings(self) -> dict[str, str]:
+        """Chosen columns by the layout of their files, for later imports."""
+        return {
+            entry.layout: " ".join(entry.columns)
+            for entry in self.entries
+            if entry.role is not None and "columns" in (entry.given_options or {}) and entry.layout
+        }
+
+
+def folder_problem(folder: str) -> str:
+    """Why a project cannot be made there, in the language in use; empty where it can."""
+    if not folder.strip():
+        return gettext("Choose a folder for the project.")
+    place = expand_user(Path(folder.strip()))
+    if (place / FILE_NAME).exists():
+        return gettext("This folder already contains a project. Choose another folder.")
+    if place.is_file():
+        return gettext("This is a file. Choose a folder for the project.")
+    existing = next((p for p in (place, *place.parents) if p.exists()), None)
+    if existing is None or not os.access(existing, os.W_OK):
+        name = str(existing or place)
+        return gettext("{folder}: cannot be written. Choose another folder.", folder=name)
+    return ""
+
+
+def _require_number(value: object) -> float:
+    """A parameter of an action that is a number."""
+    assert isinstance(value, float | int)
+    return float(value)
+
+
+def proposed_folder(input_files: InputFiles) -> Path | None:
+    """A folder for the project beside the data, where that can be written and is free."""
+    used = [entry for entry in (input_files.trajectory, *input_files.lines) if entry is not None]
+    if not used:
+        return None
+    data = used[0].path.parent
+    for name in ("boresight", *(f"boresight-{k}" for k in range(2, 20))):
+        for place in (data / name, home_folder() / f"{data.name}-{name}"):
+            if not folder_problem(str(place)) and not place.exists():
+                return place
+    return None

@@ -1,0 +1,112 @@
+"""Time shifts that bring the times of a line onto the trajectory before the import."""
+
+from dataclasses import replace
+
+from lispac.io.formats import has_suggested_time_base
+from lispac.io.points.line_times import LineTimes
+from lispac.survey.known_time_base import (
+    KnownTimeBase,
+    clearly_better_match,
+    matches_of_known_bases,
+)
+from lispac.survey.time_base import TimeBase, TimeMatch, base_of_key, find_time_matches
+from lispac.survey.time_quality import TrajectoryCoverage, assess_coverage
+from lispac.survey.trajectory import Trajectory
+from lispac.workflow.importing.input_file import InputFile
+
+SHARE_NEEDED = 0.5
+"""Share of a line's points that a shift must bring inside to be proposed."""
+
+
+def line_time_base(entry: InputFile) -> KnownTimeBase:
+    """Known time base of a line."""
+    given = (entry.given_options or {}).get("time_base", "")
+    found = "" if entry.finding is None else str(entry.finding.choice.get("time_base", ""))
+    key = given or found
+    return KnownTimeBase(base_of_key(key) if key else None, bool(given))
+
+
+def trajectory_time_base(entry: InputFile | None) -> KnownTimeBase:
+    """Known time base of a trajectory."""
+    key = "" if entry is None else entry.options.get("time", "")
+    if entry is None or not key:
+        return KnownTimeBase()
+    given = bool((entry.given_options or {}).get("time", ""))
+    if entry.project_reading is not None:
+        # A project keeps what was found beside what was given.
+        check = next((check for check in entry.checks if check.format is entry.format), None)
+        found = check.finding.choice if check is not None and check.finding is not None else {}
+        given = given and key != found.get("time", key)
+    suggested = not given and entry.format is not None and has_suggested_time_base(entry.format)
+    return KnownTimeBase(base_of_key(key), given, suggested)
+
+
+def with_time_base_shifts(entries: tuple[InputFile, ...]) -> tuple[InputFile, ...]:
+    """Apply the shifts that follow from given time bases, and remove those that do not.
+
+    As `shift_lines_to_trajectory` does it when the project is made.
+    """
+    trajectory = next((entry for entry in entries if entry.role == "trajectory"), None)
+    if trajectory is None or not isinstance(trajectory.content, Trajectory):
+        return entries
+    other, track = trajectory_time_base(trajectory), trajectory.content.time
+    resolved = []
+    for entry in entries:
+        if entry.role == "points" and isinstance(entry.content, LineTimes):
+            found = matches_of_known_bases(
+                entry.content.sample, track, line_time_base(entry), other
+            )
+            if found:
+                entry = replace(entry, shift=found[0].shift, follows=True)
+            elif entry.follows:
+                entry = replace(entry, shift=0.0, follows=False)
+        resolved.append(entry)
+    return tuple(resolved)
+
+
+def line_coverage(
+    entry: InputFile, trajectory: Trajectory, longest_gap: float
+) -> TrajectoryCoverage | None:
+    """Coverage by the trajectory of the examined points of a line, with its shift applied."""
+    if not isinstance(entry.content, LineTimes):
+        return None
+    return assess_coverage(entry.content.sample + entry.shift, trajectory.time, longest_gap)
+
+
+def proposed_shift(
+    entry: InputFile, track: Trajectory, longest_gap: float, base: TimeBase | None
+) -> TimeMatch | None:
+    """Time shift to propose for a line: if no point lies inside, or clearly more would.
+
+    Never besides what is given.
+
+    Parameters
+    ----------
+    base : TimeBase or None
+        The trajectory's.
+    """
+    covered = line_coverage(entry, track, longest_gap)
+    if entry.follows or covered is None or not isinstance(entry.content, LineTimes):
+        return None
+    if not covered.outside:
+        return None
+    found = matching_shifts(entry.content, track, base)
+    if covered.usable:
+        best = clearly_better_match(found, 1 - covered.share_outside)
+    else:
+        best = found[0] if found else None
+    if best is None or best.share < SHARE_NEEDED or abs(best.shift - entry.shift) < 1e-9:
+        return None
+    return best
+
+
+def matching_shifts(
+    times: LineTimes, track: Trajectory, base: TimeBase | None
+) -> tuple[TimeMatch, ...]:
+    """Time shifts that bring a line onto the trajectory: in its own base, else in any."""
+    some = times.sample[:: max(1, len(times.sample) // 1000)]
+    if base is not None:
+        found = find_time_matches(some, track.time, trajectory_bases=(base,))
+        if found and found[0].share >= SHARE_NEEDED:
+            return found
+    return find_time_matches(some, track.time)

@@ -1,0 +1,67 @@
+"""Time rollovers of lines, at midnight or at the end of the week."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from lispac.io.format_types import Choice, FileFormat, PointChunk
+from lispac.io.points.line_times import read_line_times
+from lispac.messages import Message
+from lispac.project import LineSource
+from lispac.survey.line_source import RESTART, printable
+from lispac.survey.time_rollover import NONE, PERIODS, rollover_note
+from lispac.workflow.importing.file_reading import format_of_line
+
+MIN_MARGIN = 6 * 3600.0
+"""Seconds from a midnight or the end of a week that no line reaches which its first points are
+farther from."""
+
+
+def resolve_time_rollovers(
+    lines: Sequence[LineSource],
+) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
+    """Detect time rollovers of lines from their times.
+
+    Returns
+    -------
+    lines : tuple of LineSource
+        Lines with a time rollover, with the option for it.
+    notes : tuple of Message
+
+    Raises
+    ------
+    InputError
+        Where a file cannot be read.
+    """
+    resolved: list[LineSource] = []
+    notes: list[Message] = []
+    for line in lines:
+        resolved.append(line)
+        if line.reading.restart == NONE:
+            continue
+        format, choice, _ = format_of_line(line)
+        if not line.reading.restart and not _is_near_rollover(format, choice, line):
+            continue
+        choice = {**choice, RESTART: line.reading.restart}
+        times = read_line_times(line.path, format, choice)
+        if not times.restart:
+            continue
+        options = dict(line.reading.options) | {RESTART: times.restart}
+        resolved[-1] = replace(line, reading=replace(line.reading, options=tuple(options.items())))
+        notes.append(rollover_note(times.sample, times.restart, printable(line.path.name)))
+    return tuple(resolved), tuple(notes)
+
+
+def _is_near_rollover(format: FileFormat, choice: Choice, line: LineSource) -> bool:
+    """True if the first times are close enough to a rollover to check the others."""
+    chunks = format.read(line.path, choice)
+    assert isinstance(chunks, Iterator)
+    first = next(chunks, None)
+    if not isinstance(first, PointChunk) or not len(first.time):
+        return False
+    time = first.time
+    return any(
+        bool(((time >= 0) & (time < period) & (np.minimum(time, period - time) < MIN_MARGIN)).any())
+        for period in PERIODS.values()
+    )

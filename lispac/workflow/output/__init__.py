@@ -1,0 +1,1 @@
+"""Results for others: report, georeferenced lines, data, script, manual."""

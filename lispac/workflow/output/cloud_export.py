@@ -1,0 +1,229 @@
+"""Lines on the map as LAS or LAZ: georeferenced chunk by chunk, with all their attributes.
+
+Reading, georeferencing and writing run side by side; memory holds a few chunks whatever the
+line's length.
+"""
+
+import os
+from collections import deque
+from collections.abc import Callable, Iterable
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from laspy import ScaleAwarePointRecord
+from numpy.typing import NDArray
+
+from lispac.errors import InputError
+from lispac.io.format_types import PointChunk
+from lispac.io.las.las_export import CloudWriter, RecordLayout, open_cloud_writer
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note
+from lispac.progress import PointRate, Progress, no_progress
+from lispac.survey.line_source import USUAL, Reading, printable
+from lispac.survey.point_mapping import ScannerPointConverter
+from lispac.survey.point_screening import MAX_RANGE, is_within_range
+from lispac.survey.scanner_frame_recovery import RecoverySetup
+
+Array = NDArray[np.float64]
+
+IN_FLIGHT = 3
+"""Chunks between reading and writing."""
+
+
+@dataclass(frozen=True)
+class WrittenLine:
+    """Result of writing a line as a cloud.
+
+    Attributes
+    ----------
+    path : Path
+    points : int
+        Written.
+    outside, in_gaps : int
+        Excluded without a pose: outside the trajectory's time, or in a gap of it (or where
+        it is too steep to be interpolated).
+    excluded : int
+        Excluded because they are beyond the range of the scanner, or in it.
+    messages : tuple of Message
+        What of the source is not kept, and assumptions.
+    """
+
+    path: Path
+    points: int
+    outside: int = 0
+    in_gaps: int = 0
+    excluded: int = 0
+    messages: tuple[Message, ...] = ()
+
+    @property
+    def notes(self) -> tuple[Message, ...]:
+        """Points that are excluded, and the messages."""
+        found, file = [], printable(self.path.name)
+        total = self.points + self.outside + self.in_gaps
+        if self.outside:
+            found.append(
+                note("import.excluded_outside", file=file, count=self.outside, total=total)
+            )
+        if self.in_gaps:
+            found.append(
+                note("export.excluded_in_gaps", file=file, count=self.in_gaps, total=total)
+            )
+        return (*found, *self.messages)
+
+
+@dataclass(frozen=True, eq=False)
+class _GeoreferencedChunk:
+    records: ScaleAwarePointRecord
+    outside: int
+    in_gaps: int
+    excluded: int
+
+
+def write_cloud(
+    chunks: Iterable[PointChunk],
+    temporary: Path,
+    path: Path,
+    mapping: ScannerPointConverter,
+    pattern: Callable[[PointChunk], RecordLayout],
+    *,
+    reading: Reading = USUAL,
+    recovery: RecoverySetup | None = None,
+    max_range: float = MAX_RANGE,
+    compressed: bool = True,
+    progress: Progress = no_progress,
+) -> WrittenLine:
+    """Georeference the chunks of one line and write them.
+
+    Parameters
+    ----------
+    chunks : iterable of PointChunk
+        In the LiDAR frame, from a file or a store; times as the source has them.
+    temporary, path : Path
+        Where it is written now, and the name it will have.
+    mapping : ScannerPointConverter
+        To the selected coordinate system, with the selected mounting.
+    pattern : callable
+        The first chunk to the layout of the records.
+    reading : Reading
+        How the source's times come into the trajectory's time base; written are those of the
+        source.
+    recovery : RecoverySetup, optional
+        What made the chunks, where they are georeferenced already.
+    max_range : float, metres
+        Largest distance from the scanner of points recovered from a georeferenced cloud.
+
+    Raises
+    ------
+    InputError
+        Where no point has a pose, a point lies outside the coordinate system, or the file cannot
+        be written.
+    """
+    source = iter(chunks)
+    first = next(source, None)
+    if first is None:
+        raise InputError(error("export.no_points", line=path.stem))
+    chosen = pattern(first)
+    place = _ChunkGeoreferencer(mapping, reading, recovery, max_range)
+    pace, total = (
+        PointRate(gettext_lazy("Writing {file}", file=path.name), first.total),
+        first.total,
+    )
+    outside = in_gaps = excluded = 0
+    with open_cloud_writer(
+        temporary,
+        chosen,
+        mapping.system,
+        mapping.centre,
+        mounting=mapping.mounting,
+        frame=mapping.trajectory.frame,
+        compressed=compressed,
+        shown=path,
+    ) as cloud:
+        workers = ThreadPoolExecutor(os.cpu_count(), "place")
+        writer = ThreadPoolExecutor(1, "write")
+        waiting: deque[Future[_GeoreferencedChunk]] = deque()
+
+        def finish() -> None:
+            nonlocal outside, in_gaps, excluded
+            done = waiting.popleft().result()
+            outside, in_gaps = outside + done.outside, in_gaps + done.in_gaps
+            excluded += done.excluded
+            count = cloud.count + outside + in_gaps + excluded
+            # A text file does not say how many points are to come.
+            progress(min(count / total, 1.0) if total else 0.5, pace.step(count))
+
+        try:
+            chunk: PointChunk | None = first
+            del first
+            while chunk is not None:
+                placed = workers.submit(place, cloud, chunk)
+                waiting.append(writer.submit(_write_records, cloud, placed))
+                if len(waiting) > IN_FLIGHT:
+                    finish()
+                chunk = next(source, None)
+            while waiting:
+                finish()
+        finally:
+            # What is under way ends before the file is closed; what is not begins no more.
+            workers.shutdown(cancel_futures=True)
+            writer.shutdown(cancel_futures=True)
+        count = cloud.count
+    if not count:
+        known = mapping.trajectory.time
+        raise InputError(
+            error(
+                "export.outside_trajectory",
+                line=path.stem,
+                count=outside + in_gaps,
+                start=float(known[0]),
+                end=float(known[-1]),
+            )
+        )
+    return WrittenLine(path, count, outside, in_gaps, excluded, chosen.notes)
+
+
+def _write_records(
+    cloud: CloudWriter, placed: "Future[_GeoreferencedChunk]"
+) -> _GeoreferencedChunk:
+    done = placed.result()
+    if len(done.records):
+        cloud.write(done.records)
+    return done
+
+
+@dataclass(frozen=True, eq=False)
+class _ChunkGeoreferencer:
+    """Georeferencing of a chunk by a worker."""
+
+    mapping: ScannerPointConverter
+    reading: Reading
+    recovery: RecoverySetup | None
+    max_range: float
+
+    def __call__(self, cloud: CloudWriter, chunk: PointChunk) -> _GeoreferencedChunk:
+        moved = self.reading.to_trajectory_time(chunk.time)
+        trajectory, latency = self.mapping.trajectory, self.mapping.mounting.latency
+        usable = trajectory.covers(moved + latency)
+        if self.recovery is not None:
+            usable &= self.recovery.usable(moved)
+        lost = len(usable) - int(np.count_nonzero(usable))
+        outside = excluded = 0
+        if lost:
+            first, last = trajectory.time[[0, -1]] - latency
+            outside = min(lost, int(np.count_nonzero(~((moved >= first) & (moved <= last)))))
+        xyz, stamps, chosen = chunk.xyz, chunk.time, None
+        if lost:
+            xyz, stamps, moved, chosen = xyz[usable], stamps[usable], moved[usable], usable
+        if self.recovery is not None:
+            xyz = self.recovery.points_lidar(xyz, moved, threads=1)
+            near = is_within_range(xyz, self.max_range)
+            if not near.all():
+                xyz, stamps, moved = xyz[near], stamps[near], moved[near]
+                excluded = int(np.count_nonzero(~near))
+                usable[usable] = near
+                chosen = usable
+        points = self.mapping.to_map(xyz, moved, threads=1)
+        records = cloud.records(points, stamps, chunk.extra, chosen)
+        return _GeoreferencedChunk(records, outside, lost - outside, excluded)

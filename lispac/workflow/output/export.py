@@ -1,0 +1,163 @@
+"""Writing and previewing the report."""
+
+from collections.abc import Mapping
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from lispac.errors import InputError
+from lispac.io.files import atomic_write
+from lispac.language import gettext_lazy
+from lispac.messages import Level, Message, error
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import Project
+from lispac.report.content import ReportContent, report_content
+from lispac.report.options import USUAL, ReportOptions
+from lispac.workflow.calibration.sighting_assessment import sighting_qualities
+from lispac.workflow.checking.budget import error_budget_of
+from lispac.workflow.checking.trajectory_quality import trajectory_on_lines
+from lispac.workflow.project.survey import Survey
+
+if TYPE_CHECKING:
+    from lispac.report.pdf import Preview
+
+REPORT_ENDINGS = (".pdf", ".html", ".json", ".zip")
+
+
+def report_content_of(
+    project: Project,
+    survey: Survey,
+    *,
+    generated: datetime | None = None,
+    convention: str = "",
+    refused: Message | str = "",
+    progress: Progress = no_progress,
+) -> ReportContent:
+    """Numbers of the report."""
+    project = project.with_data_messages(survey.messages)
+    read = [each for each in survey.messages if each.level is Level.NOTE]
+    tracks = {}
+    for name, scan in survey.scans.items():
+        times = np.linspace(scan.first_time, scan.last_time, 50)
+        tracks[name] = survey.trajectory.at(times).position[:, :2]
+    return report_content(
+        project,
+        headings_deg={n: float(np.degrees(h)) % 360 for n, h in survey.heading.items()},
+        counts={name: len(scan) for name, scan in survey.scans.items()},
+        track_local=tracks,
+        notes=(*survey.notes, *read),
+        generated=generated or datetime.now(UTC),
+        qualities=sighting_qualities(project, survey, progress=progress),
+        convention=convention,
+        budget=None if project.result is None else error_budget_of(project, survey),
+        trajectory=trajectory_on_lines(survey),
+        refused=refused,
+    )
+
+
+def write_report(
+    project: Project,
+    survey: Survey,
+    path: Path,
+    *,
+    pictures: Mapping[str, Path] | None = None,
+    options: ReportOptions = USUAL,
+    refused: Message | str = "",
+    generated: datetime | None = None,
+    progress: Progress = no_progress,
+) -> None:
+    """Write the report as PDF, HTML, JSON or its tables as CSV, by the ending of ``path``.
+
+    Parameters
+    ----------
+    pictures : mapping of caption to PNG file, optional
+    options : language (JSON stays English), page, convention and letterhead; see
+        `lispac.workflow.output.report_options`
+    refused : why an estimate after that of the report was refused; empty where
+        none was
+    generated : the moment the report says it was made at; now, if not given
+
+    Raises
+    ------
+    InputError
+        Where the ending is none of these or the file cannot be written.
+    """
+    ending = path.suffix.lower()
+    if ending not in REPORT_ENDINGS:
+        raise InputError(error("report.ending", file=str(path), formats=REPORT_ENDINGS))
+    progress(0.0, gettext_lazy("Collecting the values of the report"))
+    content = report_content_of(
+        project, survey, generated=generated, convention=options.convention,
+        refused=refused,
+        progress=sub_progress(progress, 0.0, 0.3),
+    )  # fmt: skip
+    progress(0.3, gettext_lazy("Writing {file}", file=path.name))
+    with atomic_write(path) as temporary:
+        if ending == ".json":
+            from lispac.report.json_report import write_json
+
+            write_json(content, temporary)
+        elif ending == ".zip":
+            from lispac.report.csv_tables import write_tables
+
+            write_tables(content, temporary, options)
+        elif ending == ".html":
+            from lispac.report.html import write_html
+
+            write_html(content, temporary, pictures or {}, options)
+        else:
+            from lispac.report.pdf import write_pdf
+
+            write_pdf(content, temporary, pictures or {}, options)
+    progress(1.0)
+
+
+def preview_report(
+    project: Project,
+    survey: Survey,
+    *,
+    pictures: Mapping[str, Path] | None = None,
+    options: ReportOptions = USUAL,
+    refused: Message | str = "",
+    ppi: float = 96.0,
+    progress: Progress = no_progress,
+) -> "Preview":
+    """The report as `write_report` makes it, to be examined: its pages, and its PDF.
+
+    Parameters
+    ----------
+    pictures : mapping of caption to PNG file, optional
+    options : page, convention and letterhead
+    refused : as for `write_report`
+    ppi : pixels per inch of the pages
+
+    Raises
+    ------
+    InputError
+        Where a picture or the logo cannot be read.
+    """
+    from lispac.report.pdf import preview_of
+
+    progress(0.0, gettext_lazy("Collecting the values of the report"))
+    content = report_content_of(
+        project, survey, convention=options.convention, refused=refused,
+        progress=sub_progress(progress, 0.0, 0.5),
+    )  # fmt: skip
+    progress(0.5, gettext_lazy("Laying out the pages"))
+    preview = preview_of(content, pictures or {}, options, ppi=ppi)
+    progress(1.0)
+    return preview
+
+
+def save_preview(preview: "Preview", path: Path) -> None:
+    """Write the PDF of a preview.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be written.
+    """
+    with atomic_write(path) as temporary:
+        temporary.write_bytes(preview.pdf)

@@ -1,0 +1,111 @@
+"""Export of data other than the report."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from lispac.messages import Message
+from lispac.progress import Progress, no_progress
+from lispac.project import Project
+from lispac.survey.crs import CoordinateSystem
+from lispac.survey.trajectory import LocalTrajectory
+from lispac.workflow.importing.line_chunks import LineChunks
+from lispac.workflow.output.data_export import (
+    SBET_ZEROS,
+    export_planes,
+    export_targets,
+    export_trajectory,
+    trajectory_datum_note,
+)
+from lispac.workflow.output.georeferencing import Which, georeference_project
+from lispac.workflow.output.output_crs import LOCAL, output_system
+from lispac.workflow.project.survey import Survey
+
+What = Literal["lines", "targets", "planes", "trajectory"]
+ENDINGS: dict[What, tuple[str, ...]] = {
+    "lines": ("laz", "las"),
+    "targets": ("laz", "las", "csv"),
+    "planes": ("txt",),
+    "trajectory": ("sbet", "text"),
+}
+"""For each thing to export, the usual form first."""
+
+
+@dataclass(frozen=True)
+class ExportRequest:
+    """Data, place and form of an export.
+
+    Attributes
+    ----------
+    what : {"lines", "targets", "planes", "trajectory"}
+    output : Path
+        A folder; for the trajectory a file.
+    which : {"prior", "estimated"}
+        Boresight.
+    form : str
+        One of `ENDINGS`.
+    system, height, trajectory_datum, epoch
+        Of lines and targets, as `lispac.workflow.output.georeferencing.georeference_project`.
+    """
+
+    what: What
+    output: Path
+    which: Which = "estimated"
+    form: str = "laz"
+    system: str = LOCAL
+    height: str = ""
+    trajectory_datum: str | None = None
+    epoch: float | None = None
+
+
+def output_system_of(
+    project: Project, trajectory: LocalTrajectory, system: str, height: str = "",
+    trajectory_datum: str | None = None, epoch: float | None = None,
+) -> CoordinateSystem | None:  # fmt: skip
+    """Coordinate system of an export for all lines of a project."""
+    chosen = [] if system == LOCAL else [LineChunks.of(line) for line in project.lines]
+    return output_system(chosen, trajectory, system, height, trajectory_datum, epoch)
+
+
+def export(
+    project: Project, survey: Survey, request: ExportRequest, *, progress: Progress = no_progress
+) -> tuple[list[Path], tuple[Message, ...]]:
+    """Write the data of an export request.
+
+    Returns
+    -------
+    paths : list of Path
+    notes : tuple of Message
+        Excluded data, and assumptions.
+
+    Raises
+    ------
+    InputError
+    ProjectError
+        As the functions of `data_export` and `georeferencing`.
+    """
+    form: Any = request.form
+    if request.what == "lines":
+        written = georeference_project(
+            project, request.output, request.which, system=request.system, height=request.height,
+            trajectory_datum=request.trajectory_datum, epoch=request.epoch, ending=form,
+            progress=progress,
+        )  # fmt: skip
+        notes = [note for done in written for note in done.notes]
+        return [done.path for done in written], tuple(dict.fromkeys(notes))
+    if request.what == "targets":
+        system = output_system_of(
+            project, survey.trajectory, request.system, request.height,
+            request.trajectory_datum, request.epoch,
+        )  # fmt: skip
+        paths = export_targets(
+            project, survey, request.output, request.which, system=system, ending=form,
+            progress=progress,
+        )  # fmt: skip
+        return paths, () if system is None else system.assumptions
+    if request.what == "planes":
+        paths = export_planes(project, survey, request.output, request.which, progress=progress)
+        return paths, ()
+    path = export_trajectory(project, request.output, form)
+    zeros = (SBET_ZEROS,) if form == "sbet" else ()
+    return [path], (trajectory_datum_note(project), *zeros)

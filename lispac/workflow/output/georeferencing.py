@@ -1,0 +1,202 @@
+"""All lines of a project on the map, one LAS or LAZ file each."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
+from dataclasses import replace
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from lispac.errors import InputError, ProjectError
+from lispac.io.files import atomic_write, require_file
+from lispac.io.format_types import PointChunk
+from lispac.io.las.las_export import RecordLayout, layout_of_las
+from lispac.io.points.point_reader_common import CHUNK
+from lispac.language import gettext_lazy
+from lispac.messages import Message, error, note
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import LineSource, Project, Reading
+from lispac.survey.crs import CoordinateSystem
+from lispac.survey.line_source import USUAL
+from lispac.survey.point_mapping import ScannerPointConverter
+from lispac.survey.scanner_frame_recovery import RecoverySetup
+from lispac.survey.store.stored_line import StoredLine
+from lispac.workflow.importing.file_reading import local_trajectory
+from lispac.workflow.importing.line_chunks import LineChunks
+from lispac.workflow.importing.line_import import line_folder, open_stored_line, stored_header
+from lispac.workflow.importing.line_points import mounting_of_cloud
+from lispac.workflow.output.cloud_export import WrittenLine, write_cloud
+from lispac.workflow.output.output_crs import output_system
+
+Which = Literal["prior", "estimated"]
+Ending = Literal["laz", "las"]
+
+
+def georeference_project(
+    project: Project,
+    output: Path,
+    which: Which = "estimated",
+    *,
+    system: str = "",
+    height: str = "",
+    trajectory_datum: str | None = None,
+    epoch: float | None = None,
+    lines: Sequence[str] = (),
+    ending: Ending = "laz",
+    sources: Mapping[str, Iterable[PointChunk]] | None = None,
+    progress: Progress = no_progress,
+) -> list[WrittenLine]:
+    """Write the lines of a project as LAS or LAZ in a coordinate system.
+
+    All files appear at the end, together: what fails or is stopped leaves nothing.
+
+    Parameters
+    ----------
+    output : Path
+        Folder; made where it does not exist.
+    system : str
+        As `lispac.survey.crs.coordinate_system` takes it, or ``local``; empty for that of the
+        lines where they are georeferenced.
+    height, trajectory_datum, epoch
+        As `lispac.survey.crs.coordinate_system`; a datum or an epoch that is not given is that of
+        the lines' own reading.
+    lines : sequence of str
+        Names; all where not given.
+    sources : mapping of str to iterable of PointChunk, optional
+        Where lines are read from instead of their files, by the line's name. Their points are in
+        the LiDAR frame, their times as in the file. A line whose file is gone comes from its store.
+
+    Raises
+    ------
+    InputError
+        Where the coordinate system is not known or not given, a file cannot be read, or the disk
+        is full.
+    ProjectError
+        Where there is no such line, or nothing has been estimated.
+    """
+    mounting = project.mounting(which)
+    chosen = [LineChunks.of(line) for line in _chosen_lines(project, lines)]
+    trajectory, _ = local_trajectory(project)
+    target = output_system(chosen, trajectory, system, height, trajectory_datum, epoch)
+    paths = [output / f"{chunks.line.name}_{which}.{ending}" for chunks in chosen]
+    require_no_overwrite(project, paths)
+    way = ScannerPointConverter(target, trajectory, mounting)
+    stores = {} if sources is None else dict(sources)
+    stored_layouts: dict[str, RecordLayout | None] = {}
+    for chunks in chosen:
+        if not chunks.line.path.exists() and chunks.line.name not in stores:
+            stored = open_stored_line(project, chunks.line, trajectory)
+            stores[chunks.line.name] = stored_chunks(stored, chunks.line.reading)
+            stored_layouts[chunks.line.name] = _stored_layout(stored, chunks.line.path)
+    sizes = [c.line.path.stat().st_size + 1 if c.line.path.exists() else 1 for c in chosen]
+    written: list[WrittenLine] = []
+    made = _folders_to_create(output)
+    try:
+        with ExitStack() as stack:
+            for k, (chunks, path) in enumerate(zip(chosen, paths, strict=True)):
+                start, stop = sum(sizes[:k]) / sum(sizes), sum(sizes[: k + 1]) / sum(sizes)
+                step = sub_progress(progress, start, stop)
+                step(0.0, gettext_lazy("Writing {file}", file=path.name))
+                own = stores.get(chunks.line.name)
+                recovery = None
+                if chunks.system is not None and own is None:
+                    made_with, _ = mounting_of_cloud(chunks.line, project.mounting("prior"))
+                    recovery = RecoverySetup(chunks.system, trajectory, made_with, chunks.line.path)
+                done = write_cloud(
+                    chunks if own is None else own,
+                    stack.enter_context(atomic_write(path)),
+                    path,
+                    way,
+                    _layout_function(chunks, stored_layouts.get(chunks.line.name)),
+                    reading=chunks.line.reading,
+                    recovery=recovery,
+                    compressed=ending == "laz",
+                    progress=step,
+                )
+                messages = (*done.messages, *_assumptions(target))
+                if chunks.line.name in stored_layouts:
+                    is_kept = stored_layouts[chunks.line.name] is not None
+                    code = "export.file_gone" if is_kept else "export.file_and_header_gone"
+                    messages += (note(code, line=chunks.line.name),)
+                written.append(replace(done, messages=messages))
+            progress(1.0)
+    except BaseException:
+        for folder in made:
+            if folder.is_dir() and not any(folder.iterdir()):
+                folder.rmdir()
+        raise
+    return written
+
+
+def _stored_layout(stored: StoredLine, path: Path) -> RecordLayout | None:
+    """Record layout of the line's file, if it was stored at the import."""
+    header = stored_header(stored)
+    try:
+        return None if header is None else layout_of_las(header, path)
+    except InputError:
+        return None  # damaged: all points are there, and what is missing is reported
+
+
+def _layout_function(
+    chunks: LineChunks, kept: RecordLayout | None
+) -> Callable[[PointChunk], RecordLayout]:
+    return chunks.pattern if kept is None else lambda first: kept
+
+
+def _chosen_lines(project: Project, names: Sequence[str]) -> list[LineSource]:
+    known = {line.name: line for line in project.lines}
+    for name in names:
+        if name not in known:
+            raise ProjectError(
+                error("project_line.not_found", project=project.name, line=name, lines=tuple(known))
+            )
+    found = [line for name, line in known.items() if not names or name in names]
+    for line in found:
+        if line.path.exists() or not line_folder(project, line).is_dir():
+            require_file(line.path, "line")
+    return found
+
+
+def stored_chunks(stored: StoredLine, reading: Reading = USUAL) -> Iterator[PointChunk]:
+    """An imported line chunk by chunk, in the order of space.
+
+    Parameters
+    ----------
+    reading : Reading
+        What it does to times is taken back, so that they are as in the file (to the last digit of
+        a double).
+    """
+    for start in range(0, len(stored), CHUNK):
+        rows = slice(start, start + CHUNK)
+        yield PointChunk(
+            np.asarray(stored.points_lidar[rows], dtype=np.float64),
+            reading.to_file_time(np.array(stored.time[rows])),
+            {name: np.asarray(values[rows]) for name, values in stored.extra.items()},
+            len(stored),
+        )
+
+
+def _assumptions(target: CoordinateSystem | None) -> tuple[Message, ...]:
+    return (note("assumed.local_frame"),) if target is None else target.assumptions
+
+
+def require_no_overwrite(project: Project, paths: Sequence[Path]) -> None:
+    """Refuse to overwrite the files of the project.
+
+    Raises
+    ------
+    InputError
+    """
+    own = [line.path for line in project.lines] + [project.trajectory]
+    if project.accuracy is not None:
+        own.append(project.accuracy)
+    for path in paths:
+        if any(path.exists() and other.exists() and path.samefile(other) for other in own):
+            raise InputError(error("export.own_file", file=str(path)))
+
+
+def _folders_to_create(folder: Path) -> list[Path]:
+    """The folders that will be made, the innermost first."""
+    folder = Path(folder)
+    return [place for place in (folder, *folder.parents) if not place.exists()]

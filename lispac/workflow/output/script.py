@@ -1,0 +1,252 @@
+"""The script that makes a project from its raw files: the steps of the window as Python.
+
+It follows from the project alone, so undo takes steps out of it, and a project made elsewhere has
+one too. The script is tested here: whether seeds lead to the project's points, and an adjustment
+to its angles.
+"""
+
+import textwrap
+from collections.abc import Iterator
+from dataclasses import dataclass
+from hashlib import file_digest
+from pathlib import Path
+
+import numpy as np
+
+import lispac
+from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.result import ANGLES
+from lispac.errors import LispacError
+from lispac.io.files import atomic_write
+from lispac.io.value_conversion import encode_value
+from lispac.language import gettext_lazy
+from lispac.message_texts import english_text
+from lispac.messages import Message, note
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import LineSource, Project
+from lispac.survey.line_source import USUAL
+from lispac.survey.store.stored_line import StoredLine
+from lispac.validation.absolute_check import AbsoluteCheck
+from lispac.workflow.calibration.estimation import estimate
+from lispac.workflow.checking.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE, check_absolute
+from lispac.workflow.output.script_targets import target_steps
+from lispac.workflow.output.script_text import (
+    FilePaths,
+    PythonCode,
+    call_text,
+    non_default_fields,
+    rows,
+)
+from lispac.workflow.project.projects import complete_readings
+from lispac.workflow.project.survey import Survey
+
+WIDTH = 98
+
+
+@dataclass(frozen=True)
+class Script:
+    """Python that makes a project again.
+
+    Attributes
+    ----------
+    messages : tuple of Message
+        Where its numbers differ from the project's, and what it cannot know; they stand in the
+        text too.
+    """
+
+    text: str
+    messages: tuple[Message, ...] = ()
+
+
+def script_of(project: Project, survey: Survey, *, progress: Progress = no_progress) -> Script:
+    """Script of the present state of a project.
+
+    Parameters
+    ----------
+    survey : Survey
+        Loaded for it.
+    """
+    files = FilePaths([project.trajectory, *(line.path for line in project.lines)])
+    blocks = [
+        [_new_project_step(project, files, resolved=not _are_readings_detected(project, survey))]
+    ]
+    stored = [name for name, scan in survey.scans.items() if isinstance(scan, StoredLine)]
+    if stored:
+        blocks.append([call_text("project.import_lines", stored)])
+    if identity_fields := non_default_fields(project.identity):
+        blocks.append([call_text("project.identity", **identity_fields)])
+    picked, count = [], len(project.targets)
+    for k, target in enumerate(project.targets):
+        step = sub_progress(progress, 0.6 * k / count, 0.6 * (k + 1) / count)
+        step(0.0, gettext_lazy("Checking the seed of {target}", target=target.name))
+        picked += list(target_steps(project, survey, target, step))
+    blocks.append(picked)
+    messages = _missing_file_notes(project)
+    if project.result is not None:
+        checks = project.cross_checks is not None
+        named = {} if checks else {"cross_check": False}
+        blocks.append([call_text("project.estimate", **named), *_comparison_steps(project)])
+        messages += _angle_difference_notes(project, survey, sub_progress(progress, 0.6, 0.9))
+    if project.absolute is not None:
+        step = sub_progress(progress, 0.9, 1.0)
+        lines, reported = _reference_check_steps(project, survey, project.absolute, files, step)
+        blocks.append(lines)
+        messages += reported
+    name = project.name
+    blocks.append([
+        "project.save()",
+        call_text("project.report", PythonCode(f"folder / {f'{name}.json'!r}")),
+        call_text("project.report", PythonCode(f"folder / {f'{name}.pdf'!r}")),
+    ])  # fmt: skip
+    progress(1.0)
+    steps = "\n\n".join("\n".join(block) for block in blocks if block)
+    return Script(f"{_script_head(project, files, messages)}\n{steps}\n", tuple(messages))
+
+
+def save_script(script: Script, path: Path) -> None:
+    """Write a script.
+
+    Raises
+    ------
+    InputError
+        Where the file cannot be written.
+    """
+    with atomic_write(path) as temporary:
+        temporary.write_text(script.text, encoding="utf-8", errors="replace", newline="\n")
+
+
+def _script_head(project: Project, files: FilePaths, messages: list[Message]) -> str:
+    name = "".join(letter if letter.isprintable() else "?" for letter in project.name)
+    statements = [
+        f"Steps of the project {name}, as LISPAC {lispac.__version__} wrote them.",
+        "Run it with the Python in which LISPAC is installed: python SCRIPT FOLDER creates "
+        "the project in FOLDER, python SCRIPT in the folder named below.",
+        *map(english_text, messages),
+    ]
+    comments = [
+        row for words in statements
+        for row in textwrap.wrap(words, WIDTH, initial_indent="# ", subsequent_indent="# ")
+    ]  # fmt: skip
+    return "\n".join([
+        *comments, "import sys", "from pathlib import Path", "", "import lispac", "",
+        f"folder = Path(sys.argv[1] if len(sys.argv) > 1 else {f'{project.name}-again'!r})",
+        f"data = Path({str(files.folder)!r})", "",
+    ])  # fmt: skip
+
+
+def _new_project_step(project: Project, files: FilePaths, *, resolved: bool) -> str:
+    settings = project.settings
+    named: dict[str, object] = {
+        "lines": rows([_line_code(line, files) for line in project.lines]),
+        "trajectory": files(project.trajectory),
+    }
+    if project.accuracy is not None:
+        named["accuracy"] = files(project.accuracy)
+    for name in ("trajectory_reading", "accuracy_reading"):
+        if (reading := getattr(project, name)) != USUAL:
+            named[name] = reading
+    named |= {"lever_arm": settings.lever_arm, **non_default_fields(settings, but=("lever_arm",))}
+    if project.truth_deg is not None:
+        named["truth_deg"] = project.truth_deg
+    if resolved:
+        named["resolved"] = True
+    return f"project = {call_text('lispac.new', PythonCode('folder'), **named)}"
+
+
+def _are_readings_detected(project: Project, survey: Survey) -> bool:
+    """True if detection gives the same readings and notes as the project has.
+
+    This applies to a project that was just created; an opened one does not show these notes.
+    """
+    readings = project.lines, project.trajectory_reading, project.accuracy_reading
+    try:
+        *found, notes = complete_readings(
+            project.lines, project.trajectory, readings[1], project.accuracy, readings[2]
+        )
+    except LispacError:
+        return False
+    return bool(notes) and tuple(found) == readings and set(notes) <= set(survey.notes)
+
+
+def _missing_file_notes(project: Project) -> list[Message]:
+    """Note on missing files that the script needs."""
+    paths = [project.trajectory, project.accuracy, *(line.path for line in project.lines)]
+    missing = [str(path) for path in paths if path is not None and not path.exists()]
+    return [note("script.missing_files", files=missing)] if missing else []
+
+
+def _line_code(line: LineSource, files: FilePaths) -> PythonCode:
+    path = files(line.path)
+    if line.name == line.path.stem and not line.columns and line.reading == USUAL:
+        return path
+    options = {"columns": line.columns} if line.columns else {}
+    if line.reading != USUAL:
+        options["reading"] = line.reading  # type: ignore[assignment]
+    return PythonCode(call_text("lispac.LineSource", line.name, path, **options))
+
+
+def _comparison_steps(project: Project) -> Iterator[str]:
+    """The comparison of the lines that the project holds."""
+    if not project.validation:
+        return
+    model = project.validation[0].model
+    named = {} if model.radius is None else {"radius": model.radius}
+    yield call_text("project.validate", model.kind, neighbours=model.neighbours, **named)
+
+
+def _angle_difference_notes(project: Project, survey: Survey, progress: Progress) -> list[Message]:
+    """Notes on differences of the angles of the script from those of the project."""
+    assert project.result is not None
+    try:
+        again = estimate(project, survey, cross_check=False, progress=progress).result
+    except LispacError as error:
+        return [note("script.estimate_refused", reason=error.reason)]
+    assert again is not None
+    off = np.abs(again.boresight - project.result.boresight)
+    if not off.any():
+        return []
+    worst = int(np.argmax(off))
+    angle = mounting_value_name(ANGLES[worst])
+    return [note("script.other_angles", difference=float(off[worst]), angle=angle)]
+
+
+def _reference_check_steps(
+    project: Project, survey: Survey, check: AbsoluteCheck, files: FilePaths, progress: Progress
+) -> tuple[list[str], list[Message]]:
+    """Steps of the check against a reference, with notes on its unknown options."""
+    # Of a list the project keeps the usual sigma of its points, not that which was given.
+    sigmas = (check.sigma,) if check.kind == "scan" else (DEFAULT_SIGMA, check.sigma)
+    path = _find_reference(check, [files.folder, project.folder, project.folder.parent])
+    if path is None:
+        step = _check_step(check.reference, sigmas[0], check.search_distance)
+        return [f"# {row}" for row in step.splitlines()], [
+            note("script.no_reference", file=check.reference)
+        ]
+    for sigma in sigmas:
+        try:
+            again, _ = check_absolute(
+                project, survey, path, sigma=sigma, reach=check.search_distance, progress=progress
+            )
+        except LispacError:
+            continue
+        if encode_value(again.absolute) == encode_value(check):
+            return [_check_step(files(path), sigma, check.search_distance)], []
+    return [_check_step(files(path), sigmas[0], check.search_distance)], [
+        note("script.other_check", file=check.reference, system=check.system)
+    ]
+
+
+def _check_step(path: str, sigma: float, reach: float) -> str:
+    values = {"sigma": (sigma, DEFAULT_SIGMA), "search_distance": (reach, SEARCH_DISTANCE)}
+    named = {name: value for name, (value, usual) in values.items() if value != usual}
+    return call_text("project.check", path, **named)
+
+
+def _find_reference(check: AbsoluteCheck, folders: list[Path]) -> Path | None:
+    for folder in folders:
+        path = folder / check.reference
+        if path.is_file() and path.stat().st_size == check.size_bytes:
+            with path.open("rb") as file:
+                if file_digest(file, "sha256").hexdigest() == check.sha256:
+                    return path
+    return None

@@ -1,0 +1,1 @@
+"""Before the survey: simulation, plans, sensors, and studies on many machines."""

@@ -1,0 +1,334 @@
+"""A campaign on many machines: the workers of a dask scheduler.
+
+The scheduler hands chunks to workers and hands those of a lost worker to others. What has come in
+is kept here, so that nothing is calculated twice but what was under way. Where the same chunk has
+lost its worker several times over, the scheduler gives it up; it is sent again a few times, since
+office machines are switched off without regard to what they calculate.
+"""
+
+import asyncio
+import concurrent.futures
+import logging
+import threading
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from functools import partial
+from queue import Empty, SimpleQueue
+from time import monotonic
+from typing import Any
+
+from lispac import __version__
+from lispac.design.plan_search import Mapper
+from lispac.errors import LispacError
+from lispac.messages import error
+from lispac.workflow.planning.cluster_access import ClusterAccess
+from lispac.workflow.planning.parallel_map import chunk_size
+
+CONNECT_TIMEOUT = 4.0
+"""Seconds in which a scheduler has to reply."""
+
+START_TIMEOUT = 15.0
+"""Seconds that a worker may take to be there: one that was lost is started again by its nanny."""
+
+POLL_INTERVAL = 2.0
+"""Seconds without a result after which the number of workers is checked."""
+
+WORKER_TIMEOUT = 60.0
+"""Seconds that may pass without any worker before the campaign ends."""
+
+MAX_SENDINGS = 3
+"""Times that a chunk is sent; each time the scheduler bears with several lost workers."""
+
+
+@contextmanager
+def cluster_mapper(access: ClusterAccess | str) -> Iterator[Mapper]:
+    """A mapper over the workers of a dask scheduler.
+
+    What is not done when the context is left is cancelled.
+
+    Parameters
+    ----------
+    access : ClusterAccess or str
+        An address alone stands for access without certificates of its own.
+
+    Raises
+    ------
+    LispacError
+        dask.distributed is not installed, no scheduler answers, it has no workers, or they have
+        another LISPAC; from the mapper: all workers are gone, or a chunk ends every worker.
+    """
+    access = ClusterAccess(access) if isinstance(access, str) else access
+    address = access.url
+    try:
+        import distributed
+    except ImportError as failure:
+        raise LispacError(error("cluster.not_installed")) from failure
+    security = access.security()
+    with _silenced_logs():
+        _require_scheduler(address, security)
+        client = distributed.Client(
+            address, timeout=CONNECT_TIMEOUT, set_as_default=False, security=security
+        )
+        cluster = _Cluster(client, address)
+        try:
+            cluster.check()
+            yield cluster.map
+        finally:
+            cluster.close()
+
+
+@contextmanager
+def _silenced_logs() -> Iterator[None]:
+    """Suppress the log of the client, since the program reports its errors itself."""
+    logs = [logging.getLogger(name) for name in ("distributed", "distributed.client")]
+    levels = [log.level for log in logs]
+    for log in logs:
+        log.setLevel(logging.CRITICAL + 1)
+    try:
+        yield
+    finally:
+        for log, level in zip(logs, levels, strict=True):
+            log.setLevel(level)
+
+
+def _require_scheduler(address: str, security: Any) -> None:
+    """Refuse an address without a scheduler, for which the client would wait for ever.
+
+    Raises
+    ------
+    LispacError
+    """
+    from distributed.comm import connect
+
+    async def greeted() -> None:
+        options = security.get_connection_args("client") | {"timeout": CONNECT_TIMEOUT}
+        comm = await asyncio.wait_for(connect(address, **options), CONNECT_TIMEOUT)
+        comm.abort()
+
+    try:
+        asyncio.run(greeted())
+    except Exception as failure:  # whatever another program's reply leads to
+        raise LispacError(
+            error("cluster.no_scheduler", address=address, limit=CONNECT_TIMEOUT)
+        ) from failure
+
+
+class _Cluster:
+    """Connection to the scheduler, with the chunks in progress."""
+
+    def __init__(self, client: Any, address: str) -> None:
+        self.client, self.address = client, address
+        self.under_way: set[_ChunkInProgress] = set()
+
+    def check(self) -> None:
+        """Refuse a cluster without workers, or whose workers are not like this program.
+
+        Raises
+        ------
+        LispacError
+        """
+        try:  # one that was lost is perhaps being started again
+            self.client.wait_for_workers(1, timeout=START_TIMEOUT)
+        except TimeoutError:
+            raise LispacError(error("cluster.no_workers", address=self.address)) from None
+        try:  # it reads every chunk before it hands it on
+            found = self.client.run_on_scheduler(_program_version)
+        except Exception as failure:
+            found = failure
+        if isinstance(found, str):
+            _require_version("cluster.scheduler_version", found, address=self.address)
+        else:
+            raise LispacError(
+                error(
+                    "cluster.scheduler_without_version", address=self.address, reason=str(found),
+                    expected=__version__,
+                )
+            )  # fmt: skip
+        for worker, found in self.client.run(_program_version, on_error="return").items():
+            if isinstance(found, str):
+                _require_version("cluster.worker_version", found, address=worker)
+            else:
+                raise LispacError(
+                    error(
+                        "cluster.worker_without_version", address=worker, reason=str(found),
+                        expected=__version__,
+                    )
+                )  # fmt: skip
+
+    def map(self, function: Callable[[Any], Any], values: Iterable[Any]) -> Iterator[Any]:
+        """Results in the order of the values, each as soon as those before it are available."""
+        values = list(values)
+        size = chunk_size(len(values), self._count_threads())
+        chunks = [values[k : k + size] for k in range(0, len(values), size)]
+        task = partial(_map_on_worker, function, __version__)
+        back: SimpleQueue[_ChunkInProgress] = SimpleQueue()
+        for k, chunk in enumerate(chunks):
+            self._send_chunk(_ChunkInProgress(k, task, chunk, back))
+        results: dict[int, list[Any]] = {}
+        for k in range(len(chunks)):
+            while k not in results:
+                sent = self._wait_for_result(back)
+                result = self._receive_result(sent)
+                if result is None:
+                    self._send_chunk(sent)
+                else:
+                    results[sent.number] = result
+            yield from results.pop(k)
+
+    def _send_chunk(self, sent: "_ChunkInProgress") -> None:
+        sent.times += 1
+        with self._report_lost_connection():
+            sent.future = self.client.submit(sent.task, sent.chunk, pure=False)
+        self.under_way.add(sent)
+        sent.future.add_done_callback(sent.on_done)
+
+    def _wait_for_result(self, back: "SimpleQueue[_ChunkInProgress]") -> "_ChunkInProgress":
+        """Wait for the next completed chunk while the connection holds.
+
+        Raises
+        ------
+        LispacError
+            Where all workers are gone.
+        """
+        alone_since = None
+        while True:
+            try:
+                return back.get(timeout=POLL_INTERVAL)
+            except Empty:
+                pass
+            if self._count_threads():
+                alone_since = None
+            else:
+                alone_since = alone_since or monotonic()
+                if monotonic() - alone_since > WORKER_TIMEOUT:
+                    raise self._connection_error()
+
+    def _receive_result(self, sent: "_ChunkInProgress") -> list[Any] | None:
+        """Results of a completed chunk; None if the scheduler gave it up and it may be repeated.
+
+        Raises
+        ------
+        LispacError
+            Where it was sent too often already, or all workers are gone.
+        """
+        import distributed
+
+        result = None
+        with self._report_lost_connection():
+            lost = self._query_scheduler(sent.future.exception)
+            if lost is None:
+                # Its worker may have been lost since: others do it again, or are lost by it, too
+                try:
+                    result = list(self._query_scheduler(sent.future.result))
+                except distributed.scheduler.KilledWorker as killed:
+                    lost = killed
+        if lost is not None and not isinstance(lost, distributed.scheduler.KilledWorker):
+            raise lost
+        self._discard_chunk(sent)
+        if lost is not None and sent.times >= MAX_SENDINGS:
+            raise LispacError(
+                error(
+                    "cluster.worker_lost_repeatedly",
+                    address=self.address,
+                    count=len(sent.chunk),
+                    times=MAX_SENDINGS,
+                )
+            )
+        return result
+
+    def _query_scheduler(self, method: Callable[..., Any]) -> Any:
+        """Value of a completed future; it is computed again if its worker was lost.
+
+        Raises
+        ------
+        LispacError
+            Where no worker is left.
+        """
+        while True:
+            try:
+                return method(timeout=WORKER_TIMEOUT)
+            except TimeoutError:
+                if not self._count_threads():
+                    raise self._connection_error() from None
+
+    def _connection_error(self) -> LispacError:
+        return LispacError(error("cluster.no_workers_left", address=self.address))
+
+    def _count_threads(self) -> int:
+        """Number of threads of all workers."""
+        with self._report_lost_connection():
+            return sum(self.client.nthreads().values())
+
+    @contextmanager
+    def _report_lost_connection(self) -> Iterator[None]:
+        """Convert errors of the communication with the scheduler into a lost connection.
+
+        Raises
+        ------
+        LispacError
+        """
+        try:
+            yield
+        except (
+            OSError, TimeoutError, asyncio.CancelledError, concurrent.futures.CancelledError,
+        ) as failure:  # fmt: skip
+            raise LispacError(error("cluster.connection_lost", address=self.address)) from failure
+
+    def _discard_chunk(self, sent: "_ChunkInProgress") -> None:
+        sent.future.release()
+        self.under_way.discard(sent)
+
+    def close(self) -> None:
+        """Cancel what has not come back, and leave."""
+        with suppress(Exception):  # the scheduler may be gone, and then there is nothing to cancel
+            self.client.cancel([sent.future for sent in self.under_way])
+        self.client.close()
+
+
+class _ChunkInProgress:
+    """A chunk that was sent and is not completed."""
+
+    future: Any
+
+    def __init__(
+        self,
+        number: int,
+        task: Callable[[Sequence[Any]], list[Any]],
+        chunk: Sequence[Any],
+        back: "SimpleQueue[_ChunkInProgress]",
+    ) -> None:
+        self.number, self.task, self.chunk, self.back = number, task, chunk, back
+        self.times = 0
+
+    def on_done(self, future: Any) -> None:
+        """Called in a thread of the client when the chunk is completed."""
+        self.back.put(self)
+
+
+_ONE_AT_A_TIME = threading.Lock()
+"""A worker may have several threads; how many threads BLAS has is a setting of the process."""
+
+
+def _program_version() -> str:
+    return __version__
+
+
+def _require_version(code: str, version: str, required: str = "", *, address: str = "") -> None:
+    """Refuse another version than ``required``, by default this one, by the message ``code``.
+
+    Raises
+    ------
+    LispacError
+    """
+    required = required or __version__
+    if version != required:
+        raise LispacError(error(code, version=version, expected=required, address=address))
+
+
+def _map_on_worker(
+    function: Callable[[Any], Any], version: str, values: Sequence[Any]
+) -> list[Any]:
+    """Compute the results of a chunk on the worker."""
+    _require_version("cluster.late_worker_version", __version__, version)
+    with _ONE_AT_A_TIME:
+        return [function(value) for value in values]

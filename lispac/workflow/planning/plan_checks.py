@@ -1,0 +1,177 @@
+"""Checks of a plan, and files of a survey design."""
+
+import csv
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from lispac.adjustment.blas_threads import single_blas_thread
+from lispac.adjustment.observability import assess_observability
+from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
+from lispac.design.objective import CRITERIA, PlanObjective
+from lispac.design.plan import Plan
+from lispac.design.plan_choices import have_targets_one_orientation
+from lispac.design.plan_search import DesignResult, Mapper
+from lispac.design.prediction import UNDETERMINED, predict, predicted_equations
+from lispac.design.scenarios import ScenarioOutcome
+from lispac.design.site import Site, clearance_from_wall, overlapping_targets
+from lispac.errors import LispacError, RankDeficient, system_reason
+from lispac.io.config.plan_file import TitledPlan, write_plan
+from lispac.io.files import atomic_write, bad_name_error
+from lispac.language import LazyText, gettext_lazy
+from lispac.message_texts import message_text
+from lispac.messages import Message, as_message, error, warning
+from lispac.progress import Progress, no_progress
+from lispac.untrusted_values import as_csv_cell
+
+ONE_WAY = error("plan_survey.one_orientation")
+
+NEAR_WALL = 3.0
+"""Metres: smallest distance at which a vessel can pass a wall safely."""
+
+
+def observability_messages(plan: Plan, *, progress: Progress = no_progress) -> tuple[Message, ...]:
+    """Messages on the observability of the angles of a plan, as after an adjustment."""
+    try:
+        if have_targets_one_orientation(plan):
+            return (ONE_WAY,)
+        if not predict(plan).determined:
+            return (UNDETERMINED,)
+        with single_blas_thread():
+            found = assess_observability(predicted_equations(plan), progress=progress)
+            return found.messages
+    except RankDeficient as failure:
+        return (as_message(failure.reason),)
+
+
+def simulate_surveys(
+    plan: Plan,
+    surveys: int,
+    *,
+    seed: int,
+    flatness_known: bool = False,
+    enough: int | None = None,
+    mapper: Mapper = map,
+    progress: Progress = no_progress,
+) -> MonteCarloResult:
+    """Simulate and adjust many surveys of a plan that can be adjusted; as `run_monte_carlo`.
+
+    Raises
+    ------
+    RankDeficient
+        Targets that all face one way, too.
+    """
+    if have_targets_one_orientation(plan):
+        raise RankDeficient(ONE_WAY)
+    return run_monte_carlo(
+        plan, surveys, seed=seed, flatness_known=flatness_known, enough=enough, mapper=mapper,
+        progress=progress,
+    )  # fmt: skip
+
+
+def result_heading(title: str, result: MonteCarloResult, count: int) -> LazyText:
+    """Heading of the result of ``count`` simulated surveys."""
+    done = len(result.errors) + result.failed
+    if done < count:
+        return gettext_lazy(
+            "{title}: cancelled after {done:n} of {count:n} simulated surveys",
+            title=title, done=done, count=count,
+        )  # fmt: skip
+    return gettext_lazy("{title}: {done:n} surveys simulated and adjusted", title=title, done=done)
+
+
+def plan_warnings(titled: TitledPlan) -> tuple[Message, ...]:
+    """Warnings about lines and targets of a plan that cannot be realised."""
+    plan, found = titled.plan, []
+    for k, off in enumerate(clearance_from_wall(plan, titled.wall), start=1):
+        if off < 0:
+            found.append(warning("plan.line_through_wall", line=k, distance=float(-off)))
+        elif off < NEAR_WALL:
+            found.append(warning("plan.line_near_wall", line=k, distance=float(off)))
+    for one, other in overlapping_targets(plan.targets):
+        found.append(warning("plan.targets_overlap", first=one, second=other))
+    return tuple(found)
+
+
+def write_field_plan(path: Path, titled: TitledPlan) -> None:
+    """Write the page for the field as PDF."""
+    from lispac.report.field_plan import field_plan_figure
+
+    texts = tuple(map(message_text, plan_warnings(titled)))
+    page = field_plan_figure(titled.plan, titled.wall, titled.title, warnings=texts)
+    with atomic_write(Path(path)) as temporary:
+        page.savefig(temporary, format="pdf", metadata={"CreationDate": None})
+
+
+def write_design(
+    folder: Path, title: str, site: Site, design: DesignResult, objective: PlanObjective
+) -> None:
+    """Write the plan, its field plan and the front into a folder.
+
+    Raises
+    ------
+    LispacError
+        The folder cannot be made.
+    """
+    from lispac.report.design_figures import pareto_front_figure
+
+    folder = _create_folder(folder)
+    titled = TitledPlan(title, design.plan, site.wall)
+    write_plan(folder / "plan.toml", titled)
+    write_field_plan(folder / "field-plan.pdf", titled)
+    figure = pareto_front_figure(design.front, CRITERIA[objective.criterion])
+    with atomic_write(folder / "front.svg") as temporary:
+        figure.savefig(temporary, format="svg", metadata={"Date": None})
+    rows = [["minutes", "value_deg", "roll_deg", "pitch_deg", "yaw_deg", "targets", "lines"]]
+    for step in design.front:
+        sigma = np.degrees(predict(step.plan).sigma)
+        names = " ".join(target.name for target in step.plan.targets)
+        numbers = (f"{step.minutes:.1f}", *(f"{v:.6f}" for v in (np.degrees(step.value), *sigma)))
+        rows.append([*numbers, as_csv_cell(names), str(len(step.plan.lines))])
+    with (
+        atomic_write(folder / "front.csv") as temporary,
+        temporary.open("w", encoding="utf-8", newline="") as file,
+    ):
+        csv.writer(file, lineterminator="\n").writerows(rows)
+
+
+def write_scenarios(folder: Path, outcomes: Sequence[ScenarioOutcome]) -> None:
+    """Write the table of all outcomes and a plot of each scenario into a folder.
+
+    Raises
+    ------
+    LispacError
+        The folder cannot be made.
+    """
+    from lispac.report.design_figures import scenario_figure
+
+    folder = _create_folder(folder)
+    rows = ["scenario,case,pos_errors,roll_deg,pitch_deg,yaw_deg,points"]
+    for each in outcomes:
+        sigma = (f"{v:.6f}" if np.isfinite(v) else "" for v in np.degrees(each.sigma))
+        case = f'"{each.case}"' if "," in each.case else each.case
+        rows.append(f"{each.scenario},{case},{each.pos_errors},{','.join(sigma)},{each.points:.0f}")
+    with atomic_write(folder / "scenarios.csv") as temporary:
+        temporary.write_text("\n".join([*rows, ""]), encoding="utf-8")
+    for scenario in dict.fromkeys(each.scenario for each in outcomes):
+        figure = scenario_figure([each for each in outcomes if each.scenario == scenario])
+        with atomic_write(folder / f"{scenario}.svg") as temporary:
+            figure.savefig(temporary, format="svg", metadata={"Date": None})
+
+
+def _create_folder(folder: Path) -> Path:
+    folder = Path(folder)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except ValueError as failure:
+        raise bad_name_error(folder) from failure
+    except OSError as failure:
+        raise LispacError(
+            error(
+                "plan_survey.folder_not_created",
+                folder=str(folder),
+                reason=system_reason(failure),
+            )
+        ) from failure
+    return folder

@@ -1,0 +1,246 @@
+"""Comparison of a survey with its plan: predicted and obtained precision, deviations."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.design.plan import Line, Plan
+from lispac.design.prediction import predict
+from lispac.errors import ProjectError
+from lispac.io.config.plan_file import TitledPlan
+from lispac.language import N_, LazyText, gettext, gettext_lazy, number
+from lispac.messages import error
+from lispac.project import Project
+from lispac.simulation.closed_form_survey import Ball, Board, Course, scanner_position_abeam
+from lispac.workflow.calibration.estimation import observations_of
+from lispac.workflow.project.survey import Survey
+
+Array = NDArray[np.float64]
+
+SAME_HEADING = 22.5
+"""Degrees by which a line may be sailed off its planned heading and still be that line."""
+
+OFF_METRES, OFF_SHARE = 2.0, 0.2
+"""A line that was sailed farther or nearer by more, metres and share of its distance, is named."""
+
+
+ANGLE_NAMES = N_("roll"), N_("pitch"), N_("yaw")
+
+
+@dataclass(frozen=True, eq=False)
+class PlanComparison:
+    """Comparison of a survey with its plan.
+
+    Attributes
+    ----------
+    planned : ndarray of shape (3,), radians
+        Predicted sigmas of the whole plan.
+    sailed : ndarray of shape (3,), radians
+        Predicted sigmas of the lines as sailed.
+    as_flat : ndarray of shape (3,), radians
+        The same with the targets as flat as the survey found them.
+    obtained : ndarray of shape (3,), radians
+        From the adjustment.
+    flatness : tuple of float, metres
+        Of the targets, as planned and as found.
+    missing_targets : tuple of str
+    missing_lines : tuple of Line
+    off_plan : tuple of LazyText
+        Lines that were surveyed at another distance.
+    costs : tuple of LazyText
+        Loss of precision by each line or target that is missing.
+    """
+
+    planned: Array
+    sailed: Array
+    as_flat: Array
+    obtained: Array
+    flatness: tuple[float, float]
+    missing_targets: tuple[str, ...]
+    missing_lines: tuple[Line, ...]
+    off_plan: tuple[LazyText, ...]
+    costs: tuple[LazyText, ...]
+
+    @property
+    def rows(self) -> tuple[tuple[str, ...], ...]:
+        """Rows of a table: a title, and values of roll, pitch and yaw; degrees, or a ratio."""
+        ratio = self.obtained / self.as_flat
+        return (
+            (gettext("predicted for the survey plan"), *_angle_cells(np.degrees(self.planned), 4)),
+            (gettext("predicted for the actual survey"), *_angle_cells(np.degrees(self.sailed), 4)),
+            (
+                gettext("predicted with estimated form error"),
+                *_angle_cells(np.degrees(self.as_flat), 4),
+            ),
+            (gettext("from the adjustment"), *_angle_cells(np.degrees(self.obtained), 4)),
+            (
+                gettext("adjustment / predicted"),
+                *_angle_cells(np.where(ratio > 0, ratio, np.inf), 2),
+            ),
+        )
+
+    @property
+    def summary_texts(self) -> tuple[str, ...]:
+        """Deviations from the plan and their effect, as sentences."""
+        planned, estimated = self.flatness
+        found = []
+        if not np.isfinite(self.sailed).all():
+            found.append(gettext("The surveyed part of the survey plan does not determine the "
+                                 "boresight angles."))  # fmt: skip
+        found.append(
+            gettext(
+                "Form error of the targets: {planned:mm.2} mm planned, {estimated:mm.2} mm "
+                "estimated.",
+                planned=planned,
+                estimated=estimated,
+            )
+        )
+        return (*found, *map(str, self.off_plan), *map(str, self.costs))
+
+
+def compare_with_plan(project: Project, survey: Survey, titled: TitledPlan) -> PlanComparison:
+    """Compare the precision of a survey with the precision predicted for its plan.
+
+    Targets are those of the same name. Of the lines of the same heading each planned one is that
+    whose targets were measured at the distance nearest to the planned; sailed lines are predicted
+    with the distances that were sailed.
+
+    Raises
+    ------
+    ProjectError
+        The project has no result, or none of the plan's targets or lines.
+    """
+    result, plan = project.result, titled.plan
+    if result is None:
+        raise ProjectError(error("estimate.needed", project=project.name))
+    used = [target.name for target in project.targets_of_role("target")]
+    missing_targets = tuple(t.name for t in plan.targets if t.name not in used)
+    sailed_as = _sailed_lines(plan, project, survey)
+    unsailed = [k for k in range(len(plan.lines)) if k not in sailed_as]
+    kept = plan.with_lines([sailed_as[k] for k in sorted(sailed_as)])
+    kept = kept.with_targets([t for t in plan.targets if t.name not in missing_targets])
+    if not kept.targets or not kept.lines:
+        code = "plan_survey.no_line_measured" if kept.targets else "plan_survey.no_target_measured"
+        raise ProjectError(
+            error(code, project=project.name, targets=tuple(t.name for t in plan.targets))
+        )
+    sailed = predict(kept).sigma
+    found_flatness = float(result.surfaces[0])
+    costs = [
+        _precision_cost_text(gettext_lazy("Line {line:n} ({heading}) was not surveyed.", line=k + 1,
+                           heading=plan.lines[k].name), kept.with_lines(
+            [sailed_as.get(j, line) for j, line in enumerate(plan.lines)
+             if j in sailed_as or j == k]
+        ), sailed)
+        for k in unsailed
+    ]  # fmt: skip
+    costs += [
+        _precision_cost_text(
+            gettext_lazy("Target {target} was not used.", target=name),
+            kept.with_targets(
+                [t for t in plan.targets if t.name not in missing_targets or t.name == name]
+            ),
+            sailed,
+        )
+        for name in missing_targets
+    ]
+    return PlanComparison(
+        predict(plan).sigma,
+        sailed,
+        predict(_with_flatness(kept, found_flatness)).sigma,
+        np.asarray(result.sigma),
+        (plan.flatness, found_flatness),
+        missing_targets,
+        tuple(plan.lines[k] for k in unsailed),
+        tuple(
+            gettext_lazy(
+                "Line {line:n} ({heading}) was surveyed at {distance:m.0} m.",
+                line=k + 1,
+                heading=plan.lines[k].name,
+                distance=line.distance,
+            )
+            for k, line in sorted(sailed_as.items())
+            if abs(line.distance - plan.lines[k].distance)
+            > max(OFF_METRES, OFF_SHARE * plan.lines[k].distance)
+        ),
+        tuple(costs),
+    )
+
+
+def _angle_cells(values: Array, decimals: int) -> tuple[str, str, str]:
+    """Roll, pitch and yaw as texts; a dash for what is not determined."""
+    a, b, c = (number(float(v), decimals) if np.isfinite(v) else "–" for v in values)
+    return a, b, c
+
+
+def _with_flatness(plan: Plan, flatness: float) -> Plan:
+    targets = [replace(target, flatness=None) for target in plan.targets]
+    return replace(plan.with_targets(targets), flatness=flatness)
+
+
+def _sailed_lines(plan: Plan, project: Project, survey: Survey) -> dict[int, Line]:
+    """Planned lines that were sailed, by their number, each at its actual distance."""
+    ranges = _median_ranges(project, survey)
+    names = sorted({line for _, line in ranges})
+    cost = np.full((len(plan.lines), len(names)), np.inf)
+    moved = np.zeros_like(cost)
+    for k, (line, course) in enumerate(zip(plan.lines, plan.courses, strict=True)):
+        for j, name in enumerate(names):
+            heading = float(np.degrees(survey.heading[name]))
+            off = abs((line.heading_deg - heading + 180) % 360 - 180)
+            farther = [
+                _extra_distance(plan, target, course, ranges[target.name, name])
+                for target in plan.targets
+                if (target.name, name) in ranges
+            ]
+            if off <= SAME_HEADING and farther:
+                moved[k, j] = float(np.median(farther))
+                cost[k, j] = off + abs(moved[k, j])
+    from scipy.optimize import linear_sum_assignment
+
+    # What can be no pair costs more than all pairs together
+    never = 1.0 + 2.0 * np.where(np.isfinite(cost), cost, 0.0).sum()
+    rows, columns = linear_sum_assignment(np.where(np.isfinite(cost), cost, never))
+    return {
+        int(k): replace(plan.lines[k], distance=max(plan.lines[k].distance + moved[k, j], 0.1))
+        for k, j in zip(rows, columns, strict=True)
+        if np.isfinite(cost[k, j])
+    }
+
+
+def _median_ranges(project: Project, survey: Survey) -> dict[tuple[str, str], float]:
+    """Usual range (metres) at which each target was measured on each line."""
+    observations = observations_of(project, survey)
+    ranges = np.linalg.norm(observations.points_lidar, axis=1)
+    return {
+        (each.target, each.line): float(np.median(ranges[observations.sighting == k]))
+        for k, each in enumerate(observations.sightings)
+    }
+
+
+def _extra_distance(plan: Plan, target: Board | Ball, course: Course, measured: float) -> float:
+    """Additional horizontal distance of a target compared with the plan, metres."""
+    ray = np.array(target.centre) - scanner_position_abeam(plan.system.mounting, target, course)
+    planned = float(np.hypot(ray[0], ray[1]))
+    return float(np.sqrt(max(measured**2 - ray[2] ** 2, 0.0)) - planned)
+
+
+def _precision_cost_text(missing: LazyText, with_it: Plan, without: Array) -> LazyText:
+    """Text on the precision with the missing line or target."""
+    found = predict(with_it)
+    if not np.isfinite(without).all():
+        if not found.determined:
+            return missing
+        return gettext_lazy(
+            "{missing} With it the boresight angles would be determined.", missing=missing
+        )
+    k = int(np.argmin(found.sigma / without))
+    return gettext_lazy(
+        "{missing} With it the standard deviation of {angle} would be {sigma:deg.4} deg instead of "
+        "{without:deg.4} deg.",
+        missing=missing,
+        angle=LazyText(ANGLE_NAMES[k], {}),
+        sigma=float(found.sigma[k]),
+        without=float(without[k]),
+    )

@@ -1,0 +1,116 @@
+"""Simulation of a plan, to check its predicted precision before the survey."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from lispac.design.plan import Plan
+from lispac.io.config.plan_file import read_plan
+from lispac.io.config.vessel_file import Vessel, read_vessel
+from lispac.project import Triple
+from lispac.simulation.closed_form_survey import Ball, Board
+from lispac.simulation.motion_source import SailedTrajectory
+from lispac.simulation.scene import Rectangle, Scene, Sphere
+from lispac.simulation.simulated_survey import SurveySetup
+from lispac.simulation.vessel_motion import StraightPass
+from lispac.untrusted_values import InvalidContentError, toml_values
+from lispac.workflow.planning.simulated_setup import SimulatedSetup, setup_file
+
+ORIGIN = (float(np.radians(46.8)), float(np.radians(-71.2)), 0.0)
+"""Latitude, longitude (radians) and height (metres) of the middle of the site: a plan has none."""
+
+WHITE = 0.85
+MARGIN = 3.0
+"""Metres recorded before and after the straight part of a line."""
+
+WINDOW = (float(np.radians(-60.0)), float(np.radians(80.0)))
+"""Elevations recorded on the side of the site: a plan knows no window."""
+
+SHORTEST_TURN = 15.0
+"""Seconds from one line to the next at least."""
+
+
+def is_plan(path: Path) -> bool:
+    """True if a file is a plan and not a scene; an unreadable file is neither."""
+    try:
+        keys = toml_values(Path(path).read_bytes()).keys()
+    except (OSError, InvalidContentError):
+        return False
+    return bool({"boards", "balls"} & keys)
+
+
+def simulation_of_plan(
+    path: Path,
+    *,
+    vessel: str | None = None,
+    points_per_second: float | None = None,
+    errors: Mapping[str, Any] | None = None,
+) -> SimulatedSetup:
+    """Simulation setup of a plan, whose scene contains only its targets.
+
+    Lever arm, POS and scanner are the plan's; how the vessel moves and by how much the mounting
+    is off are the vessel's.
+
+    Parameters
+    ----------
+    vessel : str, optional
+        A name that comes with the program, or a file; the launch where it is not given.
+    points_per_second : float, optional
+        Pulses per second of the scanner, instead of the plan's.
+    errors : mapping, optional
+        Fields of `MountingErrors` that replace those of the vessel.
+
+    Raises
+    ------
+    InputError
+    """
+    path = Path(path)
+    titled = read_plan(path)
+    plan, file = titled.plan, setup_file("vessel", vessel or "launch", None)
+    carried = read_vessel(file)
+    lever: Triple = tuple(float(v) for v in plan.system.mounting.lever_arm)  # type: ignore[assignment]
+    rate = points_per_second or plan.system.scanner.pulses_per_second
+    scanner = replace(plan.system.scanner, pulses_per_second=rate, window=WINDOW)
+    setup = SurveySetup(
+        ORIGIN,
+        Scene.of([_target_surface(target) for target in plan.targets]),
+        tuple(target.name for target in plan.targets),
+        (),
+        SailedTrajectory(_plan_passes(plan, carried), 0.0),
+        plan.system.pos,
+        scanner,
+        replace(carried.errors, **(errors or {})).mounting(lever),
+    )
+    titles = {"scene": titled.title, "vessel": carried.title, "scanner": "as planned"}
+    return SimulatedSetup(setup, lever, titles, {"scene": path, "vessel": file, "scanner": path})
+
+
+def _target_surface(target: Board | Ball) -> Rectangle | Sphere:
+    centre = np.array(target.centre)
+    if isinstance(target, Ball):
+        return Sphere(target.name, centre, target.radius, WHITE)
+    return Rectangle(
+        target.name, centre, target.facing, target.across, target.width, target.height, WHITE
+    )
+
+
+def _plan_passes(plan: Plan, carried: Vessel) -> tuple[StraightPass, ...]:
+    passes = []
+    for line, course, (start, stop) in zip(
+        plan.lines, plan.courses, plan.straight_extents, strict=True
+    ):
+        before, after = MARGIN - start, MARGIN + stop
+        sailing = (before + after) / line.speed + 2 * carried.handling.ramp
+        handling = replace(
+            carried.handling,
+            speed=line.speed,
+            speed_abeam=line.speed,
+            transit=max(plan.interval - sailing, SHORTEST_TURN),
+        )
+        passes.append(
+            StraightPass(course.heading, course.abeam, before, after, line.starboard, handling)
+        )
+    return tuple(passes)

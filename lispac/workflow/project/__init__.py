@@ -1,0 +1,1 @@
+"""Projects: making, opening, saving and copying them, and their survey."""

@@ -1,0 +1,365 @@
+"""Making, opening and saving projects."""
+
+import shutil
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from lispac.errors import InputError, ProjectError
+from lispac.identity import BLANK, Identity
+from lispac.io.files import require_file
+from lispac.io.project.project_file import (
+    FILE_NAME,
+    UNSAVED_NAME,
+    project_folder,
+    read_project,
+    read_unsaved,
+    write_project,
+)
+from lispac.io.project.project_lock import FOREVER, project_lock
+from lispac.messages import Message, error
+from lispac.progress import Progress, no_progress
+from lispac.project import LineSource, Project, Reading, Settings, Triple
+from lispac.survey.line_source import USUAL
+from lispac.workflow.importing.file_reading import usual_or_detected_reading
+from lispac.workflow.importing.given_time_bases import (
+    has_given_time_base,
+    shift_lines_to_trajectory,
+)
+from lispac.workflow.importing.line_import import LINES, line_folder
+from lispac.workflow.importing.line_split import split_line
+from lispac.workflow.importing.time_rollovers import resolve_time_rollovers
+from lispac.workflow.project.moved_files import with_files_beside
+from lispac.workflow.project.survey import Survey, load_survey
+
+
+def create_project(
+    folder: Path,
+    *,
+    trajectory: Path,
+    lines: Sequence[LineSource],
+    settings: Settings,
+    accuracy: Path | None = None,
+    truth_deg: Triple | None = None,
+    trajectory_reading: Reading = USUAL,
+    accuracy_reading: Reading = USUAL,
+    identity: Identity = BLANK,
+    messages: tuple[Message, ...] = (),
+) -> Project:
+    """Make a project folder that points at the survey's files.
+
+    Raises
+    ------
+    ProjectError
+        Where the folder already holds a project.
+    InputError
+        Where a file is missing or a setting makes no sense.
+    """
+    folder = Path(folder).absolute()
+    require_file(trajectory, "trajectory")
+    if accuracy is not None:
+        require_file(accuracy, "trajectory accuracy")
+    for line in lines:
+        require_file(line.path, "line")
+    settings.require_sound()
+    project = Project(
+        folder=folder,
+        trajectory=Path(trajectory).absolute(),
+        lines=tuple(replace(n, path=Path(n.path).absolute()) for n in lines),
+        settings=settings,
+        accuracy=None if accuracy is None else Path(accuracy).absolute(),
+        truth_deg=truth_deg,
+        trajectory_reading=trajectory_reading,
+        accuracy_reading=accuracy_reading,
+        identity=identity,
+        data_messages=messages,
+    )
+    _require_new_folder(project)
+    digest = write_project(project, expected="")
+    return replace(project, file_digest=digest)
+
+
+def _require_new_folder(project: Project) -> None:
+    if (project.folder / FILE_NAME).exists():
+        raise ProjectError(error("project_folder.exists", folder=str(project.folder)))
+    if not project.lines:
+        raise InputError(error("project_line.none"))
+    _require_line_names(project)
+
+
+def _require_line_names(project: Project) -> None:
+    names = [line.name for line in project.lines]
+    for name in names:
+        if names.count(name) > 1:
+            raise InputError(error("project_line.same_name", line=name))
+
+
+def new_project(
+    folder: Path,
+    *,
+    trajectory: Path,
+    lines: Sequence[LineSource],
+    settings: Settings,
+    accuracy: Path | None = None,
+    truth_deg: Triple | None = None,
+    trajectory_reading: Reading = USUAL,
+    accuracy_reading: Reading = USUAL,
+    identity: Identity = BLANK,
+    resolved: bool = False,
+    split_by: str = "",
+    progress: Progress = no_progress,
+) -> tuple[Project, Survey]:
+    """Read the survey to check its files, then create its project.
+
+    The reading options are completed here, from given and detected values;
+    the survey's notes list what was detected.
+
+    Parameters
+    ----------
+    truth_deg : degrees, optional
+        Boresight put into a simulated survey.
+    resolved : bool
+        Whether the readings are those of a project, where this was done before.
+    split_by : str
+        Attribute, or ``gap``, by which files are split into lines; see `split_line`.
+
+    Raises
+    ------
+    ProjectError
+    InputError
+        As `create_project` and `load_survey`; no folder is left then.
+    """
+    settings.require_sound()
+    draft = Project(Path(folder).absolute(), trajectory, tuple(lines), settings, accuracy)
+    _require_new_folder(draft)
+    notes: tuple[Message, ...] = ()
+    known = tuple(lines)
+    if not resolved:
+        known, trajectory_reading, accuracy_reading, notes = complete_readings(
+            known, trajectory, trajectory_reading, accuracy, accuracy_reading
+        )
+    if split_by:
+        known = tuple(part for line in known for part in split_line(line, split_by))
+    draft = replace(
+        draft, lines=known, trajectory_reading=trajectory_reading,
+        accuracy_reading=accuracy_reading,
+    )  # fmt: skip
+    _require_line_names(draft)
+    with removed_on_failure(draft):
+        survey = load_survey(draft, progress=progress)
+        project = create_project(
+            folder, trajectory=trajectory, lines=known, settings=settings, accuracy=accuracy,
+            truth_deg=truth_deg, trajectory_reading=trajectory_reading,
+            accuracy_reading=accuracy_reading, identity=identity, messages=survey.messages,
+        )  # fmt: skip
+    return project, replace(survey, notes=(*notes, *survey.notes))
+
+
+def complete_readings(
+    lines: Sequence[LineSource],
+    trajectory: Path,
+    trajectory_reading: Reading,
+    accuracy: Path | None,
+    accuracy_reading: Reading,
+) -> tuple[tuple[LineSource, ...], Reading, Reading, tuple[Message, ...]]:
+    """Complete the options of all files of a new project by detected ones.
+
+    Returns
+    -------
+    lines, trajectory_reading, accuracy_reading : complete
+    notes : tuple of Message
+
+    Raises
+    ------
+    InputError
+        Where a file cannot be read, or is not what is given.
+    """
+    base_given = bool(dict(trajectory_reading.options).get("time"))
+    trajectory_reading, notes = usual_or_detected_reading(
+        trajectory, "trajectory", trajectory_reading
+    )
+    if accuracy is not None:
+        accuracy_reading, extra = usual_or_detected_reading(accuracy, "accuracy", accuracy_reading)
+        notes += extra
+    known, extra = _lines_with_readings(lines)
+    notes += extra
+    known, extra = shift_lines_to_trajectory(
+        known, [line.reading for line in lines], trajectory, trajectory_reading,
+        trajectory_given=base_given,
+    )  # fmt: skip
+    return known, trajectory_reading, accuracy_reading, notes + extra
+
+
+def with_lines_added(
+    project: Project, lines: Sequence[LineSource], *, progress: Progress = no_progress
+) -> tuple[Project, Survey]:
+    """Add lines to a project and read its survey; targets and results are kept.
+
+    The reading options are completed as in `new_project`. The project on disk is not changed.
+
+    Raises
+    ------
+    ProjectError
+    InputError
+        Where a line has the name or the file of one that is there, or cannot be read; nothing
+        that was imported for it is left then.
+    """
+    for line in lines:
+        for known in project.lines:
+            if known.path == Path(line.path).absolute() and known.reading == line.reading:
+                raise ProjectError(
+                    error("project_line.known", file=str(line.path), line=known.name)
+                )
+    added, notes = _lines_with_readings(lines)
+    added, extra = shift_lines_to_trajectory(
+        added, [line.reading for line in lines], project.trajectory, project.trajectory_reading,
+        trajectory_given=has_given_time_base(project.trajectory, project.trajectory_reading),
+    )  # fmt: skip
+    notes += extra
+    edited = replace(
+        project,
+        lines=(*project.lines, *(replace(n, path=Path(n.path).absolute()) for n in added)),
+        alternative_results=(),
+    )
+    _require_line_names(edited)
+    with removed_on_failure(edited):
+        survey = load_survey(edited, progress=progress)
+    edited = edited.with_data_messages(survey.messages)
+    return edited, replace(survey, notes=(*notes, *survey.notes))
+
+
+def _lines_with_readings(
+    lines: Sequence[LineSource],
+) -> tuple[tuple[LineSource, ...], tuple[Message, ...]]:
+    """Lines with how each is read, and messages about their files."""
+    known: list[LineSource] = []
+    notes: tuple[Message, ...] = ()
+    for line in lines:
+        named = bool(line.columns)
+        reading, extra = usual_or_detected_reading(line.path, "points", line.reading, columns=named)
+        known.append(replace(line, reading=reading))
+        notes += extra
+    counted, extra = resolve_time_rollovers(known)
+    return counted, notes + extra
+
+
+@contextmanager
+def removed_on_failure(project: Project) -> Iterator[None]:
+    """Remove the imported lines of a new project if its creation fails.
+
+    What was there before, whatever it is and whoever put it there, stays.
+    """
+    stores = [line_folder(project, line) for line in project.lines]
+    new = [store for store in stores if not store.exists()]
+    made = [path for path in (project.folder / LINES, project.folder) if not path.exists()]
+    try:
+        yield
+    except BaseException:
+        for store in new:
+            shutil.rmtree(store, ignore_errors=True)
+        for path in made:
+            if path.is_dir() and not any(path.iterdir()):
+                path.rmdir()
+        raise
+
+
+def open_project(folder: Path) -> Project:
+    """Open a project by its folder, its ``project.json`` or the file that opens it.
+
+    Files that are gone from where they were are found in its folder and beside it.
+
+    Raises
+    ------
+    ProjectError
+    """
+    return open_project_with_notes(folder)[0]
+
+
+@contextmanager
+def locked_project(
+    folder: Path, *, waiting: Callable[[], None] = lambda: None
+) -> Iterator[Project]:
+    """Open a project, locked against changes by other programs until the block ends.
+
+    Another program that is changing it is waited for.
+
+    Parameters
+    ----------
+    waiting : callable
+        Called once when it has to wait.
+
+    Raises
+    ------
+    ProjectError
+    InputError
+        Where the folder cannot be written.
+    """
+    place = project_folder(folder)
+    with project_lock(place, wait=FOREVER, waiting=waiting):
+        yield open_project(place)
+
+
+def open_project_with_notes(folder: Path) -> tuple[Project, tuple[Message, ...]]:
+    """Open a project, with notes on files that were found elsewhere.
+
+    Raises
+    ------
+    ProjectError
+    """
+    return with_files_beside(read_project(folder))
+
+
+@dataclass(frozen=True, eq=False)
+class UnsavedProject:
+    """Unsaved state of a project, recovered after a crash.
+
+    Attributes
+    ----------
+    kept, saved : seconds since 1970
+    """
+
+    project: Project
+    kept: float
+    saved: float
+
+
+def read_unsaved_project(folder: Path) -> UnsavedProject | None:
+    """Read the unsaved project after a crash; None if there is none.
+
+    Raises
+    ------
+    ProjectError
+        Where it is damaged.
+    """
+    project = read_unsaved(folder)
+    if project is None:
+        return None
+    project, _ = with_files_beside(project)
+    kept, saved = (folder / name for name in (UNSAVED_NAME, FILE_NAME))
+    return UnsavedProject(project, kept.stat().st_mtime, saved.stat().st_mtime)
+
+
+def require_folder(project: Project) -> None:
+    """Refuse if the folder of an open project is no longer at its place.
+
+    Saving would make it anew at the old place, without the lines and the trajectory.
+
+    Raises
+    ------
+    InputError
+        Where it was moved, renamed or removed meanwhile.
+    """
+    if not project.folder.is_dir():
+        raise InputError(error("project_folder.gone", folder=str(project.folder)))
+
+
+def save_project(project: Project, *, expected: str | None = None) -> Project:
+    """Save a project into its folder; parameters and errors as `write_project`.
+
+    Returns
+    -------
+    Project
+        With the digest of its new file.
+    """
+    return replace(project, file_digest=write_project(project, expected=expected))

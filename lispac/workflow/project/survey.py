@@ -1,0 +1,364 @@
+"""Opening a project's survey: trajectory and lines read, checked and georeferenced."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import InputError, ProjectError
+from lispac.io.format_types import SAME_TIME_BASE, Kind
+from lispac.io.formats import format_of, is_las
+from lispac.io.las.las_chunks import point_count
+from lispac.io.value_conversion import decode_value
+from lispac.language import gettext_lazy
+from lispac.messages import Level, Message, Value, error, note
+from lispac.progress import Progress, no_progress, sub_progress
+from lispac.project import LineSource, Project, Reading
+from lispac.survey.audit_messages import line_messages, shared_messages, simultaneous_messages
+from lispac.survey.cloud import Cloud, CloudInMemory, CloudOnDisk, Line, place_clouds
+from lispac.survey.georeferencing import Georeferencer, Mounting
+from lispac.survey.line_audit import LineAudit
+from lispac.survey.line_source import printable
+from lispac.survey.point_screening import parse_largest_range
+from lispac.survey.store.layout import has_import
+from lispac.survey.store.stored_line import ROUNDING, StoredLine
+from lispac.survey.time_quality import accuracy_coverage_warning
+from lispac.survey.trajectory import LocalTrajectory, TrajectoryAccuracy
+from lispac.survey.trajectory_sampling import interpolation_messages
+from lispac.targets.rough_alignment import Alignment, align_lines
+from lispac.untrusted_values import InvalidContentError
+from lispac.warning_causes import Cause
+from lispac.workflow.importing.file_reading import (
+    USUAL,
+    local_trajectory,
+    read_accuracy,
+)
+from lispac.workflow.importing.line_import import assumptions_of, import_line, line_folder
+from lispac.workflow.importing.line_points import LineFindings, read_line
+from lispac.workflow.project.moved_files import require_files
+
+LARGEST_SIGMA_M, LARGEST_SIGMA_RAD = 1e4, np.pi
+"""Standard deviations that no POS has; exporters write such values where they have no solution."""
+DATA = Cause.of_step("Data")
+LARGE_LINE = 4_000_000
+"""Points; lines with more are imported into the project's store, smaller ones are read into memory
+whenever the project is opened, with 64 bytes a point."""
+RUNS, RUN = 64, 16
+"""Places of a line, and neighbouring points at each, whose times are compared with the states."""
+AUDIT_TIMES = 1001
+"""Times of a line at which the motion of the vessel is evaluated for the audit."""
+TEXT_POINT = 40
+"""Approximate bytes of a point in a file without a point count."""
+
+
+@dataclass(frozen=True, eq=False)
+class Survey:
+    """The data of a project: large lines on disk, small ones in memory.
+
+    Attributes
+    ----------
+    scans : points of each line by its name
+    clouds : lines in the local frame, placed with the prior mounting, by name
+    heading : median heading of the vessel on each line, radians
+    notes : tuple of Message
+        What was assumed or excluded while reading.
+    messages : tuple of Message
+        Warnings and notes about the content of the files.
+    """
+
+    trajectory: LocalTrajectory
+    accuracy: TrajectoryAccuracy
+    scans: Mapping[str, Line]
+    clouds: Mapping[str, Cloud]
+    heading: Mapping[str, float]
+    notes: tuple[Message, ...]
+    messages: tuple[Message, ...] = ()
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """Names of the lines in the project's order."""
+        return tuple(self.scans)
+
+    def placed(self, project: Project, which: Literal["prior", "estimated"]) -> Mapping[str, Cloud]:
+        """Point clouds of the lines, georeferenced with the prior or the estimated mounting."""
+        if which == "prior":
+            return self.clouds
+        return place_clouds(self.clouds, project.mounting(which))
+
+    def displayed_clouds(
+        self,
+        project: Project,
+        which: Literal["prior", "estimated"],
+        *,
+        progress: Progress = no_progress,
+    ) -> Mapping[str, Cloud]:
+        """Lines as in `placed`, with samples for the display prepared."""
+        clouds = self.placed(project, which)
+        for k, (name, cloud) in enumerate(clouds.items()):
+            progress(
+                k / len(clouds), gettext_lazy("Computing the point positions of {line}", line=name)
+            )
+            assert len(cloud.sample)
+        return clouds
+
+    @cached_property
+    def alignment(self) -> Alignment:
+        """Lines aligned for the search of targets; computed on first access, in some seconds."""
+        return align_lines(self.clouds)
+
+    def with_prior(self, mounting: Mounting) -> "Survey":
+        """Survey with the same data placed with another prior mounting."""
+        return replace(self, clouds=place_clouds(self.clouds, mounting))
+
+
+def data_key(project: Project) -> tuple[object, ...]:
+    """Key of all values that the loaded data depend on."""
+    settings = project.settings
+    return (
+        project.trajectory,
+        project.accuracy,
+        project.lines,
+        settings.lever_arm,
+        settings.boresight_deg,
+        settings.origin_deg_m,
+        settings.position_sigma,
+        settings.attitude_sigma_deg,
+        settings.range_offset,
+        settings.scan_angle_offset_deg,
+        settings.latency,
+        settings.longest_gap,
+    )
+
+
+def load_survey(project: Project, *, progress: Progress = no_progress) -> Survey:
+    """Read everything the project points at.
+
+    A line that has been imported is opened where it lies; where that import was interrupted, or
+    its file or what it was made with has changed since, it is imported again. A line with a large
+    file is imported now.
+
+    Raises
+    ------
+    InputError
+        Where a file is missing, damaged, or does not fit the others.
+    ProjectError
+        Where a line has to be imported and its store cannot be written.
+    """
+    require_files(project)
+    progress(0.0, gettext_lazy("Reading {file}", file=project.trajectory.name))
+    trajectory, assumed = local_trajectory(project)
+    accuracy, of_accuracy = _trajectory_accuracy(project, trajectory)
+    notes = (*_with_shift_notes(project, assumed), *of_accuracy)
+    messages = (*_file_messages(project), *trajectory.messages)
+    messages += _accuracy_messages(project, accuracy)
+    audits: dict[str, LineAudit] = {}
+    scans: dict[str, Line] = {}
+    clouds: dict[str, Cloud] = {}
+    heading: dict[str, float] = {}
+    for k, line in enumerate(project.lines):
+        step = sub_progress(
+            progress, 0.1 + 0.9 * k / len(project.lines), 0.1 + 0.9 * (k + 1) / len(project.lines)
+        )
+        scan, cloud, of_line, found = _open_line(project, line, trajectory, step)
+        notes += of_line
+        if found is None:
+            messages += (_not_checked_note(line.name),)
+        else:
+            audits[line.name] = found.audit
+            times = np.linspace(scan.first_time, scan.last_time, AUDIT_TIMES)
+            times = times[trajectory.covers(times)]
+            messages += line_messages(line.name, found.audit, trajectory, times)
+            messages += found.recovery
+        messages += _range_messages(line, scan)
+        scans[line.name], clouds[line.name] = scan, cloud
+        heading[line.name] = _median_heading(trajectory, scan)
+        _require_picked_points(project, line, scan)
+    messages += shared_messages(audits)
+    first_times = {name: scan.first_time for name, scan in scans.items()}
+    messages += simultaneous_messages(audits, first_times)
+    sampled = {name: _sample_times(scan) for name, scan in scans.items()}
+    messages += interpolation_messages(trajectory, accuracy, sampled)
+    progress(1.0)
+    return Survey(
+        trajectory, accuracy, scans, clouds, heading, tuple(dict.fromkeys(notes)), messages
+    )
+
+
+def _range_messages(line: LineSource, scan: Line) -> tuple[Message, ...]:
+    """Warning about points of a stored line that the present range limit excludes."""
+    if not isinstance(scan, StoredLine):
+        return ()
+    limit = parse_largest_range(dict(line.reading.options).get("max_range", ""))
+    if scan.reach <= limit * (1.0 + ROUNDING):
+        return ()
+    params: dict[str, Value] = {"line": line.name, "distance": scan.reach, "limit": limit}
+    return (Message("audit.beyond_range", Level.WARNING, params, Cause.of_line(line.name)),)
+
+
+def _not_checked_note(name: str) -> Message:
+    return Message("audit.not_checked", Level.NOTE, {"line": name}, Cause.of_line(name))
+
+
+def _file_messages(project: Project) -> tuple[Message, ...]:
+    """Messages of the readers about the files of a project, as far as the files are there."""
+    files: list[tuple[Kind, Path, Reading, Cause]] = [
+        ("trajectory", project.trajectory, project.trajectory_reading, DATA)
+    ]
+    if project.accuracy is not None:
+        files.append(("accuracy", project.accuracy, project.accuracy_reading, DATA))
+    for line in project.lines:
+        if not line.columns:
+            files.append(("points", line.path, line.reading, Cause.of_line(line.name)))
+    found: list[Message] = []
+    for kind, path, reading, subject in files:
+        format = format_of(reading.format or USUAL[kind])
+        try:
+            messages = format.preview(path, dict(reading.options)).messages
+        except InputError:  # the reader itself refuses the file where that matters
+            continue
+        found += [replace(each, subject=each.subject or subject) for each in messages]
+    return tuple(dict.fromkeys(found))
+
+
+def _with_shift_notes(project: Project, assumed: tuple[Message, ...]) -> tuple[Message, ...]:
+    """The assumptions, and the time shifts of lines, where there are any."""
+    shifted = [line for line in project.lines if line.reading.time_shift]
+    if not shifted:
+        return assumed
+    kept = (
+        note("assumed.same_time_base_shifted") if each == SAME_TIME_BASE else each
+        for each in assumed
+    )
+    shifts = (
+        note("assumed.time_shift", file=printable(line.path.name), shift=line.reading.time_shift)
+        for line in shifted
+    )
+    return (*kept, *shifts)
+
+
+def _trajectory_accuracy(
+    project: Project, trajectory: LocalTrajectory
+) -> tuple[TrajectoryAccuracy, tuple[Message, ...]]:
+    if project.accuracy is not None:
+        accuracy = read_accuracy(project.accuracy, project.accuracy_reading)
+        _require_overlap(accuracy, trajectory, project.accuracy)
+        file = printable(project.accuracy.name)
+        too_short = accuracy_coverage_warning(accuracy.time, trajectory.time, file)
+        return accuracy, () if too_short is None else (too_short,)
+    typed = TrajectoryAccuracy.constant(
+        np.array(project.settings.position_sigma),
+        np.radians(project.settings.attitude_sigma_deg),
+    )
+    return typed, (note("assumed.constant_accuracy"),)
+
+
+def _accuracy_messages(project: Project, accuracy: TrajectoryAccuracy) -> tuple[Message, ...]:
+    """Warnings about standard deviations that no POS has."""
+    if project.accuracy is None:
+        return ()
+    far = (accuracy.position > LARGEST_SIGMA_M).any(axis=1)
+    turned = (accuracy.attitude > LARGEST_SIGMA_RAD).any(axis=1)
+    count = int((far | turned).sum())
+    if not count:
+        return ()
+    params: dict[str, Value] = {
+        "file": project.accuracy.name, "count": count, "share": count / len(accuracy.time),
+    }  # fmt: skip
+    return (Message("accuracy.too_large", Level.WARNING, params, DATA),)
+
+
+def _open_line(
+    project: Project, line: LineSource, trajectory: LocalTrajectory, progress: Progress
+) -> tuple[Line, Cloud, tuple[Message, ...], LineFindings | None]:
+    """A line from its store or its file, placed, notes on its reading, and its audit.
+
+    Raises
+    ------
+    ProjectError
+        Where the audit of the store is damaged.
+    """
+    mounting = project.mounting("prior")
+    if _belongs_on_disk(project, line):
+        imported = import_line(project, line, trajectory, progress=progress)
+        stored = imported.stored
+        cloud = CloudOnDisk(stored, Georeferencer.of(trajectory, mounting))
+        notes = assumptions_of(stored)
+        if imported.reason:
+            notes = (imported.reason, *notes)
+        if not line.path.exists():
+            notes += (note("import.file_gone", file=str(line.path), line=line.name),)
+        try:
+            found = (
+                decode_value(stored.manifest.audit, LineFindings) if stored.manifest.audit else None
+            )
+        except InvalidContentError as failure:
+            raise ProjectError(error("store.audit_damaged", line=line.name)) from failure
+        return stored, cloud, notes, found
+    progress(0.0, gettext_lazy("Reading {file}", file=line.path.name))
+    scan, found = read_line(line, trajectory, mounting)
+    progress(0.7, gettext_lazy("Georeferencing {line}", line=line.name))
+    placed = CloudInMemory.of(scan, trajectory, mounting)
+    return scan, placed, scan.assumptions, found
+
+
+def _belongs_on_disk(project: Project, line: LineSource) -> bool:
+    if has_import(line_folder(project, line)):
+        return True
+    return line.path.is_file() and _estimate_point_count(line.path) > LARGE_LINE
+
+
+def _estimate_point_count(path: Path) -> int:
+    """Approximate number of points of a line."""
+    if is_las(path):
+        try:
+            return point_count(path)
+        except InputError:
+            return 0
+    return path.stat().st_size // TEXT_POINT
+
+
+def _require_picked_points(project: Project, line: LineSource, scan: Line) -> None:
+    for target in project.targets:
+        sighting = target.sighting(line.name)
+        if sighting is not None and sighting.fingerprint not in ("", scan.fingerprint):
+            raise InputError(error("import.other_points", file=str(line.path), target=target.name))
+        if sighting is not None and len(sighting.indices) and sighting.indices.max() >= len(scan):
+            raise ProjectError(
+                error(
+                    "import.points_missing",
+                    folder=str(project.folder),
+                    target=target.name,
+                    line=line.name,
+                )
+            )
+
+
+def _require_overlap(accuracy: TrajectoryAccuracy, trajectory: LocalTrajectory, path: Path) -> None:
+    if accuracy.time[-1] < trajectory.time[0] or accuracy.time[0] > trajectory.time[-1]:
+        raise InputError(
+            error(
+                "import.accuracy_times",
+                file=str(path),
+                first=float(accuracy.time[0]),
+                last=float(accuracy.time[-1]),
+                start=float(trajectory.time[0]),
+                end=float(trajectory.time[-1]),
+            )
+        )
+
+
+def _sample_times(scan: Line) -> NDArray[np.float64]:
+    """Times of some points all over a line, shape (n,), seconds; neighbours are read at once."""
+    starts = np.linspace(0, max(0, len(scan) - RUN), RUNS).astype(np.int64)
+    numbers = np.unique(starts[:, None] + np.arange(min(RUN, len(scan))))
+    return scan.take(numbers)[1]
+
+
+def _median_heading(trajectory: LocalTrajectory, scan: Line) -> float:
+    # A few hundred states determine the course of a line.
+    times = np.linspace(scan.first_time, scan.last_time, 201)
+    return float(np.median(trajectory.at(times).attitude[:, 2]))

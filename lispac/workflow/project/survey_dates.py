@@ -1,0 +1,67 @@
+"""Dates of a survey, by the times of its lines."""
+
+from datetime import UTC, datetime
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lispac.errors import LispacError
+from lispac.io.formats import format_of
+from lispac.io.points.line_times import read_line_times
+from lispac.project import LineSource, Project
+from lispac.survey.line_source import RESTART
+from lispac.survey.time_base import GPS_EPOCH, TimeBase, leap_seconds_at_gps, to_gps
+from lispac.survey.time_rollover import NONE
+from lispac.workflow.importing.file_reading import USUAL, format_of_line
+from lispac.workflow.importing.given_time_bases import known_time_base
+from lispac.workflow.project.survey import Survey
+
+
+def survey_dates(project: Project, survey: Survey | None = None) -> str:
+    """First and last day (UTC) of the lines, as text; empty if some times are undetermined.
+
+    Parameters
+    ----------
+    survey : Survey, optional
+        Where it is at hand, its times are taken; else the files are examined, long ones here
+        and there.
+    """
+    days: set[str] = set()
+    for line in project.lines:
+        try:
+            found = _line_days(project, line, survey)
+        except (LispacError, OSError):
+            return ""  # it is a proposal; reading errors are reported elsewhere
+        if not found:
+            return ""
+        days |= found
+    return " to ".join(sorted({min(days), max(days)})) if days else ""
+
+
+def _line_days(project: Project, line: LineSource, survey: Survey | None) -> set[str]:
+    """First and last day of a line; empty if its time base is not known."""
+    format, choice, _ = format_of_line(line)
+    if survey is None:
+        restart = {RESTART: line.reading.restart or NONE}
+        times = read_line_times(line.path, format, {**choice, **restart}).sample
+        moved = line.reading.to_trajectory_time(times)
+    else:
+        scan = survey.scans[line.name]
+        moved = np.array([scan.first_time, scan.last_time])
+        times = line.reading.to_file_time(moved)
+    own = known_time_base(format, line.path, choice, "time_base", given=False)
+    # The trajectory's times may contain the date if those of the line do not.
+    track = known_time_base(
+        format_of(project.trajectory_reading.format or USUAL["trajectory"]), project.trajectory,
+        dict(project.trajectory_reading.options), "time", given=False,
+    )  # fmt: skip
+    for known, seconds in ((own, times), (track, moved)):
+        if known.base is not None and known.base.period is None and known.fits(seconds):
+            return _utc_days(seconds, known.base)
+    return set()
+
+
+def _utc_days(times: NDArray[np.float64], base: TimeBase) -> set[str]:
+    gps = to_gps(np.array([times.min(), times.max()]), base)
+    utc = gps - leap_seconds_at_gps(gps) + GPS_EPOCH
+    return {f"{datetime.fromtimestamp(float(at), UTC):%Y-%m-%d}" for at in utc}
