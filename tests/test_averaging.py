@@ -95,7 +95,7 @@ def with_strays(observations, share: float, generator):
 
 
 @pytest.mark.parametrize("spacing", [0.02, 0.04])
-def test_strays_do_not_hide_in_averages(spacing) -> None:
+def test_outliers_do_not_hide_in_averages(spacing) -> None:
     """One stray in twenty of dense points: one or more in every average, were they let in."""
     model = StochasticModel(loss="tukey")
     for seed in range(2):
@@ -122,7 +122,7 @@ def test_nothing_stands_out_of_a_clean_survey(survey) -> None:
     assert average_points_in_cells(survey, PRIOR, 0.1, no_outliers=True).excluded_outliers <= 1
 
 
-def test_nothing_stands_out_where_the_scanner_is_worse_than_stated(survey) -> None:
+def test_nothing_stands_out_where_the_scanner_is_worse_than_given(survey) -> None:
     """The spread of the points themselves is what they are judged by."""
     told = survey.with_sigmas(0.2, 1.0, 1.0)
     assert average_points_in_cells(told, PRIOR, 0.1, no_outliers=True).excluded_outliers <= 1

@@ -117,7 +117,7 @@ def plain(text: str) -> str:
 
 @pytest.mark.parametrize("language", ["en", "fr"])
 @pytest.mark.parametrize("name", DOUBTED)
-def test_doubted(
+def test_warnings(
     scene: Scene, capsys: pytest.CaptureFixture[str], name: str, language: str
 ) -> None:
     words = DOUBTED[name](scene)

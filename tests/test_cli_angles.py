@@ -123,7 +123,7 @@ def test_correction_to_present_settings(capsys) -> None:
     np.testing.assert_allclose(found["matrix"], turns["correction_deg"].as_matrix(), atol=1e-12)
 
 
-def test_a_sum_that_is_good_enough_is_said_to_be(capsys) -> None:
+def test_a_sum_that_is_good_enough_is_reported_as_such(capsys) -> None:
     text = said(capsys, 0.01, -0.02, 0.01, "--to", "applanix", "--current", 0.01, 0.01, 0)
     assert "less than 1 mm at 100 m" in text
     assert "Do not add" not in text
@@ -166,7 +166,7 @@ def test_a_matrix_is_read_as_it_is_printed(capsys, tmp_path: Path, key: str) -> 
     assert back["lever_arm_m"] == pytest.approx([1, -2, 3])
 
 
-def test_axes_of_an_imu_can_be_stated(capsys) -> None:
+def test_axes_of_an_imu_can_be_given(capsys) -> None:
     words = (0, 0, 0, "--lever-arm", 1, 2, 3, "--to", "phoenix")
     content = answer(capsys, *words, "--body-axes", "down", "starboard", "aft")["to"]
     assert content["lever_arm_m"] == [-3, -2, -1]

@@ -41,7 +41,9 @@ def test_predict(capsys: pytest.CaptureFixture[str]) -> None:
     assert "correlation roll-pitch" in said
 
 
-def test_what_is_not_determined_is_said(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_what_is_not_determined_is_reported(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
     text = PORT.read_text()
     one_way = tmp_path / "one-way.toml"
     one_way.write_text(text.replace("inclination_deg = 45\n", ""))

@@ -63,7 +63,7 @@ def test_only_what_is_less_than_good_is_listed_the_poor_first(
     assert capsys.readouterr().out == ""
 
 
-def test_planes_that_were_not_compared_are_told_with_the_reason(
+def test_planes_that_were_not_compared_are_reported_with_the_reason(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     project = replace(
@@ -86,7 +86,7 @@ def test_planes_that_were_not_compared_are_told_with_the_reason(
         (3.0, 3.0, ()),
     ],
 )  # fmt: skip
-def test_that_a_target_was_sought_farther_off_is_noted(
+def test_a_wider_search_for_a_target_is_noted(
     asked: float | None, radius: float, notes: tuple[Message, ...]
 ) -> None:
     assert search_notes(Target("T1", "target", (0.0, 0.0, 0.0), 0.01, radius, ()), asked) == notes
@@ -127,7 +127,7 @@ def test_the_first_days_of_a_project_have_no_identity(
     assert second.index("Second.") == first.index("First.")
 
 
-def test_files_found_beside_a_project_that_was_moved_are_told(
+def test_files_found_beside_a_project_that_was_moved_are_reported(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     raw = tmp_path / "raw"
@@ -155,7 +155,7 @@ def test_a_sensor_of_ones_own_that_cannot_be_read_is_noted(
     assert "Z+F PROFILER 9012" in out
 
 
-def test_plane_files_are_adjusted_and_told(
+def test_plane_files_are_adjusted_and_reported(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     true = Mounting(np.array([0.1, -0.2, 0.3]), np.radians([0.27, -1.14, 0.36]))
@@ -197,7 +197,7 @@ def test_the_window_opens_at_the_end_of_the_demo_where_there_is_a_screen(
     assert numbers["rms_truth_m"] == {"V1": 0.0123}
 
 
-def test_the_visibility_study_is_told_beside_the_thesis(
+def test_the_visibility_study_is_reported_beside_the_thesis(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     few = replace(MARINE, inclinations=tuple(np.radians([0.0, 30.0, 60.0, 90.0]).tolist()))
@@ -215,7 +215,7 @@ def test_the_visibility_study_is_told_beside_the_thesis(
     assert told(capsys, *words, "--hit-beams")[0] == f"1 files in {tmp_path}\n"
 
 
-def test_what_goes_with_the_angles_of_a_project_is_told(
+def test_what_goes_with_the_angles_of_a_project_is_reported(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     project = sample_project(tmp_path, model="independent")
@@ -286,7 +286,7 @@ def test_a_row_for_each_distance_and_one_for_all_points(
     assert some == ["0.10", "2,345", *of_all, "0.25"]
 
 
-def test_a_design_is_told_beside_a_usual_plan_that_leaves_an_angle_open(
+def test_a_design_is_reported_beside_a_usual_plan_that_leaves_an_angle_open(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     site, folder = tmp_path / "site.toml", tmp_path / "out"

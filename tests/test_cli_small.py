@@ -195,7 +195,7 @@ def _target(name: str, role: str, north: float, one_in: int = 1) -> Target:
     return Target(name, role, (north, -15.0, 5.0), 0.01, 1.5, sightings)  # type: ignore[arg-type]
 
 
-def test_a_proposal_is_told_with_its_reasons_and_added_where_wanted(
+def test_a_proposal_is_shown_with_its_reasons_and_added_on_request(
     capsys: pytest.CaptureFixture[str], project: Project, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     targets = (_target("T1", "target", 1.25), _target("V1", "validation", -4.0, one_in=3))
@@ -226,7 +226,7 @@ def test_a_proposal_is_told_with_its_reasons_and_added_where_wanted(
     assert [(each.name, each.role) for each in kept] == [("T1", "target"), ("V1", "validation")]
 
 
-def test_the_answer_of_the_scene_is_printed_and_kept_where_wanted(
+def test_the_result_of_the_scene_is_printed_and_kept_on_request(
     capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
@@ -357,7 +357,7 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
     assert [target.name for target in read_project(project.folder).targets] == ["T1"]
 
 
-def test_nothing_to_warn_of_is_said(
+def test_nothing_to_warn_of_is_reported(
     capsys: pytest.CaptureFixture[str], project: Project, at_hand: AtHand,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip

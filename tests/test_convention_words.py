@@ -20,7 +20,7 @@ def arm(lever_arm: tuple[float, float, float]) -> str:
     return str(lever_arm_text(lever_arm))
 
 
-def test_a_steep_pitch_is_told_by_the_axes() -> None:
+def test_a_steep_pitch_is_reported_by_the_axes() -> None:
     """There roll and yaw are turns about the same axis and say little alone."""
     assert said(np.radians([0.0, 90.0, 0.0])) == (
         "Directions of the scanner axes: X down, Y port, Z forward."
@@ -48,7 +48,7 @@ def test_a_boresight_in_a_sentence() -> None:
     assert "(order of rotations: yaw, pitch, roll)" in said(np.radians([5, 0, 90]))
 
 
-def test_angles_are_said_with_as_many_decimals_as_each_other() -> None:
+def test_angles_are_reported_with_as_many_decimals_as_each_other() -> None:
     assert said(np.radians([0.2, 1.178, 0.3])) == (
         "The scanner is pitched 1.178 deg bow down, is yawed 0.300 deg to starboard and is rolled "
         "0.200 deg port side up."
@@ -116,7 +116,7 @@ def test_what_is_not_verified_says_what_is_assumed(convention) -> None:
             assert turn.meaning in str(convention.signs)
 
 
-def test_what_is_taken_for_the_axes_of_the_scanner_is_said() -> None:
+def test_what_is_taken_for_the_axes_of_the_scanner_is_reported() -> None:
     opals = ConventionSetup(next(each for each in SYSTEMS if each.key == "opals"))
     assert str(opals.scanner_axes(rotation_matrix(0.01, 0.02, np.pi / 2))) == (
         "An axis permutation (mounting) first maps the raw scanner axes to the body axes; the "

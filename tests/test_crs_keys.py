@@ -62,7 +62,7 @@ def test_heights_of_the_keys(heights: int, text: str, unknown: tuple[str, ...]) 
     assert found.name == CRS(text).name
 
 
-def test_the_unit_of_heights_is_stated_apart() -> None:
+def test_the_unit_of_heights_is_given_separately() -> None:
     assert stated(UTM | {VERTICAL: 6360, VERTICAL_UNIT: 9003}).height_unit == "us-survey-foot"
     assert stated(UTM | {VERTICAL_UNIT: 9999}).height_unit == ""
 

@@ -165,7 +165,7 @@ def test_the_figures_of_thesis_table_1_3() -> None:
     assert np.sqrt(3 / 2) * imu == pytest.approx(0.015, abs=0.0002)
 
 
-def test_what_is_not_known_is_said_and_not_counted() -> None:
+def test_what_is_not_known_is_reported_and_not_counted() -> None:
     without = system(estimated=("roll", "pitch", "yaw"), covariance=1e-7 * np.eye(3), lidar=0.005)
     budget = error_budget(without)
     found = by_name(budget, "horizontal, to starboard")

@@ -177,7 +177,7 @@ def test_spheres_alone_make_no_plane_file(tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
-def test_what_is_taken_for_granted_is_told_with_what_is_written(tmp_path: Path) -> None:
+def test_what_is_assumed_is_reported_with_what_is_written(tmp_path: Path) -> None:
     project, survey = picked()
     out = tmp_path / "out"
     paths, notes = export(project, survey, ExportRequest("targets", out, "prior", "las"))

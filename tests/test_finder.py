@@ -162,7 +162,7 @@ def test_only_planes_near_the_expected_normal_are_taken():
         (np.zeros((500, 3)), np.zeros(2), "finder.seed", {}),
     ],
 )
-def test_without_a_plane_the_reason_is_said(points, seed, code, params):
+def test_without_a_plane_the_reason_is_given(points, seed, code, params):
     with pytest.raises(PlaneNotFound, check=has_code(code, **params)):
         find_plane(points, seed, SETTINGS)
 

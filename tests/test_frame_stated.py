@@ -51,7 +51,7 @@ def made(folder: Path, track: Path, line: Path, reading: Reading):
     )  # fmt: skip
 
 
-def test_map_coordinates_stated_as_the_scanners_are_refused_everywhere(track, tmp_path) -> None:
+def test_map_coordinates_given_as_the_scanners_are_refused_everywhere(track, tmp_path) -> None:
     line = on_map(tmp_path, SYSTEM)
     told = "utm.las: half of the points are more than 5,000 m from the origin"
     with pytest.raises(InputError, match=told):
@@ -95,7 +95,7 @@ def test_single_points_far_off_are_no_reason(track, tmp_path) -> None:
     assert len(survey.scans["L"]) == 2000  # those beyond any range are excluded
 
 
-def test_a_system_that_is_stated_is_not_asked_for(track, tmp_path, capsys) -> None:
+def test_a_system_that_is_given_is_not_asked_for(track, tmp_path, capsys) -> None:
     line = on_map(tmp_path)
     command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
     command += ["--lever-arm", "0", "0", "0"]
@@ -109,7 +109,7 @@ def test_a_system_that_is_stated_is_not_asked_for(track, tmp_path, capsys) -> No
     assert input_files.state_of_file(named(input_files, "utm.las")) == "fine"
 
 
-def test_a_system_that_is_not_used_is_said(track, tmp_path) -> None:
+def test_a_system_that_is_not_used_is_reported(track, tmp_path) -> None:
     line = write_line(tmp_path / "near.las", START + np.linspace(5, 20, 3000))
     _, survey = made(tmp_path / "p", track, line, options(crs=SYSTEM))
     unused = warning(

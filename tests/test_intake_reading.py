@@ -172,7 +172,7 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     np.testing.assert_allclose(survey.scans["bare"].points_lidar, fan(1500), atol=1e-3)
 
 
-def test_an_option_that_is_stated_goes_with_the_request(whole: InputFiles, files: Path) -> None:
+def test_an_option_that_is_given_goes_with_the_request(whole: InputFiles, files: Path) -> None:
     pos = files / "pos.sbet"
     usual = whole.request(Path("p"), Settings(lever_arm=LEVER)).trajectory_reading
     assert usual.format == ""

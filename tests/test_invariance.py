@@ -59,7 +59,7 @@ def test_the_number_of_threads_does_not_change_the_answer(monkeypatch) -> None:
 
 
 @pytest.mark.parametrize("sighting", [1, 5, 9])
-def test_strays_and_a_shifted_sighting_together_do_no_harm(sighting) -> None:
+def test_outliers_and_a_shifted_sighting_together_do_no_harm(sighting) -> None:
     """Beside the answer without that sighting: what it said is lost, whoever finds it."""
     clean = survey(0, 0.1)
     dirty = with_strays(shifted(clean, sighting, 0.05), 0)[0]
@@ -71,7 +71,7 @@ def test_strays_and_a_shifted_sighting_together_do_no_harm(sighting) -> None:
 
 
 @pytest.mark.parametrize(("factor", "passes_mostly"), [(1.0, True), (0.8, False), (1.25, False)])
-def test_the_chi_square_test_tells_sigmas_that_hold(factor, passes_mostly) -> None:
+def test_the_chi_square_test_accepts_correct_sigmas(factor, passes_mostly) -> None:
     """At 95 % the correlated model passes right sigmas, and no LiDAR sigma wrong by a quarter."""
     count = 30
     passed = sum(

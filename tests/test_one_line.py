@@ -107,7 +107,7 @@ def test_lines_in_the_clouds_share_no_objects() -> None:
     assert caught.value.code == "patch_test.nothing_shared"
 
 
-def test_an_answer_that_says_nothing_of_what_is_seen_gets_no_advice() -> None:
+def test_an_answer_without_observability_gets_no_advice() -> None:
     project, survey = answered()
     assert project.result is not None
     bare = project.with_result(replace(project.result, observability=None))

@@ -189,7 +189,7 @@ def doubts_of(tmp_path: Path, xyz: np.ndarray, crs: str = "", scale: float = 1e-
     return codes(FORMATS["las"].preview(tmp_path / "a.las", {}).file_warnings)
 
 
-def test_doubts_about_place_and_unit(tmp_path: Path) -> None:
+def test_warnings_about_place_and_unit(tmp_path: Path) -> None:
     near = np.random.default_rng(0).normal(0, 10, (500, 3))
     assert doubts_of(tmp_path, near) == []
     assert doubts_of(tmp_path, near + [350_000, 5e6, 0], "EPSG:32619") == []

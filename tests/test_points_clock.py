@@ -77,7 +77,7 @@ def test_a_row_that_is_no_clock_time_is_named(times, tmp_path) -> None:
     assert refused.value.code == "text.not_a_clock_time"
 
 
-def test_times_that_are_neither_are_said_rightly(track, times, tmp_path, capsys) -> None:
+def test_times_that_are_neither_are_reported(track, times, tmp_path, capsys) -> None:
     rows = [f"2023-05-09T{c}Z,1,2,3" for c in clocked(times)]
     (tmp_path / "L.csv").write_text("Time,X,Y,Z\n" + "\n".join(rows))
     command = ["new", str(tmp_path / "p"), str(tmp_path / "L.csv"), "--trajectory", str(track)]

@@ -160,7 +160,7 @@ def test_what_a_plane_is_good_for(poor: int, rough: int, use: str) -> None:
     assert judged.reason == ("The beams meet it aslant." if poor else "")
 
 
-def test_with_ripples_alone_it_is_said_why_nothing_is_proposed() -> None:
+def test_with_ripples_alone_the_reason_for_no_proposal_is_given() -> None:
     seen = site([*rippled("T1", (0.0, WALL, 8.0), 1.4, 1.2), wall(0.5)])
     project, survey = seen.opened()
     with pytest.raises(TargetNotFound) as raised:
@@ -257,7 +257,7 @@ def test_targets_that_act_as_one_are_not_proposed_together() -> None:
     assert "targets.proposal_unchecked" not in [each.code for each in proposal.warnings]
 
 
-def test_boards_are_added_as_long_as_each_tells_clearly_more() -> None:
+def test_boards_are_added_as_long_as_each_adds_clear_information() -> None:
     """Of eight that hardly differ, four are left for validation."""
     facing = [(0, 3), (0, 6), (3, 0), (-3, 0), (6, 3), (-6, 3), (3, 6), (35, 0)]
     boards = [

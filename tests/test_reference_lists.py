@@ -31,7 +31,7 @@ def corners(path: Path, off: float = 0.0) -> Path:
 
 
 @pytest.mark.parametrize("off", [0.0, 0.02])
-def test_a_surveyed_point_off_its_plane_is_told(
+def test_a_surveyed_point_off_its_plane_is_reported(
     known: tuple[Project, Survey], tmp_path: Path, off: float
 ) -> None:
     """Of five places alike, one of them in the middle, the plane takes a fifth of it."""

@@ -112,7 +112,7 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
         ({"lidar_sigma_xyz": (0.003, 0.004, 0.005)}, "x 3.0 mm, y 4.0 mm, z 5.0 mm"),
     ],
 )
-def test_lidar_noise_as_stated(project: Project, stated: dict[str, Any], shown: str) -> None:
+def test_lidar_noise_as_given(project: Project, stated: dict[str, Any], shown: str) -> None:
     other = replace(project, settings=replace(project.settings, **stated))
     assert _settings(sample_content(other))["LiDAR noise, 1 sigma"] == shown
 
@@ -204,7 +204,7 @@ def test_sighting_that_nothing_checks_shows_no_number(project: Project, changed:
     )
 
 
-def test_strays_beyond_what_chance_explains(project: Project, changed: Changed) -> None:
+def test_more_outliers_than_chance_explains(project: Project, changed: Changed) -> None:
     reliability = _result(project).reliability
     few = tuple(replace(item, outliers=1) for item in reliability[:3]) + reliability[3:]
     codes = {caution.code for caution in changed(reliability=few).warnings}

@@ -47,7 +47,7 @@ def shifted(clean: Observations, sighting: int, metres: float) -> Observations:
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_stray_points_move_no_angle_by_a_sigma(seed) -> None:
+def test_outliers_move_no_angle_by_a_sigma(seed) -> None:
     model = StochasticModel(loss="tukey")
     clean = survey(seed)
     dirty, stray = with_strays(clean, seed)
@@ -58,7 +58,7 @@ def test_stray_points_move_no_angle_by_a_sigma(seed) -> None:
     assert stray.sum() <= found < stray.sum() + 0.006 * len(clean)
 
 
-def test_the_losses_are_needed_and_the_sigmas_know_what_strays_do() -> None:
+def test_the_losses_are_needed_and_the_sigmas_include_outliers() -> None:
     """The same points with all weighted alike, with a bounded loss, and a redescending one."""
     dirty, _ = with_strays(survey(0), 0)
     errors, sigmas = [], []
@@ -185,7 +185,7 @@ def test_boards_that_are_interchanged_on_a_line_are_named_and_do_no_harm() -> No
     assert (done < 1).all()
 
 
-def test_what_was_let_go_of_by_mistake_is_taken_back() -> None:
+def test_what_was_rejected_by_mistake_is_restored() -> None:
     """With two sightings off, the first to be named may be a third one that agrees."""
     clean = survey(3, 0.1)
     dirty = shifted(shifted(clean, 2, 0.05), 5, 0.05)

@@ -127,7 +127,7 @@ def again(project: Project) -> Progress:
 
 
 @pytest.mark.parametrize("meanwhile", [False, True])
-def test_a_line_imported_again_meanwhile_is_said(
+def test_a_line_imported_again_meanwhile_is_reported(
     project: Project, tmp_path: Path, meanwhile: bool
 ) -> None:
     survey = load_survey(project)

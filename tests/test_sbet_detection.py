@@ -125,7 +125,7 @@ def test_straight_level_course_leaves_up_open_about_a_wander_angle_too(tmp_path:
     assert has(finding, "sbet.wander_assumed")
 
 
-def test_unknown_frame_is_said(tmp_path: Path) -> None:
+def test_unknown_frame_is_reported(tmp_path: Path) -> None:
     records = vessel()
     records[:, 4:6] = records[:, 4:6] @ np.array([[0.6, 0.8], [-0.8, 0.6]])
     finding = looked(write_records(tmp_path / "a.sbet", records))
@@ -133,7 +133,7 @@ def test_unknown_frame_is_said(tmp_path: Path) -> None:
     assert has(finding, "sbet.velocities_disagree")
 
 
-def test_zero_velocities_are_said(tmp_path: Path) -> None:
+def test_zero_velocities_are_reported(tmp_path: Path) -> None:
     records = vessel(wander=0.1)
     records[:, 4:7] = 0
     finding = looked(write_records(tmp_path / "a.sbet", records))
@@ -260,7 +260,7 @@ def test_what_may_be_an_sbet_has_to_end_like_one(tmp_path: Path, change: str) ->
 
 
 @pytest.mark.parametrize("shift", [0.0, -400_000.0, 1e9, 315_964_800 + 1e9])
-def test_time_base_is_stated(tmp_path: Path, shift: float) -> None:
+def test_time_base_is_reported(tmp_path: Path, shift: float) -> None:
     records = vessel(300)
     records[:, 0] += shift
     path = write_records(tmp_path / "a.sbet", records)
@@ -293,7 +293,7 @@ def test_gap_and_backward_times_are_counted(tmp_path: Path) -> None:
     assert (backward.params["count"], backward.params["total"]) == (1, 2000)
 
 
-def test_week_end_is_counted_on_and_said(tmp_path: Path) -> None:
+def test_the_week_rollover_is_resolved_and_reported(tmp_path: Path) -> None:
     records = vessel(200)
     records[:, 0] = (604_798 + np.arange(200) / 50.0) % 604_800
     path = write_records(tmp_path / "a.sbet", records)
@@ -312,7 +312,7 @@ def test_records_without_a_usable_time_are_counted_and_passed_over(tmp_path: Pat
     assert finding.facts["End"].params["time"] == pytest.approx(486_000 + 199 / 50)
 
 
-def test_times_that_fit_no_base_are_doubted(tmp_path: Path) -> None:
+def test_times_that_fit_no_base_give_a_warning(tmp_path: Path) -> None:
     """1e10 s after 1970 is the year 2286."""
     records = vessel(200)
     records[:, 0] += 1e10
@@ -322,7 +322,7 @@ def test_times_that_fit_no_base_are_doubted(tmp_path: Path) -> None:
     assert expected in finding.file_warnings
 
 
-def test_degrees_of_position_alone_are_doubted(tmp_path: Path) -> None:
+def test_degrees_of_position_alone_give_a_warning(tmp_path: Path) -> None:
     records = vessel(200)
     records[:, [1, 2]] = np.degrees(records[:, [1, 2]])
     finding = looked(write_records(tmp_path / "a.sbet", records))
@@ -332,7 +332,7 @@ def test_degrees_of_position_alone_are_doubted(tmp_path: Path) -> None:
     assert not_angles in looked(write_records(tmp_path / "b.sbet", records)).file_warnings
 
 
-def test_a_file_that_is_lost_while_it_is_looked_at(
+def test_a_file_that_is_lost_while_it_is_examined(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As by a network drive that goes between two readings."""

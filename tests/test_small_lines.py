@@ -49,7 +49,7 @@ def project(folder: Path, tmp_path: Path) -> Project:
 
 
 @pytest.mark.parametrize("latency", [0.0, 4.0, -4.0])
-def test_points_that_a_latency_takes_out_of_the_trajectory_are_left_out(
+def test_points_that_a_latency_takes_out_of_the_trajectory_are_skipped(
     project: Project, folder: Path, latency: float
 ) -> None:
     """A line with all its times inside, but not with the latency added to them."""

@@ -49,7 +49,7 @@ def test_a_gap_is_seen_on_its_line(survey: Survey) -> None:
     assert all(each.longest_gap_s < 0.01 for line, each in found.items() if line != name)
 
 
-def test_a_line_beside_a_trajectory_that_has_one_state_there_is_left_out() -> None:
+def test_a_line_beside_a_trajectory_that_has_one_state_there_is_skipped() -> None:
     """Of which nothing can be said: neither a speed nor an interval."""
     _, survey = picked()
     whole = survey.trajectory

@@ -88,7 +88,7 @@ def test_warnings_come_before_notes(tmp_path: Path) -> None:
     )
 
 
-def test_an_answer_older_than_a_refused_estimate_is_told_of(tmp_path: Path) -> None:
+def test_a_result_out_of_date_after_a_refused_estimate_is_reported(tmp_path: Path) -> None:
     reason = "All targets face one way."
     told = coded(sample_project(tmp_path), refused_since=reason)
     assert told["adjustment.refused_since"] == outdated_result_warning(reason)
@@ -148,7 +148,7 @@ def test_an_answer_that_an_edit_has_dropped_is_missed(
     assert found == (expected if stale and not estimated else None)
 
 
-def test_a_single_target_is_told_before_it_is_adjusted(tmp_path: Path) -> None:
+def test_a_single_target_is_reported_before_it_is_adjusted(tmp_path: Path) -> None:
     project = replace(sample_project(tmp_path), result=None, validation=())
     code = "project.single_target"
     assert code not in coded(project)
@@ -158,7 +158,9 @@ def test_a_single_target_is_told_before_it_is_adjusted(tmp_path: Path) -> None:
     assert coded(alone)[code] == note(code, subject=Cause.of_target("T2"))
 
 
-def test_planes_that_could_not_be_compared_are_each_told_with_the_reason(tmp_path: Path) -> None:
+def test_planes_that_could_not_be_compared_are_each_reported_with_the_reason(
+    tmp_path: Path,
+) -> None:
     project = sample_project(tmp_path)
     reasons = {name: error("finder.unknown_line", line=name) for name in ("V4", "V5")}
     found = warnings_of(project.with_validation(project.validation, reasons), None)
@@ -167,7 +169,7 @@ def test_planes_that_could_not_be_compared_are_each_told_with_the_reason(tmp_pat
         assert expected in found
 
 
-def test_gaps_of_the_trajectory_are_told_where_they_are_not_bridged() -> None:
+def test_gaps_of_the_trajectory_are_reported_where_they_are_not_bridged() -> None:
     project, survey = picked()
     time = survey.trajectory.time.copy()
     time[len(time) // 2 :] += 7.0
@@ -181,7 +183,7 @@ def test_gaps_of_the_trajectory_are_told_where_they_are_not_bridged() -> None:
     assert code not in [each.code for each in warnings_of(patient, torn)]
 
 
-def test_a_sighting_that_is_not_good_is_told_where_it_is() -> None:
+def test_a_sighting_that_is_not_good_is_reported_where_it_is() -> None:
     project, survey = picked()
     found = dict(sighting_qualities(project, survey))
     where = ("T2", "L3")
@@ -206,7 +208,7 @@ def test_a_sighting_that_is_not_good_is_told_where_it_is() -> None:
         ((-28.0, 4.0, 12.0), ["30.7 m long"]),
     ],
 )
-def test_a_lever_arm_that_is_hardly_ever_true_is_doubted(tmp_path: Path, lever_arm, words) -> None:
+def test_an_improbable_lever_arm_gives_a_warning(tmp_path: Path, lever_arm, words) -> None:
     found = lever_arm_warnings(lever_arm)
     assert len(found) == len(words)
     for message, part in zip(found, words, strict=True):

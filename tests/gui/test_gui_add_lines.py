@@ -122,7 +122,7 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
     assert len(open_project(shorter.folder).lines) == 6
 
 
-def test_what_cannot_be_added_is_said_in_the_dialogue(
+def test_what_cannot_be_added_is_reported_in_the_dialogue(
     short: Driver, shorter: Project, tmp_path: Path
 ) -> None:
     late = shifted(shorter.lines[1].path, tmp_path / "late.laz", 90_000.0)

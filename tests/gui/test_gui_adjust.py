@@ -358,7 +358,7 @@ def test_what_follows_can_be_cancelled(driver: Driver, demo: Demo, estimated: Pr
     assert driver.dialogs.errors == []
 
 
-def test_an_unforeseen_failure_is_told_once(
+def test_an_unforeseen_failure_is_reported_once(
     driver: Driver, demo: Demo, estimated: Project, monkeypatch: pytest.MonkeyPatch
 ):
     def fails(*_arguments, **_named):

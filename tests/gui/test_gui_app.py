@@ -28,7 +28,7 @@ assert asked == [Path(sys.argv[1])], asked
 """
 
 
-def test_a_document_that_the_system_asks_for_is_told(tmp_path: Path) -> None:
+def test_a_document_that_the_system_asks_for_is_reported(tmp_path: Path) -> None:
     """A double click starts no second program on macOS: the one that runs is told."""
     done = subprocess.run(
         [sys.executable, "-c", ASKED, str(tmp_path / "project.lispac")],

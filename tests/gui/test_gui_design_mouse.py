@@ -58,7 +58,9 @@ def test_a_search_that_ends_during_a_drag_ends_the_drag(
     assert design.workspace.titled is before
 
 
-def test_a_view_that_is_hidden_during_a_drag_lets_go(driver: Driver, design: DesignWindow) -> None:
+def test_a_view_that_is_hidden_during_a_drag_ends_the_drag(
+    driver: Driver, design: DesignWindow
+) -> None:
     view, before = design.wall_view, design.workspace.titled
     spot = view._target_rect(edits.placed_targets(before)[0]).center()
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
@@ -104,7 +106,7 @@ def pixel(design: DesignWindow, place) -> QPoint:
     return QPoint(round(x), round(y))
 
 
-def test_ctrl_click_on_the_bare_wall_hangs_a_new_board(real: Driver) -> None:
+def test_ctrl_click_on_the_bare_wall_adds_a_board(real: Driver) -> None:
     design = in_3d(real)
     viewport, wall = design.view3d.viewport, design.workspace.titled.wall
     for _ in range(2):

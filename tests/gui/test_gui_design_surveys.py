@@ -194,7 +194,7 @@ def test_the_open_project_is_compared_with_the_plan(adjusted: Driver) -> None:
     assert shown.isVisible()
 
 
-def test_nothing_to_compare_with_is_said(driver: Driver, design: DesignWindow, demo) -> None:
+def test_nothing_to_compare_with_is_reported(driver: Driver, design: DesignWindow, demo) -> None:
     driver.bot.keyClick(design, Key.Key_F11)
     (error,) = driver.dialogs.errors
     assert "No project is open" in str(error)

@@ -13,7 +13,7 @@ def click_on(driver: Driver, name: str, aside: float = 0.0) -> None:
     driver.rest()
 
 
-def test_a_surface_clicked_twice_is_told_of(opened: Driver) -> None:
+def test_a_surface_clicked_twice_is_reported(opened: Driver) -> None:
     window = opened.window
     box = window.targets.candidate
     for name in ("T1", "T2"):

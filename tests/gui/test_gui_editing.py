@@ -98,7 +98,7 @@ def test_a_lasso_about_everything_is_refused(picked: Driver) -> None:
     press(picked, Key.Key_Escape)
 
 
-def test_the_status_bar_forgets_what_it_said_of_a_project_that_has_changed(picked: Driver) -> None:
+def test_the_status_bar_clears_its_text_about_a_project_that_has_changed(picked: Driver) -> None:
     bar = picked.window.task_bar
     seed(picked, "T2")
     press(picked, Key.Key_Return)

@@ -93,7 +93,7 @@ def compare(driver: Driver) -> None:
     QTimer.singleShot(0, driver.window.actions_["methods"].trigger)
 
 
-def test_what_a_method_cannot_answer_is_told(
+def test_what_a_method_cannot_answer_is_reported(
     adjusted: Driver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(_project, _survey, method, *, progress):

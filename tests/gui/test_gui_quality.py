@@ -37,7 +37,7 @@ def test_every_sighting_has_a_light_with_its_reason(picked: Driver) -> None:
     assert "surface normal is" in shown(picked, "T2", steep, Role.ToolTipRole)
 
 
-def test_a_poor_one_is_told_and_can_be_left_out_and_undone(picked: Driver) -> None:
+def test_a_poor_one_is_reported_and_can_be_excluded_and_undone(picked: Driver) -> None:
     line = picked.project.target("T1").sightings[0].line
     picked.window.document.edit("less", with_few_points(picked.project))
     picked.rest()

@@ -81,7 +81,7 @@ def test_the_demo_run_in_the_window_is_the_script_run_without_it(
 
 
 @pytest.mark.long
-def test_what_follows_from_a_click_is_told_where_the_script_gives_another_answer(
+def test_what_follows_from_a_click_is_reported_where_the_script_gives_another_answer(
     opened: Driver,
 ) -> None:
     """The window keeps the points selected before; the script selects them anew."""

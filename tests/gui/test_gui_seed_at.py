@@ -86,7 +86,7 @@ def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> N
     assert opened.project is before
 
 
-def test_mistakes_are_told_while_typing(picked: Driver) -> None:
+def test_mistakes_are_reported_while_typing(picked: Driver) -> None:
     open_step(picked, TARGETS)
     told: list[str] = []
 

@@ -92,7 +92,7 @@ def test_the_open_answer_is_held_against_last_years(
     answered(adjusted, look, Key.Key_Escape)
 
 
-def test_a_folder_without_projects_is_told(driver: Driver, tmp_path: Path) -> None:
+def test_a_folder_without_projects_is_reported(driver: Driver, tmp_path: Path) -> None:
     driver.dialogs.path = tmp_path
     driver.bot.keyClick(driver.window, Key.Key_F11)
     driver.rest()
@@ -166,7 +166,7 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
     assert adjusted.project.absolute is None
 
 
-def test_a_reference_that_is_missing_is_told(adjusted: Driver, tmp_path: Path) -> None:
+def test_a_reference_that_is_missing_is_reported(adjusted: Driver, tmp_path: Path) -> None:
     def ask(dialog: CheckDialog) -> None:
         dialog.file.setText(str(tmp_path / "gone.laz"))
 

@@ -86,7 +86,7 @@ def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.Mo
     assert collected == [0, 2, 0, 2]
 
 
-def test_modules_that_came_are_not_looked_at_again(
+def test_modules_that_came_are_not_examined_again(
     qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     now, done = [100.0], []

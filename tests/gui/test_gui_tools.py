@@ -276,7 +276,7 @@ def test_before_and_after_in_one_picture(adjusted: Driver) -> None:
     assert not window.actions_["wipe"].isChecked()
 
 
-def test_nothing_to_compare_is_said(picked: Driver) -> None:
+def test_nothing_to_compare_is_reported(picked: Driver) -> None:
     press(picked, Key.Key_W)
     assert "Estimate the boresight first" in picked.window.log.toPlainText()
     assert picked.viewport.wipe_clouds is None
