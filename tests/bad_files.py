@@ -17,7 +17,7 @@ import pytest
 from lispac.cli.main import main
 from lispac.io.project.project_file import read_project, write_project
 from tests import point_files
-from tests.intake_files import START, fan, write_line
+from tests.input_file_samples import START, fan, write_line
 from tests.report_sample import sample_project
 from tests.trajectory_files import vessel, write_delph, write_records
 

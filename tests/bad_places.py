@@ -12,7 +12,7 @@ from lispac.io.las import las_chunks
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
 from tests.bad_files import COUNT, REFUSED, TIMES, Case, Scene, Words, doubted, refused
-from tests.intake_files import START, fan, write_line
+from tests.input_file_samples import START, fan, write_line
 from tests.trajectory_files import vessel, write_records
 
 # Units, places, coordinate systems.

@@ -60,7 +60,7 @@ def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object
     """
     if "qapp" not in getattr(item, "fixturenames", ()):
         return (yield)
-    from tests.leavings import left_behind
+    from tests.leaked_resources import left_behind
 
     gc.disable()
     gc.freeze()

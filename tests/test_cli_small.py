@@ -34,7 +34,7 @@ from lispac.workflow.calibration.targetless import TargetlessResult
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.report_sample import sample_project
 from tests.sharing import once
-from tests.test_absolute_cautions import check as against_reference
+from tests.test_absolute_warnings import check as against_reference
 from tests.test_cli import answer, refused, run
 
 SQUARE = ObjectBox(np.array([0.0, -15.0, 5.0]), np.array([2.0, 2.0, 2.0]))

@@ -23,7 +23,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.documented import CORE, Documented, Name, modules, public, trees
+from tests.public_names import CORE, Documented, Name, modules, public, trees
 
 QUANTITY = re.compile(
     r"(^|_)(sigmas?|radius|distances?|height|width|angles?|times?|duration|thickness|spacing|"

@@ -28,7 +28,7 @@ from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.project.survey import load_survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code
-from tests.few_passes import answered
+from tests.few_lines import answered
 from tests.report_sample import sample_content, sample_project
 from tests.test_cli import answer, run
 

@@ -28,7 +28,7 @@ from lispac.workflow.output.data_export import (
 )
 from lispac.workflow.output.export_request import ExportRequest, export, output_system_of
 from lispac.workflow.project.survey import Survey
-from tests.few_passes import picked
+from tests.few_lines import picked
 
 UTM = "EPSG:32619"
 

@@ -11,7 +11,7 @@ from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
 from lispac.workflow.checking.warnings import warnings_of
 from lispac.workflow.project.survey import Survey
-from tests.few_passes import picked
+from tests.few_lines import picked
 
 
 def only(project: Project, *names: str) -> Project:

@@ -31,7 +31,7 @@ from lispac.project import LineSource
 from lispac.workflow.importing.file_reading import check_file, format_of_line
 from lispac.workflow.importing.line_chunks import LineChunks
 from tests import point_files as files
-from tests.intake_files import write_survey
+from tests.input_file_samples import write_survey
 from tests.static_scans import write_pts
 from tests.test_cli import refused, run
 

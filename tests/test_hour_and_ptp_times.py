@@ -9,7 +9,7 @@ from lispac.cli.main import main
 from lispac.survey.time_base import GPS_EPOCH, WEEK
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
-from tests.intake_files import START, fan, write_line, write_survey
+from tests.input_file_samples import START, fan, write_line, write_survey
 
 COUNT = 2000
 TIMES = START + np.linspace(10, 25, COUNT)

@@ -22,7 +22,7 @@ from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.georeferencing import georeference_project
 from lispac.workflow.project.projects import new_project, open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.intake_files import LEVER, START, fan, write_line, write_survey
+from tests.input_file_samples import LEVER, START, fan, write_line, write_survey
 
 COUNT = 3000
 TIMES = START + np.linspace(2, 12, COUNT)

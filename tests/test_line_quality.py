@@ -15,7 +15,7 @@ from lispac.workflow.checking.line_quality import DifferenceStatistics, line_qua
 from lispac.workflow.project.survey import Survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code
-from tests.few_passes import picked
+from tests.few_lines import picked
 from tests.test_cli import answer, refused, run
 
 VESSEL = np.array([0.0, 0.0, 3.0])

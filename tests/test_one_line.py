@@ -22,7 +22,7 @@ from lispac.workflow.checking.survey_sections import section_at_target
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.planning.plan_comparison import compare_with_plan
 from lispac.workflow.project.survey import Survey
-from tests.few_passes import answered, on_board, picked
+from tests.few_lines import answered, on_board, picked
 
 
 def only(survey: Survey, *lines: str) -> Survey:

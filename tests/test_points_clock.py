@@ -13,7 +13,7 @@ from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import DAY
 from lispac.workflow.importing.input_files import InputFiles
 from lispac.workflow.project.projects import new_project
-from tests.intake_files import LEVER, START, codes_about, taken_in
+from tests.input_file_samples import LEVER, START, codes_about, taken_in
 from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 

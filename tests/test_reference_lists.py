@@ -12,7 +12,7 @@ from lispac.workflow.checking import references
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.checking.references import read_reference
 from lispac.workflow.project.survey import Survey
-from tests.few_passes import answered, on_board, passes
+from tests.few_lines import answered, on_board, passes
 
 
 @pytest.fixture

@@ -45,7 +45,7 @@ from lispac.validation.absolute_check import (
 from lispac.validation.comparison_results import DistanceStatistics, SignedStatistics
 from tests.report_sample import MADE, sample_project
 from tests.report_variants import VARIANTS, content_of_sample, with_result, with_settings
-from tests.test_doubts import CASES
+from tests.test_consistent_warnings import CASES
 from tests.test_error_budget import system
 from tests.test_quality import board, judged
 from tests.test_report import _pdf_text

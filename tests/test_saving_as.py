@@ -22,7 +22,7 @@ from lispac.workflow.importing.line_import import LINES, import_lines, line_fold
 from lispac.workflow.project.project_copy import MARK, save_project_as
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.few_passes import picked
+from tests.few_lines import picked
 
 KILLED = """
 import os, signal, sys

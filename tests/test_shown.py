@@ -60,9 +60,7 @@ def test_a_value_is_shown_alike_everywhere(
     assert said == printed.replace(" ", "\u00a0")
 
 
-def test_two_surface_sigmas_are_reported_where_there_are_two(
-    sample: Sample, tmp_path: Path
-) -> None:
+def test_two_surface_sigmas_are_shown_where_there_are_two(sample: Sample, tmp_path: Path) -> None:
     project = sample_project(tmp_path / "report")
     assert project.result is not None
     for offset, words in (

@@ -26,7 +26,7 @@ from lispac.workflow.project.projects import (
     with_lines_added,
 )
 from lispac.workflow.project.survey import load_survey
-from tests.intake_files import LEVER, START, fan, write_line, write_survey
+from tests.input_file_samples import LEVER, START, fan, write_line, write_survey
 from tests.trajectory_files import write_records
 
 

@@ -9,7 +9,7 @@ from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.checking.trajectory_quality import trajectory_on_lines
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.few_passes import picked
+from tests.few_lines import picked
 
 
 @pytest.fixture(scope="module")

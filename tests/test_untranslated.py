@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.french_catalogue import FRENCH
-from tests.told import told
+from tests.source_texts import told
 
 ROOT = Path(__file__).resolve().parents[1] / "lispac"
 ENGLISH_ONLY = {"cli", "scripting", "gui/app.py", "workflow/checking/batch.py"}

@@ -23,7 +23,7 @@ from lispac.workflow.calibration.sighting_assessment import sighting_qualities
 from lispac.workflow.checking.warnings import LISTED_SINGLY, warnings_of
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
-from tests.few_passes import picked
+from tests.few_lines import picked
 from tests.report_sample import sample_content, sample_project
 
 
@@ -158,7 +158,7 @@ def test_a_single_target_is_reported_before_it_is_adjusted(tmp_path: Path) -> No
     assert coded(alone)[code] == note(code, subject=Cause.of_target("T2"))
 
 
-def test_planes_that_could_not_be_compared_are_each_reported_with_the_reason(
+def test_planes_that_could_not_be_compared_are_reported_with_the_reason(
     tmp_path: Path,
 ) -> None:
     project = sample_project(tmp_path)

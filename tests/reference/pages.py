@@ -8,7 +8,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from tests.documented import trees
+from tests.public_names import trees
 from tests.reference.resolving import offered
 
 HERE = Path(__file__).resolve().parent

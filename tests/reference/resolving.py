@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from functools import cache
 
 import lispac
-from tests.documented import trees
+from tests.public_names import trees
 
 FOREIGN = (
     "NDArray", "abc", "argparse", "collections", "concurrent", "contextlib", "datetime", "enum",

@@ -20,7 +20,16 @@ from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.georeferencing import georeference_project
 from lispac.workflow.project.projects import create_project, new_project
 from tests.error_codes import has_code
-from tests.intake_files import LEVER, START, codes_about, fan, named, said, taken_in, write_line
+from tests.input_file_samples import (
+    LEVER,
+    START,
+    codes_about,
+    fan,
+    named,
+    said,
+    taken_in,
+    write_line,
+)
 from tests.trajectory_files import vessel, write_records
 
 SYSTEM = "EPSG:32619"

@@ -14,7 +14,7 @@ from lispac.workflow.importing.input_files import InputFiles
 from lispac.workflow.project.projects import new_project
 from lispac.workflow.project.survey import Survey
 from tests.command_errors import codes_of
-from tests.intake_files import LEVER, START, fan, named, taken_in, write_line
+from tests.input_file_samples import LEVER, START, fan, named, taken_in, write_line
 from tests.trajectory_files import vessel, write_records
 
 SYSTEM = "EPSG:32619"

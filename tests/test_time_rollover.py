@@ -23,7 +23,7 @@ from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.georeferencing import georeference_project
 from lispac.workflow.project.projects import new_project, open_project
 from lispac.workflow.project.survey import load_survey
-from tests.intake_files import LEVER, START, codes_about, named, taken_in, write_line
+from tests.input_file_samples import LEVER, START, codes_about, named, taken_in, write_line
 from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 

@@ -16,7 +16,7 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing.input_file_messages import option_to_choose
 from lispac.workflow.importing.input_files import InputFiles
 from lispac.workflow.project.projects import new_project
-from tests.intake_files import (
+from tests.input_file_samples import (
     LEVER,
     START,
     codes_about,

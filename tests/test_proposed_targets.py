@@ -30,7 +30,7 @@ from lispac.workflow.calibration.sighting_assessment import lidar_noise, sightin
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.few_passes import passes
+from tests.few_lines import passes
 from tests.finder_scenes import WALL, Site, rippled, site
 from tests.test_finder_sites import board, wall
 

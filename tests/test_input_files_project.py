@@ -36,7 +36,7 @@ from lispac.workflow.importing.input_times import (
     trajectory_time_base,
 )
 from lispac.workflow.project.projects import new_project
-from tests.intake_files import (
+from tests.input_file_samples import (
     LEVER,
     START,
     codes_about,

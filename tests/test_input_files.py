@@ -18,7 +18,7 @@ from lispac.workflow.importing.input_file import examine_file
 from lispac.workflow.importing.input_files import InputFiles, find_project, proposed_folder
 from lispac.workflow.project.projects import new_project, open_project
 from lispac.workflow.project.survey import load_survey
-from tests.intake_files import (
+from tests.input_file_samples import (
     LEVER,
     START,
     codes_about,

@@ -27,7 +27,7 @@ from lispac.gui.garbage_collection import (
     collect_all,
 )  # fmt: skip
 from tests.gui.support import WAIT_MS
-from tests.leavings import left_behind
+from tests.leaked_resources import left_behind
 
 
 class Cycle:

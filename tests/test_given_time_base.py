@@ -21,7 +21,7 @@ from lispac.workflow.importing.line_import import assumptions_of, import_lines
 from lispac.workflow.project.projects import new_project, open_project, with_lines_added
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.command_errors import command_error
-from tests.intake_files import LEVER, START, codes_about, named, taken_in, write_line
+from tests.input_file_samples import LEVER, START, codes_about, named, taken_in, write_line
 from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 
