@@ -124,7 +124,7 @@ def _apart(project: Project) -> Project:
     return replace(project, cross_checks=replace(checks, parts=parts))
 
 
-def _told_apart_badly(project: Project) -> Project:
+def _badly_separated(project: Project) -> Project:
     assert project.result is not None
     covariance = project.result.covariance_all.copy()
     covariance[0, 1] = covariance[1, 0] = -0.97 * np.sqrt(covariance[0, 0] * covariance[1, 1])
@@ -225,7 +225,7 @@ CASES = [
     ("sigmas_raised", False, _raised, "were increased: pitch from 0.0291 to 0.0728"),
     ("cross_check", False, _apart, "without line L2 (pitch -0.0512 deg, 4.1 times its standard"
      " deviation)"),
-    ("high_correlation", False, _told_apart_badly, "correlation of roll and pitch is -0.97"),
+    ("high_correlation", False, _badly_separated, "correlation of roll and pitch is -0.97"),
     ("independent_pos_errors", True, _model(pos_errors="independent"), "uncorrelated POS errors"),
     ("steep_pitch", False, _steep, "The boresight pitch exceeds 60 deg"),
     ("surface_held", False, _model(surface=0.0), "The surface roughness is fixed at 0"),

@@ -25,8 +25,8 @@ from tests.input_file_samples import (
     START,
     codes_about,
     fan,
+    message_texts,
     named,
-    said,
     taken_in,
     write_line,
 )
@@ -68,7 +68,7 @@ def test_map_coordinates_given_as_the_scanners_are_refused_everywhere(track, tmp
     input_files = taken_in(
         taken_in(InputFiles(), track, line).with_option(line, "frame", "scanner")
     )
-    assert "not in the scanner frame" in input_files.files_problem_text() + said(
+    assert "not in the scanner frame" in input_files.files_problem_text() + message_texts(
         input_files, "utm.las"
     )
     assert input_files.state_of_file(named(input_files, "utm.las")) == "error"

@@ -23,8 +23,8 @@ from tests.input_file_samples import (
     START,
     codes_about,
     fan,
+    message_texts,
     named,
-    said,
     taken_in,
     write_line,
     write_survey,
@@ -135,7 +135,7 @@ def test_a_damaged_line_is_an_error_beside_the_others(
     damaged.write_bytes(content[: len(content) // 2])
     input_files = taken_in(whole, damaged)
     assert input_files.state_of_file(input_files.entry(damaged)) == "error"
-    assert str(damaged) not in said(input_files, "damaged.laz")
+    assert str(damaged) not in message_texts(input_files, "damaged.laz")
     assert input_files.import_problem("x").startswith("damaged.laz: ")
     assert input_files.with_role(damaged, None).files_problem_text() == ""
 

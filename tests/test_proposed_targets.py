@@ -30,7 +30,7 @@ from lispac.workflow.calibration.sighting_assessment import lidar_noise, sightin
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.few_lines import passes
+from tests.few_lines import site_of_few_lines
 from tests.finder_scenes import WALL, Site, rippled, site
 from tests.test_finder_sites import board, wall
 
@@ -232,7 +232,7 @@ def test_planes_that_all_face_one_way_are_proposed_where_that_is_accepted() -> N
 
 
 def test_in_thesis_mode_the_same_boards_are_proposed() -> None:
-    project, survey = passes().opened((1, -1, 1))
+    project, survey = site_of_few_lines().opened((1, -1, 1))
     thesis = project.with_settings(replace(project.settings, pos_errors="independent"))
     usual, proposal = propose_targets(project, survey), propose_targets(thesis, survey)
     for one, other in zip(usual.targets, proposal.targets, strict=True):

@@ -118,12 +118,12 @@ def again(project: Project) -> Progress:
     """Import a line again while it is copied, as another window would."""
     done: list[str] = []
 
-    def told(_fraction: float, step: object = "") -> None:
+    def report_progress(_fraction: float, step: object = "") -> None:
         if str(step).startswith("Copying one") and not done:
             done.append(str(step))
             import_lines(project, again=True)
 
-    return told
+    return report_progress
 
 
 @pytest.mark.parametrize("meanwhile", [False, True])

@@ -181,7 +181,7 @@ def test_words_of_feet(words: str, unit: str) -> None:
     assert parse_unit(words) == unit
 
 
-def doubts_of_velocities(path: Path, word: str, unit: float, factor: float) -> tuple[Message, ...]:
+def velocity_warnings(path: Path, word: str, unit: float, factor: float) -> tuple[Message, ...]:
     """Doubts about positions in a unit that the header calls ``word``, beside true velocities."""
     records, rows = gridded(NEW_JERSEY, unit)
     course = records[:, 9] - np.radians(2)
@@ -193,16 +193,16 @@ def doubts_of_velocities(path: Path, word: str, unit: float, factor: float) -> t
 
 def test_velocities_of_the_file_show_a_wrong_unit(tmp_path: Path) -> None:
     path = tmp_path / "a.txt"
-    right = codes(doubts_of_velocities(path, "Meters", 1.0, 1.0))
+    right = codes(velocity_warnings(path, "Meters", 1.0, 1.0))
     assert not any("speed_differs" in code for code in right)
     (wrong,) = (
-        each for each in doubts_of_velocities(path, "US Survey Feet", 1.0, 1.0)
+        each for each in velocity_warnings(path, "US Survey Feet", 1.0, 1.0)
         if each.code == "trajectory.speed_differs_by_feet"
     )  # fmt: skip
     assert wrong.params["ratio"] == pytest.approx(0.305, abs=5e-4)
     assert wrong.params["east"] == "EAST VELOCITY"
     (knots,) = (
-        each for each in doubts_of_velocities(path, "Meters", 1.0, 1.9438)
+        each for each in velocity_warnings(path, "Meters", 1.0, 1.9438)
         if each.code == "trajectory.speed_differs"
     )  # fmt: skip
     assert knots.params["ratio"] == pytest.approx(0.514, abs=5e-4)

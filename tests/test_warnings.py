@@ -32,7 +32,7 @@ def coded(project: Project, **named) -> dict[str, Message]:
     return {each.code: each for each in warnings_of(project, None, **named)}
 
 
-def full_of_cautions(tmp_path: Path) -> Project:
+def with_all_warnings(tmp_path: Path) -> Project:
     """A target left out, one on a single line, a failed test, no validation, a truth."""
     project = sample_project(tmp_path)
     assert project.result is not None
@@ -50,7 +50,7 @@ def full_of_cautions(tmp_path: Path) -> Project:
 
 def test_it_holds_the_messages_of_the_report(tmp_path: Path) -> None:
     """All of them, but for sums of what is in it one by one."""
-    project = full_of_cautions(tmp_path)
+    project = with_all_warnings(tmp_path)
     found = warnings_of(project, None)
     codes = set()
     for message in sample_content(project).warnings:
@@ -77,7 +77,7 @@ def test_every_warning_about_a_result_is_in_it_with_its_cause(tmp_path: Path) ->
 
 
 def test_warnings_come_before_notes(tmp_path: Path) -> None:
-    project = full_of_cautions(tmp_path)
+    project = with_all_warnings(tmp_path)
     order = list(Level)
     found = warnings_of(project, None, refusal="No target is left.")
     ranks = [order.index(each.level) for each in found]
@@ -240,7 +240,7 @@ def test_the_command_prints_the_list(
 
 def test_a_report_in_json_holds_code_severity_text_and_parameters(tmp_path: Path) -> None:
     """In English whatever the language; its schema knows no cause."""
-    content = sample_content(full_of_cautions(tmp_path))
+    content = sample_content(with_all_warnings(tmp_path))
     with in_language("fr"):
         told = json.loads(json_text(content))["warnings"]
     assert told

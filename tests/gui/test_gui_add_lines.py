@@ -55,14 +55,14 @@ class Real(Dialogs):
         self.seen: list[str] = []
         self.theme_box = 0
         self.timer = QTimer(driver.window)
-        self.timer.timeout.connect(self._look)
+        self.timer.timeout.connect(self._poll)
         self.timer.start(50)
         driver.dialogs.ask_to_add, driver.dialogs.add_lines = (
             self.ask_to_add,
             self.add_lines,
         )
 
-    def _look(self) -> None:
+    def _poll(self) -> None:
         shown = QApplication.activeModalWidget()
         if shown is None:
             return

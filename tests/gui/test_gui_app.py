@@ -53,7 +53,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QMainWindow
 from lispac.gui import app
 
-def look():
+def inspect_window():
     (window,) = [w for w in QApplication.topLevelWidgets() if isinstance(w, QMainWindow)]
     print(window.log.toPlainText())
     window.settings.units = ("degrees", "millimetres")
@@ -63,7 +63,7 @@ def look():
 
 app.IMPORT_AFTER_MS = 3_600_000
 application = QApplication(sys.argv[:1])
-QTimer.singleShot(0, look)
+QTimer.singleShot(0, inspect_window)
 sys.exit(app.main([]))
 """
 

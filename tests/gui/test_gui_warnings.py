@@ -15,7 +15,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note, warning
 from lispac.project import Project
 from lispac.warning_causes import Cause
-from tests.gui.support import WAIT_MS, Demo, Driver, Key, Left, click, press, settle
+from tests.gui.support import WAIT_MS, Demo, Driver, Key, Left, click, press, wait_until_idle
 
 Role = Qt.ItemDataRole
 
@@ -211,7 +211,7 @@ def test_it_follows_edits_undo_and_a_new_result(adjusted: Driver) -> None:
     assert said not in listed(adjusted)
     adjusted.window.controller.use_sighting("T1", line, False)
     assert adjusted.window.warnings.head.text() == WAITING
-    settle(adjusted)
+    wait_until_idle(adjusted)
     assert said in listed(adjusted)
     adjusted.window.document.undo_stack.undo()
     assert said not in listed(adjusted)
@@ -220,7 +220,7 @@ def test_it_follows_edits_undo_and_a_new_result(adjusted: Driver) -> None:
 def test_why_no_result_follows_is_reported(adjusted: Driver) -> None:
     for target in adjusted.project.targets_of_role("target"):
         adjusted.window.controller.use_target(target.name, False)
-    settle(adjusted)
+    wait_until_idle(adjusted)
     assert adjusted.window.document.refusal
     first = listed(adjusted)[0]
     refusal = adjusted.window.document.refusal

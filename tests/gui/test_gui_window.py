@@ -27,7 +27,7 @@ from tests.gui.support import (
     press,
     seed,
     sentence,
-    settle,
+    wait_until_idle,
 )
 
 # -- seeds -------------------------------------------------------------------------------------
@@ -44,7 +44,7 @@ def test_a_seed_lights_up_the_plane_on_every_line_and_enter_accepts(opened: Driv
     assert opened.project.targets == ()
     press(opened, Key.Key_Return)
     assert [t.name for t in opened.project.targets] == ["T1"]
-    settle(opened)
+    wait_until_idle(opened)
     assert [m.label for m in opened.viewport.markers] == ["T1"]
     assert not opened.window.targets.candidate.isVisible()
     assert sentence(opened, 1) == "1 target in 6 lines: second target required"
@@ -54,7 +54,7 @@ def test_escape_rejects_and_leaves_nothing(opened: Driver):
     before = opened.project
     seed(opened, "T1")
     press(opened, Key.Key_Escape)
-    settle(opened)
+    wait_until_idle(opened)
     assert opened.project is before
     assert opened.viewport.highlights == []
     assert not opened.window.document.undo_stack.canUndo()
@@ -251,7 +251,7 @@ def test_estimate_shows_angles_near_the_truth_and_the_lines_after(picked: Driver
     assert picked.window.actions_["after"].isChecked()
     press(picked, Key.Key_Z, Control)
     assert picked.project.result is None
-    settle(picked)
+    wait_until_idle(picked)
     assert picked.viewport.clouds[picked.project.lines[0].name] is before
     assert not picked.window.actions_["after"].isEnabled()
 
