@@ -1,4 +1,4 @@
-"""Small surveys on their way in, and the intake driven in one thread."""
+"""Small surveys as input files, examined and imported in one thread."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What a test of the window left behind: threads, timers, windows and graphics."""
+"""Resources that a test of the window leaked: threads, timers, windows and graphics."""
 
 import gc
 import sys

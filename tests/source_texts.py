@@ -1,4 +1,4 @@
-"""Every sentence that the source of a module can make, read from its syntax tree."""
+"""Texts that the source of a module can display, read from its syntax tree."""
 
 import ast
 import re

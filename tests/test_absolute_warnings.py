@@ -1,4 +1,4 @@
-"""What page one says of a check against a reference: all lines, single ones, points and the RMS."""
+"""Warnings on page one about a check against a reference: lines, points and the RMS."""
 
 from dataclasses import replace
 from pathlib import Path

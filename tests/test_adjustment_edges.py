@@ -43,7 +43,7 @@ from lispac.survey.georeferencing import Mounting
 from tests import coverage_of_errors
 from tests.error_codes import has_code
 from tests.surveys import planar_survey
-from tests.test_robustness import PRIOR, TRUTH, shifted, survey, with_strays
+from tests.test_robustness import PRIOR, TRUTH, shifted, survey, with_outliers
 
 MODEL = StochasticModel()
 ROBUST = StochasticModel(loss="tukey")
@@ -312,7 +312,7 @@ def test_the_equations_at_an_answer_say_how_its_weights_follow(
     few: Observations, loss: str
 ) -> None:
     """By difference quotients of the right-hand side; with weights held they are a tenth off."""
-    outliers, _ = with_strays(few, 3)
+    outliers, _ = with_outliers(few, 3)
     model = StochasticModel(loss=loss, surface=0.001)
     solved = SolvedEquations.of(adjust(outliers, PRIOR, model, diagnostics=False), outliers, PRIOR)
     assert solved is not None

@@ -1,4 +1,4 @@
-"""The house itself: locked dependencies, one version, a command line that starts at once."""
+"""Structure of the code: locked dependencies, one version, a command line that starts at once."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""What is said about a boresight: the words, and what is labelled as not verified."""
+"""Texts about a boresight, and the values labelled as not verified."""
 
 import numpy as np
 import pytest

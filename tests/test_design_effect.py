@@ -14,7 +14,7 @@ from lispac.adjustment.noise_update import reestimate_noise
 from lispac.adjustment.robust_loss import LOSSES
 from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.adjustment.target_shapes import fit_shapes, points_local, target_centroids
-from tests.test_robustness import TRUTH, survey, with_strays
+from tests.test_robustness import TRUTH, survey, with_outliers
 
 BLOCKS = np.repeat(np.arange(400), 25)
 
@@ -52,7 +52,7 @@ def test_a_little_more_than_chance_is_reported() -> None:
 
 
 def test_outliers_are_noise_unless_a_loss_takes_their_weight() -> None:
-    outliers, _ = with_strays(survey(1, 0.3), 3)
+    outliers, _ = with_outliers(survey(1, 0.3), 3)
     noise, scale = {}, {}
     for loss in LOSSES:
         problem = AdjustmentProblem.of(

@@ -1,4 +1,4 @@
-"""The same surface picked twice is told of: at the pick, with the answer, and in the report."""
+"""Duplicate targets are reported: when picked, with the result, and in the report."""
 
 import json
 import shutil

@@ -1,4 +1,4 @@
-"""What is stated of a line's frame and coordinate system, where its coordinates deny it."""
+"""Frame and coordinate system given for a line that its coordinates contradict."""
 
 from dataclasses import replace
 from pathlib import Path

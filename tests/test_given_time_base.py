@@ -1,4 +1,4 @@
-"""Stated time bases are applied: times that they say differ are brought together."""
+"""Time bases given by the user are applied: lines and trajectory get the same base."""
 
 from pathlib import Path
 

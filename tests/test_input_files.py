@@ -1,4 +1,4 @@
-"""Files on their way into a project: what they are taken for, and how their times fit."""
+"""Examination of input files: detected kind and format, and agreement of their times."""
 
 import json
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Lines on their way into an open project, and what the list of files says in rarer cases."""
+"""Adding lines to an open project, and rarer states of the list of input files."""
 
 from dataclasses import replace
 from pathlib import Path

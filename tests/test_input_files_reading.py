@@ -1,4 +1,4 @@
-"""Columns, coordinate systems and options of files on their way in, and accuracies beside them."""
+"""Columns, coordinate systems and reader options of input files, and accuracy files."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What a line shows of a target, by what the other lines show of it."""
+"""Part of a target that a line shows, compared with the other lines."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""What is said of a plan before it is sailed: too near to the wall, boards in one place."""
+"""Warnings about a plan: too near to the wall, boards in one place."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""What is proposed, and what is not: ripples, natural planes alone, a drone's planes."""
+"""Proposed targets: ripples, natural planes alone, planes of a drone survey."""
 
 import json
 from collections.abc import Mapping

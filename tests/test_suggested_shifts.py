@@ -1,4 +1,4 @@
-"""What is offered for a line of which points lie outside the trajectory, and when nothing is."""
+"""Time shifts suggested for a line with points outside the trajectory."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Lines whose own times start again at midnight or at the end of the week keep all their points."""
+"""Lines with a time rollover (midnight, end of week) keep all their points."""
 
 from pathlib import Path
 

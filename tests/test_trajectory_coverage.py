@@ -1,4 +1,4 @@
-"""What is said of points, accuracies and time bases that do not fit the trajectory."""
+"""Messages about points, accuracies and time bases that do not fit the trajectory."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Trajectories: what single values of them are refused for, and what a look at them remarks."""
+"""Trajectories: values that are refused, and values that give a warning."""
 
 from pathlib import Path
 

@@ -2,7 +2,7 @@
 
 A process of its own goes from the raw files to the preview of the report, in the program's own
 window with its own dialogues, on a screen. A timer beats every 10 ms on the window's thread; for
-each step the longest pause is printed, and the one that 99 of 100 beats keep within. A pause is printed
+each step, the longest pause and the 99th percentile are printed. A pause is printed
 with what of it was computing by that thread: the rest is drawing (by software, where there is no
 graphics card) and waiting for a processor (on a busy machine). Aim: nothing computes over 200 ms.
 """

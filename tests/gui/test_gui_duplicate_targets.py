@@ -1,4 +1,4 @@
-"""A surface clicked twice is told of before it is accepted, and with the answer."""
+"""Duplicate targets are reported before they are accepted, and with the result."""
 
 from lispac.gui.viewport.base import PickedPoint
 from lispac.workflow.planning.demo import demo_seeds

@@ -1,4 +1,4 @@
-"""Garbage is collected by the window's thread alone."""
+"""Garbage is collected only by the window's thread."""
 
 import gc
 import mmap

@@ -1,4 +1,4 @@
-"""An estimate that is refused leaves the one before, and nobody takes that for the new one."""
+"""A refused estimate keeps the former result and marks it as out of date."""
 
 import json
 from dataclasses import replace

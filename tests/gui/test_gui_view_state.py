@@ -1,4 +1,4 @@
-"""What the view shows is shown again by the window that comes with other looks."""
+"""The state of the view is restored in a window with another theme."""
 
 from collections.abc import Mapping
 
