@@ -261,7 +261,7 @@ class Project:
     not_compared: Mapping[str, Message] = field(default_factory=dict)
     """Reason for each validation plane that could not be compared."""
     truth_deg: Triple | None = None
-    """Boresight put into a simulated survey; None for a real one."""
+    """True boresight of a simulated survey; None for a real one."""
     trajectory_reading: Reading = USUAL
     accuracy_reading: Reading = USUAL
     identity: Identity = BLANK

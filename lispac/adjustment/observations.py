@@ -20,7 +20,7 @@ MIN_SAMPLE = 200  # points of a sighting that are all wanted in a sample
 
 @dataclass(frozen=True)
 class Sighting:
-    """One target as measured on one line."""
+    """Measurement of one target on one line."""
 
     target: str
     line: str

@@ -217,7 +217,7 @@ def period_between(before: float, after: float, leeway: float = NEAR_START) -> f
 
 @dataclass(frozen=True)
 class TimeMatch:
-    """One way to bring point times onto the trajectory.
+    """A time base and shift that place point times on the trajectory.
 
     Attributes
     ----------

@@ -498,7 +498,7 @@ UNREADABLE = (
     OSError, ValueError, KeyError, EOFError, MemoryError, RuntimeError, SyntaxError,
     tokenize.TokenError, zipfile.BadZipFile, zlib.error,
 )  # fmt: skip
-"""What numpy and zipfile raise where a file of theirs is damaged."""
+"""Exceptions that numpy and zipfile raise for a damaged file."""
 
 
 def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArray[np.int64]]:

@@ -448,7 +448,7 @@ _LETTERS = (
     {"N", "S", "NORTH", "SOUTH", "NORD", "SUD", "SÜD"},
     {"E", "W", "O", "EAST", "WEST", "EST", "OUEST", "OST"},
 )
-"""What columns of hemispheres hold."""
+"""Letters in columns of hemispheres."""
 ROWS_SEARCHED = 200_000
 """Rows that are searched for the first position."""
 SAMPLE_ROWS = 60

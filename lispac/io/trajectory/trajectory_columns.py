@@ -109,7 +109,7 @@ def role_of(name: str) -> str:
 
 @dataclass(frozen=True)
 class Column:
-    """One column of a file: what it means, where it stands, what it is called and its unit."""
+    """One column of a file: meaning, index, name and unit."""
 
     role: str
     index: int

@@ -93,7 +93,7 @@ def require_no_link(*paths: Path) -> None:
 
 @dataclass(frozen=True)
 class StoredColumn:
-    """One column.
+    """Stored column.
 
     Attributes
     ----------
@@ -434,7 +434,7 @@ def remove_leftovers(folder: Path, keep: str = "") -> None:
 
 
 def columns_folders(folder: Path) -> list[Path]:
-    """What has the name of a folder of columns in the folder of a line, links among it."""
+    """Entries of a line's folder with the name of a folder of columns, links included."""
     return sorted(path for path in folder.iterdir() if COLUMNS_NAME.fullmatch(path.name))
 
 

@@ -67,7 +67,7 @@ def read_simulation(
     points_per_second: float | None = None,
     errors: Mapping[str, Any] | None = None,
 ) -> SimulatedSetup:
-    """Put scene, vessel and scanner together.
+    """Combine scene, vessel and scanner.
 
     Parameters
     ----------

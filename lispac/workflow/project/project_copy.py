@@ -34,7 +34,7 @@ from lispac.workflow.project.survey import Survey
 
 PIECE = 1 << 24  # bytes copied at once
 MARK = ".saving"
-"""In the folder of a line that is copied: it counts for nothing until the project is written."""
+"""File in the folder of a copied line: the copy is invalid until the project is written."""
 
 
 def save_project_as(
