@@ -89,6 +89,7 @@ def require_writable(folder: Path) -> None:
     Raises
     ------
     InputError
+        If the folder cannot be created or written to.
     """
     place, present = cache_folder_in(folder), folder.is_dir()
     try:

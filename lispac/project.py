@@ -312,6 +312,7 @@ class Project:
         Raises
         ------
         ProjectError
+            If there is no target of that name.
         """
         for target in self.targets:
             if target.name == name:

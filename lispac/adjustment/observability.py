@@ -169,6 +169,7 @@ def require_two_orientations(linearised: LinearisedProblem) -> None:
     Raises
     ------
     RankDeficient
+        If there is one plane only, or all planes are parallel.
     """
     if not _have_targets_one_orientation(linearised):
         return

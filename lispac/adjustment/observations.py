@@ -179,6 +179,7 @@ class Observations:
         Raises
         ------
         AdjustmentError
+            If targets, points or lines are too few, or a value cannot be used.
         """
         if not self.sightings:
             raise AdjustmentError(error("adjustment.no_targets"))

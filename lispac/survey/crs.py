@@ -259,6 +259,7 @@ def _local_system(text: str) -> CoordinateSystem:
     Raises
     ------
     InputError
+        If the text is not latitude, longitude and height.
     """
     try:
         latitude, longitude, height = (

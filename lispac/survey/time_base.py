@@ -95,6 +95,7 @@ def base_of_key(key: str) -> TimeBase:
     Raises
     ------
     InputError
+        If no time base has that key.
     """
     for base in BASES:
         if base.key == key:

@@ -199,6 +199,7 @@ def read_ascii(path: Path, choice: Choice) -> Trajectory:
     Raises
     ------
     InputError
+        If the file is damaged or a value is not possible.
     """
     path = Path(path)
     layout = layout_by_choice(path, choice)

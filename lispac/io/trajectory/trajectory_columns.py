@@ -235,6 +235,7 @@ def accuracy_of(
     Raises
     ------
     InputError
+        If a standard deviation is negative or not a number.
     """
     chosen = [
         _find_column(path, columns, "time"),
@@ -317,6 +318,7 @@ def map_warnings(
     Raises
     ------
     InputError
+        If the positions are outside the coordinate system.
     """
     chosen = _choose_columns(path, columns, conventions)
     grid = _chosen_grid(path, chosen, conventions)

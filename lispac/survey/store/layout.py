@@ -361,7 +361,9 @@ def read_checked_json(text: str) -> Any:
     Raises
     ------
     ValueError
+        If the text is not JSON or its checksum is wrong.
     KeyError
+        If there is no checksum.
     TypeError
         Where it is damaged.
     """
@@ -459,6 +461,7 @@ def writing_errors_as_project_errors(
     Raises
     ------
     ProjectError
+        If the disk is full or the folder cannot be written to.
     """
     try:
         yield

@@ -337,6 +337,7 @@ class StoredLine:
         Raises
         ------
         ProjectError
+            If a file is missing, damaged or of invalid points.
         """
         done = 0
         for column in self.manifest.files:

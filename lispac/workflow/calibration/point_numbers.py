@@ -41,6 +41,7 @@ def point_numbers(text: str) -> NDArray[np.int64]:
     Raises
     ------
     InputError
+        If the text lists too many points or is not valid.
     """
     runs = list(_parse_runs(text))
     if sum(count for _, count in runs) > MAX_POINTS:

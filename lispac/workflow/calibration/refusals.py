@@ -26,7 +26,9 @@ def refused_by_method(project: str, method: Method) -> Iterator[None]:
     Raises
     ------
     RankDeficient
+        If the adjustment was refused so.
     NotConverged
+        If the adjustment was refused so.
     """
     try:
         yield

@@ -81,6 +81,7 @@ def export(
     Raises
     ------
     InputError
+        If the request is not valid or a file cannot be written.
     ProjectError
         As the functions of `data_export` and `georeferencing`.
     """

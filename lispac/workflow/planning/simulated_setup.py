@@ -84,6 +84,7 @@ def read_simulation(
     Raises
     ------
     InputError
+        If a file is not valid or the parts do not fit.
     """
     files = {"scene": setup_file("scene", scene, None)}
     described = read_scene(files["scene"])

@@ -101,6 +101,7 @@ def _remove_points_on_failure(folder: Path) -> Iterator[None]:
     Raises
     ------
     InputError
+        If the project cannot be written.
     """
     sightings = folder / SIGHTINGS
     new = not sightings.exists()
