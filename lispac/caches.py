@@ -18,9 +18,9 @@ from lispac.installation_paths import home_folder, temporary_folder, user_folder
 from lispac.messages import Level, Message, error
 
 CHOICE = "cache-folder.txt"
-"""Beside what else the user has for all projects."""
+"""File of the choice, next to the other settings for all projects."""
 NAME = "lispac"
-"""Of our folder in the chosen one."""
+"""Name of the cache folder within the chosen folder."""
 DEMO = "demo"
 MANUAL, MANUAL_MARK = "manual", "made-by-lispac"
 """Folder of the built manual, and the file in it that marks its owner."""
@@ -54,7 +54,7 @@ def chosen_folder(config: Path | None = None) -> Path | None:
 
 
 def cache_folder_in(folder: Path | None) -> Path:
-    """Folder of the cache within a chosen folder; None stands for the default one."""
+    """Folder of the cache within a chosen folder; None for the default one."""
     return (folder or default_folder()) / NAME
 
 
@@ -89,6 +89,7 @@ def require_writable(folder: Path) -> None:
     Raises
     ------
     InputError
+        If the folder cannot be created or written to.
     """
     place, present = cache_folder_in(folder), folder.is_dir()
     try:

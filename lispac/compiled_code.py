@@ -34,9 +34,9 @@ order halve its time."""
 PACKAGES = (
     "adjustment", "geometry", "io", "natural", "simulation", "survey", "targets", "validation",
 )  # fmt: skip
-"""Those with compiled functions."""
+"""Packages with compiled functions."""
 MARK = b"lispac.compiled_code"
-"""In the import of each file with compiled functions."""
+"""Text in the import of each file with compiled functions."""
 PREFIX = "sources-"
 UNUSED_S = 30 * 86_400.0
 

@@ -10,7 +10,7 @@ from lispac.language import N_
 from lispac.messages import error, note
 
 MAX_LENGTH = 200
-"""Most characters of a field; remarks may be ten times as long."""
+"""Most characters of a field; notes may be ten times as long."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ LABELS = {
     "lever_arm_origin": N_("Origin of the lever arm"),
     "remarks": N_("Remarks"),
 }
-"""What the fields are called wherever they are shown."""
+"""Labels of the fields."""
 
 HINTS = {
     "surveyor": "person responsible for the calibration",
@@ -87,7 +87,7 @@ HINTS = {
     "lever_arm_origin": "origin of the lever arm, e.g. total station survey in dock, 2026-03-04",
     "remarks": "other information for the reader of the report",
 }
-"""What belongs into each field."""
+"""Expected content of each field."""
 
 
 def _clean_text(name: str, text: str) -> str:

@@ -64,8 +64,11 @@ def _acquire_lock(path: Path, until: float, waiting: Callable[[], None]) -> int:
     Raises
     ------
     AlreadyLocked
+        If another process holds the lock.
     NotALockFile
+        If the path is a link or no regular file.
     OSError
+        If the file cannot be opened.
     """
     while True:
         try:

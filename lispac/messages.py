@@ -49,7 +49,7 @@ class Action:
 
 @dataclass(frozen=True)
 class Message:
-    """One message to the user.
+    """Message to the user.
 
     Attributes
     ----------

@@ -261,7 +261,7 @@ class Project:
     not_compared: Mapping[str, Message] = field(default_factory=dict)
     """Reason for each validation plane that could not be compared."""
     truth_deg: Triple | None = None
-    """Boresight put into a simulated survey; None for a real one."""
+    """True boresight of a simulated survey; None for a real one."""
     trajectory_reading: Reading = USUAL
     accuracy_reading: Reading = USUAL
     identity: Identity = BLANK
@@ -312,6 +312,7 @@ class Project:
         Raises
         ------
         ProjectError
+            If there is no target of that name.
         """
         for target in self.targets:
             if target.name == name:

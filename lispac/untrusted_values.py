@@ -166,7 +166,7 @@ def require_usable_text(text: str) -> None:
 
 
 FORMULA = ("=", "+", "-", "@", "\t", "\r")
-"""What a cell of a table begins with that spreadsheets take for a formula."""
+"""First characters of cells that spreadsheets interpret as formulas."""
 
 
 def as_csv_cell(value: object) -> str:

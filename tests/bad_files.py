@@ -17,7 +17,7 @@ import pytest
 from lispac.cli.main import main
 from lispac.io.project.project_file import read_project, write_project
 from tests import point_files
-from tests.intake_files import START, fan, write_line
+from tests.input_file_samples import START, fan, write_line
 from tests.report_sample import sample_project
 from tests.trajectory_files import vessel, write_delph, write_records
 
@@ -113,7 +113,7 @@ class Scene:
 Case = Callable[[Scene], Words]
 REFUSED: dict[str, Case] = {}
 """Name of the row: what is refused with exit code 1 and one sentence."""
-DOUBTED: dict[str, Case] = {}
+WITH_WARNING: dict[str, Case] = {}
 """Name of the row: what can be read, but is doubted by a look or noted by a new project."""
 
 
@@ -121,8 +121,8 @@ def refused(name: str) -> Callable[[Case], Case]:
     return lambda case: REFUSED.setdefault(name, case)
 
 
-def doubted(name: str) -> Callable[[Case], Case]:
-    return lambda case: DOUBTED.setdefault(name, case)
+def with_warning(name: str) -> Callable[[Case], Case]:
+    return lambda case: WITH_WARNING.setdefault(name, case)
 
 
 def changed(change: Callable[[np.ndarray], object], count: int = 2000) -> Case:
@@ -252,7 +252,7 @@ def _(scene: Scene) -> Words:
     return scene.new()
 
 
-@doubted("Trajectory with another byte order")
+@with_warning("Trajectory with another byte order")
 def _(scene: Scene) -> Words:
     write_records(scene / "pos.sbet", vessel(2000), order=">")
     return scene.inspect("pos.sbet")
@@ -299,7 +299,7 @@ def _(scene: Scene) -> Words:
     return scene.new(trajectory="nav.txt")
 
 
-@doubted("Decreasing times in a line")
+@with_warning("Decreasing times in a line")
 def _(scene: Scene) -> Words:
     write_line(scene / "L1.las", TIMES[::-1])
     return scene.inspect("L1.las")
@@ -311,7 +311,7 @@ def _(scene: Scene) -> Words:
     return scene.new("L1.ply")
 
 
-@doubted("Line times converted from 32 bits")
+@with_warning("Line times converted from 32 bits")
 def _(scene: Scene) -> Words:
     write_line(scene / "L1.las", TIMES.astype(np.float32).astype(np.float64))
     return scene.inspect("L1.las")
@@ -323,7 +323,7 @@ def _(scene: Scene) -> Words:
     return scene.new()
 
 
-@doubted("Line partly outside the trajectory")
+@with_warning("Line partly outside the trajectory")
 def _(scene: Scene) -> Words:
     write_line(scene / "L1.las", TIMES - 5)
     return scene.new()

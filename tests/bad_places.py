@@ -11,8 +11,8 @@ from lispac.cli.main import main
 from lispac.io.las import las_chunks
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
-from tests.bad_files import COUNT, REFUSED, TIMES, Case, Scene, Words, doubted, refused
-from tests.intake_files import START, fan, write_line
+from tests.bad_files import COUNT, REFUSED, TIMES, Case, Scene, Words, refused, with_warning
+from tests.input_file_samples import START, fan, write_line
 from tests.trajectory_files import vessel, write_records
 
 # Units, places, coordinate systems.
@@ -27,13 +27,13 @@ def _(scene: Scene) -> Words:
     return scene.new("L1.las", "--trajectory-option", "unit=radians")
 
 
-@doubted("Degrees instead of radians, detected by lispac inspect")
+@with_warning("Degrees instead of radians, detected by lispac inspect")
 def _(scene: Scene) -> Words:
     REFUSED["Degrees instead of radians"](scene)
     return scene.inspect("pos.sbet")
 
 
-@doubted("Feet instead of metres in a line")
+@with_warning("Feet instead of metres in a line")
 def _(scene: Scene) -> Words:
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales = np.full(3, 0.0003048)
@@ -44,7 +44,7 @@ def _(scene: Scene) -> Words:
     return scene.inspect("L1.las")
 
 
-@doubted("Millimetres instead of metres in a line")
+@with_warning("Millimetres instead of metres in a line")
 def _(scene: Scene) -> Words:
     write_line(scene / "L1.las", TIMES, fan(COUNT) * 1000 / 3)
     return scene.inspect("L1.las")
@@ -63,7 +63,7 @@ def _(scene: Scene) -> Words:
     return scene.new("L1.las", "--trajectory-option", "order=latitude-longitude")
 
 
-@doubted("Exchanged latitude and longitude, both possible")
+@with_warning("Exchanged latitude and longitude, both possible")
 def _(scene: Scene) -> Words:
     exchanged(scene)
     return scene.inspect("pos.sbet")
@@ -98,7 +98,7 @@ def _(scene: Scene) -> Words:
     return scene.new()
 
 
-@doubted("Wrong output coordinate system: intended for another part of the world")
+@with_warning("Wrong output coordinate system: intended for another part of the world")
 def _(scene: Scene) -> Words:
     scene.made()
     return scene.to_map("out", "--crs", "EPSG:32633")

@@ -60,13 +60,13 @@ def pytest_runtest_protocol(item: pytest.Item) -> Generator[None, object, object
     """
     if "qapp" not in getattr(item, "fixturenames", ()):
         return (yield)
-    from tests.leavings import left_behind
+    from tests.leaked_resources import find_leaks
 
     gc.disable()
     gc.freeze()
     try:
         ended = yield
-        if left := left_behind():
+        if left := find_leaks():
             _fail(item, "left behind: " + ", ".join(left))
         return ended
     finally:
@@ -118,12 +118,12 @@ def sparse_project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 
 
 @pytest.fixture(scope="session")
-def told_demo(
+def printed_demo(
     demo_project: Project, tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[Path, int, str, str]:
     """Folder of `lispac demo`, its code and what it said; not to be changed on disk."""
 
-    def tell(folder: Path) -> tuple[Path, int, str, str]:
+    def run_demo(folder: Path) -> tuple[Path, int, str, str]:
         shutil.copytree(demo_project.folder, folder)
         left = b"left by an earlier run, which the next one replaces"
         (folder / "raw" / "L1_000.laz").write_bytes(left)
@@ -131,17 +131,17 @@ def told_demo(
             code = main(["demo", "--output", str(folder), "--no-window"])
         return folder, code, out.getvalue(), err.getvalue()
 
-    return once(tmp_path_factory, "told", tell)
+    return once(tmp_path_factory, "told", run_demo)
 
 
 @pytest.fixture(scope="session")
 def calibrated(
-    told_demo: tuple[Path, int, str, str], tmp_path_factory: pytest.TempPathFactory
+    printed_demo: tuple[Path, int, str, str], tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[Project, Survey]:
     """The built-in survey, calibrated and validated; not to be changed on disk."""
 
     def take(folder: Path) -> Project:
-        shutil.copytree(told_demo[0], folder, ignore=shutil.ignore_patterns("report.*"))
+        shutil.copytree(printed_demo[0], folder, ignore=shutil.ignore_patterns("report.*"))
         return open_project(folder)
 
     project = once(tmp_path_factory, "calibrated", take)

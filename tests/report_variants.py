@@ -17,7 +17,7 @@ from lispac.project import Project
 from lispac.report.content import ReportContent
 from lispac.survey.georeferencing import Mounting
 from tests.report_sample import sample_content
-from tests.test_doubts import CASES
+from tests.test_consistent_warnings import CASES
 
 COMMENT_MARKS = (
     note(

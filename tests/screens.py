@@ -63,7 +63,7 @@ class Photographer:
         self._session = Session(application, VtkViewport, self._settings)
         self._prefix = ""
         self._watch = QTimer(interval=100)
-        self._watch.timeout.connect(self._look)
+        self._watch.timeout.connect(self._poll)
         self._seen: QWidget | None = None
         self._asked = ""
 
@@ -203,7 +203,7 @@ class Photographer:
         ask()
         self.rest()
 
-    def _look(self) -> None:
+    def _poll(self) -> None:
         dialog = self._application.activeModalWidget()
         if dialog is None or dialog is self._seen:
             return
@@ -235,19 +235,19 @@ class Photographer:
                     self.take(design, f"{width}-{tabs.objectName()}-{page + 1}")
         design.surveys.surveys.setValue(SURVEYS)
         designing.compare()
-        self._settle(designing.runner)
+        self._wait_until_idle(designing.runner)
         self.take(design, "design-compared")
         for name, work in {
             "scenarios": designing.scenarios, "surveys": designing.surveys,
             "best": designing.search,
         }.items():  # fmt: skip
             work()
-            self._settle(designing.runner)
+            self._wait_until_idle(designing.runner)
             self.take(design, f"design-{name}")
         designing.workspace.undo()
         design.close()
 
-    def _settle(self, runner: TaskRunner) -> None:
+    def _wait_until_idle(self, runner: TaskRunner) -> None:
         while runner.active:
             self.rest(0.1)
 

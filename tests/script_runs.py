@@ -27,7 +27,7 @@ def run(script: str, folder: Path) -> dict[str, Any]:
         check=False, env={**variables, "PYTHONPATH": str(CHECKOUT)}, timeout=300,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    return _told(folder)
+    return _script_result(folder)
 
 
 def run_here(script: str, folder: Path) -> dict[str, Any]:
@@ -36,7 +36,7 @@ def run_here(script: str, folder: Path) -> dict[str, Any]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(sys, "argv", [str(path), str(folder)])
         runpy.run_path(str(path), run_name="__main__")
-    return _told(folder)
+    return _script_result(folder)
 
 
 def _written(script: str, folder: Path) -> Path:
@@ -46,7 +46,7 @@ def _written(script: str, folder: Path) -> Path:
     return path
 
 
-def _told(folder: Path) -> dict[str, Any]:
+def _script_result(folder: Path) -> dict[str, Any]:
     (written,) = (file for file in folder.glob("*.json") if file.name != "project.json")
     return same_part(written)
 

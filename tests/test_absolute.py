@@ -85,7 +85,7 @@ def test_a_known_shift_of_a_scan_comes_back(
     assert mean.scatter < 0.001
 
 
-def test_errors_beyond_the_stated_ones_are_significant(
+def test_errors_beyond_the_given_ones_are_significant(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     check = checked(known, tmp_path / "s.xyz", tripod_scan(("V5",), shift=(0.0, 0.08, 0.0)))
@@ -194,7 +194,7 @@ def test_a_line_that_is_not_compared_says_what_would_help(
     assert cast(int, reason.params["places"]) <= cast(int, reason.params["tried"]) < 30
 
 
-def test_a_sigma_in_millimetres_is_doubted_once(
+def test_a_sigma_in_millimetres_gives_one_warning(
     known: tuple[Project, Survey], tmp_path: Path
 ) -> None:
     path = tmp_path / "p.csv"
@@ -334,7 +334,7 @@ def test_what_no_line_sees(known: tuple[Project, Survey], tmp_path: Path) -> Non
     assert raised.value.code == "estimate.needed"
 
 
-def test_the_project_keeps_it_and_the_report_tells_it(
+def test_the_project_keeps_it_and_the_report_shows_it(
     sample: Project, both: AbsoluteCheck, tmp_path: Path
 ) -> None:
     check = both

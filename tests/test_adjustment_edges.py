@@ -43,7 +43,7 @@ from lispac.survey.georeferencing import Mounting
 from tests import coverage_of_errors
 from tests.error_codes import has_code
 from tests.surveys import planar_survey
-from tests.test_robustness import PRIOR, TRUTH, shifted, survey, with_strays
+from tests.test_robustness import PRIOR, TRUTH, shifted, survey, with_outliers
 
 MODEL = StochasticModel()
 ROBUST = StochasticModel(loss="tukey")
@@ -89,7 +89,7 @@ def test_a_point_that_cannot_be_is_refused(
     few.require_usable()
 
 
-def test_what_does_not_settle_says_how_far_it_was(
+def test_what_does_not_converge_says_how_far_it_was(
     few: Observations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(iteration, "MAX_ITERATIONS", 2)
@@ -155,7 +155,7 @@ def test_a_wrong_lever_arm_that_leaves_the_angles_open_is_named() -> None:
     assert refused.value.message.params["change"] == pytest.approx(-1.0, abs=0.05)
 
 
-def test_open_angles_that_no_stated_value_explains_are_refused_as_such(few: Observations) -> None:
+def test_open_angles_that_no_given_value_explains_are_refused_as_such(few: Observations) -> None:
     vague = few.with_sigmas(1.0, 1.0, 1000.0)
     with pytest.raises(RankDeficient, check=has_code("adjustment.undetermined")):
         solver._require_still_determined(_linearised(vague))
@@ -222,7 +222,7 @@ def test_with_every_value_estimated_none_is_contradicted(few: Observations) -> N
     ("one", "other"),
     [((), (Parameter("lever_x", 1e-6),)), ((Parameter("lever_x"),), (Parameter("lever_x", 1e4),))],
 )
-def test_a_stated_value_weighs_in_the_likelihood_of_the_sigmas(
+def test_a_given_value_weighs_in_the_likelihood_of_the_sigmas(
     few: Observations, one: tuple[Parameter, ...], other: tuple[Parameter, ...]
 ) -> None:
     """One held by a tiny sigma is as good as one not estimated, by a huge one as a free one."""
@@ -236,7 +236,7 @@ def test_a_stated_value_weighs_in_the_likelihood_of_the_sigmas(
     assert free(factors) - free(np.zeros(4)) != pytest.approx(rises[0], rel=1e-4)
 
 
-def test_one_round_of_the_sigmas_is_told_and_used(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_one_round_of_the_sigmas_is_reported_and_used(monkeypatch: pytest.MonkeyPatch) -> None:
     """Positions stated five times too small; the sigmas could settle in more rounds only."""
     monkeypatch.setattr(solver, "COMPONENT_ROUNDS", 1)
     stated = survey(1, 0.3).with_sigmas(1.0, 0.2, 1.0)
@@ -261,7 +261,7 @@ def test_a_pass_over_no_points_calls_nothing() -> None:
     assert np.ptp(last - first) <= 2
 
 
-def test_of_two_targets_and_halves_of_lines_nothing_is_told_of_their_scatter(
+def test_the_scatter_of_two_targets_or_halves_of_lines_is_not_reported(
     few: Observations, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Two parts of a kind are too few for a jackknife."""
@@ -280,7 +280,7 @@ BESIDE_EACH_OTHER = (
 )
 
 
-def test_what_is_not_foreseen_is_that_of_adjustments_without_each_place(
+def test_the_remainder_is_that_of_adjustments_without_each_place(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Two sightings displaced; the jackknife, less what the sigmas foresee (Tukey, Hausman)."""
@@ -312,7 +312,7 @@ def test_the_equations_at_an_answer_say_how_its_weights_follow(
     few: Observations, loss: str
 ) -> None:
     """By difference quotients of the right-hand side; with weights held they are a tenth off."""
-    outliers, _ = with_strays(few, 3)
+    outliers, _ = with_outliers(few, 3)
     model = StochasticModel(loss=loss, surface=0.001)
     solved = SolvedEquations.of(adjust(outliers, PRIOR, model, diagnostics=False), outliers, PRIOR)
     assert solved is not None
@@ -343,7 +343,7 @@ def test_products_are_made_by_the_thread_that_asks_for_them() -> None:
 
 
 @pytest.mark.parametrize(("lines", "named"), [(("L1", "L3"), False), (("L1", "L3", "L5"), True)])
-def test_of_two_sightings_of_a_target_neither_is_let_go_of(
+def test_of_two_sightings_of_a_target_neither_is_rejected(
     lines: tuple[str, ...], named: bool
 ) -> None:
     """What would be left of the target nothing could contradict."""
@@ -365,7 +365,9 @@ def test_the_statistic_is_the_quadratic_form_of_the_equations(few: Observations)
     assert result.chi_square.statistic == pytest.approx(solved.here.normal.quadratic, rel=1e-6)
 
 
-def test_a_contradiction_is_told_from_so_many_sigmas_of_an_angle_on(few: Observations) -> None:
+def test_a_contradiction_is_reported_above_a_number_of_sigmas_of_an_angle(
+    few: Observations,
+) -> None:
     wrong = replace(TRUTH, lever_arm=TRUTH.lever_arm + [0.04, 0.0, 0.0])
     problem = AdjustmentProblem.of(few, wrong, MODEL)
     first = problem.linearised(problem.start(wrong, fit_shapes(few, wrong)))

@@ -105,7 +105,7 @@ def test_what_one_wall_leaves_open_stays_near_its_prior(off: tuple[float, float,
     assert np.abs(moved[1:]).max() < 1.0
 
 
-def test_a_twin_is_told_where_the_scene_does_not_tell_them_apart() -> None:
+def test_a_second_solution_is_reported_where_the_scene_is_ambiguous() -> None:
     seen = quay_wall(*TWINS)
     project, survey = seen.opened((0.0, 0.0, 2.0))
     clicked = survey.clouds["L1"][np.flatnonzero(seen.on("L1", "T1"))].mean(axis=0)

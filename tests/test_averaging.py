@@ -84,7 +84,7 @@ def test_a_heading_through_north_is_averaged_to_north(survey) -> None:
     assert np.abs(np.angle(np.exp(1j * heading))).max() < 1.1e-4
 
 
-def with_strays(observations, share: float, generator):
+def with_outliers(observations, share: float, generator):
     """Ranges of a share of the points wrong by 0.1 to 1 m, either way."""
     hit = generator.random(len(observations)) < share
     beam = observations.points_lidar[hit]
@@ -95,14 +95,14 @@ def with_strays(observations, share: float, generator):
 
 
 @pytest.mark.parametrize("spacing", [0.02, 0.04])
-def test_strays_do_not_hide_in_averages(spacing) -> None:
+def test_outliers_do_not_hide_in_averages(spacing) -> None:
     """One stray in twenty of dense points: one or more in every average, were they let in."""
     model = StochasticModel(loss="tukey")
     for seed in range(2):
         generator = np.random.default_rng([14, seed])
         exact = error_free_survey(TRUTH, BOARDS, six_courses(), spacing, generator)
         clean = add_errors(exact, HYDROGRAPHIC_INS, generator)
-        strayed, hit = with_strays(clean, 0.05, generator)
+        strayed, hit = with_outliers(clean, 0.05, generator)
         fewer = average_points_in_cells(strayed, PRIOR, 0.1, no_outliers=True)
         assert fewer.excluded_outliers == hit.sum()
         found = adjust(fewer, PRIOR, model, diagnostics=False)
@@ -122,7 +122,7 @@ def test_nothing_stands_out_of_a_clean_survey(survey) -> None:
     assert average_points_in_cells(survey, PRIOR, 0.1, no_outliers=True).excluded_outliers <= 1
 
 
-def test_nothing_stands_out_where_the_scanner_is_worse_than_stated(survey) -> None:
+def test_nothing_stands_out_where_the_scanner_is_worse_than_given(survey) -> None:
     """The spread of the points themselves is what they are judged by."""
     told = survey.with_sigmas(0.2, 1.0, 1.0)
     assert average_points_in_cells(told, PRIOR, 0.1, no_outliers=True).excluded_outliers <= 1

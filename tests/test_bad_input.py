@@ -12,7 +12,7 @@ from lispac.cli import main as command_line
 from lispac.cli.main import main
 from lispac.errors import LispacError
 from lispac.language import in_language
-from tests.bad_files import DOUBTED, REFUSED, Scene
+from tests.bad_files import REFUSED, WITH_WARNING, Scene
 from tests.bad_places import REMEDIES
 
 Run = Callable[[Sequence[str] | None], None]
@@ -52,8 +52,8 @@ def rows(language: str = "en") -> dict[str, tuple[str, str, str]]:
 
 
 def test_the_table_has_a_row_for_every_case_and_no_other() -> None:
-    assert set(rows()) == {*REFUSED, *DOUBTED}
-    assert not set(REFUSED) & set(DOUBTED)
+    assert set(rows()) == {*REFUSED, *WITH_WARNING}
+    assert not set(REFUSED) & set(WITH_WARNING)
     assert all(all(cells) for cells in rows().values())
 
 
@@ -105,7 +105,7 @@ def french_heads() -> dict[str, str]:
     return dict(zip(rows(), rows("fr"), strict=True))
 
 
-def said(shown: str) -> list[str]:
+def shown_messages(shown: str) -> list[str]:
     """Warnings and notes of an output."""
     return list(map(plain, re.findall(r"^ *(?:warning|note): (.*)$", shown, re.MULTILINE)))
 
@@ -116,11 +116,11 @@ def plain(text: str) -> str:
 
 
 @pytest.mark.parametrize("language", ["en", "fr"])
-@pytest.mark.parametrize("name", DOUBTED)
-def test_doubted(
+@pytest.mark.parametrize("name", WITH_WARNING)
+def test_warnings(
     scene: Scene, capsys: pytest.CaptureFixture[str], name: str, language: str
 ) -> None:
-    words = DOUBTED[name](scene)
+    words = WITH_WARNING[name](scene)
     row = rows(language)[name if language == "en" else french_heads()[name]]
     expected = {plain(row[0]), plain(console_text(row[0]))}
     before = held(scene)
@@ -129,14 +129,14 @@ def test_doubted(
         assert main(words) == 0
     out, err = capsys.readouterr()
     shown = out if words[0] == "inspect" else err
-    assert expected & set(said(shown))
+    assert expected & set(shown_messages(shown))
     after = held(scene)
     assert before.items() <= after.items()
     if words[0] == "inspect":
         assert after == before
         with in_language(language):
             assert main(scene.new()) == 0
-        assert expected & set(said(capsys.readouterr().err))
+        assert expected & set(shown_messages(capsys.readouterr().err))
 
 
 @pytest.mark.parametrize("name", REMEDIES)

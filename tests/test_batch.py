@@ -105,7 +105,7 @@ def test_every_project_has_a_row(
 
 
 @pytest.mark.long
-def test_what_is_found_is_saved_where_that_is_wanted(
+def test_what_is_found_is_saved_on_request(
     projects: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = tmp_path / "one"
@@ -128,7 +128,7 @@ def test_a_table_holds_what_was_typed(tmp_path: Path) -> None:
     assert read["vessel"] == "Léonie, II"
 
 
-def test_what_cannot_be_done_is_said_at_once(
+def test_what_cannot_be_done_is_reported_at_once(
     projects: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(ProjectError) as raised:

@@ -34,11 +34,11 @@ def test_it_is_called_what_it_is(change, kind, monkeypatch: pytest.MonkeyPatch) 
     said: list[Blunder | None] = []
     worst = solver.worst_blunder
 
-    def look(*given: object) -> Blunder | None:
+    def find(*given: object) -> Blunder | None:
         said.append(worst(*given))  # type: ignore[arg-type]
         return said[-1]
 
-    monkeypatch.setattr(solver, "worst_blunder", look)
+    monkeypatch.setattr(solver, "worst_blunder", find)
     amount = 3.0 if kind == "surface" else 0.1
     found = adjust(change(survey(24, 0.1), 4, amount), PRIOR, StochasticModel(loss="tukey"))
     first = said[0]

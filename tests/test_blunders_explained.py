@@ -59,7 +59,7 @@ class Found:
         ([(), ()], {}, False),
     ],
 )
-def test_values_are_let_go_of_where_fewer_sightings_are_left(
+def test_values_are_rejected_where_fewer_sightings_remain(
     judged: list[tuple[str, ...]], remain: dict[tuple[str, ...], int], taken: bool,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
@@ -96,7 +96,7 @@ def test_values_are_let_go_of_where_fewer_sightings_are_left(
         assert problem.surface_sigma.tolist() == [0.001, FREE_SIGMA, 0.001, FREE_SIGMA]
 
 
-def test_what_was_taken_back_is_not_let_go_of_again(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_was_restored_is_not_rejected_again(monkeypatch: pytest.MonkeyPatch) -> None:
     found, spared = Blunder("shift", (3,)), []
     todo, back = [found], [found]
 

@@ -63,7 +63,7 @@ def test_environment_for_running_lacks_what_tests_need() -> None:
     assert environment.steps_needed(installed, WANTED, "test") == ["dependencies"]
 
 
-def test_changed_lock_and_changed_project_are_told_apart() -> None:
+def test_changed_lock_and_changed_project_are_distinguished() -> None:
     changed_lock = {**WANTED, "locks": {"run": "old", "test": "old"}}
     assert environment.steps_needed(changed_lock, WANTED, "run") == ["dependencies"]
     assert environment.steps_needed({**WANTED, "project": "old"}, WANTED, "run") == ["project"]
@@ -84,7 +84,7 @@ def test_interrupted_install_counts_as_none(tmp_path: Path, text: str | None) ->
     assert environment.read_stamp(stamp) is None
 
 
-def test_wanted_state_follows_the_lock_files_and_the_version(tmp_path: Path) -> None:
+def test_the_required_state_follows_the_lock_files_and_the_version(tmp_path: Path) -> None:
     locks = [f"installer/{name}" for name in environment.LOCKS.values()]
     for name in (*environment.PROJECT_FILES, *locks):
         (tmp_path / name).parent.mkdir(exist_ok=True)
@@ -281,7 +281,7 @@ def test_root_installs_only_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> 
     assert ran == []
 
 
-def test_failing_apt_says_what_it_said() -> None:
+def test_failing_apt_shows_its_output() -> None:
     failing = "import sys; print('E: no space'); sys.exit(100)"
     with pytest.raises(PackagesMissingError, match="E: no space"):
         system_packages.run_apt([sys.executable, "-c", failing])

@@ -271,7 +271,7 @@ def test_what_must_not_be_in_a_bundle_is_found(place: str) -> None:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a program there is no script")
 @pytest.mark.parametrize("ending", ["", ".exe"])
-def test_a_bundle_that_tells_another_version_is_refused(
+def test_a_bundle_of_another_version_is_refused(
     ending: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(build.sysconfig, "get_config_var", {"EXE": ending}.get)

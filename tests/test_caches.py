@@ -78,7 +78,7 @@ def test_a_folder_called_demo_that_is_not_ours_stays(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the variables are those of Linux")
-def test_the_command_line_follows_the_choice_unless_told_otherwise(tmp_path: Path) -> None:
+def test_the_command_line_follows_the_choice_unless_an_option_is_given(tmp_path: Path) -> None:
     config = tmp_path / "config"
     caches.choose_folder(tmp_path / "fast", config / "lispac")
     told = (

@@ -294,7 +294,7 @@ def test_without_workers_nothing_is_waited_for(monkeypatch: pytest.MonkeyPatch) 
             assert raised.value.code == "cluster.no_workers_left"
 
 
-def test_a_lost_scheduler_is_told_of(
+def test_a_lost_scheduler_is_reported(
     tmp_path: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As a process of its own, which is killed."""
@@ -402,7 +402,7 @@ def test_chi_square_knows_that_angles_go_together() -> None:
     assert found.chi_square == pytest.approx(sum(each), rel=1e-9)
 
 
-def test_a_cancelled_campaign_tells_of_what_was_finished_if_that_is_enough() -> None:
+def test_a_cancelled_campaign_reports_what_was_finished_if_that_is_enough() -> None:
     def cancelled_after(count: int) -> Callable[[float, str], None]:
         def progress(fraction: float, step: Step | None = None) -> None:
             if fraction >= count / 14:

@@ -64,7 +64,7 @@ def test_sigmas_are_those_of_the_points(files: dict[str, Path]) -> None:
     np.testing.assert_array_equal(found.attitude, rows[:, 13:16])
 
 
-def test_it_is_said_what_is_taken_for_granted(files: dict[str, Path]) -> None:
+def test_assumptions_are_reported(files: dict[str, Path]) -> None:
     assert [format.key for format, _ in recognise_formats(files["states"], "trajectory")] == [
         "cidco-states"
     ]

@@ -120,8 +120,8 @@ def test_the_whole_way(capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: 
     assert "ÉTALONNÉ" in french.read_text(encoding="utf-8")
 
 
-def test_demo_prints_answer_truth_and_report(told_demo: tuple[Path, int, str, str]) -> None:
-    folder, code, out, err = told_demo
+def test_demo_prints_answer_truth_and_report(printed_demo: tuple[Path, int, str, str]) -> None:
+    folder, code, out, err = printed_demo
     assert code == 0, err
     assert laspy.read(folder / "raw" / "L1_000.laz").header.point_count > 10_000
     for word in ("boresight", "sigma", "truth", "V5", str(folder / "report.pdf")):

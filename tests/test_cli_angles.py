@@ -23,7 +23,7 @@ def run(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[int, str, s
     return code, out, err
 
 
-def said(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     code, out, err = run(capsys, *words)
     assert code == 0, err
     assert max(map(len, out.splitlines())) <= 100
@@ -31,10 +31,10 @@ def said(capsys: pytest.CaptureFixture[str], *words: object) -> str:
 
 
 def answer(capsys: pytest.CaptureFixture[str], *words: object) -> Any:
-    return json.loads(said_json(capsys, *words))
+    return json.loads(printed_json(capsys, *words))
 
 
-def said_json(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+def printed_json(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     code, out, err = run(capsys, *words, "--json")
     assert code == 0, err
     return out
@@ -54,7 +54,7 @@ def row(text: str, label: str) -> list[float]:
 
 
 def test_without_arguments_every_system_is_listed(capsys) -> None:
-    text = said(capsys)
+    text = printed_by(capsys)
     for each in SYSTEMS:
         assert f"\n{each.key} " in text
     assert text.count("NOT VERIFIED") == sum(each.status == "unverified" for each in SYSTEMS)
@@ -63,7 +63,7 @@ def test_without_arguments_every_system_is_listed(capsys) -> None:
 
 
 def test_to_applanix(capsys) -> None:
-    text = said(capsys, 0.4395, -1.8681, 0.3992, "--to", "applanix",
+    text = printed_by(capsys, 0.4395, -1.8681, 0.3992, "--to", "applanix",
                 "--lever-arm", -0.185596, 0.037658, 2.419063)  # fmt: skip
     assert row(text, "given") == [0.4395, -1.8681, 0.3992]
     assert row(text, "ENTER") == [0.4395, 1.8681, 0.3992]
@@ -74,7 +74,7 @@ def test_to_applanix(capsys) -> None:
 
 
 def test_names_go_with_numbers_where_the_order_differs(capsys) -> None:
-    text = said(capsys, 0.1, 0.2, 0.3, "--to", "novatel")
+    text = printed_by(capsys, 0.1, 0.2, 0.3, "--to", "novatel")
     heads = next(line for line in text.splitlines() if "X rotation    Y rotation" in line)
     assert heads.split() == ["degrees", "X", "rotation", "Y", "rotation", "Z", "rotation"]
     content = answer(capsys, 0.1, 0.2, 0.3, "--to", "novatel")
@@ -86,7 +86,7 @@ def test_names_go_with_numbers_where_the_order_differs(capsys) -> None:
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS if each.status != "verified"])
 def test_nothing_that_is_assumed_is_called_type_in(capsys, key: str) -> None:
-    text = said(capsys, 0.1, -0.2, 0.3, "--to", key)
+    text = printed_by(capsys, 0.1, -0.2, 0.3, "--to", key)
     assert "ENTER" not in text
     assert "ASSUMED:" in text.split("\nTO ")[1]
     assert answer(capsys, 0.1, -0.2, 0.3, "--to", key)["to"]["assumption"]
@@ -108,7 +108,7 @@ def test_negative_and_tiny_numbers_are_numbers(capsys) -> None:
 
 def test_correction_to_present_settings(capsys) -> None:
     words = (0.125, -1.192, 0.276, "--to", "applanix", "--current", 0.1, 1.0, -3)
-    text = said(capsys, *words)
+    text = printed_by(capsys, *words)
     assert row(text, "current") == [0.1, 1.0, -3.0]
     assert row(text, "ENTER") == [0.125, 1.192, 0.276]
     assert "Do not add the angles: the sum would be wrong by 0.0101 deg" in text
@@ -123,8 +123,8 @@ def test_correction_to_present_settings(capsys) -> None:
     np.testing.assert_allclose(found["matrix"], turns["correction_deg"].as_matrix(), atol=1e-12)
 
 
-def test_a_sum_that_is_good_enough_is_said_to_be(capsys) -> None:
-    text = said(capsys, 0.01, -0.02, 0.01, "--to", "applanix", "--current", 0.01, 0.01, 0)
+def test_a_sum_that_is_good_enough_is_reported_as_such(capsys) -> None:
+    text = printed_by(capsys, 0.01, -0.02, 0.01, "--to", "applanix", "--current", 0.01, 0.01, 0)
     assert "less than 1 mm at 100 m" in text
     assert "Do not add" not in text
 
@@ -142,7 +142,7 @@ def test_lines_already_turned(capsys) -> None:
 
 def test_the_matrix_for_pdal_and_back(capsys, tmp_path: Path) -> None:
     words = (0.4395, -1.8681, 0.3992, "--lever-arm", -0.185596, 0.037658, 2.419063)
-    text = said(capsys, *words, "--to", "pdal")
+    text = printed_by(capsys, *words, "--to", "pdal")
     rows = [line for line in text.splitlines() if line.count(".") == 4 and line[0] == " "]
     assert len(rows) == 4
     file = tmp_path / "scan2imu.txt"
@@ -151,7 +151,7 @@ def test_the_matrix_for_pdal_and_back(capsys, tmp_path: Path) -> None:
     assert list(back["angles_deg"].values()) == pytest.approx([0.4395, -1.8681, 0.3992], abs=1e-7)
     assert back["lever_arm_m"] == pytest.approx([-0.185596, 0.037658, 2.419063])
     file.write_text("1,0,0; 0,0,-1; 0,1,0")
-    text = said(capsys, "--from-matrix", file)
+    text = printed_by(capsys, "--from-matrix", file)
     assert row(text, "ENTER") == [90.0, 0.0, 0.0]
     assert "lever arm" not in text
 
@@ -166,7 +166,7 @@ def test_a_matrix_is_read_as_it_is_printed(capsys, tmp_path: Path, key: str) -> 
     assert back["lever_arm_m"] == pytest.approx([1, -2, 3])
 
 
-def test_axes_of_an_imu_can_be_stated(capsys) -> None:
+def test_axes_of_an_imu_can_be_given(capsys) -> None:
     words = (0, 0, 0, "--lever-arm", 1, 2, 3, "--to", "phoenix")
     content = answer(capsys, *words, "--body-axes", "down", "starboard", "aft")["to"]
     assert content["lever_arm_m"] == [-3, -2, -1]
@@ -190,15 +190,15 @@ def test_a_project_gives_its_estimated_boresight_with_sigmas(
     # Small angles: X is the pitch, Y the roll.
     assert list(theirs.values()) == pytest.approx([pitch, roll, yaw], rel=0.05)
     assert content["from"]["lever_arm_m"] == pytest.approx(list(project.settings.lever_arm))
-    text = said(capsys, project.folder, "--to", "applanix")
+    text = printed_by(capsys, project.folder, "--to", "applanix")
     assert text.count("sigma") >= 2
-    alone = said(capsys, project.folder)
+    alone = printed_by(capsys, project.folder)
     assert alone.count("sigma") == alone.count("degrees") == 1
     assert "lever arm   X forward" in alone
 
 
 def test_at_the_pole_one_sentence_says_what_is_done(capsys) -> None:
-    text = said(capsys, 20, 90, 50, "--to", "applanix")
+    text = printed_by(capsys, 20, 90, 50, "--to", "applanix")
     assert "The pitch is -90 deg" in text
     assert row(text, "given") == [20.0, 90.0, 50.0]
 
@@ -273,7 +273,7 @@ def test_correction_of_a_program_that_takes_a_matrix_only(capsys) -> None:
     new = np.array(found["to"]["matrix"])
     np.testing.assert_allclose(np.array(found["correction"]["matrix"]) @ now, new, atol=1e-9)
     assert found["correction"]["new_deg"] is None
-    text = said(capsys, *words, "--current-matrix", *numbers)
+    text = printed_by(capsys, *words, "--current-matrix", *numbers)
     assert "new = correction · current" in text
     assert "replaces the current matrix" in text
 
@@ -291,7 +291,7 @@ def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path)
     correction, new = (np.array(found[k]["transform"]) for k in ("correction", "to"))
     np.testing.assert_allclose(correction @ now, new, atol=1e-11)
     np.testing.assert_allclose(new[:3, 3], now[:3, 3], atol=1e-12)
-    text = said(capsys, *words)
+    text = printed_by(capsys, *words)
     assert "now X forward +0.1200 m, Y starboard -0.3400 m, Z down +2.5000 m" in text
     assert "new X forward +0.1200 m, Y starboard -0.3400 m, Z down +2.5000 m" in text
     assert "No lever arm was entered" in " ".join(text.split())
@@ -303,11 +303,11 @@ def test_the_lever_arm_of_a_present_4x4_is_never_dropped(capsys, tmp_path: Path)
     np.testing.assert_allclose(
         np.array(found["correction"]["transform"]) @ now, found["to"]["transform"], atol=1e-11
     )
-    text = said(capsys, *words, "--lever-arm", 0.1, 0.3, -2.4)
+    text = printed_by(capsys, *words, "--lever-arm", 0.1, 0.3, -2.4)
     assert "new X forward +0.1000 m, Y starboard -0.3000 m, Z down +2.4000 m" in text
     assert "replaces the lever arm of the current matrix" in text
     assert "shifted by the current 4x4" in " ".join(
-        said(capsys, *words, "--current-applied").split()
+        printed_by(capsys, *words, "--current-applied").split()
     )
 
 

@@ -57,7 +57,7 @@ def test_three_surveys(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> No
     assert "DIFFER (p < 0.001)" in out
 
 
-def test_what_the_two_share_is_told(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_what_the_two_share_is_reported(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     first = surveyed_again(tmp_path / "a", (0.0, 0.0, 0.0))
     other = replace(
         first, folder=tmp_path / "b", settings=replace(first.settings, lever_arm=(0.0, 0.0, 2.0))
@@ -131,7 +131,7 @@ def test_the_nearest_point_knows_no_radius(
     assert "do not apply to --distance-to point" in error
 
 
-def test_what_makes_two_answers_hard_to_compare_is_told(tmp_path: Path) -> None:
+def test_what_makes_two_answers_hard_to_compare_is_reported(tmp_path: Path) -> None:
     first, second = (sample_project(tmp_path / name) for name in ("a", "b"))
     assert comparability_notes(("a", "b"), (first, second)) == []  # the same lines: told elsewhere
     settings = replace(first.settings, pos_errors="independent", lever_arm=(0.0, 0.0, 1.0))

@@ -23,7 +23,7 @@ PORT = Path(__file__).parent / "data" / "port-plan.toml"
 QUAY = Path(__file__).parents[1] / "resources" / "sites" / "quay.toml"
 
 
-def told(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> str:
     """What a command that goes well prints."""
     code, out, err = run(capsys, *words)
     assert code == 0, err
@@ -36,16 +36,18 @@ def test_predict(capsys: pytest.CaptureFixture[str]) -> None:
     assert len(found["points"]) == 12
     assert found["sigma_deg"] == pytest.approx([0.0126, 0.0282, 0.0241], abs=0.0002)
     assert set(found["largest_sigma_without_deg"]) == {"T1", "T2", *(f"L{k}" for k in range(1, 7))}
-    said = told(capsys, "predict", PORT)
+    said = printed_by(capsys, "predict", PORT)
     assert "Least precisely determined: pitch" in said
     assert "correlation roll-pitch" in said
 
 
-def test_what_is_not_determined_is_said(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_what_is_not_determined_is_reported(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
     text = PORT.read_text()
     one_way = tmp_path / "one-way.toml"
     one_way.write_text(text.replace("inclination_deg = 45\n", ""))
-    assert "All targets have the same orientation" in told(capsys, "predict", one_way)
+    assert "All targets have the same orientation" in printed_by(capsys, "predict", one_way)
     one_line = tmp_path / "one-line.toml"
     one_line.write_text(text[: text.index("[[lines]]", text.index("[[lines]]") + 1)])
     found = answer(capsys, "predict", one_line)
@@ -58,7 +60,7 @@ def test_what_is_not_determined_is_said(capsys: pytest.CaptureFixture[str], tmp_
 
 def test_scenarios(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     folder = tmp_path / "out"
-    said = told(capsys, "scenarios", "--only", "lines", "size", "--output", folder)
+    said = printed_by(capsys, "scenarios", "--only", "lines", "size", "--output", folder)
     assert "all six" in said
     assert "not determined" in said
     with (folder / "scenarios.csv").open() as file:
@@ -83,7 +85,7 @@ def test_design(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     again = answer(capsys, "predict", folder / "plan.toml")
     assert again["sigma_deg"] == pytest.approx(found["sigma_deg"], rel=1e-6)
     assert answer(capsys, "design", site, "--workers", 2) == found
-    said = told(capsys, "design", site, "--workers", 1, "--for", "yaw")
+    said = printed_by(capsys, "design", site, "--workers", 1, "--for", "yaw")
     assert "smallest standard deviation of yaw" in said
     assert "all that are possible" in said
     assert (folder / "field-plan.pdf").read_bytes().startswith(b"%PDF")
@@ -130,7 +132,7 @@ def test_replay_of_the_built_in_survey(
     further = '[[lines]]\nheading_deg = 20\ndistance_m = 30\nsite_on = "starboard"\n'
     board = '[[boards]]\nname = "T9"\nalong_m = 4\nup_m = 12\n'
     more.write_text(PORT.read_text() + further + board)
-    said = told(capsys, "compare-plan", folder, "--plan", more)
+    said = printed_by(capsys, "compare-plan", folder, "--plan", more)
     assert "Line 7 (020 deg, 30 m to starboard) was not surveyed." in said
     assert "Target T9 was not used." in said
     assert said.count("With it the standard deviation of") == 2

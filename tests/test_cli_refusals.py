@@ -72,7 +72,7 @@ def test_a_matrix_that_holds_the_lever_arm_leaves_no_room_for_another(
     assert run(capsys, *words)[0] == 0
 
 
-def test_a_file_that_is_cut_short_is_known_and_the_reason_told(
+def test_a_file_that_is_cut_short_is_known_and_the_reason_reported(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     """`lispac inspect` says what it would be, and why nobody can read it."""

@@ -32,7 +32,7 @@ from tests.surveys import TARGETS, planar_survey
 from tests.test_cli import answer, run
 
 
-def told(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[str, str]:
+def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[str, str]:
     """What a command that goes well prints, and what it notes."""
     code, out, err = run(capsys, *words)
     assert code == 0, err
@@ -63,7 +63,7 @@ def test_only_what_is_less_than_good_is_listed_the_poor_first(
     assert capsys.readouterr().out == ""
 
 
-def test_planes_that_were_not_compared_are_told_with_the_reason(
+def test_planes_that_were_not_compared_are_reported_with_the_reason(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     project = replace(
@@ -86,7 +86,7 @@ def test_planes_that_were_not_compared_are_told_with_the_reason(
         (3.0, 3.0, ()),
     ],
 )  # fmt: skip
-def test_that_a_target_was_sought_farther_off_is_noted(
+def test_a_wider_search_for_a_target_is_noted(
     asked: float | None, radius: float, notes: tuple[Message, ...]
 ) -> None:
     assert search_notes(Target("T1", "target", (0.0, 0.0, 0.0), 0.01, radius, ()), asked) == notes
@@ -103,7 +103,7 @@ def test_what_a_plan_leaves_open_has_no_number(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     plan = one_line(tmp_path / "plan.toml")
-    out, _ = told(capsys, "predict", plan)
+    out, _ = printed_by(capsys, "predict", plan)
     assert "This survey plan does not determine the boresight" in out
     assert "sigma      " not in out
     assert "correlation" not in out
@@ -116,30 +116,30 @@ def test_the_first_days_of_a_project_have_no_identity(
     project = sample_project(tmp_path / "p")
     write_project(project)
     before = (project.folder / "project.json").read_bytes()
-    out, err = told(capsys, "identity", project.folder)
+    out, err = printed_by(capsys, "identity", project.folder)
     assert {row.split()[-1] for row in out.splitlines()} == {"-"}
     assert err == ""
     assert (project.folder / "project.json").read_bytes() == before, "nothing is written"
-    out, _ = told(capsys, "identity", project.folder, "--remarks", "First.\nSecond.")
+    out, _ = printed_by(capsys, "identity", project.folder, "--remarks", "First.\nSecond.")
     first, second = out.splitlines()[-2:]
     assert first.split() == ["Remarks", "First."]
     assert second == second.strip().rjust(len(second))
     assert second.index("Second.") == first.index("First.")
 
 
-def test_files_found_beside_a_project_that_was_moved_are_told(
+def test_files_found_beside_a_project_that_was_moved_are_reported(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     raw = tmp_path / "raw"
     project = replace(sample_project(raw), folder=tmp_path / "home")
     write_project(project)
     raw.rename(project.folder / "raw")
-    out, err = told(capsys, "locate", project.folder, tmp_path)
+    out, err = printed_by(capsys, "locate", project.folder, tmp_path)
     rows = out.splitlines()
     assert len(rows) == 8, "a trajectory, its accuracy and six lines"
     assert all(str(project.folder / "raw") in row for row in rows)
     assert err == ""
-    assert told(capsys, "locate", project.folder, tmp_path)[0] == "No file is missing.\n"
+    assert printed_by(capsys, "locate", project.folder, tmp_path)[0] == "No file is missing.\n"
 
 
 def test_a_sensor_of_ones_own_that_cannot_be_read_is_noted(
@@ -149,13 +149,13 @@ def test_a_sensor_of_ones_own_that_cannot_be_read_is_noted(
     damaged = tmp_path / "sensors" / "scanners" / "mine.toml"
     damaged.parent.mkdir(parents=True)
     damaged.write_text("title = ")
-    out, err = told(capsys, "sensors")
+    out, err = printed_by(capsys, "sensors")
     assert err.startswith(f"note: {damaged}: ")
     assert "mine" not in out.replace(str(tmp_path), "")
     assert "Z+F PROFILER 9012" in out
 
 
-def test_plane_files_are_adjusted_and_told(
+def test_plane_files_are_adjusted_and_reported(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     true = Mounting(np.array([0.1, -0.2, 0.3]), np.radians([0.27, -1.14, 0.36]))
@@ -167,7 +167,7 @@ def test_plane_files_are_adjusted_and_told(
         plane = np.append(normal, -normal @ centre)
         write_plane_file(path, observations, path.stem, nowhere, plane)
     words = ("estimate", "--planes", *files, "--lever-arm", 0.1, -0.2, 0.3, "--no-cross-checks")
-    out, _ = told(capsys, *words)
+    out, _ = printed_by(capsys, *words)
     numbers = answer(capsys, *words)
     (row,) = (row.split() for row in out.splitlines() if row.startswith("boresight "))
     np.testing.assert_allclose([float(word) for word in row[1:]], [0.27, -1.14, 0.36], atol=1e-4)
@@ -184,11 +184,11 @@ def test_the_window_opens_at_the_end_of_the_demo_where_there_is_a_screen(
     monkeypatch.setattr(demo, "rms_with_truth", lambda *_: {"V1": 0.0123})
     monkeypatch.setattr(subprocess, "run", lambda words, **_: started.append(words))
     monkeypatch.setattr(demo, "has_display", lambda: True)
-    out, _ = told(capsys, "demo", "--output", project.folder)
+    out, _ = printed_by(capsys, "demo", "--output", project.folder)
     assert started == [[*window_command(), str(project.folder)]]
     (row,) = (row.split() for row in out.splitlines() if row.startswith("truth "))
     assert row[1:] == ["+0.2700", "-1.1400", "+0.3600"]
-    told(capsys, "demo", "--output", project.folder, "--no-window")
+    printed_by(capsys, "demo", "--output", project.folder, "--no-window")
     monkeypatch.setattr(demo, "has_display", lambda: False)
     numbers = answer(capsys, "demo", "--output", project.folder)
     assert len(started) == 1
@@ -197,14 +197,14 @@ def test_the_window_opens_at_the_end_of_the_demo_where_there_is_a_screen(
     assert numbers["rms_truth_m"] == {"V1": 0.0123}
 
 
-def test_the_visibility_study_is_told_beside_the_thesis(
+def test_the_visibility_study_is_reported_beside_the_thesis(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     few = replace(MARINE, inclinations=tuple(np.radians([0.0, 30.0, 60.0, 90.0]).tolist()))
     monkeypatch.setattr(visibility, "SITES", {"marine": few})
     monkeypatch.setattr(visibility, "write_visibility", lambda *_, **__: [tmp_path / "a.csv"])
     words = ("visibility", "marine", "--output", tmp_path, "--error", "roll", "yaw")
-    rows = told(capsys, *words)[0].splitlines()
+    rows = printed_by(capsys, *words)[0].splitlines()
     assert rows[0].split()[0] == "Error"
     assert [row.split("  ")[0] for row in rows[1:3]] == ["Roll 2 deg", "Yaw 2 deg"]
     assert rows[3] == ""
@@ -212,17 +212,17 @@ def test_the_visibility_study_is_told_beside_the_thesis(
     assert not any(row.startswith("Roll 2 deg: ") for row in rows[4:]), "it is as in the thesis"
     assert not any(row.startswith("Pitch") for row in rows), "it is not asked for"
     assert rows[-1] == f"1 files in {tmp_path}"
-    assert told(capsys, *words, "--hit-beams")[0] == f"1 files in {tmp_path}\n"
+    assert printed_by(capsys, *words, "--hit-beams")[0] == f"1 files in {tmp_path}\n"
 
 
-def test_what_goes_with_the_angles_of_a_project_is_told(
+def test_what_goes_with_the_angles_of_a_project_is_reported(
     capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     project = sample_project(tmp_path, model="independent")
     assert project.result is not None
     mounting = replace(project.result.mounting, range_offset=-0.05, latency=0.02)
     write_project(replace(project, result=replace(project.result, mounting=mounting)))
-    out, _ = told(capsys, "angles", project.folder)
+    out, _ = printed_by(capsys, "angles", project.folder)
     words = " ".join(out.split())
     assert "range offset -0.0500 m" in words
     assert "latency +20.0000 ms" in words
@@ -230,7 +230,7 @@ def test_what_goes_with_the_angles_of_a_project_is_told(
         "the sigmas are told to be too small"
     )
     write_project(sample_project(tmp_path))
-    words = " ".join(told(capsys, "angles", project.folder)[0].split())
+    words = " ".join(printed_by(capsys, "angles", project.folder)[0].split())
     assert message_text(UNCORRELATED_WARNING) not in words
     assert "range offset" not in words
 
@@ -239,7 +239,7 @@ def test_a_matrix_has_no_angles_to_show(capsys: pytest.CaptureFixture[str], tmp_
     matrix = tmp_path / "matrix.txt"
     np.savetxt(matrix, np.eye(3))
     words = ("angles", "--from-matrix", matrix, "--from", "pdal", "--to", "lispac")
-    out, _ = told(capsys, *words)
+    out, _ = printed_by(capsys, *words)
     before, after = out.split("\nTO ")
     assert before.startswith("FROM        PDAL")
     assert "degrees" not in before
@@ -258,7 +258,7 @@ def test_a_budget_shows_what_nobody_knows(
     monkeypatch.setattr(budget, "error_budget_of", lambda *_, **__: None)
     monkeypatch.setattr(budget, "ErrorBudgetValues", SimpleNamespace(of=lambda _: found))
     write_project(sample_project(tmp_path))
-    rows = told(capsys, "budget", tmp_path)[0].splitlines()
+    rows = printed_by(capsys, "budget", tmp_path)[0].splitlines()
     assert rows[0].split() == ["beam", "horizontal,", "to", "starboard", "at", "50", "m"]
     assert rows[2].split() == ["POS", "position", "1.20", "2.00", "1.00"]
     assert rows[3].split() == ["Lever", "arm", "not", "known"]
@@ -278,7 +278,7 @@ def test_a_row_for_each_distance_and_one_for_all_points(
     monkeypatch.setattr(subsample, "subsampling_study", lambda *_, **__: rows)
     write_project(sample_project(tmp_path))
     heads, every, some = (
-        row.split() for row in told(capsys, "subsample", tmp_path)[0].splitlines()
+        row.split() for row in printed_by(capsys, "subsample", tmp_path)[0].splitlines()
     )
     assert heads[:3] == ["distance", "m", "points"]
     of_all = ["+0.2700", "0.0100", "-1.1400", "0.0200", "+0.3600", "0.0300"]
@@ -286,7 +286,7 @@ def test_a_row_for_each_distance_and_one_for_all_points(
     assert some == ["0.10", "2,345", *of_all, "0.25"]
 
 
-def test_a_design_is_told_beside_a_usual_plan_that_leaves_an_angle_open(
+def test_a_design_is_reported_beside_a_usual_plan_that_leaves_an_angle_open(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     site, folder = tmp_path / "site.toml", tmp_path / "out"
@@ -295,7 +295,7 @@ def test_a_design_is_told_beside_a_usual_plan_that_leaves_an_angle_open(
     monkeypatch.setattr(design, "thesis_plan", lambda _: usual)
     written: list[Path] = []
     monkeypatch.setattr(design, "write_design", lambda folder, *_: written.append(folder))
-    out, _ = told(capsys, "design", site, "--workers", 1, "--output", folder)
+    out, _ = printed_by(capsys, "design", site, "--workers", 1, "--output", folder)
     rows = out.splitlines()
     assert rows[1].startswith("best plan   roll ")
     assert rows[2] == "Shahraji    not determined"

@@ -34,7 +34,7 @@ from lispac.workflow.calibration.targetless import TargetlessResult
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.report_sample import sample_project
 from tests.sharing import once
-from tests.test_absolute_cautions import check as against_reference
+from tests.test_absolute_warnings import check as against_reference
 from tests.test_cli import answer, refused, run
 
 SQUARE = ObjectBox(np.array([0.0, -15.0, 5.0]), np.array([2.0, 2.0, 2.0]))
@@ -77,7 +77,7 @@ def at_hand(survey: Survey, monkeypatch: pytest.MonkeyPatch) -> AtHand:
     return give
 
 
-def told(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[str, str]:
+def printed_by(capsys: pytest.CaptureFixture[str], *words: object) -> tuple[str, str]:
     """What a command that goes well prints, and what it notes."""
     code, out, err = run(capsys, *words)
     assert code == 0, err
@@ -166,7 +166,7 @@ def test_objects_and_pairs_of_a_patch_test_are_those_asked_for(
     assert {pair.kind for pair in bench.pairs} == {"reciprocal", "crossing"}
     assert objects("--lines", "L1_000", "L2_180", "L3_045", "--count", 1) == ["A01"]
     assert len(bench.pairs) == 3
-    rows = told(capsys, "patchtest", project.folder, *mine)[0].splitlines()
+    rows = printed_by(capsys, "patchtest", project.folder, *mine)[0].splitlines()
     assert [row.split()[0] for row in rows[5:7]] == ["pole", "edge"]
     assert "The result is based on 2 objects and 3 lines." in rows
 
@@ -195,7 +195,7 @@ def _target(name: str, role: str, north: float, one_in: int = 1) -> Target:
     return Target(name, role, (north, -15.0, 5.0), 0.01, 1.5, sightings)  # type: ignore[arg-type]
 
 
-def test_a_proposal_is_told_with_its_reasons_and_added_where_wanted(
+def test_a_proposal_is_shown_with_its_reasons_and_added_on_request(
     capsys: pytest.CaptureFixture[str], project: Project, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     targets = (_target("T1", "target", 1.25), _target("V1", "validation", -4.0, one_in=3))
@@ -206,7 +206,7 @@ def test_a_proposal_is_told_with_its_reasons_and_added_where_wanted(
     needed, flat = map(english_text, reasons.values())
     proposal = Proposal(targets, reasons, np.radians([0.01, 0.02, 0.03]))
     monkeypatch.setattr(propose, "proposal_for", lambda *_, **__: proposal)
-    out, err = told(capsys, "propose", project.folder)
+    out, err = printed_by(capsys, "propose", project.folder)
     assert out.splitlines() == [
         "T1   target     at 1.25 -15.00 5.00 m", f"     {needed}",
         "V1   validation at -4.00 -15.00 5.00 m", f"     {flat.replace('²', '2')}",
@@ -226,7 +226,7 @@ def test_a_proposal_is_told_with_its_reasons_and_added_where_wanted(
     assert [(each.name, each.role) for each in kept] == [("T1", "target"), ("V1", "validation")]
 
 
-def test_the_answer_of_the_scene_is_printed_and_kept_where_wanted(
+def test_the_result_of_the_scene_is_printed_and_kept_on_request(
     capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
@@ -238,7 +238,7 @@ def test_the_answer_of_the_scene_is_printed_and_kept_where_wanted(
     write_project(project)
     found = TargetlessResult(sample_project(tmp_path / "sample"), 3, False, 40, ("L6",))
     monkeypatch.setattr(targetless, "find", lambda *_, **__: found)
-    out, _ = told(capsys, "targetless", project.folder)
+    out, _ = printed_by(capsys, "targetless", project.folder)
     remarks = list(map(english_text, found.messages))
     assert out.splitlines()[-len(remarks) :] == remarks
     assert "boresight  " in out
@@ -260,7 +260,7 @@ def test_lines_that_share_nothing_are_noted_by_their_names(
     capsys: pytest.CaptureFixture[str], project: Project, at_hand: AtHand
 ) -> None:
     at_hand(quality)
-    out, err = told(capsys, "quality", project.folder)
+    out, err = printed_by(capsys, "quality", project.folder)
     assert err == (
         "note: Lines L1_000 and L4_225 have no flat area in common, so they cannot be compared.\n"
     )
@@ -281,7 +281,7 @@ def test_surveyed_points_stand_in_a_table_of_their_own(
     monkeypatch.setattr(
         check, "check_absolute", lambda project, *_, **__: (project.with_absolute(found), notes)
     )
-    out, err = told(capsys, "check", project.folder, "--reference", "points.csv")
+    out, err = printed_by(capsys, "check", project.folder, "--reference", "points.csv")
     assert err == f"note: {english_text(notes[0])}\n"
     table = [row.split() for row in out[out.index("surveyed ") :].splitlines()[:3]]
     assert table == [
@@ -298,9 +298,9 @@ def test_a_script_that_cannot_find_a_file_says_so(
     line = Path(shutil.copy(project.lines[0].path, tmp_path / "L1_000.laz"))
     moved = replace(project, lines=(replace(project.lines[0], path=line), *project.lines[1:]))
     write_project(moved)
-    told(capsys, "import", project.folder, "--lines", "L1_000")
+    printed_by(capsys, "import", project.folder, "--lines", "L1_000")
     line.unlink()
-    out, err = told(capsys, "script", project.folder)
+    out, err = printed_by(capsys, "script", project.folder)
     assert err == f"note: {english_text(note('script.missing_files', files=(str(line),)))}\n"
     assert "project.import_lines(['L1_000'])" in out
     numbers = answer(capsys, "script", project.folder)
@@ -311,15 +311,15 @@ def test_a_line_is_imported_again_where_what_is_kept_of_it_is_damaged(
     capsys: pytest.CaptureFixture[str], project: Project
 ) -> None:
     words = ("import", project.folder, "--lines", "L1_000")
-    out, err = told(capsys, *words)
+    out, err = printed_by(capsys, *words)
     assert "points/s" in out
     assert "imported again" not in err
     (manifest,) = project.folder.rglob("store.json")
     manifest.write_text("{")
-    out, err = told(capsys, *words)
+    out, err = printed_by(capsys, *words)
     assert "points/s" in out
     assert err.startswith("note: L1_000 was imported again, because ")
-    assert "imported already" in told(capsys, *words)[0]
+    assert "imported already" in printed_by(capsys, *words)[0]
 
 
 def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
@@ -357,14 +357,14 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
     assert [target.name for target in read_project(project.folder).targets] == ["T1"]
 
 
-def test_nothing_to_warn_of_is_said(
+def test_nothing_to_warn_of_is_reported(
     capsys: pytest.CaptureFixture[str], project: Project, at_hand: AtHand,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip
     at_hand(warnings)
     monkeypatch.setattr(warnings, "sighting_qualities", lambda *_, **__: {})
     monkeypatch.setattr(warnings, "warnings_of", lambda *_: ())
-    assert told(capsys, "warnings", project.folder) == ("No warnings.\n", "")
+    assert printed_by(capsys, "warnings", project.folder) == ("No warnings.\n", "")
     assert answer(capsys, "warnings", project.folder) == {"warnings": []}
 
 
@@ -375,13 +375,13 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     sample = sample_project(tmp_path / "sample")
     project = replace(small, folder=tmp_path / "p", result=sample.result, lines=small.lines[:1])
     write_project(project)
-    out, err = told(capsys, "compare", project.folder, "--compute")
+    out, err = printed_by(capsys, "compare", project.folder, "--compute")
     assert out.splitlines()[1].startswith("targets ")
     notes = dict(row.removeprefix("note: ").split(": ", 1) for row in err.splitlines())
     assert set(notes) == {"natural planes", "targetless", "patch test"}
     assert "the project has only one line" in notes["targetless"]
     assert "no result of" not in err
-    _, err = told(capsys, "compare", project.folder)
+    _, err = printed_by(capsys, "compare", project.folder)
     assert err.count("no result of") == 3
     bare = replace(project, result=None)
     write_project(bare)
@@ -395,7 +395,7 @@ def test_the_trajectory_goes_out_as_text(
     words = ("export", project.folder, "--what", "trajectory", "--format", "text", "--output", path)
     found = answer(capsys, *words)
     assert found == {"files": [str(path)]}
-    out, err = told(capsys, *words)
+    out, err = printed_by(capsys, *words)
     assert out == f"{path}\n"
     assert "SBET" not in err, "what an SBET lacks is not said of a text"
     assert "datum" in err

@@ -249,7 +249,9 @@ def test_a_column_that_outgrows_its_dimension_is_refused(tmp_path: Path) -> None
     )
 
 
-def test_progress_says_rate_and_time_left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_progress_shows_the_rate_and_the_time_remaining(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr("lispac.progress.SHORTEST_RATED", 0.0)
     points, time = sweep(track(), 40_000)
     parts = np.array_split(np.arange(len(time)), 20)
@@ -269,7 +271,7 @@ def test_progress_says_rate_and_time_left(tmp_path: Path, monkeypatch: pytest.Mo
     assert re.search(r"map\.laz: .* points, .* M points/s, .* left", said[5][1])
 
 
-def test_waveforms_stay_behind_and_that_is_said(tmp_path: Path) -> None:
+def test_waveforms_stay_behind_and_that_is_reported(tmp_path: Path) -> None:
     points, time = sweep(track(), SMALL)
     source = tmp_path / "raw.las"
     las = written_las(source, 9, points, time)

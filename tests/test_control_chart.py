@@ -33,7 +33,7 @@ def calibrations(rng: np.random.Generator, truth: np.ndarray) -> list[Calibratio
     return made
 
 
-def test_alarms_without_a_reason_come_as_often_as_stated() -> None:
+def test_alarms_without_a_reason_come_as_often_as_given() -> None:
     rng = np.random.default_rng(4)
     alarms = total = 0
     for _ in range(700):
@@ -176,7 +176,7 @@ def test_the_axis_of_days_ends_a_little_beyond_the_calibrations(days: tuple[int,
     assert last - date2num(at[-1]) < beyond
 
 
-def test_what_is_not_estimated_or_not_named_is_told(tmp_path: Path) -> None:
+def test_what_is_not_estimated_or_not_named_is_reported(tmp_path: Path) -> None:
     surveyed(tmp_path / "a", "2024-05-02", vessel="")
     dated = sample_project(tmp_path / "b")
     write_project(

@@ -144,7 +144,7 @@ def test_a_mounting_takes_up_the_quarter_turns(axes) -> None:
 # -- corrections -----------------------------------------------------------------------------------
 
 
-def test_a_sum_of_angles_misses_by_what_is_said() -> None:
+def test_a_sum_of_angles_misses_by_the_reported_error() -> None:
     convention = convention_of_key("applanix")
     current, wanted = np.radians([5.0, -4.0, 10.0]), np.radians([-2.0, 3.0, 1.0])
     found = correct_boresight(convention, current, rotation_of_angles(convention, wanted))
@@ -258,7 +258,7 @@ def test_systems_and_axes_that_cannot_be_are_refused() -> None:
         complete_axes("up", "down")
 
 
-def test_all_right_handed_axes_can_be_stated() -> None:
+def test_all_right_handed_axes_can_be_given() -> None:
     made = set()
     for x in DIRECTIONS:
         for y in DIRECTIONS:
@@ -271,7 +271,7 @@ def test_all_right_handed_axes_can_be_stated() -> None:
     assert all(nearest_axes(axes_matrix(axes).T) == axes for axes in made)
 
 
-def test_halfway_between_two_axes_a_frame_is_taken_to_look_ahead() -> None:
+def test_halfway_between_two_axes_a_frame_points_forward() -> None:
     for yaw in (45.0, -45.0):
         assert nearest_axes(rotation_matrix(0, 0, np.radians(yaw))) == FORWARD_PORT_UP
 
@@ -289,7 +289,7 @@ def test_axes_that_no_documentation_knows_are_not_verified(setup) -> None:
     assert "axes differ from the documentation" in str(setup.assumption)
 
 
-def test_signs_are_told_for_the_axes_they_hold_for() -> None:
+def test_signs_are_reported_for_the_axes_they_hold_for() -> None:
     as_known = ConventionSetup(convention_of_key("kluster"))
     turned = ConventionSetup(convention_of_key("kluster"), body_axes=("forward", "port", "up"))
     assert as_known.signs == as_known.convention.signs

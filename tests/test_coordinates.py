@@ -74,7 +74,7 @@ def test_what_lies_in_reach_has_its_place(circle: LocalTrajectory) -> None:
         ),
     ],
 )  # fmt: skip
-def test_a_slip_is_told_with_what_it_may_be(
+def test_a_slip_is_reported_with_what_it_may_be(
     circle: LocalTrajectory, code: str, point: tuple[float, ...], said: str
 ) -> None:
     system = coordinate_system(code) if code else None

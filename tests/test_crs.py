@@ -20,7 +20,7 @@ from tests.error_codes import has_code
 from tests.message_codes import codes
 
 
-def test_utm_points_and_their_ecef_twins_agree(
+def test_utm_points_and_the_same_points_in_ecef_agree(
     shared_data: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """A real airborne file, by the CRS its header names; both are stored to 10 mm."""

@@ -119,7 +119,7 @@ def conflicting(path: Path) -> Path:
 
 
 @pytest.mark.parametrize("ending", ["las", "laz"])
-def test_a_line_is_looked_at_with_the_contradiction(tmp_path: Path, ending: str) -> None:
+def test_a_line_is_examined_with_the_contradiction(tmp_path: Path, ending: str) -> None:
     path = conflicting(tmp_path / f"a.{ending}")
     found = LAS.preview(path, {})
     assert found.choice["crs"] == ZONE_19

@@ -15,7 +15,7 @@ PROJECTION, LINEAR_UNIT, VERTICAL, VERTICAL_UNIT = 3074, 3076, 4096, 4099
 UTM = {MODEL: 1, PROJECTED: 32619}
 
 
-def stated(numbers: dict[int, int], texts: dict[int, str] | None = None) -> HeaderCrs:
+def header_crs(numbers: dict[int, int], texts: dict[int, str] | None = None) -> HeaderCrs:
     """What a header of these keys states."""
     header = laspy.LasHeader(point_format=1, version="1.2")
     directory, ascii_texts = GeoKeyDirectoryVlr(), GeoAsciiParamsVlr()
@@ -33,8 +33,8 @@ def stated(numbers: dict[int, int], texts: dict[int, str] | None = None) -> Head
 def test_a_unit_that_is_not_the_systems_leaves_the_system_open() -> None:
     """California's zone 5 in US survey feet, with a key that says metres."""
     name = CRS(2229).name
-    assert stated({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9003}).text == "EPSG:2229"
-    found = stated({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9001})
+    assert header_crs({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9003}).text == "EPSG:2229"
+    found = header_crs({MODEL: 1, PROJECTED: 2229, LINEAR_UNIT: 9001})
     assert (found.text, found.name) == ("", "")
     (doubt,) = found.file_warnings
     assert doubt.code == "las.unit_contradicts_system"
@@ -55,27 +55,27 @@ def test_a_unit_that_is_not_the_systems_leaves_the_system_open() -> None:
     ],
 )
 def test_heights_of_the_keys(heights: int, text: str, unknown: tuple[str, ...]) -> None:
-    found = stated(UTM | ({VERTICAL: heights} if heights else {}))
+    found = header_crs(UTM | ({VERTICAL: heights} if heights else {}))
     assert found.text == text
     assert codes(found.file_warnings) == ["las.unknown_vertical"] * len(unknown)
     assert tuple(each.params["code"] for each in found.file_warnings) == unknown
     assert found.name == CRS(text).name
 
 
-def test_the_unit_of_heights_is_stated_apart() -> None:
-    assert stated(UTM | {VERTICAL: 6360, VERTICAL_UNIT: 9003}).height_unit == "us-survey-foot"
-    assert stated(UTM | {VERTICAL_UNIT: 9999}).height_unit == ""
+def test_the_unit_of_heights_is_given_separately() -> None:
+    assert header_crs(UTM | {VERTICAL: 6360, VERTICAL_UNIT: 9003}).height_unit == "us-survey-foot"
+    assert header_crs(UTM | {VERTICAL_UNIT: 9999}).height_unit == ""
 
 
 @pytest.mark.parametrize(("code", "text"), [(4978, "EPSG:4978"), (4326, "EPSG:4978")])
 def test_earth_centred_coordinates(code: int, text: str) -> None:
     """By their own code, or by that of the geographic system of the same datum."""
-    assert stated({MODEL: 3, GEOGRAPHIC: code}).text == text
+    assert header_crs({MODEL: 3, GEOGRAPHIC: code}).text == text
 
 
 @pytest.mark.parametrize("code", [4269, 1025])
 def test_earth_centred_coordinates_of_another_datum_are_not_guessed(code: int) -> None:
-    found = stated({MODEL: 3, GEOGRAPHIC: code})
+    found = header_crs({MODEL: 3, GEOGRAPHIC: code})
     assert found.text == ""
     assert codes(found.file_warnings) == ["las.system_not_named"]
 
@@ -95,7 +95,7 @@ def test_earth_centred_coordinates_of_another_datum_are_not_guessed(code: int) -
 def test_a_name_without_a_code(name: str, code: int | None, projection: int | None) -> None:
     """It counts where it is the very name and the zone of the projection is no other one."""
     numbers = {MODEL: 1, PROJECTED: 32767}
-    found = stated(
+    found = header_crs(
         numbers | ({PROJECTION: projection} if projection else {}), {PROJECTED_CITATION: name}
     )
     assert found.text == ("" if code is None else f"EPSG:{code}")

@@ -56,7 +56,9 @@ def test_a_small_site_is_searched_exactly(best) -> None:
             assert objective.of(SMALL.plan(boards, chosen)) >= best.value * (1 - 1e-9)
 
 
-def test_evolution_finds_what_looking_at_all_finds(best, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_evolution_finds_what_an_exhaustive_search_finds(
+    best, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """One seed in thirty ends with the second best, from which no single exchange leads away.
 
     Which one it is depends on the last digit of the numbers, and so on the processor.
@@ -103,7 +105,7 @@ def test_the_search_never_ends_worse_than_it_began() -> None:
     assert found.value <= PlanObjective().of(start)
 
 
-def test_worth_is_what_the_plan_is_without(best) -> None:
+def test_information_gain_is_the_loss_without_the_part(best) -> None:
     found = {each.name: each.without for each in information_gains(best.plan, PlanObjective())}
     assert set(found) == {"T1", "T2", "L1", "L2", "L3"}
     without = best.plan.with_lines(best.plan.lines[1:])
@@ -198,7 +200,7 @@ def test_lines_keep_off_the_wall_where_they_are_straight() -> None:
     )
 
 
-def test_boards_over_each_other_are_told() -> None:
+def test_boards_over_each_other_are_reported() -> None:
     def board(along: float, up: float) -> Board:
         return LARGE.wall.board("T", along, up, 90.0, (1.23, 1.22))
 
@@ -208,14 +210,14 @@ def test_boards_over_each_other_are_told() -> None:
     assert are_boards_separate([board(0.0, 5.0)])
 
 
-def test_a_part_without_which_an_angle_is_open_is_worth_all(best) -> None:
+def test_a_part_without_which_an_angle_is_open_has_all_the_gain(best) -> None:
     two = best.plan.with_lines(best.plan.lines[:2])
     found = {each.name: each.without for each in information_gains(two, PlanObjective())}
     assert np.isinf(found["L1"])
     assert np.isinf(found["L2"])
 
 
-def test_a_board_hangs_where_it_is_said() -> None:
+def test_a_board_is_at_the_given_place() -> None:
     """To the right of one who looks at the wall, facing the water, leaning back."""
     board = LARGE.wall.board("T1", 2.0, 6.0, 60.0, LARGE.sizes[0])
     # The wall faces west; who looks at it looks east, and has south to the right.

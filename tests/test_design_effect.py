@@ -14,7 +14,7 @@ from lispac.adjustment.noise_update import reestimate_noise
 from lispac.adjustment.robust_loss import LOSSES
 from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.adjustment.target_shapes import fit_shapes, points_local, target_centroids
-from tests.test_robustness import TRUTH, survey, with_strays
+from tests.test_robustness import TRUTH, survey, with_outliers
 
 BLOCKS = np.repeat(np.arange(400), 25)
 
@@ -44,15 +44,15 @@ def test_no_more_than_chance_is_no_effect() -> None:
     assert _design_effect(np.zeros(len(BLOCKS)), BLOCKS) == 1.0
 
 
-def test_a_little_more_than_chance_is_told() -> None:
+def test_a_little_more_than_chance_is_reported() -> None:
     """Half as much again is seven sigmas of 400 sums."""
     rng = np.random.default_rng(6)
     residuals = rng.normal(size=400)[BLOCKS] * np.sqrt(0.5 / 24) + rng.normal(size=len(BLOCKS))
     assert _design_effect(residuals, BLOCKS) == pytest.approx(1.5, abs=0.3)
 
 
-def test_strays_are_noise_unless_a_loss_takes_their_weight() -> None:
-    outliers, _ = with_strays(survey(1, 0.3), 3)
+def test_outliers_are_noise_unless_a_loss_takes_their_weight() -> None:
+    outliers, _ = with_outliers(survey(1, 0.3), 3)
     noise, scale = {}, {}
     for loss in LOSSES:
         problem = AdjustmentProblem.of(

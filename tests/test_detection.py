@@ -41,7 +41,7 @@ def test_no_patch_where_nothing_is_flat():
     assert find_flat_patches(np.full((50, 3), np.nan), 0.01).patches == ()
 
 
-def test_both_twins_are_detected_on_every_line_and_kept_apart():
+def test_both_similar_targets_are_detected_on_every_line_and_kept_apart():
     seen = scenery("twins")
     clouds = {line: cloud for line, cloud in seen.clouds((1, 1, 1)).items() if line < "L5"}
     clouds["L9"] = np.empty((0, 3))

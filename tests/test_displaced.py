@@ -40,7 +40,7 @@ def survey(seed: int, displaced: float = 0.0, boards: tuple[Board, ...] = FIVE) 
     return replace(data, points_lidar=data.points_lidar + off[:, None] * beams)
 
 
-def few_are_let_go_of(results: list[AdjustmentResult]) -> None:
+def few_are_rejected(results: list[AdjustmentResult]) -> None:
     """And errors are as large as their sigmas say, by chi-square at one in a thousand."""
     let_go = [bool(result.rejected_sightings) for result in results]
     assert sum(let_go) <= len(results) / 3
@@ -53,7 +53,7 @@ def few_are_let_go_of(results: list[AdjustmentResult]) -> None:
 def test_good_sightings_of_displaced_boards_are_held() -> None:
     """By one sigma shared with the tilts, sightings are let go of in four surveys of five."""
     results = [adjust(survey(400 + k, 0.005), PRIOR, MODEL) for k in (0, 2, 7, 8)]
-    few_are_let_go_of(results)
+    few_are_rejected(results)
     offsets = [result.offset for result in results if result.offset is not None]
     assert len(offsets) >= 2
     assert all(0.001 < offset < 0.010 for offset in offsets)
@@ -62,7 +62,7 @@ def test_good_sightings_of_displaced_boards_are_held() -> None:
 
 @pytest.mark.long
 def test_good_sightings_of_displaced_boards_are_held_in_many_surveys() -> None:
-    few_are_let_go_of([adjust(survey(400 + k, 0.005), PRIOR, MODEL) for k in range(24)])
+    few_are_rejected([adjust(survey(400 + k, 0.005), PRIOR, MODEL) for k in range(24)])
 
 
 @pytest.mark.parametrize("boards", [BOARDS, FIVE])

@@ -23,7 +23,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.documented import CORE, Documented, Name, modules, public, trees
+from tests.public_names import CORE, Documented, Name, modules, public, trees
 
 QUANTITY = re.compile(
     r"(^|_)(sigmas?|radius|distances?|height|width|angles?|times?|duration|thickness|spacing|"
@@ -191,12 +191,12 @@ def test_docstrings_send_to_what_is_there() -> None:
 
 
 @pytest.mark.parametrize("room", ROOMS)
-def test_shapes_units_and_frames_are_said(room: str) -> None:
+def test_shapes_units_and_frames_are_documented(room: str) -> None:
     assert [words for name in public(room) for words in lacks(name)] == []
 
 
 @pytest.mark.parametrize("room", ROOMS)
-def test_errors_that_are_said_to_be_raised_exist(room: str) -> None:
+def test_errors_in_raises_sections_exist(room: str) -> None:
     said = {
         (name.where, error) for name in public(room) for error in name.docstring.entries("Raises")
     }
@@ -286,7 +286,7 @@ def turned(points: Array, angle: float, sigma_deg: float) -> Array:
         ("_deg", ["unit of sigma"]),
     ],
 )
-def test_what_is_not_said_is_found(left_out: str, found: list[str]) -> None:
+def test_what_is_not_documented_is_found(left_out: str, found: list[str]) -> None:
     (node,) = ast.parse(SAID.replace(left_out, "", 1)).body
     assert isinstance(node, ast.FunctionDef)
     said = Documented.of(ast.get_docstring(node) or "")

@@ -17,7 +17,7 @@ from lispac.workflow.calibration.point_edits import (
 )
 from lispac.workflow.calibration.reselection import reselect_targets
 from lispac.workflow.project.survey import Survey
-from tests.few_passes import picked
+from tests.few_lines import picked
 from tests.finder_scenes import WALL, site
 
 

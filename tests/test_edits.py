@@ -25,7 +25,7 @@ def unused(project: Project) -> set[tuple[str, str]]:
     return {(t.name, s.line) for t in project.targets for s in t.sightings if not s.used}
 
 
-def test_a_line_is_left_out_of_all_targets_and_of_no_validation_plane(project: Project) -> None:
+def test_a_line_is_excluded_from_all_targets_and_from_no_validation_plane(project: Project) -> None:
     without = with_use_of_line(project, "L3", False)
     assert unused(without) == {("T1", "L3"), ("T2", "L3")}
     assert without.result is None

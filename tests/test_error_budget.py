@@ -28,7 +28,7 @@ from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.project.survey import load_survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code
-from tests.few_passes import answered
+from tests.few_lines import answered
 from tests.report_sample import sample_content, sample_project
 from tests.test_cli import answer, run
 
@@ -165,7 +165,7 @@ def test_the_figures_of_thesis_table_1_3() -> None:
     assert np.sqrt(3 / 2) * imu == pytest.approx(0.015, abs=0.0002)
 
 
-def test_what_is_not_known_is_said_and_not_counted() -> None:
+def test_what_is_not_known_is_reported_and_not_counted() -> None:
     without = system(estimated=("roll", "pitch", "yaw"), covariance=1e-7 * np.eye(3), lidar=0.005)
     budget = error_budget(without)
     found = by_name(budget, "horizontal, to starboard")

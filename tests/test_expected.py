@@ -19,7 +19,7 @@ from tests.message_codes import codes
 BOARD = ExpectedTarget(1.23, 1.22, pi / 2)
 
 
-def test_a_usual_board_is_as_expected_and_a_larger_one_is_told(
+def test_a_usual_board_is_as_expected_and_a_larger_one_is_reported(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated

@@ -28,7 +28,7 @@ from lispac.workflow.output.data_export import (
 )
 from lispac.workflow.output.export_request import ExportRequest, export, output_system_of
 from lispac.workflow.project.survey import Survey
-from tests.few_passes import picked
+from tests.few_lines import picked
 
 UTM = "EPSG:32619"
 
@@ -177,7 +177,7 @@ def test_spheres_alone_make_no_plane_file(tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
-def test_what_is_taken_for_granted_is_told_with_what_is_written(tmp_path: Path) -> None:
+def test_what_is_assumed_is_reported_with_what_is_written(tmp_path: Path) -> None:
     project, survey = picked()
     out = tmp_path / "out"
     paths, notes = export(project, survey, ExportRequest("targets", out, "prior", "las"))

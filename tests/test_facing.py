@@ -11,7 +11,7 @@ from lispac.workflow.calibration.estimation import estimate
 from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
 from lispac.workflow.checking.warnings import warnings_of
 from lispac.workflow.project.survey import Survey
-from tests.few_passes import picked
+from tests.few_lines import picked
 
 
 def only(project: Project, *names: str) -> Project:
@@ -20,7 +20,7 @@ def only(project: Project, *names: str) -> Project:
     return replace(project, targets=targets, result=None, validation=())
 
 
-def test_it_is_said_of_what_the_estimate_refuses_and_of_nothing_else(
+def test_it_is_reported_for_what_the_estimate_refuses_and_nothing_else(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated
@@ -39,7 +39,7 @@ def test_it_is_said_of_what_the_estimate_refuses_and_of_nothing_else(
     assert set(told.values()) == {True, False}
 
 
-def test_nothing_is_said_of_one_target_and_where_it_is_accepted(
+def test_nothing_is_reported_for_one_target_and_where_it_is_accepted(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated
@@ -52,7 +52,7 @@ def test_nothing_is_said_of_one_target_and_where_it_is_accepted(
     assert "project.one_facing" not in [each.code for each in warnings_of(project, survey)]
 
 
-def test_nothing_is_said_where_a_ball_or_a_line_that_is_gone_leaves_it_open() -> None:
+def test_nothing_is_reported_where_a_ball_or_a_line_that_is_gone_leaves_it_open() -> None:
     """Two boards that face alike are told of, until it cannot be told what a third does."""
     project, survey = picked()
     upright = project.target("T1")
@@ -66,7 +66,7 @@ def test_nothing_is_said_where_a_ball_or_a_line_that_is_gone_leaves_it_open() ->
     assert not do_targets_face_one_way(alike, replace(survey, clouds=gone))
 
 
-def test_points_on_one_straight_line_tell_no_way() -> None:
+def test_points_on_one_straight_line_determine_no_direction() -> None:
     project, survey = picked()
     upright = project.target("T1")
     row = PickedSighting("L1", np.repeat(upright.sightings[0].indices[:1], 9), 0.0)

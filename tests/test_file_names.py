@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from lispac.survey.line_source import printable
-from tests.intake_files import START, fan, write_line, write_survey
+from tests.input_file_samples import START, fan, write_line, write_survey
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")
 

@@ -162,7 +162,7 @@ def test_only_planes_near_the_expected_normal_are_taken():
         (np.zeros((500, 3)), np.zeros(2), "finder.seed", {}),
     ],
 )
-def test_without_a_plane_the_reason_is_said(points, seed, code, params):
+def test_without_a_plane_the_reason_is_given(points, seed, code, params):
     with pytest.raises(PlaneNotFound, check=has_code(code, **params)):
         find_plane(points, seed, SETTINGS)
 
@@ -202,13 +202,13 @@ def test_a_target_is_found_where_each_line_puts_it(first_line):
 
 
 def test_two_equal_targets_near_each_other_are_not_swapped():
-    def twins(rng):
+    def equal_boards(rng):
         boards = [sheet(rng, CENTRE + [x, 0, 0], (0, -1, 0), 0.6, 0.8) for x in (0, 1.0)]
         wall = sheet(rng, CENTRE + [0, 0.5, -2.2], (0, -1, 0), 7, 3)
         points = np.concatenate([*boards, wall])
         return points, np.arange(len(points)) < len(boards[0])
 
-    clouds, truths = moved_lines(6, shift=0.7, make=twins)
+    clouds, truths = moved_lines(6, shift=0.7, make=equal_boards)
     found, missing = find_in_lines(clouds, CENTRE, SETTINGS, first_line="L1")
     assert missing == {}
     for name, patch in found.items():

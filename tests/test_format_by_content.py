@@ -31,7 +31,7 @@ from lispac.project import LineSource
 from lispac.workflow.importing.file_reading import check_file, format_of_line
 from lispac.workflow.importing.line_chunks import LineChunks
 from tests import point_files as files
-from tests.intake_files import write_survey
+from tests.input_file_samples import write_survey
 from tests.static_scans import write_pts
 from tests.test_cli import refused, run
 
@@ -107,7 +107,7 @@ def test_every_format_of_points_is_known_under_any_ending(
     assert is_las(path) == (key == "las")
 
 
-def test_a_line_without_a_stated_format(tmp_path: Path) -> None:
+def test_a_line_without_a_given_format(tmp_path: Path) -> None:
     """LAS or text by the content; by the ending where the file is away or damaged."""
     las = LineSource("a", files.las(tmp_path / "a.las").rename(tmp_path / "a.txt"), ())
     text = LineSource("b", files.text(tmp_path / "b.las", head=files.CSV_HEAD), ())

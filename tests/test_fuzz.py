@@ -59,7 +59,7 @@ Sources = list[st.SearchStrategy[bytes]]
 Subject = Callable[[Path], tuple[Sources, Attempt]]
 
 
-def said_by(task: Callable[[], object]) -> str | None:
+def refusal_of(task: Callable[[], object]) -> str | None:
     """What a task refuses with; None where it ends well. All other errors come through."""
     told = None
     try:
@@ -105,9 +105,9 @@ def of_format(key: str) -> Subject:
             path.write_bytes(content)
             assert 0 <= FORMATS[key].sniff(path) <= 1
             findings: list[FilePreview] = []
-            said_by(lambda: findings.append(FORMATS[key].preview(path, {})))
+            refusal_of(lambda: findings.append(FORMATS[key].preview(path, {})))
             refusals = [
-                said_by(lambda choice=choice: read_wholly(key, path, choice))  # type: ignore[misc]
+                refusal_of(lambda choice=choice: read_wholly(key, path, choice))  # type: ignore[misc]
                 for choice in ({}, *(finding.choice for finding in findings))
             ]
             assert not any(told for told in refusals if told and str(path) not in told)
@@ -180,8 +180,8 @@ def columns_of(key: str) -> Subject:
 
         def attempt(content: bytes) -> bool:
             choice = {"columns": content.decode("utf-8", "surrogatepass")}
-            said_by(lambda: FORMATS[key].preview(path, choice))
-            return said_by(lambda: read_wholly(key, path, choice)) is None
+            refusal_of(lambda: FORMATS[key].preview(path, choice))
+            return refusal_of(lambda: read_wholly(key, path, choice)) is None
 
         return [said.map(lambda text: text.encode("utf-8", "surrogatepass"))], attempt
 
@@ -222,7 +222,7 @@ def project(folder: Path) -> tuple[Sources, Attempt]:
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)
-        return said_by(lambda: read_project(path)) is None
+        return refusal_of(lambda: read_project(path)) is None
 
     return [json_like(path.read_bytes()), anything], attempt
 
@@ -234,7 +234,7 @@ def sightings(folder: Path) -> tuple[Sources, Attempt]:
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)
-        return said_by(lambda: read_project(folder / "p")) is None
+        return refusal_of(lambda: read_project(folder / "p")) is None
 
     return [damaged(path.read_bytes()), anything], attempt
 
@@ -252,7 +252,7 @@ def coordinate_list(folder: Path) -> tuple[Sources, Attempt]:
         path.write_bytes(content)
         is_point_list(path)
         refusals = [
-            said_by(lambda local=local, columns=columns: read_point_list(  # type: ignore[misc]
+            refusal_of(lambda local=local, columns=columns: read_point_list(  # type: ignore[misc]
                 path, columns=columns, local=local, degrees=not local
             ))
             for local in (True, False)
@@ -280,7 +280,7 @@ def static_scans(folder: Path) -> tuple[Sources, Attempt]:
             for chunk in open_static_scan(path).coordinate_chunks(local=True):
                 assert np.isfinite(chunk).all()
 
-        told = said_by(read)
+        told = refusal_of(read)
         assert told is None or str(path) in told
         return told is None
 
@@ -321,7 +321,7 @@ def manifest(folder: Path) -> tuple[Sources, Attempt]:
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)
-        return said_by(lambda: used(folder / "L1")) is None
+        return refusal_of(lambda: used(folder / "L1")) is None
 
     def summed(content: bytes) -> bytes:
         try:
@@ -346,7 +346,7 @@ def columns(folder: Path) -> tuple[Sources, Attempt]:
         whole = sound[number]
         paths[number].write_bytes((content + whole[len(content) :])[: len(whole)])
         try:
-            return said_by(lambda: used(folder / "L1")) is None
+            return refusal_of(lambda: used(folder / "L1")) is None
         finally:
             paths[number].write_bytes(whole)
 
@@ -371,7 +371,7 @@ def resealed_columns(folder: Path) -> tuple[Sources, Attempt]:
         paths[number].write_bytes((content + sound[number][len(content) :])[: len(sound[number])])
         reseal(folder / "L1", whole)
         try:
-            return said_by(lambda: used(folder / "L1")) is None
+            return refusal_of(lambda: used(folder / "L1")) is None
         finally:
             paths[number].write_bytes(sound[number])
 
@@ -435,7 +435,7 @@ def spool(folder: Path) -> tuple[Sources, Attempt]:
         (folder / "L1" / layout.SPOOL / files[content[0] % len(files)].name).write_bytes(
             content[1:]
         )
-        told = said_by(lambda: stored(folder / "L1"))
+        told = refusal_of(lambda: stored(folder / "L1"))
         assert told is None
         assert files_of(open_store(folder / "L1", "L1").manifest) == expected
         return True
@@ -458,7 +458,7 @@ def toml(pattern: str, read: Callable[[Path], object]) -> Subject:
 
         def attempt(content: bytes) -> bool:
             path.write_bytes(content)
-            told = said_by(lambda: read(path))
+            told = refusal_of(lambda: read(path))
             assert told is None or len(told) < 1500
             return told is None
 
@@ -476,7 +476,7 @@ def report_template(folder: Path) -> tuple[Sources, Attempt]:
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)
-        return said_by(lambda: report_options(path)) is None
+        return refusal_of(lambda: report_options(path)) is None
 
     return [toml_like(sound), anything], attempt
 
@@ -501,7 +501,7 @@ def meshes(folder: Path) -> tuple[Sources, Attempt]:
 
     def attempt(content: bytes) -> bool:
         path.write_bytes(content)
-        return said_by(lambda: read_mesh(path, "m", 0.4, reader=reader)) is None
+        return refusal_of(lambda: read_mesh(path, "m", 0.4, reader=reader)) is None
 
     runs = [extreme(source) for source in sources]
     return [*(damaged(source) for source in sources), *runs, count, faces, anything], attempt
@@ -532,7 +532,7 @@ def option_values(folder: Path) -> tuple[Sources, Attempt]:
         place = ["--seed", "0", "0", "0", "--name", "T1"] if command == "pick" else []
         with suppress(SystemExit):
             arguments = build_parser().parse_args([command, str(project.folder), *place, *given])
-            return said_by(lambda: keep(arguments)) is None
+            return refusal_of(lambda: keep(arguments)) is None
         return False
 
     def keep(arguments: Namespace) -> None:
@@ -593,7 +593,7 @@ def test_every_registered_format_has_sound_files(tmp_path: Path) -> None:
         assert files
         for path in files:
             choice = format_of(key).preview(path, {}).choice
-            assert said_by(lambda: read_wholly(key, path, choice)) is None  # noqa: B023
+            assert refusal_of(lambda: read_wholly(key, path, choice)) is None  # noqa: B023
 
 
 @pytest.mark.usefixtures("small")

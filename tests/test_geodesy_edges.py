@@ -222,7 +222,7 @@ def _covered(count: int, outside: int = 0, in_gaps: int = 0) -> TrajectoryCovera
         ),
     ],
 )  # fmt: skip
-def test_what_is_excluded_is_said(
+def test_what_is_excluded_is_reported(
     covered: TrajectoryCoverage, lost: int, found: dict[str, int]
 ) -> None:
     notes = exclusion_notes(covered, lost, "a")
@@ -243,7 +243,7 @@ def test_accuracies_may_miss_two_seconds_at_either_end() -> None:
         )
 
 
-def test_leap_seconds_taken_for_granted_are_said() -> None:
+def test_assumed_leap_seconds_are_reported() -> None:
     week, utc = base_of_key("gps-week"), base_of_key("utc-week")
     own, other = KnownTimeBase(utc, is_given=True), KnownTimeBase(week)
     match = TimeMatch(((utc, week),), 18.0, 1.0)
@@ -258,7 +258,7 @@ def test_leap_seconds_taken_for_granted_are_said() -> None:
     assert known_base_notes((assumed,), own, other, "a") == (follows, leap)
 
 
-def test_another_way_that_fits_as_well_is_said() -> None:
+def test_another_way_that_fits_as_well_is_reported() -> None:
     """A day later as many points lie inside; two days later fewer do."""
     day = base_of_key("utc-day")
     pair = ((day, base_of_key("gps-week")),)
@@ -271,7 +271,7 @@ def test_another_way_that_fits_as_well_is_said() -> None:
     assert rivals.params["shifts"] == (note("import.shift", shift=172_818.0),)
 
 
-def test_a_base_that_nothing_tells_is_not_known() -> None:
+def test_a_base_that_nothing_shows_is_unknown() -> None:
     week = base_of_key("gps-week")
     assert KnownTimeBase().message == note("time_base.unknown")
     suggested = note("time_base.suggested", base=note("time_base.gps_week"))

@@ -153,7 +153,7 @@ def test_another_boresight_on_a_cloud_that_is_georeferenced(
     np.testing.assert_array_equal(new["amplitude"], raw["amplitude"])
 
 
-def test_points_without_a_pose_are_counted_and_left_out(project: Project, tmp_path: Path) -> None:
+def test_points_without_a_pose_are_counted_and_skipped(project: Project, tmp_path: Path) -> None:
     times = states().time
     raw = laspy.read(tmp_path / "raw.laz")
     raw.gps_time[:40] = times[0] - 100

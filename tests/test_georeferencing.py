@@ -66,7 +66,7 @@ def test_times_outside_the_trajectory_are_refused(wrong: float) -> None:
         georeference(points, time, path, mounting)
 
 
-def test_times_outside_are_told_beside_those_of_the_trajectory() -> None:
+def test_times_outside_are_reported_beside_those_of_the_trajectory() -> None:
     path, points, time, mounting = survey(10)
     time[:] = np.linspace(5.0, 9.25, 10)
     expected = {

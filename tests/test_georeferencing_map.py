@@ -158,7 +158,7 @@ def test_anywhere_on_earth(latitude: float, longitude: float, size: float) -> No
     np.testing.assert_allclose(mapper.to_scanner(expected, time), points, rtol=0, atol=2 * ACCURACY)
 
 
-def test_what_polynomials_cannot_follow_is_left_out_of_them() -> None:
+def test_what_polynomials_cannot_follow_is_excluded_from_them() -> None:
     """A step, a fold and a hole: every point that is mapped is right, the others are marked."""
 
     def exact(points: np.ndarray) -> np.ndarray:

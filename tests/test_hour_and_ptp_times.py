@@ -9,7 +9,7 @@ from lispac.cli.main import main
 from lispac.survey.time_base import GPS_EPOCH, WEEK
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
-from tests.intake_files import START, fan, write_line, write_survey
+from tests.input_file_samples import START, fan, write_line, write_survey
 
 COUNT = 2000
 TIMES = START + np.linspace(10, 25, COUNT)
@@ -27,7 +27,7 @@ def line(path: Path, times: np.ndarray) -> Path:
 
 @pytest.mark.parametrize("name", ["a.las", "a.csv"])
 @pytest.mark.parametrize(("base", "times"), [("utc-hour", HOUR), ("tai", TAI)])
-def test_a_stated_base_brings_a_line_onto_the_trajectory(
+def test_a_given_base_brings_a_line_onto_the_trajectory(
     tmp_path: Path, name: str, base: str, times: np.ndarray
 ) -> None:
     """The line begins before the full hour of UTC and ends after it."""
@@ -45,7 +45,7 @@ def test_a_stated_base_brings_a_line_onto_the_trajectory(
     np.testing.assert_allclose(found, TIMES, rtol=0, atol=2e-6)
 
 
-def test_the_base_that_fits_is_offered_where_none_is_stated(
+def test_the_base_that_fits_is_offered_where_none_is_given(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = write_survey(tmp_path)

@@ -168,7 +168,7 @@ def _line(path: Path, times: list[float], *, absolute: bool) -> LineSource:
     return LineSource(path.stem, path)
 
 
-def test_days_come_from_times_that_tell_them(tmp_path: Path, demo_folder: Path) -> None:
+def test_days_come_from_times_that_contain_them(tmp_path: Path, demo_folder: Path) -> None:
     evening, night = _adjusted(2026, 3, 4, 23, 59, 58), _adjusted(2026, 3, 5, 0, 0, 1)
     demo = read_project(demo_folder)
     one = _line(tmp_path / "one.las", [evening - 5, evening], absolute=True)
@@ -206,14 +206,14 @@ def demo_folder(demo_project, tmp_path: Path) -> Path:
     return Path(shutil.copytree(demo_project.folder, tmp_path / "demo"))
 
 
-def test_auto_refuses_where_the_times_do_not_tell(
+def test_auto_refuses_where_the_times_contain_no_day(
     demo_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert main(["identity", str(demo_folder), "--dates", "auto"]) == 1
     assert "the survey dates are unknown" in capsys.readouterr().err
 
 
-def test_auto_takes_the_days_that_the_times_tell(
+def test_auto_takes_the_days_from_the_times(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     noon = _adjusted(2026, 3, 4, 12)
@@ -226,7 +226,9 @@ def test_auto_takes_the_days_that_the_times_tell(
     assert read_project(tmp_path / "p").identity.dates == "2026-03-04"
 
 
-def test_dates_without_a_day_are_told(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_dates_without_a_day_are_reported(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
     folder = sample_project(tmp_path / "harbour").folder
     write_project(sample_project(folder))
     code, _, err = run(capsys, "identity", folder, "--dates", "32/13/2026")

@@ -209,7 +209,7 @@ def test_command_prints_points_and_size(project: Project, capsys) -> None:
     assert "there is no line L9" in capsys.readouterr().err
 
 
-def test_progress_tells_rate_and_time_left(project: Project, trajectory, monkeypatch) -> None:
+def test_progress_shows_rate_and_time_remaining(project: Project, trajectory, monkeypatch) -> None:
     monkeypatch.setattr("lispac.progress.SHORTEST_RATED", 0.0)
     told: list[tuple[float, str]] = []
     import_line(
@@ -266,7 +266,7 @@ def test_changes_since_the_import_are_noticed(project: Project, survey: Survey, 
     assert refused.value.code == "file.not_found"
 
 
-def test_a_line_with_a_changed_column_is_imported_again_and_that_is_said(
+def test_a_line_with_a_changed_column_is_imported_again_and_that_is_reported(
     project: Project, survey: Survey, trajectory
 ) -> None:
     own = write_line(project.folder / "again.laz", survey.scans["L1_000"])
@@ -290,9 +290,7 @@ def test_a_line_with_a_changed_column_is_imported_again_and_that_is_said(
     assert "import.repeated" not in codes(load_survey(project).notes)
 
 
-def test_points_without_a_pose_are_left_out_and_counted(
-    survey: Survey, project, trajectory
-) -> None:
+def test_points_without_a_pose_are_skipped_and_counted(survey: Survey, project, trajectory) -> None:
     """Before the trajectory and in a gap of it that is longer than the set time."""
     scan = survey.scans["L1_000"]
     start = np.quantile(scan.time, 0.3)

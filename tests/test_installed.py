@@ -10,7 +10,7 @@ from lispac.installation_paths import resource_path, user_folder, window_command
 from lispac.messages import error
 
 
-def test_a_file_the_installation_lacks_is_told() -> None:
+def test_a_file_the_installation_lacks_is_reported() -> None:
     assert resource_path("manual").is_dir()
     with pytest.raises(InputError) as refused:
         resource_path("manual/no-such-page.md")

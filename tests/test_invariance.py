@@ -11,7 +11,7 @@ from lispac.adjustment.observations import Observations
 from lispac.adjustment.point_averaging import average_points_in_cells
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.stochastic_model import StochasticModel
-from tests.test_robustness import PRIOR, shifted, survey, with_strays
+from tests.test_robustness import PRIOR, shifted, survey, with_outliers
 
 MODEL = StochasticModel(loss="tukey")
 SAME = np.radians(1e-9)
@@ -32,7 +32,7 @@ def mixed(given: Observations, seed: int) -> Observations:
 @pytest.mark.parametrize("spacing", [0.0, 0.1])
 def test_order_does_not_change_the_answer(spacing) -> None:
     """Of points, sightings and targets; with outliers, a blunder and, above, averages."""
-    given = shifted(with_strays(survey(3), 1)[0], 4, 0.05)
+    given = shifted(with_outliers(survey(3), 1)[0], 4, 0.05)
     answers = []
     for seed in (None, 1, 2):
         points = given if seed is None else mixed(given, seed)
@@ -59,10 +59,10 @@ def test_the_number_of_threads_does_not_change_the_answer(monkeypatch) -> None:
 
 
 @pytest.mark.parametrize("sighting", [1, 5, 9])
-def test_strays_and_a_shifted_sighting_together_do_no_harm(sighting) -> None:
+def test_outliers_and_a_shifted_sighting_together_do_no_harm(sighting) -> None:
     """Beside the answer without that sighting: what it said is lost, whoever finds it."""
     clean = survey(0, 0.1)
-    dirty = with_strays(shifted(clean, sighting, 0.05), 0)[0]
+    dirty = with_outliers(shifted(clean, sighting, 0.05), 0)[0]
     result = adjust(dirty, PRIOR, MODEL)
     without = clean.of_sightings(np.arange(len(clean.sightings)) != sighting)
     best = adjust(without, PRIOR, MODEL, diagnostics=False)
@@ -71,7 +71,7 @@ def test_strays_and_a_shifted_sighting_together_do_no_harm(sighting) -> None:
 
 
 @pytest.mark.parametrize(("factor", "passes_mostly"), [(1.0, True), (0.8, False), (1.25, False)])
-def test_the_chi_square_test_tells_sigmas_that_hold(factor, passes_mostly) -> None:
+def test_the_chi_square_test_accepts_correct_sigmas(factor, passes_mostly) -> None:
     """At 95 % the correlated model passes right sigmas, and no LiDAR sigma wrong by a quarter."""
     count = 30
     passed = sum(

@@ -221,7 +221,7 @@ def plane_row(time: float, key: int = 0) -> list[float]:
     ]  # fmt: skip
 
 
-def test_plane_file_sightings_are_told_apart_by_gaps_in_time(tmp_path: Path) -> None:
+def test_plane_file_sightings_are_distinguished_by_gaps_in_time(tmp_path: Path) -> None:
     first = [plane_row(t) for t in (0.0, 0.5, 1.0, 60.0, 60.5, 61.0)]
     second = [plane_row(t) for t in (61.5, 62.0, 2.0)]  # same passes, seen a little later
     np.savetxt(tmp_path / "T1.txt", first)
@@ -233,7 +233,7 @@ def test_plane_file_sightings_are_told_apart_by_gaps_in_time(tmp_path: Path) -> 
     np.testing.assert_array_equal(planes, [[0, 1, 0, -15], [0, 1, 0, -15]])
 
 
-def test_plane_files_of_one_name_are_told_apart(tmp_path: Path) -> None:
+def test_plane_files_of_one_name_are_distinguished(tmp_path: Path) -> None:
     paths = [tmp_path / day / "T1.txt" for day in ("may", "june")]
     for path in paths:
         path.parent.mkdir()

@@ -95,7 +95,7 @@ def test_a_cloud_has_the_same_records_without_the_file(project: Project, tmp_pat
     assert third.header.uuid == GUID
 
 
-def test_without_what_was_kept_the_loss_is_said(
+def test_without_what_was_kept_the_loss_is_reported(
     project: Project, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     project.lines[0].path.unlink()

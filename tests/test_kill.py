@@ -20,7 +20,7 @@ from lispac.survey.store import point_blocks, spool
 from lispac.survey.store.line_import import write_store
 from lispac.survey.store.stored_line import open_store
 from lispac.workflow.project.projects import create_project
-from tests.intake_files import LEVER, write_long_line, write_survey
+from tests.input_file_samples import LEVER, write_long_line, write_survey
 from tests.store_lines import RECIPE, Line, place
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="no SIGKILL here")

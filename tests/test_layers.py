@@ -76,7 +76,7 @@ def test_a_line_nearer_to_the_wall_than_to_the_board_before_is_found() -> None:
         assert found.to_other_surface == pytest.approx(0.38, abs=0.02)
 
 
-def test_stray_points_before_a_surface_are_no_surface() -> None:
+def test_outliers_before_a_surface_are_no_surface() -> None:
     """Of a hundred points at a place five hang in the air before it, and at one place thirty."""
     rng = np.random.default_rng(3)
     wall = np.column_stack([rng.uniform(-1, 1, (40_000, 2)), rng.normal(-0.2, 0.004, 40_000)])

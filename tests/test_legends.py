@@ -14,7 +14,7 @@ from lispac.report.absolute_values import AbsoluteCheckValues
 from lispac.report.histograms import histogram_figure
 from lispac.validation.comparison_results import PlaneComparison
 from tests.report_sample import sample_project
-from tests.test_absolute_cautions import check
+from tests.test_absolute_warnings import check
 
 
 def covered(axes: Axes) -> list[float]:

@@ -22,7 +22,7 @@ from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.georeferencing import georeference_project
 from lispac.workflow.project.projects import new_project, open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.intake_files import LEVER, START, fan, write_line, write_survey
+from tests.input_file_samples import LEVER, START, fan, write_line, write_survey
 
 COUNT = 3000
 TIMES = START + np.linspace(2, 12, COUNT)
@@ -441,7 +441,7 @@ def test_a_file_is_split_into_lines_at_pauses(folder: Path, name: str) -> None:
 
 @pytest.mark.parametrize("period", [3600.0, 86_400.0, 604_800.0])
 @pytest.mark.parametrize(("pause", "passes"), [(0.0, 0), (200.0, 2)])
-def test_a_restart_of_the_times_is_no_pause(
+def test_a_rollover_of_the_times_is_no_pause(
     folder: Path, period: float, pause: float, passes: int
 ) -> None:
     """A pause that is there besides is counted all the same."""
@@ -454,7 +454,7 @@ def test_a_restart_of_the_times_is_no_pause(
     assert counts == [passes] * bool(passes)
 
 
-def test_passes_with_a_turn_between_them_are_named(folder: Path) -> None:
+def test_lines_with_a_turn_between_them_are_named(folder: Path) -> None:
     records = np.fromfile(folder / "pos.sbet").reshape(-1, 17)
     turned = records[:, 0] > START + 15
     records[turned, 9] += np.pi * np.minimum(1, (records[turned, 0] - START - 15) / 3)

@@ -15,7 +15,7 @@ from lispac.workflow.checking.line_quality import DifferenceStatistics, line_qua
 from lispac.workflow.project.survey import Survey
 from tests.command_errors import command_error
 from tests.error_codes import has_code
-from tests.few_passes import picked
+from tests.few_lines import picked
 from tests.test_cli import answer, refused, run
 
 VESSEL = np.array([0.0, 0.0, 3.0])
@@ -81,7 +81,7 @@ def test_the_demo_before_and_after(calibrated: tuple[Project, Survey]) -> None:
     assert after.robust_sigma < 0.005, "nothing is bent"
 
 
-def test_lines_that_share_nothing_are_told() -> None:
+def test_lines_that_share_nothing_are_reported() -> None:
     rng = np.random.default_rng(6)
     one = scene(rng, np.zeros(3))
     with pytest.raises(
@@ -135,7 +135,7 @@ def test_what_is_not_there_is_refused(calibrated: tuple[Project, Survey]) -> Non
         line_quality(bare, survey, which="estimated")
 
 
-def test_of_one_pair_nothing_is_said_of_all_together() -> None:
+def test_of_one_pair_no_joint_test_is_reported() -> None:
     project, survey = picked()
     found = line_quality(project, survey, reach=0.5)
     assert {(one, other) for one, other, _, _ in found.rows()} >= {("L1", "L2"), ("all", "all")}

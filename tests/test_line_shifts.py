@@ -48,7 +48,7 @@ def test_who_is_shifted_is_named_and_nobody_that_it_pushed(
     assert "".join(seen(*shifts).shifted_lines()) == named
 
 
-def test_what_is_given_tells_nothing_more() -> None:
+def test_what_is_given_adds_no_message() -> None:
     after = seen(SIGMAS, 1.0, 0.0, 0.0).without_line_shift(0)
     np.testing.assert_allclose(after.score[:AXES], 0.0, atol=1e-12)
     np.testing.assert_allclose(after.variance[:AXES], 0.0, atol=1e-12)

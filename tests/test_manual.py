@@ -175,7 +175,9 @@ def test_where_the_builder_is_missing_a_sentence_says_what_to_do(
     assert [each.name for each in (tmp_path / "cache").iterdir()] == ["made-by-lispac"]
 
 
-def test_what_the_builder_refuses_is_told_and_leaves_nothing(small: Path, tmp_path: Path) -> None:
+def test_what_the_builder_refuses_is_reported_and_leaves_nothing(
+    small: Path, tmp_path: Path
+) -> None:
     (small / "en" / "index.md").write_text("# One\n\n![gone](gone.png)\n")
     with pytest.raises(InputError, match=r"gone\.png"):
         manual.build_manual(small, tmp_path / "out", strict=True)

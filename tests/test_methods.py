@@ -169,7 +169,7 @@ def test_the_command_shows_them_side_by_side(
     assert "Run lispac estimate" in refused(capsys, "compare", tmp_path / "p")
 
 
-def test_compute_asks_keeps_and_says_what_cannot_be_asked(
+def test_compute_runs_keeps_and_reports_methods_that_cannot_run(
     capsys: pytest.CaptureFixture[str], sparse_project: Project, tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:  # fmt: skip

@@ -180,7 +180,7 @@ def test_another_state_of_a_project_takes_the_files_that_were_found(disk: Path) 
     assert missing_files(with_files_of(bare, fewer)) == (bare.lines[0].path,)
 
 
-def test_a_whole_disk_is_not_looked_through(
+def test_a_whole_disk_is_not_searched(
     disk: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Each file in a folder of another name: it is found by its own, as far as is looked."""

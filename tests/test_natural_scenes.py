@@ -57,7 +57,7 @@ def test_the_proposal_is_checked_and_predicts_its_sigmas() -> None:
         assert (part.sigma < 5 * result.sigma).all()
 
 
-def test_where_no_plane_is_left_for_validation_that_is_said() -> None:
+def test_missing_validation_planes_are_reported() -> None:
     project, survey = opened(natural_site(NO_MORE), np.array([1.0, -1.0, 1.0]))
     proposal = propose_targets(project, survey)
     assert [target.role for target in proposal.targets] == ["target"] * 3

@@ -28,7 +28,7 @@ def test_a_step_that_is_not_there_is_refused(
     assert "there is no step everything" in capsys.readouterr().err
 
 
-def test_a_step_that_fails_is_told_and_the_next_is_taken(
+def test_a_step_that_fails_is_reported_and_the_next_is_taken(
     tmp_path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def fails(_folder, log) -> str:

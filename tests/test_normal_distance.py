@@ -142,7 +142,7 @@ def test_the_angle_is_that_between_the_normals() -> None:
     assert found.outliers == 0
 
 
-def test_strays_are_left_out_and_counted() -> None:
+def test_outliers_are_rejected_and_counted() -> None:
     rng = np.random.default_rng(8)
     moved = wall(rng, 2000, offset=0.005)
     moved[:60, 1] -= 0.08

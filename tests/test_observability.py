@@ -156,7 +156,7 @@ def test_one_board_on_six_lines_answers_with_the_sigmas_it_deserves() -> None:
     assert (np.abs(one.boresight - TRUTH.boresight) < 3.5 * one.sigma).all()
 
 
-def test_nothing_is_said_of_the_inclination_of_a_sphere() -> None:
+def test_the_inclination_of_a_sphere_is_not_reported() -> None:
     ball = Ball("B1", (0.0, 15.0, 4.0), 0.3)
     result = adjust(survey((ball,)), PRIOR, StochasticModel())
     assert result.observability.messages[-1] == note("observability.one_sphere", target="B1")
@@ -166,7 +166,7 @@ def test_nothing_is_said_of_the_inclination_of_a_sphere() -> None:
         adjust(survey((ball,), twice, still=True), PRIOR, StochasticModel())
 
 
-def test_boards_that_face_one_way_are_told_of() -> None:
+def test_boards_that_face_one_way_are_reported() -> None:
     points = survey((UPRIGHT, facing(0)))
     result = adjust(points, PRIOR, StochasticModel(), accept_single_orientation=True)
     assert result.observability.messages[-1] == note("adjustment.one_facing")
@@ -207,7 +207,7 @@ def test_a_line_that_alone_sees_an_angle_is_named() -> None:
     assert UncontrolledObservations("line", line="L5") in seen.unchecked
 
 
-def test_a_further_line_brings_what_was_foretold() -> None:
+def test_a_further_line_brings_what_was_predicted() -> None:
     """The sigma predicted for a line, and that of the survey in which it was sailed."""
     courses = six_courses()[:2] + six_courses()[4:5]
     data = survey(courses=courses)
@@ -223,7 +223,7 @@ def test_a_further_line_brings_what_was_foretold() -> None:
     assert found.params["target"] == "T1"
 
 
-def test_what_was_foretold_holds_with_a_latency_too() -> None:
+def test_what_was_predicted_holds_with_a_latency_too() -> None:
     """A latency is seen by how the platform moves, and the further line moves another way."""
     courses, wanted = six_courses()[:2] + six_courses()[4:5], (Parameter("latency"),)
     data, model = survey(courses=courses), StochasticModel(surface=0.0)
@@ -234,7 +234,7 @@ def test_what_was_foretold_holds_with_a_latency_too() -> None:
     np.testing.assert_allclose(lines[45].sigma, sailed.sigma, rtol=0.05)
 
 
-def test_a_sighting_that_was_let_go_of_promises_nothing() -> None:
+def test_a_sighting_that_was_rejected_promises_nothing() -> None:
     """The further line is foretold from the sightings that the answer rests on."""
     from tests.test_robustness import shifted
 
@@ -288,7 +288,7 @@ def test_the_advice_goes_on_to_the_angle_that_data_can_help() -> None:
     assert list(map(english_text, rest)) == list(map(english_text, plain))
 
 
-def test_a_stated_value_that_matters_little_leaves_the_advice_as_it_is() -> None:
+def test_a_given_value_that_matters_little_leaves_the_advice_as_it_is() -> None:
     points, held = survey(), Parameter("scan_angle_offset", np.radians(0.002))
     result = adjust(points, PRIOR, StochasticModel(), parameters=(held,))
     assert [each.value for each in result.parameters] == [None]

@@ -22,7 +22,7 @@ from lispac.workflow.checking.survey_sections import section_at_target
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.planning.plan_comparison import compare_with_plan
 from lispac.workflow.project.survey import Survey
-from tests.few_passes import answered, on_board, picked
+from tests.few_lines import answered, on_board, picked
 
 
 def only(survey: Survey, *lines: str) -> Survey:
@@ -107,7 +107,7 @@ def test_lines_in_the_clouds_share_no_objects() -> None:
     assert caught.value.code == "patch_test.nothing_shared"
 
 
-def test_an_answer_that_says_nothing_of_what_is_seen_gets_no_advice() -> None:
+def test_an_answer_without_observability_gets_no_advice() -> None:
     project, survey = answered()
     assert project.result is not None
     bare = project.with_result(replace(project.result, observability=None))

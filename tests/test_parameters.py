@@ -64,7 +64,7 @@ def test_errors_are_unbiased_and_their_sigmas_hold() -> None:
 
 
 @pytest.mark.parametrize("sigma", [None, np.radians(0.5)])
-def test_a_scan_angle_offset_cannot_be_told_from_roll(sigma) -> None:
+def test_a_scan_angle_offset_cannot_be_separated_from_roll(sigma) -> None:
     truth = replace(KNOWN, scan_angle_offset=np.radians(1.0))
     result = adjust(
         survey(truth, 0), PRIOR, MODEL, parameters=(Parameter("scan_angle_offset", sigma),)

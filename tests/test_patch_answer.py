@@ -27,7 +27,7 @@ FIRST = note("patch_test.basis", count=0, lines=2)
 FALL = note("patch_test.mismatch_reduced", limit=SCALE, before=0.2041, after=0.0123)
 
 
-def test_a_sound_result_has_no_further_remarks() -> None:
+def test_a_sound_result_has_no_further_notes() -> None:
     assert SOUND.messages == (FIRST, FALL)
     np.testing.assert_allclose(SOUND.sigma, [1e-4, 2e-4, 3e-4])
 
@@ -47,7 +47,7 @@ def test_a_sound_result_has_no_further_remarks() -> None:
         ({"without_pairs": ("mast", "wall")}, note("patch_test.not_met", objects=("mast", "wall"))),
     ],
 )  # fmt: skip
-def test_each_limit_is_a_remark(change: dict[str, object], remark: Message) -> None:
+def test_each_limit_is_a_note(change: dict[str, object], remark: Message) -> None:
     *first, last = replace(SOUND, **change).messages
     assert first == [FIRST, FALL]
     assert (last.code, dict(last.params)) == (remark.code, dict(remark.params))

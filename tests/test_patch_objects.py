@@ -24,7 +24,7 @@ def judged(stiff: float, gradient: float) -> ObjectAgreement:
     return found
 
 
-def test_an_object_that_tells_no_angle_is_not_judged() -> None:
+def test_an_object_that_determines_no_angle_is_not_judged() -> None:
     """What it hardly depends on it would be off by any amount in."""
     found = judged(stiff=1.0, gradient=50.0)
     assert found.angle is None
@@ -32,7 +32,7 @@ def test_an_object_that_tells_no_angle_is_not_judged() -> None:
     assert found.mismatch == pytest.approx(0.2)
 
 
-def test_one_that_tells_angles_is_judged_by_what_would_be_usual() -> None:
+def test_one_that_determines_angles_is_judged_by_what_would_be_usual() -> None:
     assert judged(stiff=1000.0, gradient=1.0).angle == 0
     assert not judged(stiff=1000.0, gradient=1.0).disagrees
     assert judged(stiff=1000.0, gradient=50.0).disagrees

@@ -135,7 +135,7 @@ def test_a_box_about_what_one_line_saw_goes_with_it(thinned: Opened, laid: Place
     assert (error(found, project) < 3).all()
 
 
-def test_one_pole_tells_the_pitch_of_reciprocal_lines(thinned: Opened) -> None:
+def test_one_pole_determines_the_pitch_of_reciprocal_lines(thinned: Opened) -> None:
     project, survey = thinned
     start = truth(project) + np.radians([0.0, 0.4, 0.0])
     pole = place_objects(project, survey, [MAST], start)
@@ -213,7 +213,7 @@ def test_the_gradient_is_that_of_the_mean_square(thinned: Opened) -> None:
         assert found.gradient[0, k] == pytest.approx(central, rel=0.02, abs=1e-6)
 
 
-def test_pos_errors_change_the_gradient_as_foretold(thinned: Opened) -> None:
+def test_pos_errors_change_the_gradient_as_predicted(thinned: Opened) -> None:
     mismatch = two_planes(thinned, 0.02).with_scale(100.0)
     at, sample = truth(thinned[0]), mismatch.sample
     found = linearise_blocks(mismatch, at, pos_errors=True)

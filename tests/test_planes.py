@@ -106,7 +106,7 @@ def test_extent_gives_width_and_height_of_an_inclined_board():
     np.testing.assert_allclose(extent_in_plane(fit_plane(points), points), [1.23, 0.76], atol=1e-9)
 
 
-def test_strays_on_one_side_hardly_move_the_resisting_plane():
+def test_outliers_on_one_side_hardly_move_the_resisting_plane():
     rng = np.random.default_rng(8)
     points = np.column_stack([rng.uniform(-1, 1, (900, 2)), rng.normal(0, 0.003, 900)])
     points[:270, 0] = np.abs(points[:270, 0])  # all on one half, where they also turn it

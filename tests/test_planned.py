@@ -45,7 +45,7 @@ def test_the_boards_stand_as_planned() -> None:
     assert simulation.lever_arm == pytest.approx((-0.242, 0.061, 2.173))
 
 
-def test_what_is_no_plan_is_told(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_what_is_no_plan_is_reported(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert is_plan(PORT)
     assert not is_plan(tmp_path / "none.toml")
     assert not is_plan(Path("port"))

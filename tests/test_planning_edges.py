@@ -58,7 +58,7 @@ def test_lines_past_nothing_come_near_no_wall() -> None:
         ((0.0, 0.3, 0.2), (0, 0.2, 0.3)),
     ],
 )
-def test_steps_end_where_they_are_told(given: tuple, values: tuple) -> None:
+def test_steps_end_at_the_given_bounds(given: tuple, values: tuple) -> None:
     assert evenly_spaced(*given) == pytest.approx(values)
 
 

@@ -82,7 +82,9 @@ def test_every_format_knows_its_own(valid: tuple[FileFormat, Path]) -> None:
     assert sorted(scores.values())[-2] <= 0.3 < scores[format_.key]
 
 
-def test_a_look_states_frame_unit_time_base_and_assumptions(valid: tuple[FileFormat, Path]) -> None:
+def test_an_examination_reports_frame_unit_time_base_and_assumptions(
+    valid: tuple[FileFormat, Path],
+) -> None:
     format_, path = valid
     found = format_.preview(path, {})
     assert isinstance(found, FilePreview)

@@ -34,7 +34,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     return {name: write(folder / name) for name, (_, write) in files.VALID.items()}
 
 
-def said(path: Path, name: str, choice: dict[str, Any] | None = None) -> str:
+def refusal_text(path: Path, name: str, choice: dict[str, Any] | None = None) -> str:
     """Code and text of the error that a reader raises for a bad file; it names the file."""
     format_ = FORMATS[files.VALID[name][0]]
     with pytest.raises(InputError) as refused:
@@ -55,9 +55,9 @@ def damaged(tmp_path: Path, name: str, data: bytes) -> Path:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_missing_folder_and_empty(tmp_path: Path, name: str) -> None:
-    assert "file.not_found" in said(tmp_path / "absent" / name, name)
-    assert "file.folder" in said(tmp_path, name)
-    assert re.search("is empty", said(damaged(tmp_path, name, b""), name))
+    assert "file.not_found" in refusal_text(tmp_path / "absent" / name, name)
+    assert "file.folder" in refusal_text(tmp_path, name)
+    assert re.search("is empty", refusal_text(damaged(tmp_path, name, b""), name))
     format_ = FORMATS[files.VALID[name][0]]
     for path in (tmp_path / "absent", tmp_path, tmp_path / name):
         assert format_.sniff(path) == 0
@@ -72,7 +72,7 @@ def test_truncated(tmp_path: Path, made: dict[str, Path], name: str, share: floa
         # Text cut within its last number is good text; cut within a row it is not.
         row = kept.rfind(b"\n") + 1
         kept = kept[: row or None].rstrip() + b"\n1.5 2.5"
-    said(damaged(tmp_path, name, kept), name)
+    refusal_text(damaged(tmp_path, name, kept), name)
 
 
 @pytest.mark.parametrize("name", [name for name in NAMES if name[1:] in MAGIC])
@@ -80,7 +80,7 @@ def test_wrong_magic(tmp_path: Path, made: dict[str, Path], name: str) -> None:
     path = damaged(tmp_path, name, b"XXXX" * 40 + made[name].read_bytes()[160:])
     assert FORMATS[files.VALID[name][0]].sniff(path) == 0
     assert re.match(
-        r"(las\.signature|(e57|pcd|ply)\.header|pcd\.header_incomplete) ", said(path, name)
+        r"(las\.signature|(e57|pcd|ply)\.header|pcd\.header_incomplete) ", refusal_text(path, name)
     )
 
 
@@ -88,10 +88,10 @@ def test_wrong_byte_order(tmp_path: Path, made: dict[str, Path]) -> None:
     swapped = np.fromfile(made["cidco"], "<f8").astype(">f8").tobytes()
     path = damaged(tmp_path, "cidco", swapped)
     assert FORMATS["cidco"].sniff(path) == 0
-    assert re.search("byte order|not usable numbers", said(path, "cidco"))
+    assert re.search("byte order|not usable numbers", refusal_text(path, "cidco"))
     head, rows = made["a.ply"].read_bytes().split(b"end_header\n")
     wrong = head.replace(b"little", b"big") + b"end_header\n" + rows
-    assert "not usable numbers" in said(damaged(tmp_path, "a.ply", wrong), "a.ply")
+    assert "not usable numbers" in refusal_text(damaged(tmp_path, "a.ply", wrong), "a.ply")
 
 
 def unusable(path: Path, name: str) -> list[int]:
@@ -135,16 +135,16 @@ def test_values_that_are_no_numbers(tmp_path: Path, value: float, column: str) -
 def test_no_time(tmp_path: Path) -> None:
     for name in ("a.ply", "a.pcd"):
         path = files.cloud(tmp_path / name, time=False)
-        told = said(path, name)
+        told = refusal_text(path, name)
         assert "file.no_time" in told
         assert "(fields: x, y, z and ring)" in told
         files.cloud(path)
-        told = said(path, name, {"time_field": "when"})
+        told = refusal_text(path, name, {"time_field": "when"})
         assert "file.no_such_field" in told
         assert "when" in told
     path = files.text(tmp_path / "a.csv", "{x} {y} {z} {ring}")
-    assert "column names: time" in said(path, "a.csv", {"columns": "x y z ring"})
-    assert "has no column names" in said(path, "a.csv")
+    assert "column names: time" in refusal_text(path, "a.csv", {"columns": "x y z ring"})
+    assert "has no column names" in refusal_text(path, "a.csv")
 
 
 def test_times_never_written(tmp_path: Path) -> None:
@@ -166,9 +166,9 @@ def test_time_of_32_bits(tmp_path: Path) -> None:
     )
     rows = np.column_stack([files.XYZ, files.TIME]).astype("<f4")
     path = damaged(tmp_path, "a.ply", head.encode() + rows.tobytes())
-    assert "stored with 32 bits, with a resolution of only 0.0312 s" in said(path, "a.ply")
+    assert "stored with 32 bits, with a resolution of only 0.0312 s" in refusal_text(path, "a.ply")
     path = files.e57(tmp_path / "a.e57", start=1.0, stamps=files.TIME, single=True)
-    assert "file.time_32_bits" in said(path, "a.e57")
+    assert "file.time_32_bits" in refusal_text(path, "a.e57")
     las = laspy.read(files.las(tmp_path / "a.las"))
     doubled = laspy.LasData(las.header, las.points[np.repeat(np.arange(60), 5)])
     doubled.gps_time = np.linspace(400_000, 400_001, 300).astype(np.float32)
@@ -177,7 +177,7 @@ def test_time_of_32_bits(tmp_path: Path) -> None:
     assert "times.coarse" in codes(file_warnings)
 
 
-def doubts_of(tmp_path: Path, xyz: np.ndarray, crs: str = "", scale: float = 1e-4) -> list[str]:
+def warnings_of(tmp_path: Path, xyz: np.ndarray, crs: str = "", scale: float = 1e-4) -> list[str]:
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales, header.offsets = np.full(3, scale), np.floor(xyz.min(axis=0))
     if crs:
@@ -189,22 +189,22 @@ def doubts_of(tmp_path: Path, xyz: np.ndarray, crs: str = "", scale: float = 1e-
     return codes(FORMATS["las"].preview(tmp_path / "a.las", {}).file_warnings)
 
 
-def test_doubts_about_place_and_unit(tmp_path: Path) -> None:
+def test_warnings_about_place_and_unit(tmp_path: Path) -> None:
     near = np.random.default_rng(0).normal(0, 10, (500, 3))
-    assert doubts_of(tmp_path, near) == []
-    assert doubts_of(tmp_path, near + [350_000, 5e6, 0], "EPSG:32619") == []
-    assert doubts_of(tmp_path, near + [350_000, 5e6, 0]) == ["points.no_system"]
-    assert doubts_of(tmp_path, near * 60) == ["points.far_from_origin"]  # millimetres or feet
-    assert "points.around_origin" in doubts_of(tmp_path, near * 1000)
-    assert "points.away_from_origin" in doubts_of(tmp_path, near + [600, 100, 0])
-    assert "points.resolution_in_feet" in doubts_of(tmp_path, near, scale=0.0003048)
-    assert "points.coarse_coordinates" in doubts_of(tmp_path, near, scale=0.01)
-    assert "points.degrees" in doubts_of(tmp_path, near * [1e-5, 1e-5, 1] + [7, 50, 0])
+    assert warnings_of(tmp_path, near) == []
+    assert warnings_of(tmp_path, near + [350_000, 5e6, 0], "EPSG:32619") == []
+    assert warnings_of(tmp_path, near + [350_000, 5e6, 0]) == ["points.no_system"]
+    assert warnings_of(tmp_path, near * 60) == ["points.far_from_origin"]  # millimetres or feet
+    assert "points.around_origin" in warnings_of(tmp_path, near * 1000)
+    assert "points.away_from_origin" in warnings_of(tmp_path, near + [600, 100, 0])
+    assert "points.resolution_in_feet" in warnings_of(tmp_path, near, scale=0.0003048)
+    assert "points.coarse_coordinates" in warnings_of(tmp_path, near, scale=0.01)
+    assert "points.degrees" in warnings_of(tmp_path, near * [1e-5, 1e-5, 1] + [7, 50, 0])
 
 
 def test_unknown_coordinate_system(tmp_path: Path) -> None:
     near = np.random.default_rng(0).normal(0, 10, (500, 3)) + [350_000, 5e6, 0]
-    doubts_of(tmp_path, near)
+    warnings_of(tmp_path, near)
     las = FORMATS["las"]
     found = las.preview(tmp_path / "a.las", {})
     assert found.choice["frame"] == "georeferenced"
@@ -227,23 +227,23 @@ def test_laz_that_claims_billions_of_chunks(tmp_path: Path, made: dict[str, Path
     table = int.from_bytes(data[start : start + 8], "little")
     data[table + 4 : table + 8] = b"\xff" * 4
     path = damaged(tmp_path, "b.laz", bytes(data))
-    assert "las.header" in said(path, "b.laz")
+    assert "las.header" in refusal_text(path, "b.laz")
     chunk_size = data.find(b"laszip encoded") - 2 + 54 + 12
     data = bytearray(made["b.laz"].read_bytes())
     data[chunk_size : chunk_size + 4] = b"\xff\xff\xff\x7f"
     path = damaged(tmp_path, "b.laz", bytes(data))
-    assert "las.header" in said(path, "b.laz")
+    assert "las.header" in refusal_text(path, "b.laz")
 
 
 def test_ply_of_a_mesh_and_text_of_utf16(tmp_path: Path, made: dict[str, Path]) -> None:
     data = made["a.ply"].read_bytes().replace(b"property double z", b"property list uchar int z")
-    assert "ply.property_type" in said(damaged(tmp_path, "a.ply", data), "a.ply")
+    assert "ply.property_type" in refusal_text(damaged(tmp_path, "a.ply", data), "a.ply")
     text = damaged(tmp_path, "a.csv", made["a.csv"].read_text().encode("utf-16"))
-    assert "save it as UTF-8" in said(text, "a.csv")
+    assert "save it as UTF-8" in refusal_text(text, "a.csv")
     gap = made["a.csv"].read_text().splitlines()
     gap[5] = re.sub(r",[^,]*,", ",,", gap[5], count=1)
     text = damaged(tmp_path, "a.csv", "\n".join(gap).encode())
-    assert 'row 6: x is ""' in said(text, "a.csv")
+    assert 'row 6: x is ""' in refusal_text(text, "a.csv")
 
 
 @pytest.mark.parametrize("name", ["a.las", "a.laz", "a.ply"])
@@ -289,7 +289,7 @@ def test_file_removed_while_it_is_read(
     held = len(next(chunks).time)
     path.unlink()
     assert held + sum(len(chunk.time) for chunk in chunks) == files.COUNT
-    assert "file.not_found" in said(path, "a.ply")
+    assert "file.not_found" in refusal_text(path, "a.ply")
 
 
 @settings(max_examples=100, deadline=None, suppress_health_check=list(HealthCheck))

@@ -13,7 +13,7 @@ from lispac.project import LineSource, Reading, Settings
 from lispac.survey.time_base import DAY
 from lispac.workflow.importing.input_files import InputFiles
 from lispac.workflow.project.projects import new_project
-from tests.intake_files import LEVER, START, codes_about, taken_in
+from tests.input_file_samples import LEVER, START, codes_about, taken_in
 from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 
@@ -77,7 +77,7 @@ def test_a_row_that_is_no_clock_time_is_named(times, tmp_path) -> None:
     assert refused.value.code == "text.not_a_clock_time"
 
 
-def test_times_that_are_neither_are_said_rightly(track, times, tmp_path, capsys) -> None:
+def test_times_that_are_neither_are_reported(track, times, tmp_path, capsys) -> None:
     rows = [f"2023-05-09T{c}Z,1,2,3" for c in clocked(times)]
     (tmp_path / "L.csv").write_text("Time,X,Y,Z\n" + "\n".join(rows))
     command = ["new", str(tmp_path / "p"), str(tmp_path / "L.csv"), "--trajectory", str(track)]

@@ -126,7 +126,7 @@ def test_a_time_of_two_values_a_point_is_refused(tmp_path: Path) -> None:
     refused_with(path, "pcd", "file.several_values", field="timestamp")
 
 
-def test_a_viewpoint_is_told_and_not_applied(tmp_path: Path) -> None:
+def test_a_viewpoint_is_reported_and_not_applied(tmp_path: Path) -> None:
     path = written(tmp_path, "pcd", "0 0 0 1 0 0 0", "5 6 7 1 0 0 0")
     assert FORMATS["pcd"].preview(path, {}).facts["viewpoint"] == (
         note("fact.viewpoint", values="5 6 7 1 0 0 0")
@@ -135,7 +135,7 @@ def test_a_viewpoint_is_told_and_not_applied(tmp_path: Path) -> None:
     np.testing.assert_array_equal(chunk.xyz[0], [1, 2, 3])
 
 
-def test_doubts_about_what_is_stored_too_coarsely(tmp_path: Path) -> None:
+def test_warnings_about_what_is_stored_too_coarsely(tmp_path: Path) -> None:
     """A float of 32 bits near 20,000 has steps of 2 mm, near 5,000 s of 0.5 ms (IEEE 754)."""
     path = written(tmp_path, "ply", "property double x", "property float x")
     path.write_text(path.read_text().replace("4 5 6", "20000 5 6"))
@@ -213,7 +213,7 @@ def test_e57_scans_of_different_fields(tmp_path: Path) -> None:
         (None, lambda xyz: xyz),
     ],
 )
-def test_e57_poses_of_which_parts_are_left_out(
+def test_e57_poses_with_missing_parts(
     tmp_path: Path, parts: tuple[str, ...] | None, expected: Any
 ) -> None:
     """A part left out is none; the quaternion turns by 90 deg about z."""

@@ -59,7 +59,7 @@ def test_the_precision_is_the_inverse_of_an_exponential_covariance(observations)
         np.testing.assert_allclose(knots.apply_prior_precision(effects)[:, k], expected, rtol=1e-12)
 
 
-def test_between_two_knots_the_process_strays_from_their_chord(observations) -> None:
+def test_between_two_knots_the_process_deviates_from_their_chord(observations) -> None:
     """To first order of the interval by ``2 u (1 - u) interval / T`` of its variance."""
     knots = PosErrorKnots.of(observations, MODEL)
     for bridge, correlation in zip(

@@ -32,7 +32,7 @@ def drawn(model: PosErrors, count: int = COUNT, draws: int = DRAWS) -> np.ndarra
     [NOISE, OUTAGE, SMOOTHED, CombinedModel((NOISE, SMOOTHED))],
     ids=["white", "outage", "smoothed", "together"],
 )
-def test_the_stated_variance_is_that_of_the_errors(model: PosErrors) -> None:
+def test_the_given_variance_is_that_of_the_errors(model: PosErrors) -> None:
     """3000 draws know a standard deviation to 1.3 %; five sigma are taken for 241 x 6 of them."""
     stated = np.sqrt(model.variance(COUNT, INTERVAL)) / np.array([*POSITION, *ATTITUDE])
     found = np.sqrt((drawn(model) ** 2).mean(axis=0))
@@ -72,7 +72,7 @@ def test_an_outage_between_two_samples_does_nothing() -> None:
     assert not drawn(GnssOutage(20.1, 0.3, POSITION, ATTITUDE), draws=1).any()
 
 
-def test_jumps_come_as_often_as_stated_and_stay() -> None:
+def test_jumps_come_as_often_as_given_and_stay() -> None:
     errors = drawn(StepErrors(POSITION, ATTITUDE, per_hour=120.0))
     changes = np.count_nonzero(np.diff(errors[..., 0], axis=1), axis=1)
     expected = 120 * 240 * INTERVAL / 3600  # 4 in 120 s
@@ -82,7 +82,7 @@ def test_jumps_come_as_often_as_stated_and_stay() -> None:
     assert not StepErrors(POSITION, ATTITUDE, per_hour=120.0).variance(COUNT, INTERVAL).any()
 
 
-def test_jumps_at_stated_times() -> None:
+def test_jumps_at_given_times() -> None:
     errors = drawn(StepErrors(POSITION, ATTITUDE, at=(30.0, 90.0)), draws=500)
     time = np.arange(COUNT) * INTERVAL
     assert not errors[:, time < 30].any()

@@ -22,7 +22,7 @@ from tests.prediction_study import PLAN, compared
 
 
 @pytest.mark.parametrize(("model", "perfect"), [("correlated", False), ("independent", True)])
-def test_the_adjustment_states_what_was_foretold(model: PosErrors, perfect: bool) -> None:
+def test_the_adjustment_has_the_predicted_sigmas(model: PosErrors, perfect: bool) -> None:
     """One survey with all its points, on a calm sea: a rolling vessel changes pitch by 1 to 3 %.
 
     With errors thesis mode states up to 3 % less, for its derivatives share the noise of the
@@ -61,7 +61,7 @@ def test_as_many_points_as_the_scanner_measures() -> None:
         assert count > 0.9 * len(echoes.time)
 
 
-def test_what_looks_away_or_is_too_far_is_not_seen() -> None:
+def test_what_faces_away_or_is_too_far_is_not_seen() -> None:
     away = Board("T3", (0.0, -15.0, 5.0), (0.0, -1.0, 0.0))
     assert predict(PLAN.with_targets([away])).points == {}
     assert not predict(PLAN.with_targets([away])).determined
@@ -138,7 +138,7 @@ def test_many_sightings_are_eliminated_like_few(lines: int) -> None:
     assert correction == pytest.approx(answer, rel=1e-6)
 
 
-def test_balls_tell_the_boresight_too() -> None:
+def test_balls_determine_the_boresight_too() -> None:
     balls = (
         Ball("S1", (0.0, -15.0, 5.0), 0.3),
         Ball("S2", (4.0, -14.0, 2.0), 0.3, radius_known=False),
@@ -148,7 +148,7 @@ def test_balls_tell_the_boresight_too() -> None:
     assert set(found.points) == {(b.name, f"L{k}") for b in balls for k in range(1, 7)}
 
 
-def test_forty_surveys_scatter_as_foretold() -> None:
+def test_forty_surveys_scatter_as_predicted() -> None:
     """Bounds by the chi-square distribution, at one in a thousand for each angle."""
     count = 40
     found = compared(PLAN, count, stated=True, workers=1)
@@ -161,7 +161,7 @@ def test_forty_surveys_scatter_as_foretold() -> None:
 @pytest.mark.long
 @pytest.mark.timeout(7200)
 @pytest.mark.parametrize("stated", [True, False])
-def test_a_thousand_surveys_scatter_as_foretold(stated: bool) -> None:
+def test_a_thousand_surveys_scatter_as_predicted(stated: bool) -> None:
     found = compared(PLAN, 1000, stated=stated)
     print(scatter_table(found))
     assert found.empirical_sigma == pytest.approx(found.predicted, rel=0.08), scatter_table(found)

@@ -33,7 +33,7 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
         (None, 0, 812, 0.1, "Reading L1: 812 points"),
     ],
 )  # fmt: skip
-def test_the_pace_tells_what_is_known(
+def test_the_pace_shows_what_is_known(
     clock: list[float], total: int | None, done_before: int, done: int, seconds: float, words: str
 ) -> None:
     pace = PointRate(gettext_lazy("Reading {line}", line="L1"), total, done_before)

@@ -98,7 +98,7 @@ def test_without_its_number_of_points(tmp_path: Path, monkeypatch: pytest.Monkey
     np.testing.assert_allclose(places(path), XYZ, atol=1e-9)
 
 
-def test_it_is_looked_at_as_a_cloud_without_time(tmp_path: Path) -> None:
+def test_it_is_examined_as_a_cloud_without_time(tmp_path: Path) -> None:
     path = write_pts(tmp_path / "scan.pts", [XYZ], more=4)
     with pytest.raises(InputError) as raised:
         check_file(path)

@@ -49,7 +49,7 @@ def test_a_flat_board_is_good_and_its_numbers_are_true():
     assert quality.roughness < 0.0004
 
 
-def test_a_bend_is_measured_and_said():
+def test_a_bend_is_measured_and_reported():
     sagitta = 0.004  # over 1.2 m
     quality = judged(board(lambda x, z: 4 * sagitta * (x / 1.2) ** 2))
     assert quality.curved
@@ -80,7 +80,7 @@ def test_chance_alone_is_not_called_a_bend():
         (board(lambda x, z: 0.006 * np.sin(20 * x)), "poor", "quality.uneven"),
     ],
 )
-def test_what_is_wrong_is_said(points, light, code):
+def test_what_is_wrong_is_reported(points, light, code):
     quality = judged(points)
     assert quality.rating == light
     assert code in codes(quality.reasons)

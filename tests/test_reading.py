@@ -171,7 +171,7 @@ def test_what_makes_no_sense_is_refused(calibrated, tmp_path, options, said) -> 
         ("1.5;2.5;3.5\n4.5;5.5;6.5\n", "import.points_without_time"),
     ],
 )
-def test_why_a_file_is_no_line_is_said(tmp_path, content, said) -> None:
+def test_why_a_file_is_no_line_is_reported(tmp_path, content, said) -> None:
     path = tmp_path / "quay.txt"
     path.write_text(content)
     assert is_refusal(command_error("inspect", path), said)

@@ -75,7 +75,7 @@ def test_compressed_and_indexed_points_are_those_of_the_plain_file() -> None:
     np.testing.assert_array_equal(np.sort(plain.time), np.sort(copc.time))
 
 
-def test_systems_and_waveforms_are_said() -> None:
+def test_systems_and_waveforms_are_reported() -> None:
     assert read("autzen.las")[0].choice["crs"] == "EPSG:2994"
     assert "New Mexico Central (ftUS)" in read("test1_4.las")[0].facts["coordinate system"]
     assert "Oregon LCC" in read("simple.copc.laz")[0].facts["coordinate system"]

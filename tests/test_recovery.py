@@ -169,7 +169,7 @@ def small(port: SimulatedSurvey) -> tuple[RecoverySetup, np.ndarray, np.ndarray]
     return RecoverySetup(system, trajectory, mounting), cloud, line.time[some]
 
 
-def test_points_without_a_pose_are_left_out_and_counted(port: SimulatedSurvey) -> None:
+def test_points_without_a_pose_are_skipped_and_counted(port: SimulatedSurvey) -> None:
     recovery, cloud, time = small(port)
     outside = time.copy()
     outside[:30] = recovery.trajectory.time[0] - 1.0
@@ -180,7 +180,7 @@ def test_points_without_a_pose_are_left_out_and_counted(port: SimulatedSurvey) -
     np.testing.assert_array_equal(kept.extra["mark"], np.arange(30, len(time)))
 
 
-def test_points_in_a_gap_are_left_out(port: SimulatedSurvey) -> None:
+def test_points_in_a_gap_are_skipped(port: SimulatedSurvey) -> None:
     recovery, cloud, time = small(port)
     whole = recovery.trajectory
     middle = float(np.median(time))
@@ -211,7 +211,7 @@ def test_a_wrong_coordinate_system_is_refused(port: SimulatedSurvey, wrong: str)
         list(recover_scanner_points([PointChunk(cloud, time, {}, None)], recovery))
 
 
-def test_what_has_to_hold_is_said(port: SimulatedSurvey) -> None:
+def test_what_has_to_hold_is_reported(port: SimulatedSurvey) -> None:
     recovery, _, _ = small(port)
     assert {"assumed.cloud_made_with", "assumed.heights_not_named", "assumed.datum"} <= set(
         codes(recovery.assumptions)

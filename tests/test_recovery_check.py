@@ -77,7 +77,7 @@ SEEDS = (1, 2, 3)
 
 @pytest.mark.parametrize("seed", range(10))
 @pytest.mark.parametrize("system", [UTM, FEET])
-def test_a_cloud_made_as_stated_has_no_message(seed: int, system: str) -> None:
+def test_a_cloud_made_as_given_has_no_message(seed: int, system: str) -> None:
     assert found(*cloud(seed, system)) is None
 
 

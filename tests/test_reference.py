@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import lispac
-from tests.documented import public, trees
+from tests.public_names import public, trees
 from tests.reference import pages, resolving
 
 

@@ -12,7 +12,7 @@ from lispac.workflow.checking import references
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.checking.references import read_reference
 from lispac.workflow.project.survey import Survey
-from tests.few_passes import answered, on_board, passes
+from tests.few_lines import answered, on_board, site_of_few_lines
 
 
 @pytest.fixture
@@ -22,7 +22,7 @@ def known() -> tuple[Project, Survey]:
 
 def corners(path: Path, off: float = 0.0) -> Path:
     """Five surveyed places on T2 with a sigma of 2 mm, the middle one off the board by metres."""
-    normal = passes().scene["T2"].normal
+    normal = site_of_few_lines().scene["T2"].normal
     places = [on_board("T2", a, u) for a, u in ((-0.4, -0.4), (0.4, -0.4), (0.4, 0.4), (-0.4, 0.4))]
     places.append(on_board("T2", 0, 0) + off * normal)
     rows = [f"B{k},{x[0]:.5f},{x[1]:.5f},{x[2]:.5f},0.002,T2" for k, x in enumerate(places)]
@@ -31,7 +31,7 @@ def corners(path: Path, off: float = 0.0) -> Path:
 
 
 @pytest.mark.parametrize("off", [0.0, 0.02])
-def test_a_surveyed_point_off_its_plane_is_told(
+def test_a_surveyed_point_off_its_plane_is_reported(
     known: tuple[Project, Survey], tmp_path: Path, off: float
 ) -> None:
     """Of five places alike, one of them in the middle, the plane takes a fifth of it."""

@@ -79,7 +79,7 @@ def _at_points(before: np.ndarray, after: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("state", ["before", "after"])
-def test_a_line_out_of_reach_of_the_surface_is_said(state: str) -> None:
+def test_a_line_out_of_reach_of_the_surface_is_reported(state: str) -> None:
     lines = {"before": _wall(0.01), "after": _wall(0.01), state: _wall(5.0)}
     with pytest.raises(NotComparable, check=has_code("validation.line_out_of_reach")):
         _on_surface(lines["before"], lines["after"])
@@ -95,13 +95,13 @@ def test_a_surveyed_point_needs_a_flat_place_of_the_line_about_its_foot() -> Non
     np.testing.assert_array_equal(_at_points(thin, thin), [0])
 
 
-def test_rows_of_points_are_looked_at_in_a_wider_place() -> None:
+def test_rows_of_points_are_examined_in_a_wider_place() -> None:
     """Profiles 0.2 m apart: within 0.3 m of a point lies one, within 0.51 m three."""
     profiles = np.vstack([_wall(0.01, (x, x + 0.01)) for x in np.arange(0.1, 2.0, 0.2)])
     np.testing.assert_array_equal(_at_points(profiles, profiles), [0, 1, 2])
 
 
-def test_a_line_that_is_nowhere_near_any_surveyed_point_is_said() -> None:
+def test_a_line_that_is_nowhere_near_any_surveyed_point_is_reported() -> None:
     with pytest.raises(NotComparable, check=has_code("validation.no_flat_point")):
         _at_points(_wall(0.7), _wall(0.7))
 

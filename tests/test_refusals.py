@@ -252,7 +252,7 @@ def test_odd_names_are_refused(calibrated: tuple[Project, Survey], name: str) ->
         project.with_target(replace(project.target("T1"), name=name))
 
 
-def test_points_in_a_gap_of_the_trajectory_are_left_out_and_said(copy: Project) -> None:
+def test_points_in_a_gap_of_the_trajectory_are_skipped_and_reported(copy: Project) -> None:
     records = np.fromfile(copy.trajectory).reshape(-1, 17)
     scan = load_survey(copy).scans[copy.lines[0].name]
     middle = float(np.median(scan.time))
@@ -317,7 +317,7 @@ def test_the_shift_that_takes_a_line_off_the_trajectory_is_named(
     assert refused.value.message.params["shift"] == 12_345.0
 
 
-def test_points_partly_outside_are_left_out_and_said(copy: Project) -> None:
+def test_points_partly_outside_are_skipped_and_reported(copy: Project) -> None:
     path = copy.lines[1].path
     las = laspy.read(path)
     time = np.asarray(las.gps_time).copy()

@@ -120,7 +120,7 @@ def test_a_shift_and_its_sigma_are_those_of_dense_matrices_without_the_prior(lin
         np.testing.assert_allclose(tests.effect[s], weight * covariance[:3, offset], rtol=1e-4)
 
 
-def test_the_pos_error_told_of_a_sighting_is_that_of_the_nearest_knot(linearised) -> None:
+def test_the_pos_error_of_a_sighting_is_that_of_the_nearest_knot(linearised) -> None:
     observations, knots = linearised.problem.observations, linearised.problem.groups.knots
     size = linearised.normal.layout.size
     variance = np.diag(dense(linearised))[size:].reshape(-1, 6)
@@ -247,7 +247,7 @@ def test_components_find_the_errors_that_were_put_in() -> None:
 
 
 @pytest.mark.long
-def test_positions_worse_than_stated_are_found_with_surfaces_unknown_too() -> None:
+def test_positions_worse_than_given_are_found_with_surfaces_unknown_too() -> None:
     """Positions 2.5 times worse than stated: without components over-confident, with them not."""
     model = StochasticModel(loss="tukey")
     plain, told, factors = [], [], []

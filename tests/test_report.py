@@ -174,7 +174,7 @@ def test_angles_uncertainty_and_effect(content: ReportContent) -> None:
     assert effects["worst direction"][0] == pytest.approx(worst, rel=0.04)
 
 
-def test_files_are_told_by_digest(content: ReportContent, project: Project) -> None:
+def test_files_are_identified_by_digest(content: ReportContent, project: Project) -> None:
     line = next(file for file in content.files if file.role == "Line L3")
     data = project.lines[2].path.read_bytes()
     assert (line.name, line.size_bytes) == ("L3.laz", len(data))

@@ -69,7 +69,7 @@ def test_a_picture_is_the_figure_as_it_is_drawn() -> None:
     assert picture == svg_of(correlation_figure_of(names, matrix))
 
 
-def test_errors_of_surveys_are_drawn_over_what_was_foretold() -> None:
+def test_errors_of_surveys_are_drawn_over_what_was_predicted() -> None:
     rng = np.random.default_rng(1)
     predicted = np.radians([0.01, 0.02, 0.03])
     errors = rng.normal(size=(400, 3)) * predicted * [1.0, 2.0, 0.5]
@@ -120,7 +120,7 @@ def test_planes_without_profiles_maps_and_signs_have_no_such_block(project: Proj
     assert "could not be compared" not in _text(less)
 
 
-def test_what_the_lines_see_is_left_out_where_it_was_not_worked_out(project: Project) -> None:
+def test_what_the_lines_see_is_omitted_where_it_was_not_computed(project: Project) -> None:
     assert project.result is not None
     seen = project.result.observability
     assert seen is not None
@@ -152,7 +152,7 @@ def test_a_site_that_nothing_is_known_of_is_not_drawn(content: ReportContent) ->
     assert "Lines" in _titles(bare)
 
 
-def test_sightings_held_to_one_shape_are_said_to_be(project: Project) -> None:
+def test_sightings_held_to_one_shape_are_reported(project: Project) -> None:
     held = replace(project, settings=replace(project.settings, surface=0.0))
     for made, said in ((held, True), (project, False)):
         cells = [

@@ -45,7 +45,7 @@ from lispac.validation.absolute_check import (
 from lispac.validation.comparison_results import DistanceStatistics, SignedStatistics
 from tests.report_sample import MADE, sample_project
 from tests.report_variants import VARIANTS, content_of_sample, with_result, with_settings
-from tests.test_doubts import CASES
+from tests.test_consistent_warnings import CASES
 from tests.test_error_budget import system
 from tests.test_quality import board, judged
 from tests.test_report import _pdf_text
@@ -101,7 +101,7 @@ def _qualities() -> Iterator[SightingQuality]:
 
 
 @pytest.mark.parametrize("calibrated", [True, False])
-def test_qualities_are_told_in_french(project: Project, calibrated: bool) -> None:
+def test_qualities_are_in_french(project: Project, calibrated: bool) -> None:
     names = [(f"T{k % 2 + 1}", f"L{k // 2 + 1}") for k in range(10)]
     if not calibrated:
         project = replace(project, result=None, validation=(), cross_checks=None)
@@ -115,7 +115,7 @@ def test_qualities_are_told_in_french(project: Project, calibrated: bool) -> Non
 
 
 @pytest.mark.parametrize("key", [each.key for each in SYSTEMS])
-def test_conventions_are_told_in_french(project: Project, key: str) -> None:
+def test_conventions_are_in_french(project: Project, key: str) -> None:
     odd = with_settings(latency=0.001)(with_result(model=StochasticModel("independent"))(project))
     made = report_content(
         odd, headings_deg={}, counts={}, track_local={}, notes=(), generated=MADE, convention=key
@@ -155,7 +155,7 @@ def _absolute(kind: Literal["scan", "points"], mean: float) -> AbsoluteCheck:
     )  # fmt: skip
 
 
-def test_second_opinions_are_told_in_french(project: Project) -> None:
+def test_alternative_methods_are_in_french(project: Project) -> None:
     assert project.result is not None
     for k, (method, off) in enumerate(zip(METHODS, (0.0, 0.3, 0.004), strict=True)):
         angles = project.result.boresight + np.radians([off, off, 0.0])
@@ -172,7 +172,7 @@ def test_second_opinions_are_told_in_french(project: Project) -> None:
 
 @pytest.mark.parametrize("kind", ["scan", "points"])
 @pytest.mark.parametrize("mean", [-0.05, 0.0, 0.05])
-def test_absolute_checks_are_told_in_french(
+def test_absolute_checks_are_in_french(
     project: Project, kind: Literal["scan", "points"], mean: float
 ) -> None:
     content = content_of_sample(project.with_absolute(_absolute(kind, mean)))
@@ -191,7 +191,7 @@ def test_absolute_checks_are_told_in_french(
         },
     ],
 )
-def test_error_budgets_are_told_in_french(project: Project, known: dict[str, Any]) -> None:
+def test_error_budgets_are_in_french(project: Project, known: dict[str, Any]) -> None:
     budget = ErrorBudgetValues.of(error_budget(system(**known), (10, 1_000)))
     assert _english_left(replace(content_of_sample(project), budget=budget)) == ()
 

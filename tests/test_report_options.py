@@ -286,7 +286,7 @@ def test_applanix_turns_the_pitch_round(project: Project) -> None:
 
 
 @pytest.mark.parametrize("key", ["applanix", "qinsy", "hypack", "pdal", "riprocess"])
-def test_report_tells_values_and_how_sure_they_are(
+def test_report_has_values_and_their_uncertainty(
     project: Project, key: str, tmp_path: Path
 ) -> None:
     content = _content(project, key)
@@ -337,7 +337,7 @@ def test_the_matrix_is_that_of_the_boresight(project: Project, tmp_path: Path) -
     np.testing.assert_allclose(np.array(rows, dtype=float), transform, atol=0.51e-10)
 
 
-def test_nothing_is_stated_of_what_is_not_estimated(project: Project) -> None:
+def test_what_is_not_estimated_is_not_reported(project: Project) -> None:
     content = _content(replace(project, result=None, validation=()), "applanix")
     assert content.in_convention is None
     assert content.matrix is None
@@ -367,7 +367,7 @@ def test_the_command_takes_page_convention_and_template(
     assert data["in_convention"] is None
 
 
-def test_a_logo_is_told_by_what_is_in_it(template: Path, tmp_path: Path) -> None:
+def test_a_logo_is_recognised_by_its_content(template: Path, tmp_path: Path) -> None:
     """A PNG begins as one; its name alone does not make a picture."""
     logo = tmp_path / "art" / "logo.png"
     logo.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(40))

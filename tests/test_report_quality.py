@@ -50,7 +50,7 @@ def _result(project: Project) -> AdjustmentResult:
     return project.result
 
 
-def _caution(content: ReportContent, code: str) -> str:
+def _warning(content: ReportContent, code: str) -> str:
     texts = [message_text(each) for each in content.warnings if each.code == code]
     assert len(texts) == 1, (code, [caution.code for caution in content.warnings])
     return texts[0]
@@ -100,7 +100,7 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
     assert said["Surface roughness (1 sigma)"].startswith("0.4\u00a0mm, as given")
     assert "beyond 4.7 standard deviations" in said["Outliers"]
     assert "adjustment.noise" not in {caution.code for caution in noisy.warnings}
-    assert "T2" in _caution(
+    assert "T2" in _warning(
         changed(targets=(first, replace(second, noise=2.4))), "adjustment.noise"
     )
 
@@ -112,7 +112,7 @@ def test_stochastic_model_in_words(project: Project, changed: Changed) -> None:
         ({"lidar_sigma_xyz": (0.003, 0.004, 0.005)}, "x 3.0 mm, y 4.0 mm, z 5.0 mm"),
     ],
 )
-def test_lidar_noise_as_stated(project: Project, stated: dict[str, Any], shown: str) -> None:
+def test_lidar_noise_as_given(project: Project, stated: dict[str, Any], shown: str) -> None:
     other = replace(project, settings=replace(project.settings, **stated))
     assert _settings(sample_content(other))["LiDAR noise, 1 sigma"] == shown
 
@@ -160,10 +160,10 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
     late = ParameterEstimate("latency", 0.0, 0.002, 0.0011, 0.0008, 0.6)
     turned = ParameterEstimate("scan_angle_offset", 0.0, None, reason=note("parameter.kept"))
     content = changed(parameters=(*_result(project).parameters, turned, late))
-    assert "The estimated change of the latency (+1.10 ms) is not significant." in _caution(
+    assert "The estimated change of the latency (+1.10 ms) is not significant." in _warning(
         content, "report.parameter_not_significant"
     )
-    assert "not estimated. The given value is used. Do not" in _caution(
+    assert "not estimated. The given value is used. Do not" in _warning(
         content, "report.parameter_not_seen"
     )
     rows = _tables(report_document(content, {}))[
@@ -186,9 +186,9 @@ def test_released_sighting_is_named_on_page_one(project: Project, changed: Chang
     first, second, *rest = _result(project).reliability
     gone = replace(first, rejected=True, shift=0.0483, w=9.34)
     content = changed(reliability=(gone, replace(second, w=-4.2), *rest))
-    text = _caution(content, "adjustment.released")
+    text = _warning(content, "adjustment.released")
     assert "was rejected: T1 on line L1 (displaced by 48.3 mm, test value w = +9.3)" in text
-    assert "T1 on line L2" in _caution(content, "adjustment.sighting_disagrees")
+    assert "T1 on line L2" in _warning(content, "adjustment.sighting_disagrees")
     rows = _tables(report_document(content, {}))["Agreement of the sightings"].rows
     assert [row[-1] for row in rows[:3]] == ["rejected", "disagrees", "agrees"]
 
@@ -204,13 +204,13 @@ def test_sighting_that_nothing_checks_shows_no_number(project: Project, changed:
     )
 
 
-def test_strays_beyond_what_chance_explains(project: Project, changed: Changed) -> None:
+def test_more_outliers_than_chance_explains(project: Project, changed: Changed) -> None:
     reliability = _result(project).reliability
     few = tuple(replace(item, outliers=1) for item in reliability[:3]) + reliability[3:]
     codes = {caution.code for caution in changed(reliability=few).warnings}
     assert not any(code.startswith("adjustment.strays") for code in codes)
     many = (*reliability[:-1], replace(reliability[-1], outliers=60))
-    text = _caution(changed(reliability=many), "adjustment.strays_full_weight")
+    text = _warning(changed(reliability=many), "adjustment.strays_full_weight")
     assert text.startswith("60 of")
     assert "Most of them are on T2, line L6" in text
     assert "Choose a robust loss" in text  # the sample has none
@@ -232,7 +232,7 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.0512, 0.0]))
     wide = replace(checks, parts=(checks.parts[0], odd, *checks.parts[2:]))
     content = sample_content(replace(project, cross_checks=wide))
-    assert "without line L2 (pitch +0.0512 deg, 4.1 times its standard deviation)" in _caution(
+    assert "without line L2 (pitch +0.0512 deg, 4.1 times its standard deviation)" in _warning(
         content, "adjustment.cross_check"
     )
 
@@ -317,7 +317,7 @@ def test_a_large_sigma_is_serious_and_its_cause_named(project: Project, changed:
     reason = note("parameter.kept_uncertain")
     unseen = ParameterEstimate("scan_angle_offset", 0.0, np.radians(0.5), reason=reason)
     content = changed(covariance_all=large, parameters=(unseen,))
-    said = _caution(content, "adjustment.large_sigma_unseen")
+    said = _warning(content, "adjustment.large_sigma_unseen")
     assert "roll 0.50 deg" in said
     assert "scan-angle offset" in said
     assert not [c for c in changed().warnings if "large_sigma" in c.code]
@@ -331,13 +331,13 @@ def test_noise_is_only_spoken_of_where_some_was_found(project: Project, changed:
     model = StochasticModel("correlated")
     for targets, code in ((quiet, "chi_square_high"), (noisy, "chi_square_high_noise")):
         content = changed(chi_square=failed, targets=targets, model=model)
-        assert _caution(content, f"report.{code}")
+        assert _warning(content, f"report.{code}")
 
 
 def test_one_plane_alone_is_serious(project: Project, changed: Changed) -> None:
     result = _result(project)
     first = result.targets[0]
-    said = _caution(changed(targets=(first,)), "adjustment.one_target")
+    said = _warning(changed(targets=(first,)), "adjustment.one_target")
     assert f"{first.target} is the only target" in said
     assert not [
         c
@@ -409,11 +409,11 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     fine = content((first.name, one, good), (first.name, two, good))
     assert "report.sightings" not in {caution.code for caution in fine.warnings}
     some = (first.name, one, oblique[0]), (first.name, two, oblique[1]), (first.name, three, good)
-    said = _caution(content(*some), "report.sightings")
+    said = _warning(content(*some), "report.sightings")
     assert said.startswith("3 sightings are used, including 0 poor and 2 doubtful ones.")
     assert f"{first.name} on {two}: The angle between the beams and" in said
     worse = content(*some, (second.name, one, rough))
-    said = _caution(worse, "report.sightings")
+    said = _warning(worse, "report.sightings")
     assert "4 sightings are used, including 1 poor and 2 doubtful ones." in said
     assert (
         f"{second.name} on {one}: The sighting has only 7 points. The surface is curved, by 4.0 "

@@ -27,7 +27,7 @@ def survey(seed: int, spacing: float = 0.06) -> Observations:
     return add_errors(exact, HYDROGRAPHIC_INS, generator)
 
 
-def with_strays(clean: Observations, seed: int) -> tuple[Observations, np.ndarray]:
+def with_outliers(clean: Observations, seed: int) -> tuple[Observations, np.ndarray]:
     """5 % of the points 0.1 to 1 m off along the beam."""
     generator = np.random.default_rng([8, seed])
     stray = generator.random(len(clean)) < 0.05
@@ -47,10 +47,10 @@ def shifted(clean: Observations, sighting: int, metres: float) -> Observations:
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_stray_points_move_no_angle_by_a_sigma(seed) -> None:
+def test_outliers_move_no_angle_by_a_sigma(seed) -> None:
     model = StochasticModel(loss="tukey")
     clean = survey(seed)
-    dirty, stray = with_strays(clean, seed)
+    dirty, stray = with_outliers(clean, seed)
     before, after = adjust(clean, PRIOR, model), adjust(dirty, PRIOR, model)
     assert (np.abs(after.boresight - before.boresight) < before.sigma).all()
     found = sum(item.outliers for item in after.reliability)
@@ -58,9 +58,9 @@ def test_stray_points_move_no_angle_by_a_sigma(seed) -> None:
     assert stray.sum() <= found < stray.sum() + 0.006 * len(clean)
 
 
-def test_the_losses_are_needed_and_the_sigmas_know_what_strays_do() -> None:
+def test_the_losses_are_needed_and_the_sigmas_include_outliers() -> None:
     """The same points with all weighted alike, with a bounded loss, and a redescending one."""
-    dirty, _ = with_strays(survey(0), 0)
+    dirty, _ = with_outliers(survey(0), 0)
     errors, sigmas = [], []
     for loss in LOSSES:
         result = adjust(dirty, PRIOR, StochasticModel(loss=loss), diagnostics=False)
@@ -127,7 +127,7 @@ def test_another_surface_metres_away_does_no_harm(seed) -> None:
 
 @pytest.mark.parametrize("loss", ["huber", "tukey"])
 def test_steps_that_foresee_the_weights_lead_where_plain_ones_do(loss) -> None:
-    dirty, _ = with_strays(survey(0), 0)
+    dirty, _ = with_outliers(survey(0), 0)
     model = StochasticModel(loss=loss)
     quick = adjust(dirty, PRIOR, model, diagnostics=False)
     with pytest.MonkeyPatch.context() as patch:
@@ -185,7 +185,7 @@ def test_boards_that_are_interchanged_on_a_line_are_named_and_do_no_harm() -> No
     assert (done < 1).all()
 
 
-def test_what_was_let_go_of_by_mistake_is_taken_back() -> None:
+def test_what_was_rejected_by_mistake_is_restored() -> None:
     """With two sightings off, the first to be named may be a third one that agrees."""
     clean = survey(3, 0.1)
     dirty = shifted(shifted(clean, 2, 0.05), 5, 0.05)

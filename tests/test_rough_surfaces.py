@@ -77,7 +77,7 @@ def test_cross_checks_take_the_noise_of_the_whole(
 
 
 @pytest.mark.long
-def test_the_stated_sigmas_hold_on_rough_surfaces() -> None:
+def test_the_given_sigmas_hold_on_rough_surfaces() -> None:
     """Over 60 surveys the errors over their sigmas had an RMS of 0.94, 1.03 and 0.90."""
     over = []
     for seed in range(60):

@@ -22,7 +22,7 @@ from lispac.workflow.importing.line_import import LINES, import_lines, line_fold
 from lispac.workflow.project.project_copy import MARK, save_project_as
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.few_passes import picked
+from tests.few_lines import picked
 
 KILLED = """
 import os, signal, sys
@@ -118,16 +118,16 @@ def again(project: Project) -> Progress:
     """Import a line again while it is copied, as another window would."""
     done: list[str] = []
 
-    def told(_fraction: float, step: object = "") -> None:
+    def report_progress(_fraction: float, step: object = "") -> None:
         if str(step).startswith("Copying one") and not done:
             done.append(str(step))
             import_lines(project, again=True)
 
-    return told
+    return report_progress
 
 
 @pytest.mark.parametrize("meanwhile", [False, True])
-def test_a_line_imported_again_meanwhile_is_said(
+def test_a_line_imported_again_meanwhile_is_reported(
     project: Project, tmp_path: Path, meanwhile: bool
 ) -> None:
     survey = load_survey(project)

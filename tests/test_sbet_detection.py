@@ -16,7 +16,7 @@ from tests.trajectory_files import truth, vessel, write_records
 SBET = format_of("sbet")
 
 
-def looked(path: Path) -> FilePreview:
+def preview_of(path: Path) -> FilePreview:
     return SBET.preview(path, {})
 
 
@@ -28,7 +28,7 @@ def test_leeward_is_recognised_as_conventions_say(shared_data: Path) -> None:
     path = shared_data / "leeward" / "sbet.out"
     assert recognise_formats(path, "trajectory")[0][0].key == "sbet"
     assert recognise_formats(path, "trajectory")[0][1] == SURE
-    finding = looked(path)
+    finding = preview_of(path)
     assert finding.choice["axes"] == "wander-nwu"
     assert finding.choice["heading"] == "minus-wander"
     assert finding.choice["time"] == "gps-week"
@@ -52,7 +52,7 @@ def test_leeward_course_agrees_to_a_hundredth_of_a_degree(shared_data: Path) -> 
 def test_real_surveys_are_read_as_before(shared_data: Path) -> None:
     for name, axes in (("harbour", "ned"), ("lanl_tent", "unknown"), ("lanl_truck", "unknown")):
         path = shared_data / name / "trajectory.sbet"
-        finding = looked(path)
+        finding = preview_of(path)
         assert finding.choice["axes"] == axes
         assert not has(finding, "trajectory.exchanged")
         trajectory = SBET.read(path, finding.choice)
@@ -84,7 +84,7 @@ def in_axes(records: np.ndarray, axes: str) -> np.ndarray:
 @pytest.mark.parametrize("axes", AXES)
 def test_velocity_frame_is_found(tmp_path: Path, axes: str) -> None:
     records = in_axes(vessel(wander=np.radians(3)), axes)
-    finding = looked(write_records(tmp_path / "a.sbet", records))
+    finding = preview_of(write_records(tmp_path / "a.sbet", records))
     assert finding.choice["axes"] == axes
     assert finding.choice["heading"] == "minus-wander"
     assert has(finding, "sbet.heading_uncertain") == (not axes.startswith("wander"))
@@ -93,7 +93,7 @@ def test_velocity_frame_is_found(tmp_path: Path, axes: str) -> None:
 def test_true_heading_is_found_where_the_wander_angle_is_large(tmp_path: Path) -> None:
     records = in_axes(vessel(wander=np.radians(50)), "ned")
     records[:, 9] -= records[:, 10]
-    finding = looked(write_records(tmp_path / "a.sbet", records))
+    finding = preview_of(write_records(tmp_path / "a.sbet", records))
     assert finding.choice["heading"] == "as-is"
     trajectory = SBET.read(tmp_path / "a.sbet", finding.choice)
     np.testing.assert_allclose(trajectory.attitude[:, 2], records[:, 9])
@@ -101,7 +101,7 @@ def test_true_heading_is_found_where_the_wander_angle_is_large(tmp_path: Path) -
 
 
 def test_frame_without_wander_angle_needs_no_choice(tmp_path: Path) -> None:
-    finding = looked(write_records(tmp_path / "a.sbet", in_axes(vessel(), "nwu")))
+    finding = preview_of(write_records(tmp_path / "a.sbet", in_axes(vessel(), "nwu")))
     assert finding.choice["axes"] == "nwu"
     assert not any("wander" in code for code in codes(finding.file_warnings))
 
@@ -110,7 +110,7 @@ def test_straight_level_course_leaves_up_open(tmp_path: Path) -> None:
     records = vessel()
     records[:, 6] = 0
     records[:, 3] = 10
-    finding = looked(write_records(tmp_path / "a.sbet", in_axes(records, "ned")))
+    finding = preview_of(write_records(tmp_path / "a.sbet", in_axes(records, "ned")))
     assert finding.choice["axes"] in ("ned", "neu")
     assert has(finding, "sbet.several_axes")
 
@@ -119,24 +119,24 @@ def test_straight_level_course_leaves_up_open_about_a_wander_angle_too(tmp_path:
     records = vessel(wander=0.5)
     records[:, 6] = 0
     records[:, 3] = 10
-    finding = looked(write_records(tmp_path / "a.sbet", in_axes(records, "ned")))
+    finding = preview_of(write_records(tmp_path / "a.sbet", in_axes(records, "ned")))
     assert finding.choice["axes"] in ("ned", "neu")
     assert has(finding, "sbet.several_axes")
     assert has(finding, "sbet.wander_assumed")
 
 
-def test_unknown_frame_is_said(tmp_path: Path) -> None:
+def test_unknown_frame_is_reported(tmp_path: Path) -> None:
     records = vessel()
     records[:, 4:6] = records[:, 4:6] @ np.array([[0.6, 0.8], [-0.8, 0.6]])
-    finding = looked(write_records(tmp_path / "a.sbet", records))
+    finding = preview_of(write_records(tmp_path / "a.sbet", records))
     assert finding.choice["axes"] == "unknown"
     assert has(finding, "sbet.velocities_disagree")
 
 
-def test_zero_velocities_are_said(tmp_path: Path) -> None:
+def test_zero_velocities_are_reported(tmp_path: Path) -> None:
     records = vessel(wander=0.1)
     records[:, 4:7] = 0
-    finding = looked(write_records(tmp_path / "a.sbet", records))
+    finding = preview_of(write_records(tmp_path / "a.sbet", records))
     assert finding.choice["axes"] == "unknown"
     assert has(finding, "sbet.zero_velocities")
     assert has(finding, "sbet.wander_assumed")
@@ -152,7 +152,7 @@ def test_signs_are_found_by_the_rates(
     records[:, 14:17] *= rates  # forward-starboard-down, and forward-port-up
     records[:, 7] *= 1 if roll == "starboard-down" else -1
     records[:, 8] *= 1 if pitch == "bow-up" else -1
-    finding = looked(write_records(tmp_path / "a.sbet", records))
+    finding = preview_of(write_records(tmp_path / "a.sbet", records))
     assert (finding.choice["roll"], finding.choice["pitch"]) == (roll, pitch)
     assert has(finding, "sbet.other_signs") == ((roll, pitch) != ("starboard-down", "bow-up"))
     trajectory = SBET.read(tmp_path / "a.sbet", finding.choice)
@@ -162,7 +162,7 @@ def test_signs_are_found_by_the_rates(
 def test_signs_are_not_judged_by_noise(tmp_path: Path) -> None:
     records = vessel()
     records[:, 14:17] = np.random.default_rng(1).normal(0, 0.01, (len(records), 3))
-    finding = looked(write_records(tmp_path / "a.sbet", records))
+    finding = preview_of(write_records(tmp_path / "a.sbet", records))
     assert (finding.choice["roll"], finding.choice["pitch"]) == ("starboard-down", "bow-up")
     assert finding.facts["Roll and pitch"] == note("fact.signs_not_checked")
 
@@ -171,7 +171,7 @@ def test_signs_are_not_judged_by_noise(tmp_path: Path) -> None:
 def test_exchanged_positions_are_found(tmp_path: Path, wander: float) -> None:
     records = vessel(wander=wander)
     records[:, [1, 2]] = records[:, [2, 1]]
-    finding = looked(write_records(tmp_path / "a.sbet", records))
+    finding = preview_of(write_records(tmp_path / "a.sbet", records))
     assert finding.choice["order"] == "longitude-latitude"
     trajectory = SBET.read(tmp_path / "a.sbet", finding.choice)
     np.testing.assert_array_equal(trajectory.latitude, records[:, 2])
@@ -182,7 +182,7 @@ def test_exchanged_positions_show_in_the_heading_without_velocities(tmp_path: Pa
     records = vessel()
     records[:, [1, 2]] = records[:, [2, 1]]
     records[:, 4:7] = 0
-    assert has(looked(write_records(tmp_path / "a.sbet", records)), "trajectory.exchanged")
+    assert has(preview_of(write_records(tmp_path / "a.sbet", records)), "trajectory.exchanged")
 
 
 def test_degrees_are_found_and_read(tmp_path: Path) -> None:
@@ -190,7 +190,7 @@ def test_degrees_are_found_and_read(tmp_path: Path) -> None:
     angles = [1, 2, 7, 8, 9, 10]
     records[:, angles] = np.degrees(records[:, angles])
     path = write_records(tmp_path / "a.sbet", records)
-    finding = looked(path)
+    finding = preview_of(path)
     assert finding.choice["unit"] == "degrees"
     assert has(finding, "sbet.degrees_assumed")
     trajectory = SBET.read(path, finding.choice)
@@ -201,7 +201,7 @@ def test_degrees_are_found_and_read(tmp_path: Path) -> None:
 def test_big_endian_is_found_and_read(tmp_path: Path) -> None:
     path = write_records(tmp_path / "a.sbet", vessel(), order=">")
     assert recognise_formats(path, "trajectory")[0] == (SBET, LIKELY)
-    finding = looked(path)
+    finding = preview_of(path)
     assert finding.choice["byte_order"] == "big-endian"
     assert has(finding, "sbet.big_endian")
     np.testing.assert_array_equal(SBET.read(path, finding.choice).latitude, vessel()[:, 1])
@@ -260,11 +260,11 @@ def test_what_may_be_an_sbet_has_to_end_like_one(tmp_path: Path, change: str) ->
 
 
 @pytest.mark.parametrize("shift", [0.0, -400_000.0, 1e9, 315_964_800 + 1e9])
-def test_time_base_is_stated(tmp_path: Path, shift: float) -> None:
+def test_time_base_is_reported(tmp_path: Path, shift: float) -> None:
     records = vessel(300)
     records[:, 0] += shift
     path = write_records(tmp_path / "a.sbet", records)
-    finding = looked(path)
+    finding = preview_of(path)
     trajectory = SBET.read(path, finding.choice)
     assert "assumed.time_base" in codes(trajectory.assumptions)
     assert has(finding, "times.several_bases") == (shift != 0.0)
@@ -283,56 +283,56 @@ def test_part_of_a_long_file_is_enough(tmp_path: Path) -> None:
 def test_gap_and_backward_times_are_counted(tmp_path: Path) -> None:
     records = vessel()
     records[1000:, 0] += 30
-    found = looked(write_records(tmp_path / "a.sbet", records)).file_warnings
+    found = preview_of(write_records(tmp_path / "a.sbet", records)).file_warnings
     (gaps,) = (each for each in found if each.code == "trajectory.gaps")
     assert gaps.params["count"] == 1
     assert gaps.params["limit"] == 1.5
     records[500, 0] = records[400, 0]
-    found = looked(write_records(tmp_path / "b.sbet", records)).file_warnings
+    found = preview_of(write_records(tmp_path / "b.sbet", records)).file_warnings
     (backward,) = (each for each in found if each.code == "times.decreasing")
     assert (backward.params["count"], backward.params["total"]) == (1, 2000)
 
 
-def test_week_end_is_counted_on_and_said(tmp_path: Path) -> None:
+def test_the_week_rollover_is_resolved_and_reported(tmp_path: Path) -> None:
     records = vessel(200)
     records[:, 0] = (604_798 + np.arange(200) / 50.0) % 604_800
     path = write_records(tmp_path / "a.sbet", records)
     trajectory = SBET.read(path, {})
     np.testing.assert_allclose(np.diff(trajectory.time), 0.02, atol=1e-9)
     assert note("assumed.time_rollover", count=1) in trajectory.assumptions
-    assert not has(looked(path), "times.decreasing")
+    assert not has(preview_of(path), "times.decreasing")
 
 
 def test_records_without_a_usable_time_are_counted_and_passed_over(tmp_path: Path) -> None:
     records = vessel(200)
     records[7, 0] = np.nan
-    finding = looked(write_records(tmp_path / "a.sbet", records))
+    finding = preview_of(write_records(tmp_path / "a.sbet", records))
     assert warning("sbet.not_finite", file="a.sbet", count=1) in finding.file_warnings
     assert finding.facts["Start"] == note("fact.time", time=486_000.0)
     assert finding.facts["End"].params["time"] == pytest.approx(486_000 + 199 / 50)
 
 
-def test_times_that_fit_no_base_are_doubted(tmp_path: Path) -> None:
+def test_times_that_fit_no_base_give_a_warning(tmp_path: Path) -> None:
     """1e10 s after 1970 is the year 2286."""
     records = vessel(200)
     records[:, 0] += 1e10
-    finding = looked(write_records(tmp_path / "a.sbet", records))
+    finding = preview_of(write_records(tmp_path / "a.sbet", records))
     first, last = records[[0, -1], 0]
     expected = warning("trajectory.no_time_base", file="a.sbet", start=first, end=last)
     assert expected in finding.file_warnings
 
 
-def test_degrees_of_position_alone_are_doubted(tmp_path: Path) -> None:
+def test_degrees_of_position_alone_give_a_warning(tmp_path: Path) -> None:
     records = vessel(200)
     records[:, [1, 2]] = np.degrees(records[:, [1, 2]])
-    finding = looked(write_records(tmp_path / "a.sbet", records))
+    finding = preview_of(write_records(tmp_path / "a.sbet", records))
     assert has(finding, "sbet.heading_in_radians")
     records[:, 2] = -400.0
     not_angles = warning("sbet.not_angles", file="b.sbet", largest=400.0)
-    assert not_angles in looked(write_records(tmp_path / "b.sbet", records)).file_warnings
+    assert not_angles in preview_of(write_records(tmp_path / "b.sbet", records)).file_warnings
 
 
-def test_a_file_that_is_lost_while_it_is_looked_at(
+def test_a_file_that_is_lost_while_it_is_examined(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As by a network drive that goes between two readings."""

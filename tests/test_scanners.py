@@ -45,7 +45,7 @@ def test_the_same_beams_about_the_length_of_the_vessel() -> None:
 
 
 @pytest.mark.parametrize("axis", ["x", "z"])
-def test_beams_go_astray_along_the_turn_and_across_it(axis) -> None:
+def test_beams_deviate_along_the_turn_and_across_it(axis) -> None:
     """What is read keeps its elevation; from there to what was met it is sigma both ways."""
     sigma = np.radians(0.05)
     scanner = replace(TURNING, axis=axis, elevations=(0.0,), range_sigma=0.0, angle_sigma=sigma)

@@ -100,7 +100,7 @@ def test_without_a_model_of_common_errors_nothing_is_raised(
     assert SolvedEquations.of(plain, observations, prior) is None
 
 
-def test_two_surfaces_tell_nothing_of_surfaces(thinned: Opened, clean: TargetlessResult) -> None:
+def test_two_surfaces_determine_no_surface_sigma(thinned: Opened, clean: TargetlessResult) -> None:
     """What hangs on few parts says so by its sigma; what is told of the lines stays finite."""
     model = thinned[0].settings.stochastic_model
     few = replace(clean.project, targets=clean.project.targets[:4], result=None)

@@ -220,7 +220,7 @@ def test_a_mesh_lies_beside_its_scene_and_hides_the_board(tmp_path: Path) -> Non
         ('title = "A board"', 'title = " "', "toml.not_text", {"key": "title", "value": "' '"}),
     ],
 )  # fmt: skip
-def test_mistakes_in_a_scene_are_told(
+def test_mistakes_in_a_scene_are_reported(
     old: str, new: str, code: str, params: dict[str, object], tmp_path: Path
 ) -> None:
     path = edited(tmp_path, SCENE, old, new)
@@ -273,7 +273,7 @@ def test_a_ball_is_where_its_scene_says(tmp_path: Path) -> None:
         ),
     ],
 )
-def test_mistakes_in_a_vessel_are_told(
+def test_mistakes_in_a_vessel_are_reported(
     old: str, new: str, code: str, params: dict[str, str], tmp_path: Path
 ) -> None:
     with pytest.raises(InputError) as told:
@@ -292,7 +292,7 @@ def test_mistakes_in_a_vessel_are_told(
         ("title", "unverified = 1\ntitle", "toml.not_true_or_false", {"key": "unverified"}),
     ],
 )
-def test_mistakes_in_a_scanner_are_told(
+def test_mistakes_in_a_scanner_are_reported(
     old: str, new: str, code: str, params: dict[str, object], tmp_path: Path
 ) -> None:
     with pytest.raises(InputError) as told:

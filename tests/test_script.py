@@ -180,7 +180,7 @@ def test_imported_lines_are_imported(demo_project: Project, tmp_path: Path) -> N
     assert (tmp_path / "again" / "lines").is_dir()
 
 
-def test_what_is_found_in_the_files_is_told_where_the_project_tells_it(
+def test_what_is_found_in_the_files_is_reported_where_the_project_tells_it(
     demo_project: Project, tmp_path: Path
 ) -> None:
     """Just made, a project has notes that it does not have when it is opened."""
@@ -197,7 +197,7 @@ def test_what_is_found_in_the_files_is_told_where_the_project_tells_it(
     same_numbers(again, made(again), tmp_path / "opened")
 
 
-def test_raw_files_that_are_gone_are_told(demo_project: Project, tmp_path: Path) -> None:
+def test_raw_files_that_are_gone_are_reported(demo_project: Project, tmp_path: Path) -> None:
     raw = Path(shutil.copytree(demo_project.folder / "raw", tmp_path / "raw"))
     quay = lispac.new(
         tmp_path / "quay", lines=[raw / "L1_000.laz", raw / "L2_180.laz"], lever_arm=(0, 0, 0),
@@ -240,7 +240,7 @@ def test_a_check_is_repeated_where_its_reference_is_found(
     assert remark == note("script.no_reference", file="board.csv")
 
 
-def test_a_check_that_its_file_alone_does_not_repeat_is_told(
+def test_a_check_that_its_file_alone_does_not_repeat_is_reported(
     answered: lispac.OpenProject, tmp_path: Path
 ) -> None:
     quay = answered
@@ -252,7 +252,7 @@ def test_a_check_that_its_file_alone_does_not_repeat_is_told(
     assert remark.params["system"] == "a system of one's own"
 
 
-def test_an_answer_that_the_steps_do_not_lead_to_is_told(answered: lispac.OpenProject) -> None:
+def test_an_answer_that_the_steps_do_not_lead_to_is_reported(answered: lispac.OpenProject) -> None:
     quay, result = answered, answered.result
     off = result.mounting.with_boresight(result.boresight + np.radians([0.0, 0.004, 0.0]))
     quay.project = quay.project.with_result(replace(result, mounting=off))

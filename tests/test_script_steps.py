@@ -18,7 +18,7 @@ from lispac.workflow.output.script import script_of
 from lispac.workflow.output.script_targets import target_steps
 from lispac.workflow.output.script_text import call_text
 from lispac.workflow.project.survey import Survey
-from tests.few_passes import answered, on_board, picked
+from tests.few_lines import answered, on_board, picked
 
 
 class Steps:

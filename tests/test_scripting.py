@@ -227,7 +227,7 @@ def test_points_are_put_only_where_they_belong(opened: lispac.OpenProject) -> No
     opened.project = before
 
 
-def test_wrong_words_of_a_script_are_told_as_python_does(tmp_path: Path) -> None:
+def test_wrong_words_of_a_script_are_reported_as_python_does(tmp_path: Path) -> None:
     with pytest.raises(TypeError, match="lidar_sigm"):
         lispac.new(tmp_path, lines=[], trajectory="t", lever_arm=(0, 0, 0), lidar_sigm=1.0)
     with pytest.raises(lispac.LispacError) as raised:

@@ -109,7 +109,7 @@ def test_without_a_result_there_is_only_before(calibrated: tuple[Project, Survey
     assert cut.section.height == pytest.approx(3.0)
 
 
-def test_what_cannot_be_cut_is_said(calibrated: tuple[Project, Survey]) -> None:
+def test_what_cannot_be_cut_is_reported(calibrated: tuple[Project, Survey]) -> None:
     project, survey = calibrated
     with pytest.raises(InputError, match="above each other"):
         section_between(np.zeros(3), np.array([0.0, 0.0, 4.0]))

@@ -56,7 +56,7 @@ def test_roles_and_points_without_names(tmp_path: Path) -> None:
     assert [point.name for point in found.points] == ["101", "102"]
 
 
-def test_columns_named_or_stated_decide_the_order(tmp_path: Path) -> None:
+def test_columns_named_or_given_decide_the_order(tmp_path: Path) -> None:
     text = "pt,northing,easting,elevation,description\n1,5041635.7,614119.5,8.1,board\n"
     on_map = (614119.5, 5041635.7, 8.1)
     found = read_point_list(written(tmp_path, text), local=False)

@@ -172,7 +172,7 @@ def test_names_and_roles_where_the_list_has_none(
     ]  # fmt: skip
 
 
-def test_the_same_surface_twice_is_told(
+def test_the_same_surface_twice_is_reported(
     demo_project: Project, survey: Survey, tmp_path: Path
 ) -> None:
     path = tmp_path / "targets.txt"
@@ -184,7 +184,7 @@ def test_the_same_surface_twice_is_told(
     assert outcomes[1].message.code == "overlap.same_surface_twice"
 
 
-def test_cancelled_half_way_and_what_cannot_be_sought(
+def test_cancelled_half_way_and_seeds_that_cannot_be_searched(
     demo_project: Project, survey: Survey, tmp_path: Path
 ) -> None:
     path = tmp_path / "targets.txt"

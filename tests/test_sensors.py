@@ -214,7 +214,7 @@ def test_a_new_project_takes_sigmas_and_names_from_the_library(
         ("--pos", "sextant", "sensor.no_pos"),
     ],
 )
-def test_what_the_library_lacks_is_said(
+def test_what_the_library_lacks_is_reported(
     own: Path, tmp_path: Path, option: str, word: str, code: str
 ) -> None:
     words = [

@@ -60,7 +60,7 @@ def test_a_value_is_shown_alike_everywhere(
     assert said == printed.replace(" ", "\u00a0")
 
 
-def test_two_surface_sigmas_are_told_where_there_are_two(sample: Sample, tmp_path: Path) -> None:
+def test_two_surface_sigmas_are_shown_where_there_are_two(sample: Sample, tmp_path: Path) -> None:
     project = sample_project(tmp_path / "report")
     assert project.result is not None
     for offset, words in (
@@ -99,7 +99,7 @@ def test_a_sighting_is_marked_where_the_report_says_that_it_disagrees(sample: Sa
     assert all(len(row.cells) == len(sighting_columns()) for row in rows)
 
 
-def test_the_spread_has_one_name_and_the_halves_are_told_once(
+def test_the_spread_has_one_name_and_the_halves_are_reported_once(
     capsys: pytest.CaptureFixture[str], sample: Sample, tmp_path: Path
 ) -> None:
     result, checks = sample
@@ -162,7 +162,7 @@ def test_one_is_not_many(capsys: pytest.CaptureFixture[str], sample: Sample) -> 
         (VarianceComponent("LiDAR", 1.04, 1.01, 1.07), "component.too_small"),
     ],
 )
-def test_a_variance_component_is_told_alike_everywhere(
+def test_a_variance_component_is_reported_alike_everywhere(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, component: VarianceComponent, code: str
 ) -> None:
     project = sample_project(tmp_path)
@@ -214,7 +214,7 @@ def test_a_value_without_a_number_is_neither() -> None:
     )
 
 
-def test_the_point_farthest_off_is_told_with_its_time_everywhere(
+def test_the_point_farthest_off_is_reported_with_its_time_everywhere(
     sample: Sample, tmp_path: Path
 ) -> None:
     result = sample[0]

@@ -258,7 +258,7 @@ def test_what_cannot_be_replayed_is_refused(
     assert refusal.code == "simulate.lines_by_heading"
 
 
-def test_mistakes_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_mistakes_are_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     refusal = command_error("simulate", "prot", "--output", tmp_path / "a")
     assert refusal.code == "simulate.no_scene"
     assert refusal.message is not None

@@ -105,7 +105,7 @@ def test_validation_planes_are_seen_from_opposite_lines(survey):
         assert len(pairs) >= 4, (name, seen)
 
 
-def test_site_is_arranged_as_stated(survey):
+def test_site_is_arranged_as_given(survey):
     scanner_height = survey.trajectory.true_position_local[:, 2].mean() + survey.lever_arm[2]
     for name, size in zip(TARGETS, [(1.23, 1.22), (1.23, 0.76)], strict=True):
         board = survey.scene[name]
@@ -235,7 +235,7 @@ def test_the_same_seed_gives_the_same_survey():
     assert not np.array_equal(first.trajectory.latitude, other.trajectory.latitude)
 
 
-def test_progress_is_told_and_can_stop():
+def test_progress_is_reported_and_can_stop():
     told: list[float] = []
 
     def stop_at_half(fraction: float, step: Step | None = None) -> None:

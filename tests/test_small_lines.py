@@ -26,7 +26,7 @@ from lispac.workflow.project.projects import (
     with_lines_added,
 )
 from lispac.workflow.project.survey import load_survey
-from tests.intake_files import LEVER, START, fan, write_line, write_survey
+from tests.input_file_samples import LEVER, START, fan, write_line, write_survey
 from tests.trajectory_files import write_records
 
 
@@ -49,7 +49,7 @@ def project(folder: Path, tmp_path: Path) -> Project:
 
 
 @pytest.mark.parametrize("latency", [0.0, 4.0, -4.0])
-def test_points_that_a_latency_takes_out_of_the_trajectory_are_left_out(
+def test_points_that_a_latency_takes_out_of_the_trajectory_are_skipped(
     project: Project, folder: Path, latency: float
 ) -> None:
     """A line with all its times inside, but not with the latency added to them."""

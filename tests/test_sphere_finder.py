@@ -150,7 +150,7 @@ def test_a_shallow_dish_is_too_little_of_a_ball():
         find_sphere(dish, seed, ANY, SETTINGS)
 
 
-def test_an_uneven_plate_within_a_wide_threshold_is_said_to_be_flat():
+def test_an_uneven_plate_within_a_wide_threshold_is_reported_as_flat():
     rng = np.random.default_rng(11)
     points = plate(rng)
     points += rng.normal(0.0, 0.01, (len(points), 1)) * np.array([0.0, 1.0, 0.0])
@@ -184,7 +184,7 @@ def test_a_small_ball_before_a_large_one_is_found_where_it_was_clicked():
         (np.zeros((500, 3)), np.zeros(2), "finder.seed", {}),
     ],
 )
-def test_without_points_the_reason_is_said(points, seed, code, params):
+def test_without_points_the_reason_is_given(points, seed, code, params):
     with pytest.raises(SphereNotFound, check=has_code(code, **params)):
         find_sphere(points, seed, ANY, SETTINGS)
 

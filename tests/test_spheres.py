@@ -110,7 +110,7 @@ def centre_or_reason(points, radius=None):
         return said.code
 
 
-def test_a_known_radius_helps_where_a_free_one_cannot_be_told():
+def test_a_known_radius_helps_where_a_free_one_is_undetermined():
     """Eight degrees of half angle are a bulge of 1 mm on a ball of 0.1 m."""
     true = Sphere(np.zeros(3), 0.1)
     helped = 0

@@ -80,7 +80,7 @@ def test_closed_loop_without_noise(model, known, with_board, start_deg):
     ("known", "with_board", "start_deg"),
     [(True, False, 0.0), (True, True, 0.0), (False, True, 1.95)],  # near, as above
 )
-def test_error_is_within_the_stated_sigma(seed, known, with_board, start_deg):
+def test_error_is_within_the_given_sigma(seed, known, with_board, start_deg):
     """POS errors drift and the LiDAR is noisy, as the model says."""
     targets = [*three_balls(known), *(BOARDS[1:] if with_board else ())]
     exact = error_free_survey(TRUTH, targets, six_courses(), 0.03, np.random.default_rng(seed))

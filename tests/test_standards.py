@@ -24,7 +24,7 @@ def _result(folder: Path, boresight_deg: tuple[float, float, float]) -> Adjustme
 
 
 @pytest.mark.parametrize("boresight_deg", [(0.4, -1.9, 0.4), (90.0, 35.0, -120.0)])
-def test_no_beam_moves_farther_than_stated_and_one_does_that_far(
+def test_no_beam_moves_farther_than_given_and_one_does_that_far(
     tmp_path: Path, boresight_deg: tuple[float, float, float]
 ) -> None:
     result = _result(tmp_path, boresight_deg)

@@ -176,7 +176,7 @@ def test_raw_points_come_back(tmp_path: Path) -> None:
     np.testing.assert_allclose(back, points, rtol=0, atol=1e-9)
 
 
-def test_the_stated_bound_holds(tmp_path: Path) -> None:
+def test_the_given_bound_holds(tmp_path: Path) -> None:
     path = tmp_path / "a.sbet"
     frame = sbet(path, 10.0)
     track = read_sbet(path)

@@ -42,7 +42,7 @@ def test_every_point_comes_back_once_with_all_its_columns(tmp_path: Path) -> Non
     assert sorted(path.name for path in (tmp_path / "L1").iterdir()) == ["columns-1", "store.json"]
 
 
-def test_the_manifest_tells_what_the_line_extends_over(tmp_path: Path) -> None:
+def test_the_manifest_has_the_extent_of_the_line(tmp_path: Path) -> None:
     line = Line(2_500)
     line.time = np.random.default_rng(2).permutation(line.time)
     manifest = stored(tmp_path, line).manifest

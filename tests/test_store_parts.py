@@ -42,7 +42,7 @@ pytestmark = pytest.mark.usefixtures("small")
 
 
 @pytest.mark.parametrize("intensity", ["own", "shared", "none"])
-def test_a_line_whose_file_leaves_out_nothing(tmp_path: Path, intensity: str) -> None:
+def test_a_line_whose_file_omits_nothing(tmp_path: Path, intensity: str) -> None:
     """Its numbers are those of the file, and its sample has the intensities that there are."""
     line = Line(80)
     if intensity == "shared":
@@ -94,7 +94,7 @@ def test_a_line_imported_again_while_it_is_opened_is_opened_anew(
     assert found.manifest.folder != first.folder
 
 
-def test_a_manifest_newer_than_what_was_looked_at_stays(tmp_path: Path) -> None:
+def test_a_manifest_newer_than_what_was_examined_stays(tmp_path: Path) -> None:
     old = stored(tmp_path, Line(80)).manifest
     now = stored(tmp_path, Line(90)).manifest
     replace_manifest(tmp_path, old, replace(old, reach=98.0))
@@ -112,7 +112,7 @@ def test_a_column_of_what_no_import_writes_is_damage(tmp_path: Path) -> None:
     assert why(refused.value) == "store.column_type"
 
 
-def test_a_column_of_another_type_than_stated_is_damage(tmp_path: Path) -> None:
+def test_a_column_of_another_type_than_given_is_damage(tmp_path: Path) -> None:
     np.save(tmp_path / "time.npy", np.zeros(5, np.float32))
     with pytest.raises(ProjectError) as refused:
         map_column(tmp_path, StoredColumn("time", "<f8", file="time.npy", count=5), 5)
@@ -256,7 +256,7 @@ def test_equal_keys_stay_as_they_stand() -> None:
     np.testing.assert_array_equal(stable_order(keys), np.lexsort([np.arange(3000), keys]))
 
 
-def test_a_sample_is_never_larger_than_wanted() -> None:
+def test_a_sample_is_never_larger_than_requested() -> None:
     numbers = np.arange(40)
     assert is_drawn(numbers, 40, 40).all()
     assert not is_drawn(np.arange(1000), 1000, 0).any()

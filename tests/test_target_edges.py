@@ -45,7 +45,7 @@ def test_clouds_that_no_translation_lays_onto_each_other_have_no_shift() -> None
     np.testing.assert_allclose(found.vector, [0.2, 0.0, 0.0], atol=0.05)
 
 
-def test_a_line_like_nothing_about_the_target_is_said() -> None:
+def test_a_line_like_nothing_about_the_target_is_reported() -> None:
     """There are points within reach of the seed, but none where the target could have moved."""
     settings = FinderSettings(radius=2.0, max_shift=0.3)
     reference = WeightedSurroundings(_cube(1), np.ones(400))
@@ -92,7 +92,7 @@ def _balls(second: np.ndarray) -> dict[str, str]:
     return missing
 
 
-def test_two_balls_alike_beside_where_one_was_are_not_told_apart() -> None:
+def test_two_balls_alike_beside_where_one_was_are_ambiguous() -> None:
     assert _balls(_ball((0.4, 15.0, 5.0))) == {}
     twins = np.vstack([_ball((0.6, 15.0, 5.0)), _ball((-0.6, 15.0, 5.0))])
     (reason,) = _balls(twins).values()
@@ -131,7 +131,7 @@ def _board(centre: tuple[float, float, float]) -> np.ndarray:
     return np.column_stack([flat[:, 0], rng.normal(0.0, 0.002, 2500), flat[:, 1]]) + centre
 
 
-def test_two_boards_alike_at_different_depths_are_not_told_apart() -> None:
+def test_two_boards_alike_at_different_depths_are_ambiguous() -> None:
     place = (0.0, 15.0, 5.0)
     twins = np.vstack([_board((0.8, 15.2, 5.0)), _board((-0.8, 14.8, 5.0))])
     _, missing = find_in_lines(
@@ -142,7 +142,7 @@ def test_two_boards_alike_at_different_depths_are_not_told_apart() -> None:
     assert missing["L2"].params["distance"] == pytest.approx(1.65, abs=0.01)
 
 
-def test_a_speck_of_a_ball_does_not_tell_where_it_is() -> None:
+def test_a_speck_of_a_ball_does_not_determine_its_position() -> None:
     """Four points a tenth of a micrometre apart, of a ball of a metre."""
     speck = 1e-7 * np.array([(0.0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 1e-3)])
     with pytest.raises(SphereNotFound, check=has_code("target.sphere_small_part")):
@@ -194,7 +194,7 @@ def test_where_no_lines_meet_there_is_no_mismatch() -> None:
     assert np.isnan(mismatch.mismatch_curve(np.zeros(3), 0, np.radians([-1.0, 1.0]))).all()
 
 
-def test_angles_that_never_come_to_rest_are_said_not_to_have_settled(
+def test_angles_that_never_come_to_rest_are_reported_as_not_converged(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Every step is a degree: all steps are taken, and none is the last."""

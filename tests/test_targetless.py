@@ -88,7 +88,7 @@ def test_each_angle_is_within_three_sigma_of_the_truth(
     assert clean.result.observability is not None
 
 
-def test_the_weakest_direction_is_that_of_the_stated_covariance(clean: TargetlessResult) -> None:
+def test_the_weakest_direction_is_that_of_the_given_covariance(clean: TargetlessResult) -> None:
     """Also where the scatter of subsets has raised the sigmas."""
     observability = clean.result.observability
     assert observability is not None
@@ -231,7 +231,7 @@ def test_harbour_from_the_command_line(
     assert open_project(project).result is None
 
 
-def test_targets_and_the_scene_tell_more_together(thinned: Opened) -> None:
+def test_targets_and_the_scene_determine_more_together(thinned: Opened) -> None:
     """And what is seen of a target's board is not counted twice."""
     project, survey = thinned
     for name in ("T1", "T2"):

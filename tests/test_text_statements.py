@@ -167,7 +167,7 @@ def test_every_notation_of_an_angle_gives_it_back(value: float) -> None:
     assert abs(degrees_minutes_seconds(dms(value, sign)) - value) < 1e-8
 
 
-def test_states_before_the_first_fix_are_left_out(tmp_path: Path) -> None:
+def test_states_before_the_first_fix_are_skipped(tmp_path: Path) -> None:
     zero = np.arange(50) < 7
     read = Trajectory(
         TIME, np.radians(np.where(zero, 0, LATITUDE)), np.radians(np.where(zero, 0, LONGITUDE)),

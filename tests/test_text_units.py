@@ -43,7 +43,7 @@ def write(path: Path, head: str, row: Row) -> Path:
     return path
 
 
-def looked_at(path: Path) -> FilePreview:
+def preview_of(path: Path) -> FilePreview:
     return recognise_formats(path, "trajectory")[0][0].preview(path, {})
 
 
@@ -249,7 +249,7 @@ def test_titles_that_contradict_are_warnings(
         tmp_path / "track.csv", head,
         lambda t, a, o: f"{t:.2f},{a:.9f},{o:.9f},12.5,1,2,{angle:.6f},{angle:.6f}",
     )  # fmt: skip
-    messages = looked_at(path).messages
+    messages = preview_of(path).messages
     assert [each.code for each in messages] == codes
     assert all(each.level is Level.WARNING for each in messages)
 

@@ -156,14 +156,14 @@ def test_usual_mixtures(points: str, track: str, shift: float | None) -> None:
         assert found[0].shift == 0
 
 
-def test_ambiguity_is_stated() -> None:
+def test_ambiguity_is_reported() -> None:
     found = find_time_matches(times(50_400, 60), times(50_000, 3600))
     assert found[0].shift == 0
     assert 18.0 in [match.shift for match in equally_good_matches(found)]
     assert not equally_good_matches(find_time_matches(times(50_400, 60), times(50_400, 60)))
 
 
-def test_leap_seconds_taken_from_today_are_said() -> None:
+def test_leap_seconds_taken_from_today_are_reported() -> None:
     day, week = base_of_key("utc-day"), base_of_key("gps-week")
     found = find_time_matches(
         times(50_400, 60), times(2 * DAY + 50_000, 3600), point_bases=[day], trajectory_bases=[week]
@@ -187,7 +187,7 @@ def test_line_after_the_week_rolled_over() -> None:
     assert any(match.shift == WEEK for match in found)
 
 
-def test_no_match_is_said() -> None:
+def test_no_match_is_reported() -> None:
     assert find_time_matches(np.array([5e13]), times(0, 60)) == ()
     assert find_time_matches(np.zeros(0), times(0, 60)) == ()
 
@@ -224,7 +224,7 @@ def test_lost_precision_is_found() -> None:
         np.array([1.0, 2.0, np.inf]),
     ],
 )
-def test_sound_times_have_no_doubts(sound: np.ndarray) -> None:
+def test_sound_times_have_no_warnings(sound: np.ndarray) -> None:
     assert assess_times(sound).messages("a") == ()
 
 

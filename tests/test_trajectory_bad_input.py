@@ -69,7 +69,7 @@ def error_of(key: str, path: Path, choice: dict[str, str] | None = None) -> Inpu
     return error.value
 
 
-def look(key: str, path: Path) -> None:
+def examine(key: str, path: Path) -> None:
     """A look says its doubts or refuses in a sentence; nothing else comes out."""
     finding, told = outcome(format_of(key).preview, path, {})
     file_warnings = finding.file_warnings if isinstance(finding, FilePreview) else ()
@@ -98,7 +98,7 @@ def test_missing_empty_and_folder(tmp_path: Path, key: str) -> None:
         path = tmp_path / name
         assert re.search(words, refused(key, path))
         assert format_of(key).sniff(path) == 0
-        look(key, path)
+        examine(key, path)
 
 
 @pytest.mark.parametrize("key", BINARY)
@@ -137,7 +137,7 @@ def test_other_content(tmp_path: Path, key: str) -> None:
         path.write_bytes(content)
         assert format_of(key).sniff(path) < 0.7, name
         refused(key, path)
-        look(key, path)
+        examine(key, path)
 
 
 def records_with(change: Callable[[np.ndarray], None]) -> Callable[[Path], Path]:
@@ -201,7 +201,7 @@ def test_sbet_matrix(tmp_path: Path, case: str) -> None:
     change, words = SBET_MATRIX[case]
     path = records_with(change)(tmp_path / "a.sbet")
     assert re.search(words, refused("sbet", path))
-    look("sbet", path)
+    examine("sbet", path)
 
 
 @pytest.mark.parametrize("case", SBET_CODES)
@@ -212,7 +212,7 @@ def test_states_of_an_sbet_that_cannot_be(tmp_path: Path, case: str) -> None:
     assert message is not None
     assert message.code == code
     assert dict(message.params).items() >= params.items()
-    look("sbet", path)
+    examine("sbet", path)
 
 
 def test_sbet_of_another_byte_order(tmp_path: Path) -> None:

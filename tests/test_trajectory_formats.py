@@ -84,7 +84,7 @@ def test_smrmsg_is_recognised_and_shown(tmp_path: Path) -> None:
     np.testing.assert_allclose(format.read(tmp_path / "smrmsg.out", {}).attitude, 2e-4)
 
 
-def test_real_files_are_told_apart(shared_data: Path) -> None:
+def test_formats_of_real_files_are_distinguished(shared_data: Path) -> None:
     harbour = shared_data / "harbour"
     assert recognise_formats(harbour / "trajectory.sbet", "accuracy") == []
     assert recognise_formats(harbour / "smrmsg.out", "trajectory") == []
@@ -240,7 +240,7 @@ def test_mapping_is_the_string_that_was_saved(tmp_path: Path) -> None:
     assert message_text(found.facts["Rate"]) == "50.0 per second"
 
 
-def test_signs_are_turned_as_stated(tmp_path: Path) -> None:
+def test_signs_are_turned_as_given(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(50)), "%.12f")
     up = ASCII.read(tmp_path / "a.txt", {}).attitude
     other = ASCII.read(tmp_path / "a.txt", {"pitch": "bow-down", "roll": "port-down"})
@@ -325,7 +325,7 @@ def test_feet_in_a_row_of_names_are_found(tmp_path: Path) -> None:
     agrees(ASCII.read(tmp_path / "a.csv", finding.choice), vessel(50))
 
 
-def test_heights_above_the_sea_are_said(tmp_path: Path) -> None:
+def test_heights_above_the_sea_are_reported(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "a.txt", table(vessel(50)), "%.12f")
     columns = "time latitude longitude altitude roll pitch heading"
     trajectory = ASCII.read(tmp_path / "a.txt", {"columns": columns})

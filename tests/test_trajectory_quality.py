@@ -9,7 +9,7 @@ from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.checking.trajectory_quality import trajectory_on_lines
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.few_passes import picked
+from tests.few_lines import picked
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +49,7 @@ def test_a_gap_is_seen_on_its_line(survey: Survey) -> None:
     assert all(each.longest_gap_s < 0.01 for line, each in found.items() if line != name)
 
 
-def test_a_line_beside_a_trajectory_that_has_one_state_there_is_left_out() -> None:
+def test_a_line_beside_a_trajectory_that_has_one_state_there_is_skipped() -> None:
     """Of which nothing can be said: neither a speed nor an interval."""
     _, survey = picked()
     whole = survey.trajectory

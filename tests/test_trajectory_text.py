@@ -87,7 +87,7 @@ def test_utf_16(tmp_path: Path, encoding: str, count: int) -> None:
     assert facts["Rows"].params["count"] == pytest.approx(count, rel=0.05)
 
 
-def test_what_keeps_a_trajectory_out_is_said_once_without_its_path(tmp_path: Path) -> None:
+def test_a_refused_trajectory_is_reported_once_without_its_path(tmp_path: Path) -> None:
     path = tmp_path / "a.txt"
     head = "TIME, EASTING, NORTHING, ELLIPSOID HEIGHT, ROLL, PITCH, HEADING\n(time in Sec, "
     head += "position in Meters, orientation in Degrees)\n"

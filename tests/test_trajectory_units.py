@@ -133,7 +133,7 @@ def test_generic_text_heeds_the_unit_in_the_names(
     assert name_of_unit(trajectory, "easting") == name
 
 
-def test_unit_stated_by_the_user_goes_before_that_of_the_names(tmp_path: Path) -> None:
+def test_a_given_unit_goes_before_that_of_the_names(tmp_path: Path) -> None:
     records, rows = gridded(NEW_JERSEY, FOOT)
     head = "Time,Easting[m],Northing[m],Height[m],Roll[deg],Pitch[deg],Heading[deg]\n"
     path = write(tmp_path / "a.csv", head, rows, ",")
@@ -181,7 +181,7 @@ def test_words_of_feet(words: str, unit: str) -> None:
     assert parse_unit(words) == unit
 
 
-def doubts_of_velocities(path: Path, word: str, unit: float, factor: float) -> tuple[Message, ...]:
+def velocity_warnings(path: Path, word: str, unit: float, factor: float) -> tuple[Message, ...]:
     """Doubts about positions in a unit that the header calls ``word``, beside true velocities."""
     records, rows = gridded(NEW_JERSEY, unit)
     course = records[:, 9] - np.radians(2)
@@ -193,22 +193,22 @@ def doubts_of_velocities(path: Path, word: str, unit: float, factor: float) -> t
 
 def test_velocities_of_the_file_show_a_wrong_unit(tmp_path: Path) -> None:
     path = tmp_path / "a.txt"
-    right = codes(doubts_of_velocities(path, "Meters", 1.0, 1.0))
+    right = codes(velocity_warnings(path, "Meters", 1.0, 1.0))
     assert not any("speed_differs" in code for code in right)
     (wrong,) = (
-        each for each in doubts_of_velocities(path, "US Survey Feet", 1.0, 1.0)
+        each for each in velocity_warnings(path, "US Survey Feet", 1.0, 1.0)
         if each.code == "trajectory.speed_differs_by_feet"
     )  # fmt: skip
     assert wrong.params["ratio"] == pytest.approx(0.305, abs=5e-4)
     assert wrong.params["east"] == "EAST VELOCITY"
     (knots,) = (
-        each for each in doubts_of_velocities(path, "Meters", 1.0, 1.9438)
+        each for each in velocity_warnings(path, "Meters", 1.0, 1.9438)
         if each.code == "trajectory.speed_differs"
     )  # fmt: skip
     assert knots.params["ratio"] == pytest.approx(0.514, abs=5e-4)
 
 
-def test_speed_that_no_vessel_has_is_doubted(tmp_path: Path) -> None:
+def test_a_speed_that_no_vessel_has_gives_a_warning(tmp_path: Path) -> None:
     for times, doubted in ((1, False), (20, True)):
         records = vessel(1000)
         rows = np.column_stack([records[:, 0], np.degrees(records[:, [1, 2]]), records[:, 3]])
@@ -220,7 +220,7 @@ def test_speed_that_no_vessel_has_is_doubted(tmp_path: Path) -> None:
         assert ("trajectory.fast" in codes(file_warnings)) == doubted
 
 
-def test_jump_of_an_sbet_is_doubted(tmp_path: Path) -> None:
+def test_a_jump_of_an_sbet_gives_a_warning(tmp_path: Path) -> None:
     records = vessel(2000)
     path = write_records(tmp_path / "a.sbet", records)
     assert "trajectory.jumps" not in codes(SBET.preview(path, {}).file_warnings)
@@ -230,7 +230,7 @@ def test_jump_of_an_sbet_is_doubted(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("unit", "said"), [(FOOT, True), (1.0, False)])
-def test_positions_far_from_where_the_system_is_meant_for_are_doubted(
+def test_positions_outside_the_area_of_the_system_give_a_warning(
     tmp_path: Path, unit: float, said: bool
 ) -> None:
     """Feet that nothing calls so, in a system in metres."""

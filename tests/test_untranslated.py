@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.french_catalogue import FRENCH
-from tests.told import told
+from tests.source_texts import displayed_texts
 
 ROOT = Path(__file__).resolve().parents[1] / "lispac"
 ENGLISH_ONLY = {"cli", "scripting", "gui/app.py", "workflow/checking/batch.py"}
@@ -111,7 +111,7 @@ def _literals(module: str) -> list[tuple[int, str]]:
     """Line and text of the strings that may be shown: no style sheets, more than tags."""
     return [
         (line, text)
-        for line, text in told(ROOT / module, at_once=True)
+        for line, text in displayed_texts(ROOT / module, at_once=True)
         if not text.rstrip().endswith((";", "}"))
         and len(_WORD.findall(_TAG.sub("", text))) >= _FEWEST_WORDS
     ]

@@ -74,7 +74,7 @@ def test_the_variance_factor_of_exact_sigmas_is_one() -> None:
     assert lower < statistic / freedom < upper
 
 
-def test_a_mean_strays_less_from_the_chord_than_its_points() -> None:
+def test_a_mean_deviates_less_from_the_chord_than_its_points() -> None:
     """Against the mean of the covariances of a Brownian bridge over all pairs of its points."""
     generator = np.random.default_rng(5)
     model = StochasticModel()

@@ -151,7 +151,7 @@ def test_drag_rotates_about_the_point_under_the_cursor_and_up_stays_up(viewport)
     assert viewport.camera.azimuth != pytest.approx(1.5 * np.pi)
 
 
-def test_highlights_lie_over_their_line_and_selection_tells_them_apart(viewport):
+def test_highlights_lie_over_their_line_and_selection_distinguishes_them(viewport):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.view("front")

@@ -145,7 +145,7 @@ def test_sample_is_the_same_each_time_and_even():
     np.testing.assert_array_equal(lowest_ranked(np.full(5, 0.9, np.float32), 2), [0, 1])
 
 
-def test_robust_sample_leaves_out_stray_echoes_only():
+def test_robust_sample_rejects_outliers_only():
     points = np.random.default_rng(0).uniform(-1, 1, size=(20_000, 3))
     points[7] = [5000.0, 0.0, 0.0]
     kept = trimmed_points(points)

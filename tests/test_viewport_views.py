@@ -150,7 +150,7 @@ def test_an_outline_is_drawn_with_the_left_button(viewport):
     assert len(told) == 1
 
 
-def test_what_is_under_the_resting_mouse_is_told_while_hovering(viewport, qtbot):
+def test_what_is_under_the_resting_mouse_is_shown_while_hovering(viewport, qtbot):
     clouds, colours = scene()
     viewport.show_clouds(clouds, colours)
     viewport.view("front")

@@ -272,7 +272,7 @@ def test_best_configurations_beside_table_3_2(terrestrial: VisibilityStudy) -> N
 
 
 @pytest.mark.parametrize("distance", [4.0, 8.0])
-def test_the_comparison_does_not_hang_on_what_the_thesis_leaves_open(distance: float) -> None:
+def test_the_comparison_does_not_depend_on_what_the_thesis_leaves_open(distance: float) -> None:
     """Its terrestrial site has no stated distance; other distances and beams change no verdict."""
     site = replace(
         TERRESTRIAL, distance=distance, angle_step=float(np.radians(0.4)), profile_spacing=0.07
@@ -381,7 +381,7 @@ def test_figures_hold_all_lines_and_can_be_drawn_again(
         assert np.array_equal(line.get_ydata(), expected, equal_nan=True)
 
 
-def test_what_no_inclination_keeps_is_told_by_the_thesis_alone(
+def test_what_no_inclination_keeps_is_reported_by_the_thesis_alone(
     terrestrial: VisibilityStudy,
 ) -> None:
     blind = replace(terrestrial, type_one=0 * terrestrial.type_one)

@@ -23,7 +23,7 @@ from lispac.workflow.calibration.sighting_assessment import sighting_qualities
 from lispac.workflow.checking.warnings import LISTED_SINGLY, warnings_of
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
-from tests.few_passes import picked
+from tests.few_lines import picked
 from tests.report_sample import sample_content, sample_project
 
 
@@ -32,7 +32,7 @@ def coded(project: Project, **named) -> dict[str, Message]:
     return {each.code: each for each in warnings_of(project, None, **named)}
 
 
-def full_of_cautions(tmp_path: Path) -> Project:
+def with_all_warnings(tmp_path: Path) -> Project:
     """A target left out, one on a single line, a failed test, no validation, a truth."""
     project = sample_project(tmp_path)
     assert project.result is not None
@@ -50,7 +50,7 @@ def full_of_cautions(tmp_path: Path) -> Project:
 
 def test_it_holds_the_messages_of_the_report(tmp_path: Path) -> None:
     """All of them, but for sums of what is in it one by one."""
-    project = full_of_cautions(tmp_path)
+    project = with_all_warnings(tmp_path)
     found = warnings_of(project, None)
     codes = set()
     for message in sample_content(project).warnings:
@@ -77,7 +77,7 @@ def test_every_warning_about_a_result_is_in_it_with_its_cause(tmp_path: Path) ->
 
 
 def test_warnings_come_before_notes(tmp_path: Path) -> None:
-    project = full_of_cautions(tmp_path)
+    project = with_all_warnings(tmp_path)
     order = list(Level)
     found = warnings_of(project, None, refusal="No target is left.")
     ranks = [order.index(each.level) for each in found]
@@ -88,7 +88,7 @@ def test_warnings_come_before_notes(tmp_path: Path) -> None:
     )
 
 
-def test_an_answer_older_than_a_refused_estimate_is_told_of(tmp_path: Path) -> None:
+def test_a_result_out_of_date_after_a_refused_estimate_is_reported(tmp_path: Path) -> None:
     reason = "All targets face one way."
     told = coded(sample_project(tmp_path), refused_since=reason)
     assert told["adjustment.refused_since"] == outdated_result_warning(reason)
@@ -148,7 +148,7 @@ def test_an_answer_that_an_edit_has_dropped_is_missed(
     assert found == (expected if stale and not estimated else None)
 
 
-def test_a_single_target_is_told_before_it_is_adjusted(tmp_path: Path) -> None:
+def test_a_single_target_is_reported_before_it_is_adjusted(tmp_path: Path) -> None:
     project = replace(sample_project(tmp_path), result=None, validation=())
     code = "project.single_target"
     assert code not in coded(project)
@@ -158,7 +158,9 @@ def test_a_single_target_is_told_before_it_is_adjusted(tmp_path: Path) -> None:
     assert coded(alone)[code] == note(code, subject=Cause.of_target("T2"))
 
 
-def test_planes_that_could_not_be_compared_are_each_told_with_the_reason(tmp_path: Path) -> None:
+def test_planes_that_could_not_be_compared_are_reported_with_the_reason(
+    tmp_path: Path,
+) -> None:
     project = sample_project(tmp_path)
     reasons = {name: error("finder.unknown_line", line=name) for name in ("V4", "V5")}
     found = warnings_of(project.with_validation(project.validation, reasons), None)
@@ -167,7 +169,7 @@ def test_planes_that_could_not_be_compared_are_each_told_with_the_reason(tmp_pat
         assert expected in found
 
 
-def test_gaps_of_the_trajectory_are_told_where_they_are_not_bridged() -> None:
+def test_gaps_of_the_trajectory_are_reported_where_they_are_not_bridged() -> None:
     project, survey = picked()
     time = survey.trajectory.time.copy()
     time[len(time) // 2 :] += 7.0
@@ -181,7 +183,7 @@ def test_gaps_of_the_trajectory_are_told_where_they_are_not_bridged() -> None:
     assert code not in [each.code for each in warnings_of(patient, torn)]
 
 
-def test_a_sighting_that_is_not_good_is_told_where_it_is() -> None:
+def test_a_sighting_that_is_not_good_is_reported_where_it_is() -> None:
     project, survey = picked()
     found = dict(sighting_qualities(project, survey))
     where = ("T2", "L3")
@@ -206,7 +208,7 @@ def test_a_sighting_that_is_not_good_is_told_where_it_is() -> None:
         ((-28.0, 4.0, 12.0), ["30.7 m long"]),
     ],
 )
-def test_a_lever_arm_that_is_hardly_ever_true_is_doubted(tmp_path: Path, lever_arm, words) -> None:
+def test_an_improbable_lever_arm_gives_a_warning(tmp_path: Path, lever_arm, words) -> None:
     found = lever_arm_warnings(lever_arm)
     assert len(found) == len(words)
     for message, part in zip(found, words, strict=True):
@@ -238,7 +240,7 @@ def test_the_command_prints_the_list(
 
 def test_a_report_in_json_holds_code_severity_text_and_parameters(tmp_path: Path) -> None:
     """In English whatever the language; its schema knows no cause."""
-    content = sample_content(full_of_cautions(tmp_path))
+    content = sample_content(with_all_warnings(tmp_path))
     with in_language("fr"):
         told = json.loads(json_text(content))["warnings"]
     assert told

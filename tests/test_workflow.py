@@ -70,7 +70,7 @@ def test_every_line_yields_both_targets(calibrated: tuple[Project, Survey]) -> N
         assert {s.line for s in project.target(name).sightings} == set(survey.lines)
 
 
-def test_truth_lies_in_the_stated_interval(calibrated: tuple[Project, Survey]) -> None:
+def test_truth_lies_in_the_given_interval(calibrated: tuple[Project, Survey]) -> None:
     """The built-in survey is one draw: three sigma hold it with near certainty."""
     project, _ = calibrated
     assert project.result is not None

@@ -51,7 +51,9 @@ def adjust_or_explain(
     Raises
     ------
     AdjustmentError
+        If the observations determine no boresight, or the adjustment does not converge.
     RankDeficient
+        If a parameter is not determined.
     NotConverged
         With the causes that were found, the one that fits best first.
     """

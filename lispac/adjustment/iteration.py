@@ -80,7 +80,9 @@ def iterate(
     Raises
     ------
     NotConverged
+        If the change is still above the tolerance after `MAX_ITERATIONS`.
     RankDeficient
+        If a parameter is not determined.
     LinAlgError
         Where a step cannot be solved for.
     """

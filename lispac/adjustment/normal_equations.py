@@ -253,6 +253,7 @@ def scaled_inverse(matrix: Array) -> Array:
     Raises
     ------
     RankDeficient
+        If the matrix is singular to working precision.
     """
     diagonal, factor = np.diag(matrix), None
     scale = 1 / np.sqrt(np.maximum(diagonal, np.finfo(float).tiny))

@@ -32,7 +32,7 @@ CLUSTER_RATIO = 0.05
 """Distance of targets, over that from the scanner, below which they act as one: POS errors, the
 direction of the beams and what is wrong with a line are the same for all of them."""
 MAX_SIGHTINGS = 100
-"""Of more, none carries an angle."""
+"""Above this number, no single sighting determines an angle."""
 MIN_RATIO = 1.25
 """Factor of increase of a sigma without a line, from which the line is reported."""
 
@@ -169,6 +169,7 @@ def require_two_orientations(linearised: LinearisedProblem) -> None:
     Raises
     ------
     RankDeficient
+        If there is one plane only, or all planes are parallel.
     """
     if not _have_targets_one_orientation(linearised):
         return

@@ -20,7 +20,7 @@ MIN_SAMPLE = 200  # points of a sighting that are all wanted in a sample
 
 @dataclass(frozen=True)
 class Sighting:
-    """One target as measured on one line."""
+    """Measurement of one target on one line."""
 
     target: str
     line: str
@@ -179,6 +179,7 @@ class Observations:
         Raises
         ------
         AdjustmentError
+            If targets, points or lines are too few, or a value cannot be used.
         """
         if not self.sightings:
             raise AdjustmentError(error("adjustment.no_targets"))

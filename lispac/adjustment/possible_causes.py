@@ -42,7 +42,7 @@ STRONG_EVIDENCE = 6.0
 """Twice the logarithm of the Bayes factor from which a candidate is clearly better than another: 20
 to 1, "strong" by Kass and Raftery (1995)."""
 VERY_STRONG_EVIDENCE = 10.0
-"""That from which there is another error besides those found: 150 to 1, "very strong"."""
+"""Evidence above which there is another error besides those found: 150 to 1, "very strong"."""
 MIN_RMS_EFFECT = 1.5e-4
 """Metres: RMS of what an error does to the points beyond what all other unknowns explain, at least.
 Even a good board bends by more over its sighting, and the model has no term for that."""

@@ -135,6 +135,7 @@ def adjust(
     TargetDisagrees
         Where two targets are left at most, or starting shapes are given.
     NotConverged
+        If the iteration diverges or does not converge.
     """
     excluded: list[str] = []
     while True:
@@ -169,9 +170,13 @@ def _adjust_all_targets(
     Raises
     ------
     AdjustmentError
+        If the observations cannot be used.
     RankDeficient
+        If a parameter is not determined.
     TargetDisagrees
+        If no point of a target agrees with the others.
     NotConverged
+        If the iteration diverges or does not converge.
     """
     started = time.perf_counter()
     observations.require_usable()
@@ -338,6 +343,7 @@ def _require_still_determined(linearised: LinearisedProblem) -> None:
     Raises
     ------
     RankDeficient
+        If a parameter is no longer determined, or a given value contradicts the targets.
     """
     try:
         require_determined(linearised)

@@ -29,7 +29,7 @@ METHOD_TEXTS: dict[Method, str] = {
     "targetless": "adjustment with surfaces detected automatically in the scene",
     "patch test": "alignment of the lines on common objects",
 }
-"""What each method is."""
+"""Description of each method."""
 
 
 def compare_methods(arguments: Namespace) -> None:

@@ -57,6 +57,7 @@ def opened_project(path: Path, *, change: bool) -> "Iterator[Project]":
     Raises
     ------
     ProjectError
+        If the folder contains no valid project, or another program has locked it.
     InputError
         Where it is to be changed and its folder cannot be written.
     """

@@ -125,6 +125,7 @@ def parse_parameters(named: Iterable[str] | None) -> tuple[Parameter, ...] | Non
     Raises
     ------
     UsageError
+        If a parameter is unknown or its sigma is not a number.
     """
     if named is None:
         return None

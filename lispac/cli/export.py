@@ -20,7 +20,7 @@ from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
 
 FORMATS = {"targets": ("laz", "las", "csv"), "trajectory": ("sbet", "text"), "planes": ("text",)}
-"""For each thing to export, the usual format first."""
+"""Formats of each kind of export, the usual one first."""
 
 
 def export(arguments: Namespace) -> None:

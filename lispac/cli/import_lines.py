@@ -20,6 +20,7 @@ def import_lines(arguments: Namespace) -> None:
     Raises
     ------
     KeyboardInterrupt
+        If the user interrupts the import; the state reached is kept.
     Cancelled
         Where it is interrupted; what is read so far is kept.
     """

@@ -23,7 +23,7 @@ from lispac.workflow.project.survey import Survey, load_survey
 Array = NDArray[np.float64]
 
 NUMBERS = (6, 7)
-"""That a box is given by: without and with its turn."""
+"""Numbers that define a box: without and with its rotation."""
 
 
 def patchtest(arguments: Namespace) -> None:

@@ -87,6 +87,7 @@ def _require_matching_options(arguments: Namespace) -> None:
     Raises
     ------
     UsageError
+        If options exclude each other or a value is out of range.
     """
     if arguments.sphere_radius is not None and arguments.shape != "sphere":
         raise UsageError("--sphere-radius requires --shape sphere")

@@ -29,7 +29,7 @@ MAX_SIGMA_RATIO = 0.85
 
 @dataclass(frozen=True, eq=False)
 class FurtherLine:
-    """A line that could be sailed.
+    """A suggested further line.
 
     Attributes
     ----------

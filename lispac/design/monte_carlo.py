@@ -87,7 +87,7 @@ class MonteCarloResult:
 
     @property
     def chi_square(self) -> float:
-        """Of all errors with the predicted covariance; expected value: the number of angles."""
+        """Chi-square of the errors with the predicted covariance; expected: number of angles."""
         unit, inverse = self.errors / self.predicted, np.linalg.inv(self.correlation)
         return float(np.einsum("ni,ij,nj->", unit, inverse, unit))
 

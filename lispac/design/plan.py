@@ -94,7 +94,7 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """A survey to be sailed.
+    """A planned survey.
 
     Attributes
     ----------

@@ -22,7 +22,7 @@ INVALID_PLAN_VALUE = 2 * PRIOR_SIGMA
 targets all face one way, which the adjustment refuses: worse than any."""
 
 DIGITS = 9
-"""Of the number of a plan: plans that mirror each other are equal, whichever processor rounds."""
+"""Significant digits of an objective value: mirrored plans are equal on any processor."""
 
 
 def have_targets_one_orientation(plan: Plan) -> bool:
@@ -74,7 +74,7 @@ class DesignSpace:
         return boards * int(len(self.lines) ** self.site.lines)
 
     def all(self) -> Iterator[PlanChoice]:
-        """Every plan; a line may be sailed more than once."""
+        """Every plan; a line may be repeated."""
         for boards in combinations(range(len(self.places)), self.site.boards):
             for lines in product(range(len(self.lines)), repeat=self.site.lines):
                 yield PlanChoice(boards, lines)

@@ -68,7 +68,7 @@ class Prediction:
 
     @property
     def covariance(self) -> Array:
-        """Of roll, pitch, yaw, shape (3, 3), square radians; infinite where not determined."""
+        """Covariance of roll, pitch, yaw, shape (3, 3), square radians; infinite if open."""
         if not self.determined:
             return np.full((3, 3), np.inf)
         return np.asarray(np.linalg.inv(self.information))

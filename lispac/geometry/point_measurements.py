@@ -29,7 +29,7 @@ class PointDistance:
 
 
 def measure_distance(first: Array, second: Array) -> PointDistance:
-    """From ``first`` to ``second``, both of shape (3,), metres, North, West, Up."""
+    """Distance from ``first`` to ``second``, both of shape (3,), metres, North, West, Up."""
     north, west, up = (float(v) for v in np.subtract(second, first))
     horizontal = float(np.hypot(north, west))
     azimuth = float(np.arctan2(-west, north)) % (2 * np.pi) if horizontal else 0.0

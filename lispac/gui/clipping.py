@@ -17,7 +17,7 @@ from lispac.targets.cross_section import common_normal
 SKETCH_COLOUR: Colour = (255, 170, 0)
 SKETCH_NAME = "clip"
 BOX_MARGIN = 0.5
-"""Of the box about a target, metres."""
+"""Margin of the box around a target, metres."""
 
 
 class ClipBoxController(QObject):

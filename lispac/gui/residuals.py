@@ -21,7 +21,7 @@ from lispac.workflow.project.survey import Survey
 
 TITLE = N_("Distance from the surface (mm)")
 GREY = (188, 194, 200)
-"""Of points that belong to no target."""
+"""Colour of points that belong to no target."""
 OUTER_PERCENT = 2.0
 """Percent of the points, half at either end, that share the last colour."""
 

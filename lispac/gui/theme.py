@@ -25,7 +25,7 @@ TARGET_COLOUR: "Colour" = (220, 20, 90)
 VALIDATION_COLOUR: "Colour" = (130, 84, 232)
 CANDIDATE_COLOUR: "Colour" = (255, 196, 0)
 UNUSED_COLOUR: "Colour" = (130, 138, 146)
-"""In the view on both grounds."""
+"""Colour of unused points in the view, on light and dark backgrounds."""
 
 SPACING = 8
 """Pixels between neighbours; margins of a panel are twice that."""
@@ -89,7 +89,7 @@ QUALITY_ICONS = {
 }  # fmt: skip
 """Symbols of quality; they differ in shape too, for colour-blind users."""
 ICON_SIZES_PX = (16, 20, 24, 28, 32, 48, 64)
-"""So that there is one for each scaling of the screen."""
+"""Sizes of icons for each scaling of the screen."""
 
 
 def quality_icon(which: str) -> QIcon:

@@ -75,7 +75,7 @@ SAME_ORIENTATION = N_(
     "This target has the same orientation as the other, so the angles are not determined. Undo "
     "with Ctrl+Z, then Ctrl+click the board that leans back and press Enter."
 )
-"""Shown instead of the text of any step while that is so."""
+"""Text shown instead of that of a step while all targets have the same orientation."""
 
 
 class TourCard(QFrame):

@@ -47,7 +47,7 @@ LENGTHS: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
         "survey feet": _feet_units("ftUS", 1200 / 3937),
     }
 )
-"""By the key that is kept; small lengths are in feet, too, as surveyors who use them do."""
+"""Units of lengths by their stored key; small lengths are also in feet, as in practice."""
 ANGLES: Mapping[str, Mapping[Base, Unit]] = MappingProxyType(
     {
         "degrees": DEGREES,

@@ -65,6 +65,7 @@ def require_file(path: Path, what: str) -> Path:
     Raises
     ------
     InputError
+        If it is missing, no file, unreadable or compressed in another way.
     """
     path, kind = Path(path), file_kind_message(what)
     try:
@@ -172,6 +173,7 @@ def require_numbers(records: NDArray[np.float64], path: Path, what: str) -> None
     Raises
     ------
     InputError
+        If a record contains such a value.
     """
     kind = file_kind_message(what)
     bad = ~np.isfinite(records).all(axis=1)
@@ -202,6 +204,7 @@ def require_increasing(
     Raises
     ------
     InputError
+        If a time is not later than the one before.
     """
     quality = assess_times(time)
     if quality.first_disorder is None:

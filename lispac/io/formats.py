@@ -44,6 +44,7 @@ def format_of(key: str) -> FileFormat:
     Raises
     ------
     InputError
+        If no format has that key.
     """
     known = {format.key: format for format in (*TRAJECTORIES, *ACCURACIES, *POINTS)}
     if key not in known:

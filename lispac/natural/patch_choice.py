@@ -32,7 +32,7 @@ PRIOR_SIGMA = np.radians(3.0)
 STEP = 1e-4
 """Radians by which angles are turned to compute how a point moves."""
 FLOOR, ROUGHNESS = 0.003, 0.3
-"""What a sighting of a patch is off by as a whole: metres, and a share of its roughness."""
+"""Common error of a sighting of a patch: metres, and a share of its roughness."""
 DIRECTION_CAP, TIME_CAP = 3.0, 3.0
 """Most patches that face one way, and sightings of one moment of a line: times their fair share."""
 MOMENT = 3.0

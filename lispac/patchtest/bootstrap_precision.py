@@ -30,7 +30,7 @@ MIN_OBJECTS = 5
 DRAWINGS = 1_000
 """Times that objects and POS errors are drawn."""
 SEED = 1
-"""Of the chance they are drawn with: the same objects give the same sigmas."""
+"""Seed of the random numbers: the same objects give the same sigmas."""
 MAX_DEVIATION, WIDE_SCALE = 3.5, 0.5
 """Sigmas that the minimum of one object may be off that of all: three angles of thirty objects are
 tested. And metres up to which distances are squared for that, so that a line far off shows."""

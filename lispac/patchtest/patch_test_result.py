@@ -14,7 +14,7 @@ from lispac.patchtest.mismatch_minimisation import ANGLES
 Array = NDArray[np.float64]
 
 MAX_DIFFERENCE = np.radians(0.01)
-"""By how much the two ways of turning the angles may differ without a message, radians."""
+"""Largest difference of the two orders of rotation without a message, radians."""
 
 
 @dataclass(frozen=True, eq=False)

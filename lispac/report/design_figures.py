@@ -30,7 +30,7 @@ RATIOS: Mapping[str, str] = {
 """Scatter over predicted sigma, with what it varies by chance."""
 
 COLOURS = (BEFORE, AFTER, "#228833")
-"""Of roll, pitch and yaw; distinguishable with any colour vision."""
+"""Colours of roll, pitch and yaw; distinguishable with any colour vision."""
 
 
 def scenario_figure(outcomes: Sequence[ScenarioOutcome], figure: Figure | None = None) -> Figure:

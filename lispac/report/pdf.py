@@ -121,6 +121,7 @@ def _require_readable_pictures(pictures: Iterable[Path], folder: Path) -> None:
     Raises
     ------
     LispacError
+        If typst cannot draw a picture.
     """
     import typst
 

@@ -35,7 +35,7 @@ POOLED: Mapping[str, str] = {
     "reciprocal pairs": N_("Histograms and totals use the reciprocal pairs of lines only."),
     "all pairs": N_("Histograms and totals use all pairs of lines."),
 }
-"""Which pairs of lines the statistics of a plane are from, by what the content calls them."""
+"""Line pairs that the statistics of a plane are from, by what the content calls them."""
 
 DISTANCES = N_(
     "Distances from each point of one line to the surface of the other, in both directions, only "

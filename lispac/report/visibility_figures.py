@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 KEPT, BEST = "#e3ebf3", "#555555"
 WIDTHS = (6.0, 2.0, 6.0, 4.2, 2.6, 1.0)
-"""Of the lines, points: whatever two show the same, both are seen."""
+"""Widths of the curves, points; different, so that coincident curves are both visible."""
 
 
 @dataclass(frozen=True)

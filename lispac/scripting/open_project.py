@@ -135,7 +135,9 @@ class OpenProject(LoadedProject):
         Raises
         ------
         TargetNotFound
+            If no line shows a target there.
         LispacError
+            If the place or an option is not valid.
         ProjectError
             Where neither a place nor a point is given, or both.
         """

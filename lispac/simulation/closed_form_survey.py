@@ -61,7 +61,7 @@ class Board:
         return self.points_on_board(u.ravel(), v.ravel())
 
     def grid(self, k: int) -> Array:
-        """``k`` x ``k`` points, with the centre and the second moments of the whole board.
+        """Grid of ``k`` x ``k`` points with the centre and the second moments of the whole board.
 
         They determine the plane as all points of the board do.
 
@@ -140,18 +140,18 @@ class Ball:
         return self.cap(u.ravel(), v.ravel(), scanner)
 
     def grid(self, k: int, scanner: Array) -> Array:
-        """Points as of `points`, but on a grid of ``k`` x ``k``: those that meet the ball."""
+        """Points on a grid of ``k`` x ``k`` in the view, those that meet the ball; see `points`."""
         middles = self.visible_radius * (2 * (np.arange(k) + 0.5) / k - 1)
         u, v = np.meshgrid(middles, middles)
         return self.cap(u.ravel(), v.ravel(), scanner)
 
     @property
     def visible_radius(self) -> float:
-        """Radius of what is seen of it, across the view, metres."""
+        """Radius of the visible part across the view, metres."""
         return float(self.radius * np.sin(VISIBLE))
 
     def cap(self, u: Array, v: Array, scanner: Array) -> Array:
-        """Points so far across and up in the view from the scanner, those that meet the ball.
+        """Points of the ball at offsets across and up in the view from the scanner.
 
         Parameters
         ----------

@@ -54,7 +54,7 @@ class MotionSource(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class SailedTrajectory:
-    """Passes sailed one after the other (see `lispac.simulation.vessel_motion.sail_passes`).
+    """Lines sailed one after the other (see `lispac.simulation.vessel_motion.sail_passes`).
 
     Attributes
     ----------
@@ -73,7 +73,7 @@ class SailedTrajectory:
 
     @property
     def legs(self) -> tuple[RecordedLeg, ...]:
-        """One a pass."""
+        """Legs, one for each line."""
         return tuple(
             RecordedLeg.numbered_leg(k + 1, float(np.degrees(each.heading)), each.starboard)
             for k, each in enumerate(self.passes)
@@ -121,7 +121,7 @@ class RecordedTrajectory:
 
     @property
     def legs(self) -> tuple[RecordedLeg, ...]:
-        """One a stretch, named after its median heading."""
+        """Legs, one for each stretch, named after its median heading."""
         headings = []
         for each in self.stretches:
             time = self.trajectory.time

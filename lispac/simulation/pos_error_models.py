@@ -54,13 +54,13 @@ class WhiteNoise:
     def draw(
         self, count: int, interval: float, generator: np.random.Generator
     ) -> tuple[Array, Array]:
-        """As `PosErrors.draw`."""
+        """Draw errors; see `PosErrors.draw`."""
         sigma = np.array([*self.sigma_position, *self.sigma_attitude])
         errors = sigma * generator.standard_normal((count, 6))
         return errors[:, :3] * TO_LOCAL, errors[:, 3:]
 
     def variance(self, count: int, interval: float) -> Array:
-        """As `PosErrors.variance`."""
+        """Variances of the errors; see `PosErrors.variance`."""
         return np.tile(np.square([*self.sigma_position, *self.sigma_attitude]), (count, 1))
 
 
@@ -91,7 +91,7 @@ class GnssOutage:
     def draw(
         self, count: int, interval: float, generator: np.random.Generator
     ) -> tuple[Array, Array]:
-        """As `PosErrors.draw`."""
+        """Draw errors; see `PosErrors.draw`."""
         t = np.arange(count) * interval - self.start
         inside = np.flatnonzero((t > 0) & (t <= self.duration))
         drift = np.zeros((count, 6))
@@ -122,7 +122,7 @@ class GnssOutage:
         )
 
     def variance(self, count: int, interval: float) -> Array:
-        """As `PosErrors.variance`."""
+        """Variances of the errors; see `PosErrors.variance`."""
         t = np.arange(count) * interval - self.start
         u = np.where((t > 0) & (t <= self.duration), t / self.duration, 0.0)[:, None]
         position, attitude = u**3, u
@@ -169,7 +169,7 @@ class StepErrors:
     def draw(
         self, count: int, interval: float, generator: np.random.Generator
     ) -> tuple[Array, Array]:
-        """As `PosErrors.draw`."""
+        """Draw errors; see `PosErrors.draw`."""
         span = count * interval
         extra = generator.poisson(self.per_hour * span / 3600)
         times = np.sort(np.concatenate([self.at, generator.uniform(0, span, extra)]))
@@ -179,7 +179,7 @@ class StepErrors:
         return errors[:, :3] * TO_LOCAL, errors[:, 3:]
 
     def variance(self, count: int, interval: float) -> Array:
-        """As `PosErrors.variance`."""
+        """Variances of the errors; see `PosErrors.variance`."""
         return np.zeros((count, 6))
 
 
@@ -197,7 +197,7 @@ class CombinedModel:
     def draw(
         self, count: int, interval: float, generator: np.random.Generator
     ) -> tuple[Array, Array]:
-        """As `PosErrors.draw`."""
+        """Draw errors; see `PosErrors.draw`."""
         streams = generator.spawn(len(self.parts))
         position, attitude = np.zeros((count, 3)), np.zeros((count, 3))
         for part, stream in zip(self.parts, streams, strict=True):
@@ -207,7 +207,7 @@ class CombinedModel:
         return position, attitude
 
     def variance(self, count: int, interval: float) -> Array:
-        """As `PosErrors.variance`."""
+        """Variances of the errors; see `PosErrors.variance`."""
         total = np.zeros((count, 6))
         for part in self.parts:
             total += part.variance(count, interval)

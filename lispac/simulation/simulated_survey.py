@@ -32,7 +32,7 @@ POINTS_PER_SECOND = 150_000.0
 
 @dataclass(frozen=True, eq=False)
 class SimulatedLine:
-    """One pass as the scanner recorded it.
+    """Line as the scanner recorded it.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class SimulatedLine:
 
 @dataclass(frozen=True, eq=False)
 class SimulatedTrajectory:
-    """What the POS reports, and the truth beside it.
+    """Reported trajectory and the true one.
 
     Attributes
     ----------
@@ -153,7 +153,7 @@ class SimulatedSurvey:
 
     @property
     def surface_names(self) -> tuple[str, ...]:
-        """Names the labels of the points stand for."""
+        """Names of the surfaces by the labels of the points."""
         return self.scene.names
 
 

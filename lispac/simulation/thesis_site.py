@@ -36,7 +36,7 @@ Array = NDArray[np.float64]
 Beams = Literal["aimed", "struck"]
 
 SIDE = 1.0
-"""Of a board, metres."""
+"""Side of a board, metres."""
 
 SIZES: Mapping[str, float] = {
     "roll": np.radians(2.0),
@@ -56,7 +56,7 @@ MARGIN: Mapping[Beams, float] = {"aimed": 0.0, "struck": np.radians(2.5)}
 
 @dataclass(frozen=True)
 class ThesisSite:
-    """Where the board stands, and how it is scanned.
+    """Position of the board and geometry of the scan.
 
     Attributes
     ----------
@@ -106,7 +106,7 @@ SITES: Mapping[str, ThesisSite] = {site.name: site for site in (TERRESTRIAL, MAR
 
 LINES: tuple[Course, ...] = six_courses()
 HEADINGS_DEG = tuple(round(float(np.degrees(course.heading))) for course in LINES)
-"""Of the six lines, in the thesis's order."""
+"""Headings of the six lines, in the order of the thesis."""
 
 NO_ERROR = Mounting(np.zeros(3), np.zeros(3))
 

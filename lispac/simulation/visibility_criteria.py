@@ -62,7 +62,7 @@ def points_shape(points: Array) -> PointsShape:
 
 
 def centroidal_distance(shape: PointsShape, centre: Array) -> float:
-    """From the board's centre, shape (3,), local, to the centroid of its points, metres."""
+    """Distance from the board's centre, shape (3,), local, to the points' centroid, metres."""
     return float(np.linalg.norm(shape.centroid - centre))
 
 
@@ -104,5 +104,5 @@ def angular_deviation(shape: PointsShape, reference: Plane) -> float:
 
 
 def orthogonal_distance(shape: PointsShape, reference: Plane) -> float:
-    """Of the centroid from the board's plane, metres; positive on the side its normal points to."""
+    """Distance of the centroid from the board's plane, metres; positive along its normal."""
     return float(reference.distances(shape.centroid))

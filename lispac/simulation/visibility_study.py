@@ -36,7 +36,7 @@ from lispac.simulation.visibility_criteria import (
 Array = NDArray[np.float64]
 
 THRESHOLD = 0.75
-"""Of Type I. The thesis says near 1 and gives no number."""
+"""Threshold of Type I. The thesis gives no number, only "near 1"."""
 ALIKE = 0.1
 """Lines show the same where they differ by less than this share of the largest value."""
 LEAST = 0.001, np.radians(0.02)
@@ -100,7 +100,7 @@ class VisibilityStudy:
         return self.site.inclinations[low : high + 1]
 
     def visibility_spread(self, error: str) -> tuple[Array, Array]:
-        """How far the lines differ at each inclination: metres and radians, each (inclinations,).
+        """Spread of the lines at each inclination: metres and radians, each (inclinations,).
 
         NaN where a line has no points.
         """

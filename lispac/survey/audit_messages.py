@@ -40,7 +40,7 @@ MIN_TURN = np.radians(30.0)
 HALFWAY = 0.5
 """Share of the way at its speed that a vessel makes over a pause without stopping."""
 QUANTILE = 0.95
-"""Of the speeds and angular rates on a line, for the effect of an error of time."""
+"""Quantile of the speeds and angular rates on a line, for the effect of an error of time."""
 SCANNERS = ("scanner_channel", "scanner", "scanner_id", "head", "head_id", "device", "device_id",
             "sensor_id", "lidar_id")  # fmt: skip
 """Attributes that number scanners; the others number passes, or either."""

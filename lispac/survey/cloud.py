@@ -30,7 +30,7 @@ PROBES, FEWEST_PROBES, BESIDE = 50_000, 50, 1.0
 """Points of a line that show how far another mounting moves it, how many of them must lie near a
 place or within so many metres beside it."""
 MARGIN_FACTOR, MIN_MARGIN = 1.25, 0.05
-"""By which their farthest move is enlarged: a factor, and metres."""
+"""Enlargement of the largest displacement: a factor, and metres."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -50,7 +50,7 @@ HEIGHT_OFFSET = re.compile(r"[+-]\d+(\.\d+)?")
 
 @dataclass(frozen=True, eq=False)
 class CoordinateSystem:
-    """How the coordinates of a cloud become latitude, longitude and height.
+    """Conversion of the coordinates of a cloud to latitude, longitude and height.
 
     Made by `coordinate_system`.
 
@@ -259,6 +259,7 @@ def _local_system(text: str) -> CoordinateSystem:
     Raises
     ------
     InputError
+        If the text is not latitude, longitude and height.
     """
     try:
         latitude, longitude, height = (

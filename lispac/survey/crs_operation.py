@@ -27,6 +27,7 @@ def best_operation(source: CRS, target: CRS, epoch: float | None) -> Transformer
     Raises
     ------
     InputError
+        If PROJ has no operation, a grid is missing, or an epoch is required.
     """
     group = _transformer_group(source, target)
     known = bool(group.transformers or group.unavailable_operations)

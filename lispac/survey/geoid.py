@@ -10,7 +10,7 @@ from lispac.messages import error
 
 
 def geoid_grid(grid: Path) -> Transformer:
-    """From heights above the geoid to those above the ellipsoid; longitude, latitude in degrees.
+    """Grid from heights above the geoid to ellipsoidal heights; longitude, latitude in degrees.
 
     Raises
     ------

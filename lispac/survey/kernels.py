@@ -13,7 +13,7 @@ from lispac.compiled_code import njit
 
 TILE = 2048
 SHORT = 0.1
-"""Radians; the first term left out of the series is 3e-17 there."""
+"""Radians; the first omitted term of the series is 3e-17 there."""
 TERMS = 20
 """Coefficients of a polynomial of third degree in three variables."""
 
@@ -144,7 +144,7 @@ def evaluate_cubic(c, x, y, z):  # type: ignore[no-untyped-def]
 
 @njit(nogil=True, cache=True, fastmath={"contract"})
 def evaluate_smooth_map(points, root, children, leaf_of, boxes, coefficients, missed):  # type: ignore[no-untyped-def]
-    """Put points through the polynomial of the cell that holds each, in place.
+    """Apply the polynomial of its cell to each point, in place.
 
     ``root`` is low x, low y, low z, side, high z; ``children`` of shape (nodes, 4) are -1 for a
     leaf, whose number ``leaf_of`` gives, or -1 where only the exact way will do. Boxes of shape

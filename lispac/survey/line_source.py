@@ -23,7 +23,7 @@ def printable(name: str) -> str:
 
 @dataclass(frozen=True)
 class Reading:
-    """How a file is read.
+    """Options for reading a file.
 
     Attributes
     ----------

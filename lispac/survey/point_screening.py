@@ -106,6 +106,7 @@ def parse_conditions(text: str) -> tuple[AttributeCondition, ...]:
     Raises
     ------
     InputError
+        If a part is not such a condition.
     """
     found = []
     for part in text.split():
@@ -135,6 +136,7 @@ def parse_largest_range(text: str) -> float:
     Raises
     ------
     InputError
+        If the text is not a positive length.
     """
     try:
         value = float(text) if text.strip() else MAX_RANGE

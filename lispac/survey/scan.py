@@ -50,7 +50,7 @@ class Scan:
 
     @cached_property
     def reach(self) -> float:
-        """Of the farthest point from the scanner, metres."""
+        """Distance of the farthest point from the scanner, metres."""
         return float(np.sqrt(np.einsum("ij,ij->i", self.points_lidar, self.points_lidar).max()))
 
     def take(self, numbers: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

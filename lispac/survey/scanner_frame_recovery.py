@@ -170,7 +170,7 @@ def require_within_reach(points_lidar: Array, recovery: RecoverySetup) -> None:
 
 
 EXAMINED_POINTS = 10_000
-"""Points of a chunk that stand for it."""
+"""Points of a chunk that are examined."""
 
 
 def require_scanner_frame(points_lidar: Array, path: Path) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from lispac.compiled_code import njit
 
 KEPT, NOT_FINITE, NO_RANGE, TOO_FAR, DUPLICATE, EXCLUDED = range(6)
-"""What became of a point."""
+"""Result of the screening of a point."""
 
 WINDOW_SLOTS = 1 << 17
 """Slots of a hash table of recent points; it is cleared when half full."""

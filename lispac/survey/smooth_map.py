@@ -92,7 +92,7 @@ class SmoothMap:
 
     @property
     def tables(self) -> tuple[NDArray[np.generic], ...]:
-        """What the kernels take."""
+        """Arrays that the kernels take."""
         return self.root, self.children, self.leaf_of, self.boxes, self.coefficients
 
 

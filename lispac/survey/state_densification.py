@@ -19,11 +19,11 @@ LIMIT = np.array([1e-4] * 3 + [float(np.radians(1e-4))] * 3)
 MAX_PARTS = 20
 """Parts that an interval is divided into at most."""
 MAX_ERROR_RATIO = 0.5
-"""Error of the cubic over that of a straight line, at states left out, up to which it is used."""
+"""Error of the cubic over that of a straight line, at omitted states, up to which it is used."""
 MIN_STATES = 20
 """States that can be excluded, below which nothing is inserted."""
 QUANTILE = 0.995
-"""Of the intervals, for the number of parts."""
+"""Quantile of the intervals, for the number of parts."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -95,6 +95,7 @@ def base_of_key(key: str) -> TimeBase:
     Raises
     ------
     InputError
+        If no time base has that key.
     """
     for base in BASES:
         if base.key == key:
@@ -217,7 +218,7 @@ def period_between(before: float, after: float, leeway: float = NEAR_START) -> f
 
 @dataclass(frozen=True)
 class TimeMatch:
-    """One way to bring point times onto the trajectory.
+    """A time base and shift that place point times on the trajectory.
 
     Attributes
     ----------

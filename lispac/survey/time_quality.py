@@ -90,7 +90,7 @@ def _float32_step(times: Array) -> float | None:
 
 @dataclass(frozen=True)
 class TrajectoryCoverage:
-    """How a trajectory covers a line.
+    """Coverage of a line by a trajectory.
 
     Attributes
     ----------
@@ -134,7 +134,7 @@ class TrajectoryCoverage:
 def assess_coverage(
     line_times: Array, trajectory_times: Array, longest_gap: float
 ) -> TrajectoryCoverage:
-    """How a trajectory covers one line, or a part of it (join parts with `join_coverages`).
+    """Assess the coverage of a line, or of a part of it (join parts with `join_coverages`).
 
     Parameters
     ----------

@@ -16,7 +16,7 @@ MAX_ERROR_SHARE = 0.1
 WINDOW = 0.25
 """Seconds over which errors of one sign add up; waves are longer, vibration is shorter."""
 QUANTILE = 0.95
-"""Of the points of a line, for the error that is reported."""
+"""Quantile of the points of a line, for the error that is reported."""
 
 
 def interpolation_error(trajectory: LocalTrajectory) -> Array:

@@ -48,7 +48,7 @@ def plane_inclination(normal: Array) -> float:
 def deviations_from_expected(
     expected: ExpectedTarget, extent: Array, normal: Array
 ) -> tuple[Message, ...]:
-    """How a plane differs from what is expected; empty where it agrees.
+    """Deviations of a plane from the expected one; empty where it agrees.
 
     Parameters
     ----------

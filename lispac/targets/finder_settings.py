@@ -66,7 +66,7 @@ class FinderSettings:
 
 @dataclass(frozen=True)
 class FinderChoices:
-    """What a user may choose of the finder besides threshold and radius; kept with a target.
+    """Options of the finder besides threshold and radius; stored with a target.
 
     Attributes
     ----------
@@ -94,4 +94,4 @@ class FinderChoices:
 
 
 USUAL = FinderChoices()
-"""What is chosen where nobody chooses."""
+"""Default choices."""

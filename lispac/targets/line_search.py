@@ -151,7 +151,7 @@ def surroundings_of_patch(
     seed: Array,
     settings: FinderSettings,
 ) -> WeightedSurroundings:
-    """What surrounds a patch out to the search radius.
+    """Surroundings of a patch out to the search radius.
 
     Parameters
     ----------

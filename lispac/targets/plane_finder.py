@@ -228,6 +228,7 @@ def extract_patch(
     Raises
     ------
     PlaneNotFound
+        If no plane has enough points, or it is not as expected.
     """
     origin = points[0]
     local = points - origin

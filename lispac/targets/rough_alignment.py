@@ -47,7 +47,7 @@ ROUNDS, STEP_TOLERANCE = 2, radians(0.02)
 STEP = radians(0.01)
 """Turn of the boresight by which points are moved; over so little they move straight."""
 LIKELY, SPREAD = radians(1.0), 0.01
-"""What a boresight is usually off by, and surfaces apart (metres) where it is right: an angle that
+"""Usual error of a boresight, and of surfaces (metres) with the right one: an angle that
 the scene leaves open stays near its prior value."""
 MIN_LEVERAGE = 2.0
 """Metres that surfaces move along their normals for a radian of a direction of the angles, in the
@@ -96,7 +96,7 @@ class Alignment:
 
     @property
     def mounting(self) -> Mounting:
-        """With the rough boresight."""
+        """Mounting with the rough boresight."""
         return next(iter(self.clouds.values())).place.mounting
 
     @property
@@ -106,7 +106,7 @@ class Alignment:
 
     @property
     def accuracy(self) -> PlacementAccuracy:
-        """How well these lines are placed relative to each other."""
+        """Relative accuracy of the positions of these lines."""
         if not self.is_aligned:
             return PlacementAccuracy()
         return PlacementAccuracy(ROUGHLY_OFF, max(self.separation, MIN_SEPARATION))

@@ -27,7 +27,7 @@ from lispac.targets.sphere_finder import SpherePatch
 Array = NDArray[np.float64]
 
 SIGNIFICANCE = 1e-3
-"""Of the tests: the chance that one rejects a sighting of the same surface."""
+"""Level of the tests: the chance that one rejects a sighting of the same surface."""
 EFFECTIVE_POINTS = 4
 """Independent points of a sighting: the scatter of its points about the plane is form error and
 POS error, which neighbouring points share. Lines show different parts of a tarpaulin."""
@@ -65,7 +65,7 @@ class PlacementAccuracy:
 
 
 PRIOR_ACCURACY = PlacementAccuracy()
-"""Of lines placed with a prior boresight that nothing has confirmed."""
+"""Accuracy of lines placed with an unconfirmed prior boresight."""
 
 
 def split_by_agreement(

@@ -105,7 +105,7 @@ class SpherePatch:
 
     @property
     def centre(self) -> Array:
-        """Of the sphere, shape (3,), metres, local frame."""
+        """Centre of the sphere, shape (3,), metres, local frame."""
         return self.sphere.centre
 
 

@@ -236,7 +236,7 @@ class LinePlaces:
     by_boresight: Array
 
     def select_places(self, kept: NDArray[np.bool_]) -> "LinePlaces":
-        """Those of its places that are ``kept``, shape (n,)."""
+        """Select the places of the line where ``kept``, shape (n,), is true."""
         places = np.flatnonzero(kept)
         measured = CorePointDistances(
             self.measured.before.select_subset(places), self.measured.after.select_subset(places),

@@ -159,7 +159,7 @@ class PairComparison:
 
 @dataclass(frozen=True, eq=False)
 class PlaneComparison:
-    """One validation plane, before and after.
+    """Validation plane before and after the calibration.
 
     Attributes
     ----------

@@ -24,8 +24,8 @@ Array = NDArray[np.float64]
 LIMIT = 3.0
 """Sigmas of the difference from the mean, beyond which the mounting has moved."""
 CHANCE = 2.0 * NormalDist().cdf(-LIMIT)
-"""Of that without a reason, for one angle; and for the three together, which are tested too. Either
-comes up without a reason for hardly one calibration in a hundred."""
+"""Probability of a false alarm, for one angle and for the three together:
+less than one calibration in a hundred for either."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,7 +17,7 @@ NARROWEST = 1e-6
 MIN_BINS, MAX_BINS = 60, 4000
 """Bins across the state with the smaller distances, at the least, and in all, at the most."""
 BEYOND = "and beyond"
-"""Stands for the upper end of the last bin where bins are listed."""
+"""Upper end of the last bin in lists of bins."""
 ROUND = (1.0, 2.0, 5.0, 10.0)
 
 
@@ -53,7 +53,7 @@ def histogram_counts(distances: Array, edges: Array) -> NDArray[np.int64]:
 def merge_bins(
     edges: ArrayLike, counts: ArrayLike, shown: float, max_bins: int
 ) -> tuple[Array, NDArray[np.int64]]:
-    """Neighbouring bins put together, so that ``shown`` metres hold no more than ``max_bins``.
+    """Merge neighbouring bins, so that ``shown`` metres hold no more than ``max_bins``.
 
     Parameters
     ----------

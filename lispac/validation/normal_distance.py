@@ -58,7 +58,7 @@ class NormalDistances:
     at: NDArray[np.intp]
 
     def select_cores(self, cores: NDArray[np.intp]) -> "NormalDistances":
-        """Those at some of the core points, by their numbers ``cores`` (k,), ascending."""
+        """Select the distances at core points, by their numbers ``cores`` (k,), ascending."""
         return self.select_subset(np.searchsorted(self.at, cores))
 
     def select_subset(self, kept: NDArray[np.intp]) -> "NormalDistances":

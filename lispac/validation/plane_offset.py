@@ -29,7 +29,7 @@ NEAREST = 1e-4
 
 @dataclass(frozen=True)
 class PlaneOffset:
-    """One cloud's plane against another's, at the middle of the part both saw.
+    """Offset of one cloud's plane from another's, at the middle of the common part.
 
     Attributes
     ----------

@@ -95,7 +95,7 @@ class CalibrationDifference:
         return self.probability < LEVEL
 
     def largest_displacement(self, distance: float) -> float:
-        """How far apart, at most, the two put a point at a distance; both in metres."""
+        """Largest displacement of a point at a distance between the two; both in metres."""
         return float(2.0 * np.sin(self.turn / 2.0) * distance)
 
 
@@ -150,7 +150,7 @@ class RepeatedCalibrations:
 
 
 def combine_calibrations(calibrations: Sequence[Calibration]) -> RepeatedCalibrations:
-    """Put calibrations of one mounting together.
+    """Combine calibrations of one mounting.
 
     Raises
     ------

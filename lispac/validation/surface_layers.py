@@ -23,7 +23,7 @@ Bools = NDArray[np.bool_]
 DENSE = 0.2
 """Share of the points where they are densest, below which they are outliers, not a layer."""
 FEWEST_POINTS, FEWEST_PLACES = 4, 2
-"""Of a layer: points of a line, and places of a neighbourhood (a single one is taken as it is)."""
+"""Fewest points of a line in a layer, and places of a neighbourhood (or a single place)."""
 
 
 @dataclass(frozen=True, eq=False)

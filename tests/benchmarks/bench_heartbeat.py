@@ -2,7 +2,7 @@
 
 A process of its own goes from the raw files to the preview of the report, in the program's own
 window with its own dialogues, on a screen. A timer beats every 10 ms on the window's thread; for
-each step the longest pause is told, and the one that 99 of 100 beats keep within. A pause is told
+each step, the longest pause and the 99th percentile are printed. A pause is printed
 with what of it was computing by that thread: the rest is drawing (by software, where there is no
 graphics card) and waiting for a processor (on a busy machine). Aim: nothing computes over 200 ms.
 """
@@ -46,8 +46,8 @@ def test_the_window_keeps_up(tmp_path: Path, whole_demo: Project) -> None:
         },
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
-    for step, told in json.loads(run.stdout.splitlines()[-1]).items():
-        print(f"\n  {step}: {told}", end="")
+    for step, summary in json.loads(run.stdout.splitlines()[-1]).items():
+        print(f"\n  {step}: {summary}", end="")
     print()
 
 
@@ -68,7 +68,7 @@ class Heart(Pulse):
         took, _drawn, computed, _waited = np.subtract(self._last, before)
         self.beaten.append((1000 * took, 1000 * computed))
 
-    def told(self) -> str:
+    def summary(self) -> str:
         """The longest pause, the usual ones, and where the thread was in those that computed."""
         took, computed = np.array(self.beaten).T
         late = [pause for pause in self.pauses if pause.computations > self.limit]
@@ -85,7 +85,7 @@ class Way:
 
     def __init__(self, application: QApplication, session: Any, heart: Heart) -> None:
         self._application, self._window, self._heart = application, session.window, heart
-        self.told: dict[str, str] = {}
+        self.summaries: dict[str, str] = {}
 
     def until(self, done: Callable[[], bool]) -> None:
         """Let the window live until something is so."""
@@ -94,7 +94,9 @@ class Way:
             self._application.processEvents()
             time.sleep(0.0005)
             if time.monotonic() > limit:
-                raise TimeoutError(f"after {list(self.told)}: {QApplication.activeModalWidget()}")
+                raise TimeoutError(
+                    f"after {list(self.summaries)}: {QApplication.activeModalWidget()}"
+                )
 
     def idle(self) -> bool:
         """Whether no work is left."""
@@ -130,7 +132,7 @@ class Way:
         self.until(lambda: time.monotonic() > rested)
         beats = self._heart.beats
         self.until(lambda: self._heart.beats > beats)  # the last pause has its end
-        self.told[name] = f"{took:.1f} s; {self._heart.told()}"
+        self.summaries[name] = f"{took:.1f} s; {self._heart.summary()}"
 
 
 def drop(widget: QWidget, paths: Sequence[Path]) -> None:
@@ -143,7 +145,7 @@ def drop(widget: QWidget, paths: Sequence[Path]) -> None:
 
 
 def walk(raw: Path, folder: Path) -> dict[str, str]:
-    """Import, pick, estimate, validate and preview the report; what is told of each step."""
+    """Import, pick, estimate, validate and preview the report; a summary of each step."""
     application = QApplication(sys.argv[:1])
     application.setQuitOnLastWindowClosed(False)
     from lispac.gui.dialogs.import_files.dialog import ImportDialog
@@ -209,7 +211,7 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
     tidying.end()
     window.document.undo_stack.setClean()
     window.close()
-    return way.told
+    return way.summaries
 
 
 if __name__ == "__main__":

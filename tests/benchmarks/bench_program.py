@@ -33,7 +33,7 @@ def screen(qapp: QGuiApplication) -> None:
         pytest.skip("OpenGL needs a screen, a virtual one will do")
 
 
-def told(tmp_path: Path, what: str, *words: str | Path) -> dict[str, Any]:
+def measurements_of(tmp_path: Path, what: str, *words: str | Path) -> dict[str, Any]:
     """What a process of this file says."""
     home = tmp_path / "home"  # the same for all rounds, as a user's is
     home.mkdir(exist_ok=True)
@@ -56,7 +56,7 @@ def told(tmp_path: Path, what: str, *words: str | Path) -> dict[str, Any]:
 @pytest.mark.parametrize("opening", [False, True], ids=["alone", "with the demo"])
 def test_start(opening: bool, tmp_path: Path, calibrated: tuple[Project, object]) -> None:
     words = [calibrated[0].folder] if opening else []
-    runs = [told(tmp_path, "start", *words) for _ in range(ROUNDS + 1)][1:]
+    runs = [measurements_of(tmp_path, "start", *words) for _ in range(ROUNDS + 1)][1:]
     for key, unit in UNITS.items():
         values = [run[key] for run in runs if key in run]
         if values:
@@ -83,7 +83,7 @@ def start(began: float, words: list[str]) -> None:
 
     run, found = QApplication.exec, {}
 
-    def look() -> None:
+    def inspect_window() -> None:
         from lispac.gui.main_window import MainWindow
 
         window = next(w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow))
@@ -107,7 +107,7 @@ def start(began: float, words: list[str]) -> None:
         window.close()
 
     timer = QTimer()
-    timer.timeout.connect(look)
+    timer.timeout.connect(inspect_window)
 
     def exec_() -> int:
         timer.start(10)  # not 0: that takes the processor the import of the view needs

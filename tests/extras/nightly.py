@@ -155,7 +155,7 @@ def _mutation(folder: Path, log: Log, most: int | None) -> str:
             raise Failed(f"{room}: mutmut did not come to an end; see {log}")
         left = [name for name, what in found.items() if what == "survived"]
         unanswered = [each for each in left if not answered(
-            _told([*mutmut, "show", each], place), answers)]  # fmt: skip
+            _output([*mutmut, "show", each], place), answers)]  # fmt: skip
         noticed = noticed_afresh(unanswered, place / "mutants", [*QUICK, *_files(tests)])
         left = [each for each in left if each not in noticed]
         unanswered = [each for each in unanswered if each not in noticed]
@@ -213,7 +213,7 @@ def _leave_out_slow(mutants: Path) -> None:
 def _results(mutmut: Sequence[str], place: Path) -> dict[str, str]:
     """What became of each change, by its name."""
     return dict(
-        re.findall(r"(\S+__mutmut_\d+): (.+)", _told([*mutmut, "results", "--all", "1"], place))
+        re.findall(r"(\S+__mutmut_\d+): (.+)", _output([*mutmut, "results", "--all", "1"], place))
     )
 
 
@@ -272,7 +272,7 @@ def _settings(room: str, tests: Sequence[str]) -> str:
     return "[mutmut]\nsource_paths=lispac/\n" + "".join(rows)
 
 
-def _told(command: Sequence[str], place: Path) -> str:
+def _output(command: Sequence[str], place: Path) -> str:
     done = subprocess.run(command, cwd=place, capture_output=True, text=True, check=False)
     return done.stdout
 

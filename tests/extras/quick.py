@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 SURVEYS = {
-    "calibrated", "copy", "demo_project", "port", "shared_data", "sparse_project", "told_demo",
+    "calibrated", "copy", "demo_project", "port", "shared_data", "sparse_project", "printed_demo",
     "whole_demo",
 }  # fmt: skip
 SLOW = Path("slow-tests.json")

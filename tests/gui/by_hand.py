@@ -55,7 +55,7 @@ class Answers(QObject):
         self._answered: QWidget | None = None
         self._until = 0.0
         self._on = True
-        self._look_later()
+        self._schedule_poll()
 
     def foresee(self, kind: type[QDialog], act: Act) -> None:
         """Do something to a dialogue that will come, again and again until it says that was all."""
@@ -72,13 +72,13 @@ class Answers(QObject):
         """Whether all that was foreseen has come and is answered."""
         return not self._foreseen
 
-    def _look_later(self) -> None:
+    def _schedule_poll(self) -> None:
         # Each time another timer: one that is at work, be it in a dialogue's loop, does not tick
         if self._on:
-            QTimer.singleShot(LOOK_MS, self._look)
+            QTimer.singleShot(LOOK_MS, self._poll)
 
-    def _look(self) -> None:
-        self._look_later()
+    def _poll(self) -> None:
+        self._schedule_poll()
         dialog = QApplication.activeModalWidget()
         if dialog is None:
             self._answered = None
@@ -91,7 +91,7 @@ class Answers(QObject):
             if in_front(dialog):  # what is typed before is lost
                 self._answer(dialog)
         elif not closes:
-            self.trouble.append(f"nobody foresaw {_told(dialog)}")
+            self.trouble.append(f"nobody foresaw {_dialog_text(dialog)}")
             _reject(dialog)
 
     def _answer(self, dialog: QDialog) -> None:
@@ -103,12 +103,12 @@ class Answers(QObject):
             else:
                 self._foreseen.appendleft((kind, act))
         except Exception as error:  # it would be lost in the loop of events, and the dialogue stay
-            self.trouble.append(f"{error!r} at {_told(dialog)}")
+            self.trouble.append(f"{error!r} at {_dialog_text(dialog)}")
         finally:
             self._acting = former
 
 
-def _told(dialog: QWidget) -> str:
+def _dialog_text(dialog: QWidget) -> str:
     words = [label.text() for label in dialog.findChildren(QLabel) if label.isVisible()]
     return f"{type(dialog).__name__} {dialog.windowTitle()!r}: {' '.join(filter(None, words))}"
 

@@ -68,7 +68,7 @@ def mouse_move(view, at: QPointF, modifier):
     )
 
 
-def settled(driver: Driver) -> None:
+def wait_until_designed(driver: Driver) -> None:
     runner = driver.window.site_design.runner
     driver.bot.waitUntil(lambda: not runner.active, timeout=WAIT_MS)
 

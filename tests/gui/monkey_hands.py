@@ -124,7 +124,7 @@ class Hands:
 
     # -- mouse and keys --------------------------------------------------------------------------
 
-    def _tell(self, what: str, widget: QWidget) -> None:
+    def _record(self, what: str, widget: QWidget) -> None:
         name = widget.objectName() or type(widget).__name__
         shown = widget.text() if isinstance(widget, QAbstractButton) else ""
         top = widget.window()
@@ -182,7 +182,7 @@ class Hands:
 
     def press(self, window: QWidget, keys: str) -> Doing:
         """Press a key, with others held."""
-        self._tell(f"key {keys}", window)
+        self._record(f"key {keys}", window)
         handle = window.windowHandle()
         *held, name = keys.split("+")
         modifier = Modifier.NoModifier
@@ -214,7 +214,7 @@ class Hands:
     # -- by kind ---------------------------------------------------------------------------------
 
     def _anywhere(self, window: QWidget) -> Doing:
-        self._tell("anywhere", window)
+        self._record("anywhere", window)
         area = window.rect()
         start = self._within(area)
         button = self.chance.choice((Button.LeftButton, Button.LeftButton, Button.RightButton))
@@ -225,7 +225,7 @@ class Hands:
             yield from self._drag(window, start, self._within(area), button, Modifier.NoModifier)
 
     def _push(self, widget: QWidget, seen: QRect) -> Doing:
-        self._tell("click", widget)
+        self._record("click", widget)
         self.click(widget, seen.center())
         yield
 
@@ -235,23 +235,23 @@ class Hands:
             yield from self.press(menu, "Escape")
             return
         action = self.chance.choice(actions)
-        self._tell(f"menu {action.text()!r}", menu)
+        self._record(f"menu {action.text()!r}", menu)
         self.click(menu, menu.actionGeometry(action).center())
         yield
 
     def _open_menu(self, bar: QMenuBar, _seen: QRect) -> Doing:
         action = self.chance.choice(bar.actions())
-        self._tell(f"menu {action.text()!r}", bar)
+        self._record(f"menu {action.text()!r}", bar)
         self.click(bar, bar.actionGeometry(action).center())
         yield
 
     def _turn_to(self, tabs: QTabBar, _seen: QRect) -> Doing:
-        self._tell("tab", tabs)
+        self._record("tab", tabs)
         self.click(tabs, tabs.tabRect(self.chance.randrange(max(tabs.count(), 1))).center())
         yield
 
     def _touch_cell(self, view: QAbstractItemView, seen: QRect) -> Doing:
-        self._tell("cell", view)
+        self._record("cell", view)
         spot = self._within(seen)
         index = view.indexAt(spot)
         cell = view.visualRect(index) if index.isValid() else seen
@@ -278,7 +278,7 @@ class Hands:
 
     def _fill(self, field: QWidget, seen: QRect) -> Doing:
         text = self.chance.choice(WORDS)
-        self._tell(f"type {text!r} into", field)
+        self._record(f"type {text!r} into", field)
         self.click(field, seen.center())
         yield
         if self.chance.random() < 0.8 and (handle := field.window().windowHandle()) is not None:
@@ -289,7 +289,7 @@ class Hands:
             yield from self.press(field.window(), self.chance.choice(("Return", "Tab", "Tab")))
 
     def _pull_down(self, combo: QComboBox, seen: QRect) -> Doing:
-        self._tell("pull down", combo)
+        self._record("pull down", combo)
         if self.chance.random() < 0.5:
             self.click(combo, seen.center())
         else:
@@ -297,14 +297,14 @@ class Hands:
         yield
 
     def _slide(self, slider: QWidget, seen: QRect) -> Doing:
-        self._tell("slide", slider)
+        self._record("slide", slider)
         yield from self._drag(
             slider, self._within(seen), self._within(seen), Button.LeftButton, Modifier.NoModifier
         )
 
     def _draw(self, canvas: QWidget, seen: QRect) -> Doing:
         """On what shows the lines, a plan or a diagram."""
-        self._tell("canvas", canvas)
+        self._record("canvas", canvas)
         spot, draw = self._within(seen), self.chance.random()
         if draw < 0.35:
             self.click(canvas, spot, modifier=Modifier.ControlModifier)
@@ -354,7 +354,7 @@ class Hands:
             path = self.chance.choice(projects if draw < 0.5 and projects else files)
         else:
             path = self._folder / "written" / self.chance.choice(("a", "b.pdf", "c.html", "d.csv"))
-        self._tell(f"file {path.relative_to(self._folder)}", dialog)
+        self._record(f"file {path.relative_to(self._folder)}", dialog)
         name.setFocus()
         name.selectAll()
         yield
@@ -371,7 +371,7 @@ class Hands:
             return self.chance.sample(paths, min(len(paths), self.chance.randint(1, 3)))
 
         paths = self.chance.choice((raw, some(raw), some(files), some(projects), some(projects)))
-        self._tell(f"drop {[str(p.relative_to(self._folder)) for p in paths]}", window)
+        self._record(f"drop {[str(p.relative_to(self._folder)) for p in paths]}", window)
         mime = QMimeData()
         mime.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
         spot, copy = window.rect().center(), Qt.DropAction.CopyAction

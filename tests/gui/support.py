@@ -241,7 +241,7 @@ def type_into(driver: Driver, field: QWidget, text: str) -> None:
     driver.bot.keyClicks(field, text)
 
 
-def settle(driver: Driver) -> None:
+def wait_until_idle(driver: Driver) -> None:
     """Wait for what follows from a click by itself."""
     driver.bot.waitUntil(lambda: not driver.window.document.awaits_result, timeout=WAIT_MS)
     driver.rest()

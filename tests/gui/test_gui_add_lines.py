@@ -55,14 +55,14 @@ class Real(Dialogs):
         self.seen: list[str] = []
         self.theme_box = 0
         self.timer = QTimer(driver.window)
-        self.timer.timeout.connect(self._look)
+        self.timer.timeout.connect(self._poll)
         self.timer.start(50)
         driver.dialogs.ask_to_add, driver.dialogs.add_lines = (
             self.ask_to_add,
             self.add_lines,
         )
 
-    def _look(self) -> None:
+    def _poll(self) -> None:
         shown = QApplication.activeModalWidget()
         if shown is None:
             return
@@ -122,7 +122,7 @@ def test_files_dropped_on_an_open_project_are_added_to_it(
     assert len(open_project(shorter.folder).lines) == 6
 
 
-def test_what_cannot_be_added_is_said_in_the_dialogue(
+def test_what_cannot_be_added_is_reported_in_the_dialogue(
     short: Driver, shorter: Project, tmp_path: Path
 ) -> None:
     late = shifted(shorter.lines[1].path, tmp_path / "late.laz", 90_000.0)

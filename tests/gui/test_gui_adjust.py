@@ -24,8 +24,8 @@ from tests.gui.support import (
     press,
     seed,
     sentence,
-    settle,
     type_into,
+    wait_until_idle,
 )
 from tests.message_codes import codes
 
@@ -240,7 +240,7 @@ def test_a_tick_estimates_again_and_undo_takes_both_back(picked: Driver):
     assert picked.project.result is None
     assert waiting.findChild(QWidget, "results_waiting").isVisible()
     assert not waiting.angles.isEnabled()
-    settle(picked)
+    wait_until_idle(picked)
     less = angles(picked)
     assert np.abs(less - whole).max() > 1e-7
     assert len(picked.project.result.sightings) == len(first.result.sightings) - 1
@@ -265,11 +265,11 @@ def test_a_tick_estimates_again_and_undo_takes_both_back(picked: Driver):
     before = log.toPlainText().count("estimated again")
     tick(picked, 1, 3)
     tick(picked, 1, 4)
-    settle(picked)
+    wait_until_idle(picked)
     assert log.toPlainText().count("estimated again") == before + 1
     assert len(picked.project.result.sightings) == len(first.result.sightings) - 3
     press(picked, Key.Key_Z, Control)
-    settle(picked)
+    wait_until_idle(picked)
     assert len(picked.project.result.sightings) == len(first.result.sightings) - 2
     press(picked, Key.Key_Z, Control)
     assert (angles(picked) == less).all()
@@ -285,11 +285,11 @@ def test_a_whole_line_and_a_project_opened_with_its_result(
     assert table.sightings.data(table.sightings.index(row, 0)) == "Whole line"
     assert table.sightings.data(table.sightings.index(row, 4)) == "2 of 2 used"
     tick(driver, row, 4)
-    settle(driver)
+    wait_until_idle(driver)
     assert line not in {s.sighting.line for s in driver.project.result.sightings}
     assert len(driver.project.result.sightings) == len(estimated.result.sightings) - 2
     tick(driver, row, 4)
-    settle(driver)
+    wait_until_idle(driver)
     assert angles(driver) == pytest.approx(estimated.result.boresight, abs=1e-10)
     assert driver.window.actions_["undo"].text() == f"&Undo inclusion of line {line}"
 
@@ -301,7 +301,7 @@ def test_too_few_sightings_are_refused_in_the_panel_not_in_a_box(
     driver.rest()
     for column in range(2, 7):
         tick(driver, 0, column)
-    settle(driver)
+    wait_until_idle(driver)
     first = estimated.lines[0].name
     refusal = driver.window.results.refusal
     assert refusal.isVisible()
@@ -312,7 +312,7 @@ def test_too_few_sightings_are_refused_in_the_panel_not_in_a_box(
     assert driver.dialogs.errors == []
     assert driver.project.result is None
     tick(driver, 0, 2)
-    settle(driver)
+    wait_until_idle(driver)
     assert not refusal.isVisible()
     assert driver.project.result is not None
     driver.window.runner.cancel()
@@ -324,7 +324,7 @@ def test_a_single_board_is_refused_until_that_is_accepted(
     driver.window.document.open(estimated, demo.survey)
     driver.rest()
     tick(driver, 1, 0)
-    settle(driver)
+    wait_until_idle(driver)
     refusal = driver.window.results.refusal
     assert refusal.isVisible()
     assert "The plane T1 is the only target" in refusal.text()
@@ -351,14 +351,14 @@ def test_what_follows_can_be_cancelled(driver: Driver, demo: Demo, estimated: Pr
     tick(driver, 0, 2)
     driver.bot.waitUntil(lambda: driver.window.runner.busy)
     press(driver, Key.Key_Period, Control)
-    settle(driver)
+    wait_until_idle(driver)
     assert driver.project.result is None
     assert "cancelled. Press Estimate" in driver.window.results.refusal.text()
     assert driver.window.actions_["estimate"].isEnabled()
     assert driver.dialogs.errors == []
 
 
-def test_an_unforeseen_failure_is_told_once(
+def test_an_unforeseen_failure_is_reported_once(
     driver: Driver, demo: Demo, estimated: Project, monkeypatch: pytest.MonkeyPatch
 ):
     def fails(*_arguments, **_named):
@@ -368,7 +368,7 @@ def test_an_unforeseen_failure_is_told_once(
     driver.window.document.open(estimated, demo.survey)
     driver.rest()
     tick(driver, 0, 2)
-    settle(driver)
+    wait_until_idle(driver)
     driver.bot.wait(600)
     assert [type(error) for error in driver.dialogs.errors] == [ZeroDivisionError]
     assert "failed. Press Estimate" in driver.window.results.refusal.text()

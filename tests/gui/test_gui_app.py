@@ -28,7 +28,7 @@ assert asked == [Path(sys.argv[1])], asked
 """
 
 
-def test_a_document_that_the_system_asks_for_is_told(tmp_path: Path) -> None:
+def test_a_document_that_the_system_asks_for_is_reported(tmp_path: Path) -> None:
     """A double click starts no second program on macOS: the one that runs is told."""
     done = subprocess.run(
         [sys.executable, "-c", ASKED, str(tmp_path / "project.lispac")],
@@ -53,7 +53,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QMainWindow
 from lispac.gui import app
 
-def look():
+def inspect_window():
     (window,) = [w for w in QApplication.topLevelWidgets() if isinstance(w, QMainWindow)]
     print(window.log.toPlainText())
     window.settings.units = ("degrees", "millimetres")
@@ -63,7 +63,7 @@ def look():
 
 app.IMPORT_AFTER_MS = 3_600_000
 application = QApplication(sys.argv[:1])
-QTimer.singleShot(0, look)
+QTimer.singleShot(0, inspect_window)
 sys.exit(app.main([]))
 """
 

@@ -63,7 +63,7 @@ def names(folder: Path) -> list[str]:
     return [target.name for target in open_project(folder).targets]
 
 
-def test_what_nobody_foresaw_is_rejected_and_told(qtbot: QtBot, qapp: QApplication) -> None:
+def test_an_unforeseen_error_is_rejected_and_reported(qtbot: QtBot, qapp: QApplication) -> None:
     """Also where it comes of the answer to another, whose loop of events waits for it."""
     answers, below, above = Answers(), QMessageBox(), QMessageBox()
     below.setText("What now?")

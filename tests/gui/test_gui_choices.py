@@ -21,7 +21,7 @@ def field(parent: QWidget, name: str) -> QDoubleSpinBox:
     return parent.findChild(QDoubleSpinBox, name)
 
 
-def test_chosen_for_the_next_seeds_and_told_when_folded(opened: Driver) -> None:
+def test_chosen_for_the_next_seeds_and_reported_when_folded(opened: Driver) -> None:
     open_step(opened, 1)
     panel = opened.window.targets
     assert not field(panel, "seed_min_points").isVisible()

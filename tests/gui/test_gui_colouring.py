@@ -64,7 +64,7 @@ def test_keys_and_menu_change_the_colours(opened: Driver) -> None:
     assert len(opened.viewport.shading.colours[line]) == len(opened.viewport.clouds[line])
 
 
-def test_lines_without_intensities_are_told_of_and_passed_over(
+def test_lines_without_intensities_are_reported_and_skipped(
     opened: Driver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     survey = opened.window.document.survey

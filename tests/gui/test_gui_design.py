@@ -154,7 +154,7 @@ def test_boards_that_face_one_way_are_refused_in_words(
     assert design.results.messages.property("role") == "warning"
 
 
-def test_a_mistake_is_said_while_it_is_typed_and_not_taken(
+def test_a_mistake_is_reported_while_it_is_typed_and_not_taken(
     driver: Driver, design: DesignWindow
 ) -> None:
     table, before = design.lines.table, design.workspace.titled
@@ -288,7 +288,7 @@ def test_every_field_says_what_it_is(driver: Driver, design: DesignWindow) -> No
             assert field.accessibleName(), field.objectName()
 
 
-def test_the_wall_turns_with_all_that_hangs_on_it() -> None:
+def test_the_wall_turns_with_everything_on_it() -> None:
     """Sigmas do not depend on where north is, but for the POS errors, which are alike there."""
     titled = edits.default_plan()
     turned = edits.with_wall_facing(titled, 30.0)

@@ -44,9 +44,7 @@ def test_the_site_is_seen_in_3d(hands: Hands) -> None:
     )
 
 
-def test_a_plan_stays_open_in_another_language_and_other_looks(
-    hands: Hands, tmp_path: Path
-) -> None:
+def test_a_plan_stays_open_in_another_language_and_theme(hands: Hands, tmp_path: Path) -> None:
     design = opened_by_keys(hands)
     titled = design.workspace.titled
     for key in (Key.Key_L, Key.Key_B, Key.Key_Z):

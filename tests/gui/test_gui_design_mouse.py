@@ -16,7 +16,7 @@ from tests.gui.design_support import (
     mouse_move,
     opened_by_keys,
     plan,
-    settled,
+    wait_until_designed,
 )
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click
 from tests.gui.test_gui_design_work import SITE
@@ -45,7 +45,7 @@ def test_a_search_that_ends_during_a_drag_ends_the_drag(
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(20, -30), NoModifier))
     assert design.workspace.is_dragging
-    settled(driver)
+    wait_until_designed(driver)
     found = design.workspace.titled
     assert len(plan(design).lines) == 3
     for to in (QPointF(40, -60), QPointF(60, -90)):
@@ -58,7 +58,9 @@ def test_a_search_that_ends_during_a_drag_ends_the_drag(
     assert design.workspace.titled is before
 
 
-def test_a_view_that_is_hidden_during_a_drag_lets_go(driver: Driver, design: DesignWindow) -> None:
+def test_a_view_that_is_hidden_during_a_drag_ends_the_drag(
+    driver: Driver, design: DesignWindow
+) -> None:
     view, before = design.wall_view, design.workspace.titled
     spot = view._target_rect(edits.placed_targets(before)[0]).center()
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
@@ -104,7 +106,7 @@ def pixel(design: DesignWindow, place) -> QPoint:
     return QPoint(round(x), round(y))
 
 
-def test_ctrl_click_on_the_bare_wall_hangs_a_new_board(real: Driver) -> None:
+def test_ctrl_click_on_the_bare_wall_adds_a_board(real: Driver) -> None:
     design = in_3d(real)
     viewport, wall = design.view3d.viewport, design.workspace.titled.wall
     for _ in range(2):
@@ -149,7 +151,7 @@ def test_a_handle_is_dragged_with_the_mouse_until_the_plan_is_another(
     real.bot.mousePress(viewport.canvas, Left, pos=start)
     move(0.5)
     assert work.is_dragging
-    settled(real)
+    wait_until_designed(real)
     found = work.titled
     assert len(plan(design).lines) == 3
     move(1.0)

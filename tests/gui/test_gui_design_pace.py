@@ -82,7 +82,7 @@ def test_sigmas_follow_a_drag_before_it_ends(driver: Driver, design: DesignWindo
     driver.bot.mouseRelease(view, Left, pos=spot.toPoint())
 
 
-def test_what_cannot_be_sailed_or_hung_is_said(driver: Driver, design: DesignWindow) -> None:
+def test_a_plan_that_cannot_be_surveyed_is_reported(driver: Driver, design: DesignWindow) -> None:
     said = design.results.warnings
     assert not said.isVisible()
     view = design.plan_view

@@ -15,7 +15,13 @@ from lispac.gui.design.window import DesignWindow
 from lispac.io.config.plan_file import read_plan
 from lispac.language import gettext_lazy
 from lispac.workflow.planning.plan_comparison import compare_with_plan
-from tests.gui.design_support import NoModifier, mouse_move, opened_by_keys, plan, settled
+from tests.gui.design_support import (
+    NoModifier,
+    mouse_move,
+    opened_by_keys,
+    plan,
+    wait_until_designed,
+)
 from tests.gui.support import WAIT_MS, Control, Driver, Key, Left, click
 from tests.test_campaign import PORT
 
@@ -61,7 +67,7 @@ def test_simulated_surveys_say_what_the_command_line_says(
     click(driver, surveys.start)
     assert surveys.cancel.isEnabled()
     assert not surveys.start.isEnabled()
-    settled(driver)
+    wait_until_designed(driver)
     assert driver.dialogs.errors == []
     found = run_monte_carlo(before.plan, 32, seed=7, flatness_known=True)
     shown = surveys.result_table
@@ -99,7 +105,7 @@ def test_a_cancelled_campaign_shows_what_was_finished_if_it_is_enough(
     driver.bot.waitUntil(lambda: "surveys/s" in str(runner.current.step), timeout=WAIT_MS)
     driver.bot.waitUntil(lambda: " left" in coarse.task_bar.text.text(), timeout=WAIT_MS)
     click(driver, surveys.cancel)
-    settled(driver)
+    wait_until_designed(driver)
     head = surveys.result_table.head.text()
     assert head.startswith("Site: cancelled after ")
     assert head.endswith(" of 5,000 simulated surveys")
@@ -112,7 +118,7 @@ def test_too_few_finished_surveys_show_nothing(driver: Driver, coarse: DesignWin
     surveys = coarse.surveys
     driver.bot.keyClick(surveys.start, Key.Key_Space)
     driver.bot.keyClick(coarse, Key.Key_Period, Control)
-    settled(driver)
+    wait_until_designed(driver)
     assert surveys.result_table.cells == []
     assert coarse.task_bar.currentMessage() == "Simulating surveys: cancelled"
     assert coarse.pictures.which.count() == 0
@@ -129,7 +135,7 @@ def test_a_campaign_that_ends_during_a_drag_lets_it_go_on(
     driver.bot.keyClick(surveys.start, Key.Key_Space)
     driver.bot.mousePress(view, Left, pos=spot.toPoint())
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -30), NoModifier))
-    settled(driver)
+    wait_until_designed(driver)
     assert "20 surveys" in surveys.result_table.head.text()
     assert coarse.views.currentWidget() is view
     QApplication.sendEvent(view, mouse_move(view, spot + QPointF(0, -60), NoModifier))
@@ -142,7 +148,7 @@ def test_a_plan_that_cannot_be_adjusted_is_refused(driver: Driver, coarse: Desig
     for _ in range(5):
         coarse.workspace.remove_line()
     driver.bot.keyClick(coarse.surveys.start, Key.Key_Space)
-    settled(driver)
+    wait_until_designed(driver)
     (error,) = driver.dialogs.errors
     assert "does not determine the boresight" in str(error)
     driver.dialogs.errors.clear()
@@ -182,7 +188,7 @@ def test_the_open_project_is_compared_with_the_plan(adjusted: Driver) -> None:
     adjusted.bot.keyClick(design, Key.Key_O, Control)
     design.workspace.add_line(duplicate=True)
     adjusted.bot.keyClick(design, Key.Key_F11)
-    settled(adjusted)
+    wait_until_designed(adjusted)
     assert adjusted.dialogs.errors == []
     found = compare_with_plan(document.project, document.survey, design.workspace.titled)
     shown = design.compared
@@ -194,7 +200,7 @@ def test_the_open_project_is_compared_with_the_plan(adjusted: Driver) -> None:
     assert shown.isVisible()
 
 
-def test_nothing_to_compare_with_is_said(driver: Driver, design: DesignWindow, demo) -> None:
+def test_nothing_to_compare_with_is_reported(driver: Driver, design: DesignWindow, demo) -> None:
     driver.bot.keyClick(design, Key.Key_F11)
     (error,) = driver.dialogs.errors
     assert "No project is open" in str(error)
@@ -203,7 +209,7 @@ def test_nothing_to_compare_with_is_said(driver: Driver, design: DesignWindow, d
     driver.rest()
     design.activateWindow()
     driver.bot.keyClick(design, Key.Key_F11)
-    settled(driver)
+    wait_until_designed(driver)
     (error,) = driver.dialogs.errors
     assert error.code == "estimate.needed"
     driver.dialogs.errors.clear()

@@ -41,7 +41,7 @@ def test_a_table_takes_feet_and_keeps_headings_in_degrees(qapp: QApplication) ->
     assert TARGET["flatness"].shown(0.6096) == "0.0020"
 
 
-def test_an_end_of_a_range_may_be_typed_as_it_is_said(qapp: QApplication) -> None:
+def test_an_end_of_a_range_may_be_typed_as_it_is_shown(qapp: QApplication) -> None:
     assert LINE["distance"].limit(edits.FAR_M) == "656.2"
     assert LINE["distance"].read("656.2") == edits.FAR_M
     with pytest.raises(

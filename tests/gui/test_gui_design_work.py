@@ -9,7 +9,7 @@ from lispac.gui.design import plan_computations
 from lispac.gui.design.window import DesignWindow
 from lispac.gui.dialogs.sensors_of_plan import PlanSensorsDialog
 from lispac.workflow.planning.sensors import read_library
-from tests.gui.design_support import plan, settled
+from tests.gui.design_support import plan, wait_until_designed
 from tests.gui.support import WAIT_MS, Control, Driver, Key, click
 
 SITE = """
@@ -51,7 +51,7 @@ def test_the_best_plan_is_one_undo_step(driver: Driver, design: DesignWindow, tm
     driver.bot.keyClicks(field, "10, 15")
     click(driver, search.find)
     assert search.cancel.isEnabled()
-    settled(driver)
+    wait_until_designed(driver)
     assert driver.dialogs.errors == []
     assert "all 250 possible plans" in search.message_label.text()
     assert [t.name for t in plan(design).targets] == ["T1", "tower"]
@@ -75,7 +75,7 @@ def test_a_search_can_be_cancelled_and_changes_nothing(
     assert "plans/s" in str(runner.current.step) or runner.current.fraction > 0
     driver.bot.waitUntil(lambda: design.task_bar.cancel.isVisible(), timeout=WAIT_MS)
     driver.bot.keyClick(design, Key.Key_Period, Control)
-    settled(driver)
+    wait_until_designed(driver)
     assert design.workspace.titled is before
     assert design.search.find.isEnabled()
     assert driver.dialogs.errors == []
@@ -84,7 +84,7 @@ def test_a_search_can_be_cancelled_and_changes_nothing(
 def test_scenarios_in_figures(driver: Driver, design: DesignWindow, monkeypatch) -> None:
     monkeypatch.setattr(plan_computations, "SCENARIOS", ("size", "POS"))
     driver.bot.keyClick(design, Key.Key_F9)
-    settled(driver)
+    wait_until_designed(driver)
     pictures = design.pictures
     assert design.views.currentWidget() is pictures
     assert [pictures.which.itemText(k) for k in range(2)] == [
@@ -92,7 +92,7 @@ def test_scenarios_in_figures(driver: Driver, design: DesignWindow, monkeypatch)
     ]  # fmt: skip
     assert len(pictures.pages.currentWidget().figure.axes) == 2
     driver.bot.keyClick(design, Key.Key_F9)
-    settled(driver)
+    wait_until_designed(driver)
     assert pictures.which.count() == 2
 
 

@@ -24,7 +24,7 @@ from tests.gui.support import (
     Left,
     click_check,
     double_click,
-    settle,
+    wait_until_idle,
 )
 
 
@@ -168,7 +168,7 @@ def test_a_row_leads_to_its_points_by_mouse_and_by_key(shown: Driver, estimated:
     assert shown.viewport.selected == ("T2", "")
 
 
-def test_what_is_to_be_looked_at_is_marked_with_words_and_colour(shown: Driver, estimated: Project):
+def test_what_is_to_be_checked_is_marked_with_text_and_colour(shown: Driver, estimated: Project):
     result, checks = estimated.result, estimated.cross_checks
     bad = replace(result.reliability[1], rejected=True, shift=0.05, w=9.0)
     doubtful = replace(result, reliability=(result.reliability[0], bad, *result.reliability[2:]))
@@ -200,7 +200,7 @@ def test_what_follows_from_a_tick_is_shown_and_cross_checked_after_that(
     ticks = shown.window.table
     click_check(shown, ticks, ticks.sightings.index(0, 2))
     assert not table.isEnabled()
-    settle(shown)
+    wait_until_idle(shown)
     shown.window.docks["Diagnostics"].raise_()
     assert table.isEnabled()
     assert table.rowCount() == len(estimated.result.sightings) - 1
@@ -215,7 +215,7 @@ def test_what_follows_from_a_tick_is_shown_and_cross_checked_after_that(
 
 
 @pytest.mark.parametrize("checked", [True, False])
-def test_a_further_line_is_sought_after_what_follows_from_a_tick(
+def test_a_further_line_is_searched_after_the_results_of_a_check_box(
     shown: Driver, estimated: Project, monkeypatch: pytest.MonkeyPatch, checked: bool
 ):
     """It takes half as long as the adjustment, and nobody waits for it."""
@@ -225,7 +225,7 @@ def test_a_further_line_is_sought_after_what_follows_from_a_tick(
         sought.append(shown.project.result is not None)
         return further_line_advice(observations, result)
 
-    def said():
+    def shown_text():
         result = shown.project.result
         return result is not None and "further line" in message_text(
             result.observability.messages[-1]
@@ -236,7 +236,7 @@ def test_a_further_line_is_sought_after_what_follows_from_a_tick(
     shown.window.docks["Targets by line"].raise_()
     ticks = shown.window.table
     click_check(shown, ticks, ticks.sightings.index(0, 2))
-    shown.bot.waitUntil(said, timeout=WAIT_MS)
+    shown.bot.waitUntil(shown_text, timeout=WAIT_MS)
     assert sought == [True]
     assert shown.window.scene.has_estimated
     shown.rest()

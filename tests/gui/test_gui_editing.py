@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from lispac.gui.residuals import GREY, residuals, validation_distances
-from tests.gui.support import Control, Driver, Key, press, seed, settle
+from tests.gui.support import Control, Driver, Key, press, seed, wait_until_idle
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -98,13 +98,13 @@ def test_a_lasso_about_everything_is_refused(picked: Driver) -> None:
     press(picked, Key.Key_Escape)
 
 
-def test_the_status_bar_forgets_what_it_said_of_a_project_that_has_changed(picked: Driver) -> None:
+def test_the_status_bar_clears_its_text_about_a_project_that_has_changed(picked: Driver) -> None:
     bar = picked.window.task_bar
     seed(picked, "T2")
     press(picked, Key.Key_Return)
     assert bar.currentMessage() == "T3: found in 6 of 6 lines"
     press(picked, Key.Key_Z, Control)
-    settle(picked)
+    wait_until_idle(picked)
     assert bar.currentMessage() == ""
 
 
@@ -136,7 +136,7 @@ def test_every_edit_is_one_named_undo_step(picked: Driver) -> None:
     ):
         count, before = stack.count(), picked.project
         step()
-        settle(picked)
+        wait_until_idle(picked)
         assert undo_text(picked) == f"Undo {words}"
         assert stack.count() == count + 1
         after = picked.project
@@ -166,7 +166,7 @@ def test_roles_change_but_for_spheres(picked: Driver) -> None:
 def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
     window, view = adjusted.window, adjusted.viewport
     window.actions_["colour_residual"].trigger()
-    settle(adjusted)
+    wait_until_idle(adjusted)
     found = residuals(adjusted.project, window.document.survey)
     targets = {fit.target: fit for fit in adjusted.project.result.targets}
     for name, fit in targets.items():
@@ -184,7 +184,7 @@ def test_residuals_colour_the_points_of_the_targets(adjusted: Driver) -> None:
         assert (np.diff(along) >= 0).all()
     window._select("T1", "")
     window.controller.use_target("T2", False)
-    settle(adjusted)
+    wait_until_idle(adjusted)
     assert window.scene.colouring == ("residual" if adjusted.project.result else "line")
 
 
@@ -193,7 +193,7 @@ def test_a_validation_plane_is_a_map_of_what_its_lines_are_apart(adjusted: Drive
     window, project = adjusted.window, adjusted.project
     survey = window.document.survey
     window.actions_["colour_residual"].trigger()
-    settle(adjusted)
+    wait_until_idle(adjusted)
     keys = {("V1", sighting.line) for sighting in project.target("V1").used_sightings}
     shown = {each.key: each.shades for each in adjusted.viewport.highlights}
     assert all(shown[key] is not None for key in keys)

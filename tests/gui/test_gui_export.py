@@ -54,7 +54,7 @@ def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: De
     assert "in the datum and at the epoch of" in dialog.message_label.text()
 
 
-def test_a_wrong_system_is_told_of_while_it_is_typed(dialog: ExportDialog, qtbot: QtBot) -> None:
+def test_a_wrong_system_is_reported_while_it_is_typed(dialog: ExportDialog, qtbot: QtBot) -> None:
     field = dialog.system.lineEdit()
     field.setFocus()
     field.selectAll()
@@ -72,7 +72,7 @@ def test_a_wrong_system_is_told_of_while_it_is_typed(dialog: ExportDialog, qtbot
     assert not ok(dialog).isEnabled()
 
 
-def test_a_system_of_another_part_of_the_world_is_doubted(
+def test_a_system_of_another_part_of_the_world_gives_a_warning(
     dialog: ExportDialog, qtbot: QtBot
 ) -> None:
     dialog.system.lineEdit().setText("EPSG:32660")

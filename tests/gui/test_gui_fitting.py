@@ -178,7 +178,7 @@ def test_answers_stand_in_the_systems_order(qtbot: QtBot) -> None:
     assert (keep.x() < cancel.x()) == first
 
 
-def test_enter_closes_what_tells_of_an_error(qtbot: QtBot) -> None:
+def test_enter_closes_an_error_message(qtbot: QtBot) -> None:
     """Details are for those who ask for them."""
     box = error_box(None, ZeroDivisionError("by zero"))
     qtbot.addWidget(box)

@@ -129,7 +129,7 @@ def test_dialogues(french: Driver, demo: Demo, estimated: Project) -> None:
             each.deleteLater()
 
 
-def test_files_that_are_looked_into(french: Driver, demo: Demo, tmp_path: Path) -> None:
+def test_files_that_are_examined(french: Driver, demo: Demo, tmp_path: Path) -> None:
     settings = AppSettings(tmp_path / "other.ini")
     dialog = ImportDialog(settings, french.window)
     more = AddLinesDialog(settings, demo.project, french.window)

@@ -77,7 +77,7 @@ def test_a_folder_is_searched_and_a_stranger_listed_with_the_reason(
     assert "The trajectory is missing" in dialog.reason.text()
 
 
-def test_looking_can_be_stopped_and_taken_up_again(
+def test_the_examination_can_be_stopped_and_resumed(
     dialog: ImportDialog, qtbot: QtBot, demo: Demo
 ) -> None:
     drop(dialog, raw(demo))
@@ -137,7 +137,7 @@ def test_lines_in_another_time_base_are_mended_by_a_button(
     assert [line.reading.time_shift for line in request.lines] == [0, 86_400, 86_400]
 
 
-def test_a_line_is_left_out_by_its_button_and_the_timeline_goes_by_keys(
+def test_a_line_is_excluded_by_its_button_and_the_timeline_goes_by_keys(
     dialog: ImportDialog, qtbot: QtBot, demo: Demo, tmp_path: Path
 ) -> None:
     far = shifted(demo.project.lines[2].path, tmp_path / "far.laz", 9999.9)

@@ -54,7 +54,7 @@ def test_escape_leaves_an_empty_dialogue_at_once(dialog: ImportDialog) -> None:
 # -- quality ---------------------------------------------------------------------------------------
 
 
-def test_quality_figures_are_drawn_when_looked_at(filled: ImportDialog, qtbot: QtBot) -> None:
+def test_quality_figures_are_drawn_when_shown(filled: ImportDialog, qtbot: QtBot) -> None:
     assert filled.quality.canvas is None
     filled.tabs.setCurrentIndex(QUALITY)
     qtbot.waitUntil(lambda: filled.quality.canvas is not None, timeout=WAIT_MS)

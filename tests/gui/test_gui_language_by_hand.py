@@ -47,7 +47,7 @@ def speak_by_keys(hands: Hands, menu: str, entry: str, wanted: str) -> None:
     hands.to_next_window()
 
 
-def told(dialog: QFileDialog) -> set[str]:
+def dialog_texts(dialog: QFileDialog) -> set[str]:
     """Labels, buttons, heads of columns and kinds of the first rows of a file dialogue."""
     tree = dialog.findChild(QTreeView)
     model, root = tree.model(), tree.rootIndex()
@@ -103,17 +103,17 @@ def test_file_dialogues_are_in_the_language_of_the_window(
     (tmp_path / "here").mkdir()
     seen: list[set[str]] = []
 
-    def look(dialog: QFileDialog) -> bool:
+    def inspect_dialog(dialog: QFileDialog) -> bool:
         dialog.setDirectory(str(tmp_path))
-        if not {"Folder", "Dossier"} & told(dialog):
+        if not {"Folder", "Dossier"} & dialog_texts(dialog):
             return False  # Qt looks into the folder in a thread of its own
-        seen.append(told(dialog))
+        seen.append(dialog_texts(dialog))
         dialog.grab().save(str(tmp_path / f"files-{len(seen)}.png"))
         hands.bot.keyClick(dialog, Key.Key_Escape)
         return True
 
     def ask() -> None:
-        hands.answers.foresee(QFileDialog, look)
+        hands.answers.foresee(QFileDialog, inspect_dialog)
         press(hands, Key.Key_O, Control)
         hands.answered()
 

@@ -76,7 +76,7 @@ def test_a_folder_that_cannot_be_written_stops_nothing(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("ending", ["done", "failed", "cancelled", "short"])
-def test_the_end_of_long_work_is_told_elsewhere(
+def test_the_end_of_long_work_is_reported_elsewhere(
     driver: Driver, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, ending: str
 ) -> None:
     monkeypatch.setattr(desktop_notifications, "MIN_TASK_S", 30.0 if ending == "short" else 0.05)
@@ -102,7 +102,7 @@ def test_the_end_of_long_work_is_told_elsewhere(
     assert [words.rpartition(" after")[0] + " after" for words in told] == expected.get(ending, [])
 
 
-def test_one_who_is_there_is_not_told(driver: Driver, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_one_who_is_there_is_not_reported(driver: Driver, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(desktop_notifications, "MIN_TASK_S", 0.0)
     told: list[str] = []
     DesktopNotifications(driver.window, driver.window.runner, told.append)

@@ -12,12 +12,12 @@ from lispac.gui.dialogs.methods import MethodsDialog
 from lispac.messages import note
 from lispac.workflow.calibration import method_runs
 from lispac.workflow.calibration.method_runs import adjust_natural_planes
-from tests.gui.support import Driver, Left, settle
+from tests.gui.support import Driver, Left, wait_until_idle
 from tests.gui.test_gui_studies import answered
 from tests.gui.test_gui_warnings import listed
 
 
-def said_by_the_scene(project, _survey, *, progress) -> AlternativeResult:
+def result_of_the_scene(project, _survey, *, progress) -> AlternativeResult:
     """Nearly what the targets say; how it is found is tested elsewhere and takes a while."""
     progress(0.5, "Matching the lines: iteration 1")
     result = project.result
@@ -42,7 +42,7 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
         asked.append(method)
         if method == "natural planes":
             return adjust_natural_planes(project, survey, progress=progress)
-        return replace(said_by_the_scene(project, survey, progress=progress), method=method)
+        return replace(result_of_the_scene(project, survey, progress=progress), method=method)
 
     monkeypatch.setattr(method_runs, "run_method", ask)
     action, before = adjusted.window.actions_["methods"], adjusted.project
@@ -74,7 +74,7 @@ def test_the_missing_ones_are_asked_and_kept_as_one_step(
         assert not dialog.run_missing.isEnabled()
 
     answered(adjusted, second)
-    settle(adjusted)
+    wait_until_idle(adjusted)
     assert asked == ["natural planes", "targetless", "patch test"]
     assert [each.method for each in adjusted.project.alternative_results] == [
         "targetless",
@@ -93,7 +93,7 @@ def compare(driver: Driver) -> None:
     QTimer.singleShot(0, driver.window.actions_["methods"].trigger)
 
 
-def test_what_a_method_cannot_answer_is_told(
+def test_what_a_method_cannot_answer_is_reported(
     adjusted: Driver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(_project, _survey, method, *, progress):
@@ -104,14 +104,14 @@ def test_what_a_method_cannot_answer_is_told(
     compare(adjusted)
     answered(adjusted, lambda dialog: adjusted.bot.mouseClick(dialog.run_missing, Left))
 
-    def told(dialog: MethodsDialog) -> None:
+    def inspect_dialog(dialog: MethodsDialog) -> None:
         assert (
             "Natural planes: the lines share too little for natural planes"
             in dialog.message_label.text()
         )
         assert not dialog.run_missing.isEnabled()
 
-    answered(adjusted, told)
+    answered(adjusted, inspect_dialog)
     assert adjusted.project is before
 
 

@@ -146,7 +146,7 @@ def test_on_a_low_screen_it_is_seen_beside_the_field(opened: Driver) -> None:
     assert not field.visibleRegion().isEmpty()
 
 
-def test_a_scanner_far_below_is_a_caution(opened: Driver) -> None:
+def test_a_scanner_far_below_is_a_warning(opened: Driver) -> None:
     view = opened.window.data.mounting
     typed(opened, ("1.2", "0.35", "-2.1"))
     assert view.file_warnings.isVisible()
@@ -156,7 +156,7 @@ def test_a_scanner_far_below_is_a_caution(opened: Driver) -> None:
 
 
 @pytest.mark.parametrize(("height", "lever_arm"), [(768, "-2.1"), (1000, "-2.1"), (768, "-42")])
-def test_a_caution_is_in_sight_whole_while_it_is_typed(opened: Driver, height, lever_arm) -> None:
+def test_a_warning_is_fully_visible_while_it_is_typed(opened: Driver, height, lever_arm) -> None:
     opened.window.resize(1366, height)
     view, field = opened.window.data.mounting, opened.window.data.lever_arm.fields[2]
     typed(opened, ("1.2", "0.35", "2.1"))
@@ -214,7 +214,9 @@ def test_the_import_dialogue_draws_it_too(filled: ImportDialog, qtbot) -> None:
 
 
 @pytest.mark.parametrize("size", [(1326, 708), (1240, 840)])
-def test_the_import_dialogue_cautions_wherever_one_looks(filled: ImportDialog, qtbot, size) -> None:
+def test_the_import_dialogue_shows_warnings_on_every_page(
+    filled: ImportDialog, qtbot, size
+) -> None:
     filled.resize(*size)
     page, field = filled.mounting, filled.mounting.lever_arm.fields[2]
     filled.tabs.setCurrentWidget(page)

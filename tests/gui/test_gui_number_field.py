@@ -74,7 +74,7 @@ def test_left_with_such_a_number_the_field_has_what_it_had_before(form, qtbot) -
     assert QToolTip.isVisible()
 
 
-def test_what_is_kept_is_said_after_a_click_elsewhere(form, qtbot) -> None:
+def test_what_is_kept_is_shown_after_a_click_elsewhere(form, qtbot) -> None:
     """Until the mouse is let go, which ends every tip."""
     typed(qtbot, form.up, "2173")
     qtbot.mousePress(form.sigma.lineEdit(), Qt.MouseButton.LeftButton)

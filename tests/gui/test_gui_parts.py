@@ -154,7 +154,7 @@ def test_lasting_work_that_stops_when_asked_is_cancelled(qtbot, runner):
     assert got == []
 
 
-def test_a_failed_task_tells_why_and_the_next_one_runs(qtbot, runner):
+def test_a_failed_task_reports_why_and_the_next_one_runs(qtbot, runner):
     def fails(_progress):
         raise InputError("the file is short")
 
@@ -214,7 +214,7 @@ def test_closing_waits_for_the_worker(qtbot):
 # -- errors and words ----------------------------------------------------------------------------
 
 
-def test_what_a_library_said_is_in_the_details(qapp):
+def test_what_a_library_reported_is_in_the_details(qapp):
     try:
         try:
             json.loads("{")
@@ -266,7 +266,7 @@ def test_many_points_are_counted_in_millions():
     assert status.point_count(447_043) == "447,043 points"
 
 
-def test_a_serious_doubt_is_no_done_step(demo: Demo, estimated: Project):
+def test_a_serious_warning_is_no_done_step(demo: Demo, estimated: Project):
     sound = status.step_statuses(estimated, demo.survey)[2]
     assert sound.state == "done"
     assert "warnings" not in sound.sentence

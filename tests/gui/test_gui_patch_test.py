@@ -144,7 +144,7 @@ def test_keys_turn_by_a_thousandth_and_the_picture_follows(opened: Driver) -> No
     )
 
 
-def test_boxes_by_hand_are_added_looked_at_and_removed(opened: Driver) -> None:
+def test_boxes_by_hand_are_added_shown_and_removed(opened: Driver) -> None:
     window, shown = opened.window, opened_panel(opened)
     click(opened, shown.target)
     opened.rest()

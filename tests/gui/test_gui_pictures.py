@@ -16,7 +16,7 @@ from lispac.gui.panels.sightings_table import EDITED
 from lispac.gui.picture_export import NO_SECTION
 from lispac.gui.viewport.base import PointColouring
 from lispac.gui.viewport.overlay import OverlaidView, free_label_place
-from tests.gui.support import Control, Driver, Key, click, press, settle
+from tests.gui.support import Control, Driver, Key, click, press, wait_until_idle
 from tests.view_scenes import scene
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -25,7 +25,7 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 def section(driver: Driver):
     press(driver, Key.Key_S)
     driver.window._select("T1", "")
-    settle(driver)
+    wait_until_idle(driver)
     return driver.window.tools.sections.panel
 
 
@@ -33,7 +33,7 @@ def test_p_saves_the_view_and_shift_p_copies_it(picked: Driver, tmp_path: Path) 
     window = picked.window
     picked.dialogs.path = tmp_path / "view.png"
     press(picked, Key.Key_P)
-    settle(picked)
+    wait_until_idle(picked)
     assert picked.dialogs.asked[-1] == f"{picked.project.name}-view.png"
     assert not QImage(str(tmp_path / "view.png")).isNull()
     assert f"Wrote {tmp_path / 'view.png'}" in window.log.toPlainText()
@@ -42,7 +42,7 @@ def test_p_saves_the_view_and_shift_p_copies_it(picked: Driver, tmp_path: Path) 
     assert QGuiApplication.clipboard().image().size() == picked.viewport.widget.size()
     picked.dialogs.path = Path("/dev/null/view.png")
     press(picked, Key.Key_P)
-    settle(picked)
+    wait_until_idle(picked)
     assert "cannot be written" in str(picked.dialogs.errors[-1])
 
 
@@ -53,14 +53,14 @@ def test_the_section_is_saved_and_copied_as_it_is_shown(picked: Driver, tmp_path
     assert not panel.copy_picture.isEnabled()
     picked.dialogs.path = tmp_path / "section.png"
     press(picked, Key.Key_P, Control)
-    settle(picked)
+    wait_until_idle(picked)
     press(picked, Key.Key_P, Control | SHIFT)
     assert picked.window.log.toPlainText().count(NO_SECTION) == 2
     assert not (tmp_path / "section.png").exists()
     panel = section(picked)
     shown = panel.canvas.figure.axes[0].get_xlim()
     click(picked, panel.save_picture)
-    settle(picked)
+    wait_until_idle(picked)
     assert picked.dialogs.asked[-1] == f"{picked.project.name}-section-across-t1.png"
     saved = QImage(str(tmp_path / "section.png"))
     inches = panel.canvas.figure.get_size_inches()
@@ -68,18 +68,18 @@ def test_the_section_is_saved_and_copied_as_it_is_shown(picked: Driver, tmp_path
     for kind, begins in (("svg", b"<?xml"), ("pdf", b"%PDF")):
         picked.dialogs.path = tmp_path / f"section.{kind}"
         press(picked, Key.Key_P, Control)
-        settle(picked)
+        wait_until_idle(picked)
         assert picked.dialogs.path.read_bytes().startswith(begins)
     QGuiApplication.clipboard().clear()
     click(picked, panel.copy_picture)
-    settle(picked)
+    wait_until_idle(picked)
     assert QGuiApplication.clipboard().image().size() == saved.size()
     # Nothing of the panel is changed by it.
     assert panel.canvas.figure.axes[0].get_xlim() == shown
     assert panel.canvas.figure.get_suptitle() == ""
     picked.dialogs.path = Path("/dev/null/section.png")
     press(picked, Key.Key_P, Control)
-    settle(picked)
+    wait_until_idle(picked)
     assert len(picked.dialogs.errors) == 1
 
 
@@ -96,7 +96,7 @@ def test_a_section_in_feet_is_saved_in_metres(picked: Driver, tmp_path: Path) ->
         first.set_xlim(-0.25, 0.5)
         picked.dialogs.path = tmp_path / "section.svg"
         press(picked, Key.Key_P, Control)
-        settle(picked)
+        wait_until_idle(picked)
         saved = picked.dialogs.path.read_text()  # words stand as comments beside their outlines
         assert "<!-- Height (m) -->" in saved
         assert "mm -->" in saved

@@ -33,14 +33,14 @@ def proposal(demo: Demo) -> Proposal:
 def answered(driver: Driver, answer: Callable[[QDialog], None]) -> None:
     """Let a hand answer the next dialogue."""
 
-    def look() -> None:
+    def inspect_window() -> None:
         dialog = QApplication.activeModalWidget()
         if dialog is None:
-            QTimer.singleShot(50, look)
+            QTimer.singleShot(50, inspect_window)
         else:
             answer(dialog)
 
-    QTimer.singleShot(50, look)
+    QTimer.singleShot(50, inspect_window)
 
 
 def press(driver: Driver, dialog: QDialog, name: str) -> None:

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
 from lispac.project import Project
-from tests.gui.support import Demo, Driver, Key, open_step, press, seed, settle
+from tests.gui.support import Demo, Driver, Key, open_step, press, seed, wait_until_idle
 
 Role = Qt.ItemDataRole
 
@@ -37,7 +37,7 @@ def test_every_sighting_has_a_light_with_its_reason(picked: Driver) -> None:
     assert "surface normal is" in shown(picked, "T2", steep, Role.ToolTipRole)
 
 
-def test_a_poor_one_is_told_and_can_be_left_out_and_undone(picked: Driver) -> None:
+def test_a_poor_one_is_reported_and_can_be_excluded_and_undone(picked: Driver) -> None:
     line = picked.project.target("T1").sightings[0].line
     picked.window.document.edit("less", with_few_points(picked.project))
     picked.rest()
@@ -66,7 +66,7 @@ def test_after_the_calibration_they_are_judged_with_its_boresight(
     # Leaving one out keeps the lights of the others while the new result is on its way.
     picked.window.controller.use_sighting("T1", line, False)
     assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
-    settle(picked)
+    wait_until_idle(picked)
     assert "Quality: good" in shown(picked, "T1", line, Role.ToolTipRole)
 
 

@@ -54,7 +54,7 @@ def test_details_are_one_undo_step(adjusted: Driver) -> None:
     assert adjusted.project is before
 
 
-def test_what_is_wrong_is_said_and_cancel_changes_nothing(opened: Driver) -> None:
+def test_what_is_wrong_is_reported_and_cancel_changes_nothing(opened: Driver) -> None:
     open_step(opened, 0)
     before = opened.project
 
@@ -127,7 +127,7 @@ def test_page_convention_and_template_reach_the_file_and_are_remembered(
     assert panel.options() == ReportOptions("letter", "applanix", language="fr")
 
 
-def test_a_bad_template_is_said_at_once_and_refused(adjusted: Driver, tmp_path: Path) -> None:
+def test_a_bad_template_is_reported_at_once_and_refused(adjusted: Driver, tmp_path: Path) -> None:
     open_step(adjusted, REPORT)
     panel = adjusted.window.report
     adjusted.dialogs.path = tmp_path / "own.toml"

@@ -60,7 +60,7 @@ def test_what_a_killed_program_did_comes_back(driver: Driver, folder: Path) -> N
     unsaved(driver, folder, wanted=False)
 
 
-def test_what_is_not_wanted_back_is_gone(driver: Driver, folder: Path) -> None:
+def test_discarded_work_is_gone(driver: Driver, folder: Path) -> None:
     write_unsaved(read_project(folder).without_target("T1"))
     opened(driver, folder)
     assert driver.dialogs.safety == [f"recover {folder.name}"]
@@ -160,7 +160,7 @@ def test_the_window_and_many_commands_at_once(driver: Driver, folder: Path) -> N
     window_and_command_at_once(driver, folder, 60)
 
 
-def test_where_nothing_can_be_kept_it_is_said(driver: Driver, folder: Path) -> None:
+def test_where_nothing_can_be_kept_it_is_reported(driver: Driver, folder: Path) -> None:
     opened(driver, folder)
     (folder / UNSAVED_NAME).mkdir()
     (folder / UNSAVED_NAME / "held").touch()

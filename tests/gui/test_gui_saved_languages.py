@@ -18,7 +18,7 @@ from lispac.messages import Message
 from lispac.workflow.project.projects import save_project
 from tests.french_catalogue import FRENCH
 from tests.gui.french_support import english, pieces, texts
-from tests.gui.support import WAIT_MS, Demo, Driver, Key, click, open_step, press, settle
+from tests.gui.support import WAIT_MS, Demo, Driver, Key, click, open_step, press, wait_until_idle
 
 WRONG_BY = 0.1
 """Metres by which a lever arm is wrong, so that the estimate has much to warn of."""
@@ -42,7 +42,7 @@ def window(code: str, qtbot: QtBot, folder: Path) -> Iterator[Driver]:
 def open_project(driver: Driver, folder: Path) -> None:
     driver.dialogs.path = folder
     press(driver, Key.Key_O, Qt.KeyboardModifier.ControlModifier)
-    settle(driver)
+    wait_until_idle(driver)
     assert driver.dialogs.errors == []
 
 
@@ -72,12 +72,12 @@ def test_all_warnings_are_in_the_language_of_the_window(
     with window(first, qtbot, tmp_path / "first") as driver:
         open_project(driver, demo_copy)
         press(driver, Key.Key_F9)
-        settle(driver)
+        wait_until_idle(driver)
         open_step(driver, VALIDATE)
         click(driver, driver.window.validate.run)
-        settle(driver)
+        wait_until_idle(driver)
         press(driver, Key.Key_S, Qt.KeyboardModifier.ControlModifier)
-        settle(driver)
+        wait_until_idle(driver)
         assert not driver.window.isWindowModified()
         before = listed(driver)
     with window(second, qtbot, tmp_path / "second") as driver:

@@ -20,12 +20,12 @@ def shown(driver: Driver, answer: Answer = lambda dialog: None) -> str:
     """The script that the window shows."""
     found: list[str] = []
 
-    def look(dialog: QWidget) -> None:
+    def inspect_dialog(dialog: QWidget) -> None:
         assert isinstance(dialog, ScriptDialog)
         found.append(dialog.findChild(QPlainTextEdit, "script_text").toPlainText())
         answer(dialog)
 
-    hand(driver, look)
+    hand(driver, inspect_dialog)
     action = driver.window.actions_["script"]
     assert action.isEnabled()
     action.trigger()
@@ -35,7 +35,7 @@ def shown(driver: Driver, answer: Answer = lambda dialog: None) -> str:
     return script
 
 
-def told_by_window(driver: Driver, path: Path) -> dict:
+def values_in_window(driver: Driver, path: Path) -> dict:
     """The report in JSON that the window writes."""
     driver.dialogs.path = path
     press(driver, Key.Key_E, Control)
@@ -60,7 +60,7 @@ def test_the_demo_run_in_the_window_is_the_script_run_without_it(
     opened.rest()
     press(opened, Key.Key_F10)
     opened.rest()
-    wanted = told_by_window(opened, tmp_path / "window.json")
+    wanted = values_in_window(opened, tmp_path / "window.json")
     assert wanted["calibrated"]
     assert [plane["name"] for plane in wanted["validation"]] == ["V1", "Tower"]
     assert wanted["cross_checks"] is not None
@@ -81,7 +81,7 @@ def test_the_demo_run_in_the_window_is_the_script_run_without_it(
 
 
 @pytest.mark.long
-def test_what_follows_from_a_click_is_told_where_the_script_gives_another_answer(
+def test_what_follows_from_a_click_is_reported_where_the_script_gives_another_answer(
     opened: Driver,
 ) -> None:
     """The window keeps the points selected before; the script selects them anew."""

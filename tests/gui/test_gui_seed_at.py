@@ -22,11 +22,11 @@ def hand(driver: Driver, answer: Callable[[SeedDialog], None]) -> list[SeedDialo
     seen: list[SeedDialog] = []
     until = time.monotonic() + WAIT_MS / 1000
 
-    def look() -> None:
+    def inspect_window() -> None:
         dialog = QApplication.activeModalWidget()
         if dialog is None:
             if time.monotonic() < until:
-                QTimer.singleShot(20, look)
+                QTimer.singleShot(20, inspect_window)
             return
         seen.append(dialog)
         try:
@@ -35,7 +35,7 @@ def hand(driver: Driver, answer: Callable[[SeedDialog], None]) -> list[SeedDialo
             if dialog.isVisible():
                 driver.bot.keyClick(dialog, Key.Key_Escape)
 
-    QTimer.singleShot(20, look)
+    QTimer.singleShot(20, inspect_window)
     return seen
 
 
@@ -47,7 +47,7 @@ def fill(driver: Driver, dialog: SeedDialog, name: str, text: str) -> None:
     driver.bot.keyClicks(field, text)
 
 
-def said(dialog: SeedDialog) -> str:
+def shown_result(dialog: SeedDialog) -> str:
     return dialog.findChild(QLabel, "seed_said").text()
 
 
@@ -60,12 +60,12 @@ def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> N
 
     def answer(dialog: SeedDialog) -> None:
         assert not find(dialog).isEnabled()
-        assert said(dialog) == "Enter North, West and Up."
+        assert shown_result(dialog) == "Enter North, West and Up."
         assert dialog.focusWidget() is dialog.fields[0]
         for value in T1:
             opened.bot.keyClicks(dialog.focusWidget(), f"{value:.3f}")
             opened.bot.keyClick(dialog.focusWidget(), Key.Key_Tab)
-        assert "Distance from the trajectory: " in said(dialog)
+        assert "Distance from the trajectory: " in shown_result(dialog)
         assert dialog.focusWidget() is find(dialog)
         opened.bot.keyClick(dialog.focusWidget(), Key.Key_Return)
 
@@ -86,14 +86,14 @@ def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> N
     assert opened.project is before
 
 
-def test_mistakes_are_told_while_typing(picked: Driver) -> None:
+def test_mistakes_are_reported_while_typing(picked: Driver) -> None:
     open_step(picked, TARGETS)
     told: list[str] = []
 
     def answer(dialog: SeedDialog) -> None:
         def typed(name: str, text: str) -> str:
             fill(picked, dialog, name, text)
-            told.append(said(dialog))
+            told.append(shown_result(dialog))
             return told[-1]
 
         assert dialog.name.text() == "T3"
@@ -138,20 +138,20 @@ def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
         box.lineEdit().selectAll()
         opened.bot.keyClicks(box.lineEdit(), "EPSG:99999")
         opened.bot.waitUntil(
-            lambda: "does not know this coordinate system" in said(dialog), timeout=WAIT_MS
+            lambda: "does not know this coordinate system" in shown_result(dialog), timeout=WAIT_MS
         )
         box.lineEdit().selectAll()
         opened.bot.keyClicks(box.lineEdit(), "EPSG:32619")
-        opened.bot.waitUntil(lambda: "Enter" in said(dialog), timeout=WAIT_MS)
+        opened.bot.waitUntil(lambda: "Enter" in shown_result(dialog), timeout=WAIT_MS)
         QApplication.clipboard().setText(f"{north:.4f}; {east:.4f}; {height:.4f}")
         first = dialog.fields[0]
         opened.bot.mouseClick(first, Qt.MouseButton.LeftButton)
         opened.bot.keyClick(first, Key.Key_V, Qt.KeyboardModifier.ControlModifier)
-        assert "Give easting first, then northing" in said(dialog)
+        assert "Give easting first, then northing" in shown_result(dialog)
         first.selectAll()
         QApplication.clipboard().setText(f"{east:.4f}\t{north:.4f}\t−0{-height:.4f}")
         opened.bot.keyClick(first, Key.Key_V, Qt.KeyboardModifier.ControlModifier)
-        assert "Local frame: " in said(dialog)
+        assert "Local frame: " in shown_result(dialog)
         opened.bot.mouseClick(find(dialog), Qt.MouseButton.LeftButton)
 
     hand(opened, answer)

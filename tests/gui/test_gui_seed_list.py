@@ -87,7 +87,7 @@ def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -
     assert opened.project is before
 
 
-def test_taken_names_are_not_ticked_and_columns_can_be_stated(picked: Driver, listed: Path) -> None:
+def test_taken_names_are_not_ticked_and_columns_can_be_given(picked: Driver, listed: Path) -> None:
     picked.dialogs.path = listed
     ticked = []
 

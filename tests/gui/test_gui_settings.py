@@ -203,7 +203,7 @@ def test_own_sensors_are_added_copied_edited_and_removed(
     assert sensors.table.rowCount() == count + 1
 
 
-def test_what_cannot_be_kept_is_said_while_it_is_typed(qtbot: QtBot, tmp_path: Path) -> None:
+def test_what_cannot_be_kept_is_reported_while_it_is_typed(qtbot: QtBot, tmp_path: Path) -> None:
     store_sensor(tmp_path, MINE)
     editor = SensorEditor(tmp_path, NEW_SCANNER, "")
     qtbot.addWidget(editor)
@@ -283,7 +283,7 @@ def test_chosen_sensors_fill_fields_that_can_be_changed(
     assert project.identity.pos == "Exail (iXblue) Hydrins"
 
 
-def test_the_cache_goes_where_it_is_wanted(
+def test_the_cache_goes_to_the_chosen_folder(
     driver: Driver, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     wanted = Preferences(language=driver.window.settings.language_chosen, cache=tmp_path / "fast")

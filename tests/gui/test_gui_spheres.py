@@ -55,7 +55,7 @@ def test_a_ball_is_seeded_with_and_without_its_radius(opened, balls, radius, sai
     assert panel.table.item(0, 3).text() == "6 of 6"
 
 
-def test_the_radius_of_a_ball_is_told_in_the_unit_shown(opened, balls):
+def test_the_radius_of_a_ball_is_shown_in_the_chosen_unit(opened, balls):
     panel = opened.window.targets
     panel.shape_choice.setCurrentIndex(1)
     panel._sphere_radius.setValue(0.15)

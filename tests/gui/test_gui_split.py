@@ -25,7 +25,7 @@ def two_scanners(line: Path, to: Path) -> Path:
     return to
 
 
-def said(dialog: ImportDialog) -> list[str]:
+def shown_messages(dialog: ImportDialog) -> list[str]:
     return [label.text() for label in dialog.file_page.messages.findChildren(QLabel)
             if label.isVisible()]  # fmt: skip
 
@@ -50,7 +50,7 @@ def test_a_file_of_two_sources_is_split_by_a_click(
     rest(qtbot, dialog)
     lines = dialog.input_files.sources()
     assert [line.name for line in lines] == ["L9_0", "L9_1"]
-    assert any("L9_0 and L9_1" in text for text in said(dialog))
+    assert any("L9_0 and L9_1" in text for text in shown_messages(dialog))
     dialog.folder.setText(str(tmp_path / "project"))
     request = dialog.request()
     project, loaded = new_project(
@@ -94,7 +94,7 @@ def test_findings_are_shown_before_the_project_is_made(
     drop(dialog, [demo.project.trajectory, path])
     rest(qtbot, dialog)
     dialog.table.select(path)
-    texts = " ".join(said(dialog))
+    texts = " ".join(shown_messages(dialog))
     view = dialog.file_page.messages
     assert view.height() >= min(len(view.buttons), 3) * view.buttons[0].height()
     assert "20 points" in texts
@@ -105,7 +105,7 @@ def test_findings_are_shown_before_the_project_is_made(
     qtbot.mouseClick(keep, Left)
     rest(qtbot, dialog)
     assert dialog.input_files.entry(path).options["withheld"] == "keep"
-    assert "20 points" not in " ".join(said(dialog))
+    assert "20 points" not in " ".join(shown_messages(dialog))
 
 
 @pytest.mark.parametrize(("words", "found"), [([], True), (["--quick"], False)])

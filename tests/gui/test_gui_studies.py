@@ -28,7 +28,7 @@ Key, Left = Qt.Key, Qt.MouseButton.LeftButton
 SYSTEM = Identity(vessel="Nordlys", scanner="VZ-400i")
 
 
-def answered(driver: Driver, look, key: Qt.Key = Key.Key_Return) -> None:
+def answered(driver: Driver, inspect_dialog, key: Qt.Key = Key.Key_Return) -> None:
     """Look at the dialogue that comes, and end it by a key; its errors are the test's.
 
     Enter presses the button that was clicked last, where one was.
@@ -42,7 +42,7 @@ def answered(driver: Driver, look, key: Qt.Key = Key.Key_Return) -> None:
                 QTimer.singleShot(50, lambda: wait(tries - 1))
             return
         try:
-            look(dialog)
+            inspect_dialog(dialog)
             looked.append(None)
         except BaseException as error:
             looked.append(error)
@@ -74,7 +74,7 @@ def test_the_open_answer_is_held_against_last_years(
     assert estimated.result is not None
     pitch = np.degrees(estimated.result.boresight[1])
 
-    def look(dialog: HistoryDialog) -> None:
+    def inspect_dialog(dialog: HistoryDialog) -> None:
         assert isinstance(dialog, HistoryDialog)
         assert dialog.table.rowCount() == 2
         days = [dialog.table.item(row, 0).text() for row in range(2)]
@@ -89,10 +89,10 @@ def test_the_open_answer_is_held_against_last_years(
         assert QGuiApplication.clipboard().pixmap().width() >= 560
 
     adjusted.bot.keyClick(adjusted.window, Key.Key_F11)
-    answered(adjusted, look, Key.Key_Escape)
+    answered(adjusted, inspect_dialog, Key.Key_Escape)
 
 
-def test_a_folder_without_projects_is_told(driver: Driver, tmp_path: Path) -> None:
+def test_a_folder_without_projects_is_reported(driver: Driver, tmp_path: Path) -> None:
     driver.dialogs.path = tmp_path
     driver.bot.keyClick(driver.window, Key.Key_F11)
     driver.rest()
@@ -103,7 +103,7 @@ def test_a_folder_without_projects_is_told(driver: Driver, tmp_path: Path) -> No
 def test_fewer_points_and_more(adjusted: Driver) -> None:
     project = adjusted.project
 
-    def look(dialog: SubsamplingDialog) -> None:
+    def inspect_dialog(dialog: SubsamplingDialog) -> None:
         assert isinstance(dialog, SubsamplingDialog)
         points = [
             int(dialog.table.item(row, 1).text().replace(",", ""))
@@ -121,7 +121,7 @@ def test_fewer_points_and_more(adjusted: Driver) -> None:
     action = adjusted.window.actions_["subsampling"]
     assert action.isEnabled()
     action.trigger()
-    answered(adjusted, look)
+    answered(adjusted, inspect_dialog)
     assert adjusted.project is project
 
 
@@ -142,7 +142,7 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
         dialog.system.setCurrentIndex(dialog.system.findData("local"))
         dialog.sigma.setValue(2.0)
 
-    def look(dialog: CheckResultDialog) -> None:
+    def inspect_dialog(dialog: CheckResultDialog) -> None:
         assert isinstance(dialog, CheckResultDialog)
         seen.append(dialog)
         found = adjusted.project.absolute
@@ -157,7 +157,7 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
 
     QTimer.singleShot(0, adjusted.window.actions_["check"].trigger)
     answered(adjusted, ask)
-    answered(adjusted, look)
+    answered(adjusted, inspect_dialog)
     assert len(seen) == 2
     stack = adjusted.window.document.undo_stack
     assert stack.undoText() == "check against tripod.txt"
@@ -166,7 +166,7 @@ def test_a_static_scan_is_one_undo_step_and_in_the_report(adjusted: Driver, tmp_
     assert adjusted.project.absolute is None
 
 
-def test_a_reference_that_is_missing_is_told(adjusted: Driver, tmp_path: Path) -> None:
+def test_a_reference_that_is_missing_is_reported(adjusted: Driver, tmp_path: Path) -> None:
     def ask(dialog: CheckDialog) -> None:
         dialog.file.setText(str(tmp_path / "gone.laz"))
 
@@ -179,7 +179,7 @@ def test_a_reference_that_is_missing_is_told(adjusted: Driver, tmp_path: Path) -
 
 
 def test_the_error_budget(adjusted: Driver) -> None:
-    def look(dialog: BudgetDialog) -> None:
+    def inspect_dialog(dialog: BudgetDialog) -> None:
         assert isinstance(dialog, BudgetDialog)
         rows = {dialog.table.item(row, 0).text(): row for row in range(dialog.table.rowCount())}
         before, after = (
@@ -193,7 +193,7 @@ def test_the_error_budget(adjusted: Driver) -> None:
         assert dialog.table.item(rows["Lever arm"], 1).text() == "–"
 
     QTimer.singleShot(0, adjusted.window.actions_["budget"].trigger)
-    answered(adjusted, look)
+    answered(adjusted, inspect_dialog)
 
 
 def test_visible_errors_are_chosen_read_off_and_copied(
@@ -201,7 +201,7 @@ def test_visible_errors_are_chosen_read_off_and_copied(
 ) -> None:
     """Without a project: boards are thought of before there is a survey."""
 
-    def look(dialog: VisibilityDialog) -> None:
+    def inspect_dialog(dialog: VisibilityDialog) -> None:
         assert isinstance(dialog, VisibilityDialog)
         assert dialog.table.rowCount() == 8
         best = {
@@ -244,7 +244,7 @@ def test_visible_errors_are_chosen_read_off_and_copied(
     action = driver.window.actions_["visibility"]
     assert action.isEnabled()
     action.trigger()
-    answered(driver, look, Key.Key_Escape)
+    answered(driver, inspect_dialog, Key.Key_Escape)
 
 
 def test_there_is_nothing_to_study_without_targets(opened: Driver) -> None:
@@ -259,7 +259,7 @@ def test_differences_between_lines_as_they_are_shown(adjusted: Driver) -> None:
     adjusted.rest()
     project = adjusted.project
 
-    def look(dialog: LineQualityDialog) -> None:
+    def inspect_dialog(dialog: LineQualityDialog) -> None:
         assert isinstance(dialog, LineQualityDialog)
         rows = [
             [dialog.table.item(row, column).text() for column in range(9)]
@@ -276,5 +276,5 @@ def test_differences_between_lines_as_they_are_shown(adjusted: Driver) -> None:
     action = adjusted.window.actions_["line_quality"]
     assert action.isEnabled()
     action.trigger()
-    answered(adjusted, look)
+    answered(adjusted, inspect_dialog)
     assert adjusted.project is project

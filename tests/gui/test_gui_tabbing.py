@@ -74,7 +74,7 @@ def test_recent_projects_come_after_the_ways_to_begin(driver: Driver, demo_copy:
     assert found.count("start_recent") == 1  # what is gone takes no keys
 
 
-def test_a_frame_tells_that_the_view_has_the_focus(adjusted: Driver) -> None:
+def test_a_frame_shows_that_the_view_has_the_focus(adjusted: Driver) -> None:
     window, view = adjusted.window, adjusted.viewport.widget
     view.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # one that only records takes none
     window.workflow.headers[0].setFocus()

@@ -74,7 +74,7 @@ def test_focus_frames_and_marks_stand_out(scheme: ColourScheme) -> None:
 
 @BOTH
 @pytest.mark.parametrize("blind", ["protan", "deutan"])
-def test_the_colour_blind_tell_neighbouring_lines_apart(scheme: ColourScheme, blind: str) -> None:
+def test_neighbouring_lines_differ_for_the_colour_blind(scheme: ColourScheme, blind: str) -> None:
     colours = [seen(colour, blind) for colour in scheme.lines]
     apart = [float(np.linalg.norm(one - other)) for one, other in pairwise(colours)]
     assert min(apart) > AT_A_GLANCE
@@ -199,7 +199,7 @@ def test_the_design_window_follows_the_system_and_stays_in_front(
     assert theme.current_scheme() is (DARK if other else LIGHT)
 
 
-def test_a_chosen_look_does_not_follow_the_system(
+def test_a_chosen_theme_does_not_follow_the_system(
     session: Session, qtbot: QtBot, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window = session.window
@@ -278,7 +278,7 @@ def copied(bot: QtBot) -> QImage:
 
 
 @pytest.mark.parametrize("choice", ["Light", "Dark"])
-def test_charts_have_the_looks_of_the_window_and_are_copied_on_white(
+def test_charts_have_the_theme_of_the_window_and_are_copied_on_white(
     session: Session, qtbot: QtBot, demo: Demo, validated: Project, tmp_path: Path, choice: str
 ) -> None:
     if choice == "Dark":

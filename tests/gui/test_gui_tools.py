@@ -12,7 +12,7 @@ from lispac.gui.panels.section import EMPTY
 from lispac.gui.sections import section_box_sketch
 from lispac.gui.viewport.base import PickedPoint
 from lispac.warning_causes import Cause
-from tests.gui.support import Driver, Key, click, press, seed, settle, type_into
+from tests.gui.support import Driver, Key, click, press, seed, type_into, wait_until_idle
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -117,7 +117,7 @@ def test_the_section_follows_the_selected_target(adjusted: Driver) -> None:
     assert "section" not in adjusted.viewport.sketches
     window.controller.remove("V1")
     press(adjusted, Key.Key_S)
-    settle(adjusted)
+    wait_until_idle(adjusted)
     assert panel.text_label.text() == EMPTY
     assert not panel.canvas.isVisible()
 
@@ -276,7 +276,7 @@ def test_before_and_after_in_one_picture(adjusted: Driver) -> None:
     assert not window.actions_["wipe"].isChecked()
 
 
-def test_nothing_to_compare_is_said(picked: Driver) -> None:
+def test_nothing_to_compare_is_reported(picked: Driver) -> None:
     press(picked, Key.Key_W)
     assert "Estimate the boresight first" in picked.window.log.toPlainText()
     assert picked.viewport.wipe_clouds is None

@@ -63,11 +63,11 @@ def test_the_tutorial_leads_to_a_report(
     source = page(language, "tutorial")
     looked: list[str] = []
 
-    def look(_front: QWidget, picture: str) -> None:
+    def check_picture(_front: QWidget, picture: str) -> None:
         assert (source.parent / picture).is_file()
         looked.append(picture)
 
-    Reader(program, steps_of(source.read_text(encoding="utf-8")), look).follow()
+    Reader(program, steps_of(source.read_text(encoding="utf-8")), check_picture).follow()
     assert len(looked) == 7
     assert (demo_copy / REPORTS[language]).read_bytes().startswith(b"%PDF")
     kept = open_project(demo_copy)

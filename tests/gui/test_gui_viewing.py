@@ -33,7 +33,7 @@ def test_o_switches_between_orthographic_and_perspective(opened: Driver) -> None
     assert not opened.viewport.parallel
 
 
-def test_the_selected_target_is_fitted_and_looked_at_squarely(picked: Driver) -> None:
+def test_the_selected_target_is_fitted_and_viewed_along_its_normal(picked: Driver) -> None:
     window = picked.window
     notes: list[str] = []
     window.controller.logged.connect(notes.append)

@@ -15,7 +15,7 @@ from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note, warning
 from lispac.project import Project
 from lispac.warning_causes import Cause
-from tests.gui.support import WAIT_MS, Demo, Driver, Key, Left, click, press, settle
+from tests.gui.support import WAIT_MS, Demo, Driver, Key, Left, click, press, wait_until_idle
 
 Role = Qt.ItemDataRole
 
@@ -129,7 +129,7 @@ def test_enter_does_what_a_click_does(picked: Driver) -> None:
     assert picked.window.scene.selected == ("T1", picked.project.target("T1").sightings[0].line)
 
 
-def test_a_left_out_target_leads_to_its_row_in_step_2(picked: Driver) -> None:
+def test_an_excluded_target_leads_to_its_row_in_step_2(picked: Driver) -> None:
     picked.window.controller.use_target("T2", False)
     click_row(picked, row_of(picked, "Target T2 is excluded."))
     assert picked.window.workflow.opened == TARGETS
@@ -154,7 +154,7 @@ def test_a_scanner_far_below_leads_to_its_z(picked: Driver) -> None:
     assert has_focus(picked.window.data.lever_arm.fields[2])
 
 
-def test_a_line_is_selected_and_looked_at(picked: Driver, demo: Demo) -> None:
+def test_a_line_is_selected_and_shown(picked: Driver, demo: Demo) -> None:
     """A note of the reader that names the file of a line."""
     line = picked.project.lines[2]
     outside = note("import.excluded_outside", file=line.path.name, count=12, total=100)
@@ -211,16 +211,16 @@ def test_it_follows_edits_undo_and_a_new_result(adjusted: Driver) -> None:
     assert said not in listed(adjusted)
     adjusted.window.controller.use_sighting("T1", line, False)
     assert adjusted.window.warnings.head.text() == WAITING
-    settle(adjusted)
+    wait_until_idle(adjusted)
     assert said in listed(adjusted)
     adjusted.window.document.undo_stack.undo()
     assert said not in listed(adjusted)
 
 
-def test_why_no_result_follows_is_told(adjusted: Driver) -> None:
+def test_why_no_result_follows_is_reported(adjusted: Driver) -> None:
     for target in adjusted.project.targets_of_role("target"):
         adjusted.window.controller.use_target(target.name, False)
-    settle(adjusted)
+    wait_until_idle(adjusted)
     assert adjusted.window.document.refusal
     first = listed(adjusted)[0]
     refusal = adjusted.window.document.refusal
@@ -229,7 +229,9 @@ def test_why_no_result_follows_is_told(adjusted: Driver) -> None:
     assert adjusted.window.workflow.opened == ADJUST
 
 
-def test_a_result_that_an_edit_dropped_is_told_until_it_is_there_again(adjusted: Driver) -> None:
+def test_a_result_that_an_edit_dropped_is_reported_until_it_is_there_again(
+    adjusted: Driver,
+) -> None:
     settings = replace(adjusted.project.settings, lidar_sigma=0.004)
     assert STALE not in listed(adjusted)
     adjusted.window.controller.change_settings(settings)
@@ -245,7 +247,7 @@ def test_another_project_without_a_result_has_lost_none(adjusted: Driver, demo: 
     assert STALE not in listed(adjusted)
 
 
-def test_gaps_of_the_trajectory_are_told(picked: Driver, demo: Demo) -> None:
+def test_gaps_of_the_trajectory_are_reported(picked: Driver, demo: Demo) -> None:
     """As the import dialogue tells of them."""
     track = demo.survey.trajectory
     late = track.time + np.where(np.arange(len(track.time)) > 500, 7.0, 0.0)
@@ -263,7 +265,7 @@ def test_that_unsaved_work_is_not_kept_stays_to_be_read(picked: Driver) -> None:
     assert found.level is Level.WARNING
 
 
-def test_nothing_to_warn_of_is_said(picked: Driver) -> None:
+def test_nothing_to_warn_of_is_reported(picked: Driver) -> None:
     listed(picked)
     picked.window.warnings.show_warnings(())
     picked.window.task_bar.warnings.show_warnings(())

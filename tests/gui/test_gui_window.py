@@ -27,7 +27,7 @@ from tests.gui.support import (
     press,
     seed,
     sentence,
-    settle,
+    wait_until_idle,
 )
 
 # -- seeds -------------------------------------------------------------------------------------
@@ -44,7 +44,7 @@ def test_a_seed_lights_up_the_plane_on_every_line_and_enter_accepts(opened: Driv
     assert opened.project.targets == ()
     press(opened, Key.Key_Return)
     assert [t.name for t in opened.project.targets] == ["T1"]
-    settle(opened)
+    wait_until_idle(opened)
     assert [m.label for m in opened.viewport.markers] == ["T1"]
     assert not opened.window.targets.candidate.isVisible()
     assert sentence(opened, 1) == "1 target in 6 lines: second target required"
@@ -54,7 +54,7 @@ def test_escape_rejects_and_leaves_nothing(opened: Driver):
     before = opened.project
     seed(opened, "T1")
     press(opened, Key.Key_Escape)
-    settle(opened)
+    wait_until_idle(opened)
     assert opened.project is before
     assert opened.viewport.highlights == []
     assert not opened.window.document.undo_stack.canUndo()
@@ -160,7 +160,7 @@ def test_remove_by_key(picked: Driver):
     assert [t.name for t in picked.project.targets] == ["T1", "V1"]
 
 
-def test_a_sighting_is_left_out_by_its_check_box(picked: Driver):
+def test_a_sighting_is_excluded_by_its_check_box(picked: Driver):
     table = picked.window.table
     click_check(picked, table, table.sightings.index(0, 2))
     line = picked.project.lines[1].name
@@ -209,7 +209,7 @@ def test_the_point_count_follows_the_distance(picked: Driver):
     assert picked.project.settings.subsample == 0.10  # nothing is edited until Estimate
 
 
-def test_a_count_that_fails_is_told_once(picked: Driver, monkeypatch):
+def test_a_count_that_fails_is_reported_once(picked: Driver, monkeypatch):
     def broken(*_):
         raise OSError(5, "Input/output error", "lines/L1")
 
@@ -251,12 +251,12 @@ def test_estimate_shows_angles_near_the_truth_and_the_lines_after(picked: Driver
     assert picked.window.actions_["after"].isChecked()
     press(picked, Key.Key_Z, Control)
     assert picked.project.result is None
-    settle(picked)
+    wait_until_idle(picked)
     assert picked.viewport.clouds[picked.project.lines[0].name] is before
     assert not picked.window.actions_["after"].isEnabled()
 
 
-def test_a_seed_on_the_lines_after_is_sought_where_it_lies_before(picked: Driver):
+def test_a_seed_on_the_lines_after_is_searched_where_it_lies_before(picked: Driver):
     estimate(picked)
     line = picked.project.lines[1].name
     sighting = picked.project.target("T2").sighting(line)

@@ -8,8 +8,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from tests.documented import trees
-from tests.reference.resolving import offered
+from tests.public_names import trees
+from tests.reference.resolving import script_names
 
 HERE = Path(__file__).resolve().parent
 CHECKOUT = HERE.parents[1]
@@ -112,14 +112,14 @@ def _write_room(sources: Path, room: str, modules: list[str]) -> None:
     lines += _list_of("", list(pages), hidden=True)
     (sources / f"{room}.rst").write_text("\n".join(lines), encoding="utf-8")
     for name in pages:
-        at_scripts = [full for full in offered() if full.rpartition(".")[0] == name]
+        at_scripts = [full for full in script_names() if full.rpartition(".")[0] == name]
         hidden = ", ".join(full.rpartition(".")[2] for full in at_scripts)
         lines = _titled(_short(name))
         lines += [f".. automodule:: {name}", "   :members:", "   :ignore-module-all:"]
         lines += [f"   :exclude-members: {hidden}"] if hidden else []
         lines += ["   :show-inheritance:"] if name == "lispac.errors" else []
         if hidden:
-            names = ", ".join(f":py:obj:`{offered()[full]}`" for full in at_scripts)
+            names = ", ".join(f":py:obj:`{script_names()[full]}`" for full in at_scripts)
             lines += ["", f"For scripts: {names}."]
         (sources / f"{name}.rst").write_text("\n".join([*lines, ""]), encoding="utf-8")
 

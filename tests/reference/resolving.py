@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from functools import cache
 
 import lispac
-from tests.documented import trees
+from tests.public_names import trees
 
 FOREIGN = (
     "NDArray", "abc", "argparse", "collections", "concurrent", "contextlib", "datetime", "enum",
@@ -16,14 +16,14 @@ FOREIGN = (
 """Packages whose names the reference does not lead to."""
 
 
-def offered() -> dict[str, str]:
+def script_names() -> dict[str, str]:
     """What ``import lispac`` offers: the name in its module, and the one to use it by."""
     return {f"{module}.{name}": f"lispac.{name}" for name, module in lispac._WHERE.items()}
 
 
 def documented_as(name: str) -> str:
     """The name that a thing has in the reference: by ``lispac`` where it is offered there."""
-    for full, short in offered().items():
+    for full, short in script_names().items():
         if name == full or name.startswith(f"{full}."):
             return short + name.removeprefix(full)
     return name

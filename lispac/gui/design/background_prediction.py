@@ -50,7 +50,7 @@ class BackgroundPrediction(QObject):
     gains_ready = Signal(object)
     """Information gain of each target and line; everything has been computed."""
     out_of_date = Signal()
-    """What is shown is that of an earlier plan."""
+    """Whether the prediction shown is that of an earlier plan."""
     failed = Signal(object)
 
     def __init__(self, workspace: Workspace, parent: QObject) -> None:

@@ -20,7 +20,7 @@ MARGIN_PX = 34.0
 GRAB_RADIUS_PX = 9.0
 """Pixels about an object within which a press grabs it."""
 GRID_STEPS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
-"""Of the unit shown, between the lines of the grid; the least that leaves so many pixels."""
+"""Intervals of the grid in the unit shown; the smallest that is wide enough is used."""
 MIN_GRID_PX = 42.0
 
 

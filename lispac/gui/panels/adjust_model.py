@@ -165,6 +165,7 @@ class ModelSettings(QWidget):
         Raises
         ------
         InputError
+            If a field contains an invalid value.
         """
         kind = self.noise.currentIndex()
         return replace(

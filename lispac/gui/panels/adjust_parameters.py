@@ -154,6 +154,7 @@ class ParameterSwitches(QWidget):
         Raises
         ------
         InputError
+            If a field contains an invalid value.
         """
         chosen = tuple(
             Parameter(name, self.sigmas[name].value())

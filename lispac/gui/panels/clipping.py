@@ -14,7 +14,7 @@ HINT = N_(
     "enter its lengths."
 )
 NO_BOX = "–"
-"""Shown instead of the lengths where there is no box."""
+"""Text shown instead of the lengths without a box."""
 LENGTHS = (
     ("depth", N_("Depth"), N_("Length of the box perpendicular to the target")),
     ("width", N_("Width"), N_("Length of the box along the target")),

@@ -38,7 +38,7 @@ class Cell:
     figure: tuple[str, float] | None = None
     """Form of a number, and units of the column's base to one of its value."""
     shown: str = ""
-    """Shown instead of the text, which remains what the cell is sorted by."""
+    """Text shown instead of `text`, by which the cell is sorted."""
 
 
 @dataclass(frozen=True)

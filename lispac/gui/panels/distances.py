@@ -17,7 +17,7 @@ TAB = "\t"
 """Separates the columns, so that a spreadsheet splits them."""
 
 Against = Literal["height", "range"]
-"""What the distances of a profile are plotted against."""
+"""Abscissa of the distances of a profile."""
 
 
 def histogram_bar_text(comparison: PlaneComparison, low: float, high: float) -> str:

@@ -36,7 +36,7 @@ _COLUMNS = (
 """Heading and tooltip of each column."""
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _PART_STRETCH = (3, 4)
-"""Of the width, for the tables and for the plot, until the user moves the handle between them."""
+"""Shares of the width for tables and plot, until the user moves the handle between them."""
 PLOTS = (N_("Histogram"), N_("Histogram, percent"), N_("Distance by height, range"))
 PERCENT_PLOT, PROFILE_PLOT = 1, 2
 """Places of two of the plots."""
@@ -45,7 +45,7 @@ POOLED_TIPS = {
     "reciprocal pairs": N_("{plane}: distances between reciprocal lines, {model}"),
     "all pairs": N_("{plane}: distances between all pairs of lines, {model}"),
 }
-"""Which pairs the distances of a plane are from."""
+"""Line pairs that the distances of a plane are from."""
 STATISTICS = (
     N_("before: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),
     N_("after: n {count:n}\nmedian {median}, RMS {rms}, 95 % {p95} {unit}"),

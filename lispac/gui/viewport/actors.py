@@ -13,7 +13,7 @@ from lispac.gui.viewport.base import Array, Colour
 from lispac.gui.viewport.camera import VIEW_ANGLE, Camera
 
 EDGE: Colour = (62, 70, 78)
-"""Of shaded points."""
+"""Edge colour of shaded points."""
 
 
 def point_polydata(points: Array, shades: NDArray[np.uint8] | None = None) -> vtkPolyData:

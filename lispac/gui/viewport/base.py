@@ -106,7 +106,7 @@ class Sketch:
 
 
 MouseMode = Literal["navigate", "point", "outline"]
-"""What the left button does: turns the view; that and points; draws an outline."""
+"""Action of the left button: turn the view; turn it and pick points; draw an outline."""
 
 SELECTED_COLOUR: Colour = (60, 255, 30)
 """Bright green: no line, target or validation plane has it."""
@@ -161,7 +161,7 @@ class Viewport(Protocol):
 
     @property
     def widget(self) -> QWidget:
-        """The widget to put into the window."""
+        """Widget of the viewport, for the window."""
 
     def create_empty_viewport(self) -> "Viewport":
         """Create an empty viewport of the same kind."""

@@ -37,7 +37,7 @@ class LazyViewport:
 
     @property
     def widget(self) -> QWidget:
-        """The widget to put into the window."""
+        """Widget of the viewport, for the window."""
         return self._placeholder
 
     def show_clouds(

@@ -21,7 +21,7 @@ WHEEL_STEP = 120.0
 
 
 KEY_STEP = 24.0
-"""Pixels of a drag that an arrow key stands for."""
+"""Pixels of a drag that equal one arrow key press."""
 
 _ARROWS = {
     Qt.Key.Key_Left: (-KEY_STEP, 0.0),

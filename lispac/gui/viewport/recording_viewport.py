@@ -210,7 +210,7 @@ class RecordingViewport:
 
     @property
     def highlight_styles(self) -> dict[tuple[str, str], SightingStyle]:
-        """How each sighting is drawn."""
+        """Style of each sighting."""
         return {each.key: highlight_emphasis(each, self.selected) for each in self.highlights}
 
     def _record(self, name: str, *arguments: object) -> None:

@@ -100,7 +100,7 @@ class VtkViewport:
 
     @property
     def widget(self) -> QWidget:
-        """The widget to put into the window."""
+        """Widget of the viewport, for the window."""
         return self._view
 
     @property

@@ -11,7 +11,7 @@ from lispac.messages import error
 from lispac.project import Triple
 
 STATES = ("rtk", "ppk", "degraded")
-"""With which GNSS solution a POS reaches its figures."""
+"""GNSS solutions for which the accuracies of a POS are specified."""
 
 
 @dataclass(frozen=True)

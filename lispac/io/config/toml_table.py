@@ -53,6 +53,7 @@ class TomlTable:
         Raises
         ------
         InputError
+            If the file is not valid TOML.
         """
         path = require_file(Path(path), what)
         try:

@@ -196,6 +196,7 @@ def read_from_point(path: Path, choice: Choice, first: int) -> Iterator[PointChu
     Raises
     ------
     InputError
+        If the file is damaged or ends too early.
     """
     scale = coordinate_scale(LAS.resolved(choice))
     path = require_not_empty(path, "LAS")
@@ -245,6 +246,7 @@ def read_file_crs(path: Path) -> HeaderCrs:
     Raises
     ------
     InputError
+        If the file is damaged.
     """
     path = require_not_empty(path, "LAS")
     with report_damage(path, "LAS or LAZ"), opened_las(path, timed=False) as reader:
@@ -259,6 +261,7 @@ def point_count(path: Path) -> int:
     Raises
     ------
     InputError
+        If the file is damaged.
     """
     with report_damage(path, "LAS or LAZ"), opened_las(path) as reader:
         return int(reader.header.point_count)
@@ -275,6 +278,7 @@ def opened_las(path: Path, *, timed: bool = True) -> laspy.LasReader:
     Raises
     ------
     InputError
+        If the file is damaged, empty, or has no GPS time although ``timed``.
     """
     counts = require_sound_header(path)
     reader = laspy.open(path)

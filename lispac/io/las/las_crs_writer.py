@@ -31,7 +31,7 @@ from lispac.io.las.las_crs import (
 )
 
 NUMBER, TEXT = 0, 34737
-"""Where a key's value is: in the key itself, or among the texts."""
+"""Location of a key's value: in the key itself, or among the texts."""
 PROJECTED_MODEL, GEOGRAPHIC_MODEL = 1, 2
 RECORDS = ("WktCoordinateSystemVlr", "WktMathTransformVlr", "GeoKeyDirectoryVlr",
            "GeoAsciiParamsVlr", "GeoDoubleParamsVlr")  # fmt: skip

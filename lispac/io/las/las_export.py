@@ -296,6 +296,7 @@ class CloudWriter:
         Raises
         ------
         InputError
+            If a value exceeds the bits of its dimension.
         """
         byte, place = record.sub_fields_dict[dimension]
         shift = (place.mask & -place.mask).bit_length() - 1

@@ -33,6 +33,7 @@ def require_uncompressed(path: Path, *, text: bool = False) -> None:
     Raises
     ------
     InputError
+        If it is an archive, an office document or a compressed file.
     """
     with path.open("rb") as file:
         head = file.read(HEAD)

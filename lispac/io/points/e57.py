@@ -174,6 +174,7 @@ def read_file_crs(path: Path) -> tuple[str, tuple[Message, ...]]:
     Raises
     ------
     InputError
+        If the file is damaged.
     """
     path = require_not_empty(path, "E57")
     with report_damage(path, "E57"), opened_e57(path) as image:

@@ -71,6 +71,7 @@ def opened_e57(path: Path) -> Iterator[Any]:
     Raises
     ------
     InputError
+        If the file is damaged or its version is not supported.
     """
     _require_sound_header(path)
     try:
@@ -113,6 +114,7 @@ def find_scans(image: Any, path: Path, *, timed: bool = True) -> list[Scan]:
     Raises
     ------
     InputError
+        If no scan has points, counts disagree, or scans have different fields.
     """
     nodes = image.root()["data3D"]
     for header, total in excess_records(path, [nodes[k]["points"] for k in range(len(nodes))]):

@@ -109,6 +109,7 @@ def _mesh_ending(path: Path) -> str:
     Raises
     ------
     InputError
+        If it is no known format of a mesh.
     """
     with path.open("rb") as file:
         head = file.read(HEAD)

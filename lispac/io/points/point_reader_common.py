@@ -185,6 +185,7 @@ def report_damage(path: Path, what: str) -> Iterator[None]:
     Raises
     ------
     InputError
+        If a library fails on the file.
     """  # noqa: DOC501 - what passes through is not its own
     try:
         yield
@@ -229,6 +230,7 @@ def require_not_empty(path: Path, what: str) -> Path:
     Raises
     ------
     InputError
+        If the file is missing, unreadable or empty.
     """
     path = require_file(Path(path), what)
     if path.stat().st_size == 0:

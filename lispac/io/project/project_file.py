@@ -261,6 +261,7 @@ def _read_state(path: Path) -> Project:
     Raises
     ------
     ProjectError
+        If the state or its points are missing or damaged.
     """  # noqa: DOC501 - `_unreadable_error` makes a ProjectError
     while True:
         try:
@@ -484,6 +485,7 @@ def _point_count(sighting: dict[str, Any]) -> int:
     Raises
     ------
     InvalidContentError
+        If the count is not an integer of 0 or more.
     """
     count = sighting["points"]
     if isinstance(count, bool) or not isinstance(count, int) or count < 0:
@@ -498,7 +500,7 @@ UNREADABLE = (
     OSError, ValueError, KeyError, EOFError, MemoryError, RuntimeError, SyntaxError,
     tokenize.TokenError, zipfile.BadZipFile, zlib.error,
 )  # fmt: skip
-"""What numpy and zipfile raise where a file of theirs is damaged."""
+"""Exceptions that numpy and zipfile raise for a damaged file."""
 
 
 def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArray[np.int64]]:
@@ -507,6 +509,7 @@ def _read_indices(path: Path, target: str, points: Sequence[int]) -> list[NDArra
     Raises
     ------
     ProjectError
+        If the file of points is missing or damaged, or does not match the project.
     """  # noqa: DOC501 - its own InvalidContentError is caught
     try:
         if not path.is_file():

@@ -123,6 +123,7 @@ def _read_uncounted(path: Path, rows: Iterator[Row]) -> Iterator[Array]:
     Raises
     ------
     InputError
+        If a row is not valid.
     """
     width = 0
     while block := list(islice(rows, CHUNK)):
@@ -184,6 +185,7 @@ def _block_coordinates(path: Path, block: list[Row]) -> Array:
     Raises
     ------
     InputError
+        If a coordinate is not a number.
     """
     try:
         return np.loadtxt([text for _, text in block], usecols=(0, 1, 2), comments=None, ndmin=2)

@@ -42,7 +42,7 @@ _NAMES = {
     **dict.fromkeys(("role", "use", "kind"), ROLE),
 }  # fmt: skip
 LOCAL_NAMES = {"north": "x", "n": "x", "northing": "x", "west": "y", "w": "y"}
-"""What differs in the local frame, whose first axis points north and whose second points west."""
+"""Names that differ in the local frame: its first axis points north, its second west."""
 ROLES: dict[str, Role] = {
     **dict.fromkeys(("target", "t", "adjustment"), "target"),
     **dict.fromkeys(("validation", "v", "check", "validation plane"), "validation"),

@@ -96,6 +96,7 @@ def _read_points(path: Path) -> PointChunk:
     Raises
     ------
     InputError
+        If the file contains no points or a row is not valid.
     """
     with report_damage(path, "a target as CSV"), path.open(encoding="utf-8") as file:
         names = file.readline().strip().split(",")

@@ -319,6 +319,7 @@ def _raise_row_error(
     Raises
     ------
     InputError
+        Always.
     """
     passed = 0
     for k, line in enumerate(block, start=number + 1):
@@ -349,6 +350,7 @@ def _parse_number(field: str) -> float:
     Raises
     ------
     ValueError
+        If the text is not such a number.
     """
     if "_" in field or not field.isascii():
         raise ValueError(field)

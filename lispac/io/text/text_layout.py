@@ -29,7 +29,7 @@ MEANINGS = {
     **dict.fromkeys((*TIME_NAMES, "sow", "seconds", *TIME_BASES), "time"),
     **dict.fromkeys(("intensity", "i", "scalar_intensity", "reflectance"), "intensity"),
 }
-"""What usual column names mean; lower case, without their unit."""
+"""Meanings of usual column names; lower case, without their unit."""
 BEAMS = {
     "range", "distance", "slant_range", "slant range", "azimuth", "horizontal_angle",
     "horizontal angle", "vertical_angle", "vertical angle", "scan_angle", "scan angle",

@@ -65,6 +65,7 @@ def encoding_of(path: Path) -> str:
     Raises
     ------
     OSError
+        If the file cannot be read.
     """
     with Path(path).open("rb") as file:
         return _encoding(file.read(2))
@@ -161,6 +162,7 @@ def degrees_minutes_seconds(field: str) -> float:
     Raises
     ------
     ValueError
+        If the text has another form, or both a sign and a hemisphere.
     """
     text = field.strip().upper()
     # In 12D30M05S the last letter marks the seconds; a second S would be the hemisphere.
@@ -193,6 +195,7 @@ def degrees_and_minutes(field: str) -> float:
     Raises
     ------
     ValueError
+        If the text has another form, or both a sign and a hemisphere.
     """
     text = field.strip().upper()
     letters = text[:1] + text[-1:]
@@ -212,6 +215,7 @@ def parse_with_hemisphere(parse: Callable[[str], float], field: str, *, letters:
     Raises
     ------
     ValueError
+        If the text is not such a coordinate.
     """
     text = field.strip().upper()
     if {text[:1], text[-1:]} & (set(HEMISPHERES) - set(letters)) and not _has_seconds_letter(text):
@@ -235,6 +239,7 @@ def hemisphere_sign(field: str, o: str = "") -> float:
     Raises
     ------
     ValueError
+        If the text is not a hemisphere.
     """
     word = field.strip().upper()
     letter = o if o and word == "O" else {"OST": "E", "OUEST": "W"}.get(word, word)
@@ -283,6 +288,7 @@ def clock_seconds(field: str) -> float:
     Raises
     ------
     ValueError
+        If the text is not a time of day.
     """
     match = _CLOCK.fullmatch(field.strip())
     if not match:
@@ -304,6 +310,7 @@ def date_seconds(field: str) -> float:
     Raises
     ------
     ValueError
+        If the text is not a date.
     """
     match = _DATE.fullmatch(field.strip())
     if not match:

@@ -107,7 +107,7 @@ _QUALIFIERS = re.compile(
     r"|ost|ouest|up|down|raw|filt|pos|neg|bow|nose|port|star|left|right)\w*|[nsewxyzud]|[+-]|",
     re.IGNORECASE,
 )
-"""What stands in brackets behind a name and is no unit."""
+"""Qualifiers in brackets after a name that are not units."""
 
 _BRACKETS = re.compile(r"\s*_?[\[({<]\s*([^\])}>]*?)\s*[\])}>]\s*$")
 _SUFFIX = re.compile(
@@ -199,7 +199,7 @@ def _is_title_with_unit(field: str) -> bool:
 _PART_OF_UNIT = re.compile(
     r"\W*|(u\.?s\.?|int\w*|arc|decimal|milli|micro|nano|survey|gps|utc|geodetic|ellipsoid\w*)\W*"
 )
-"""What stands before a unit in a row of units and is no name of a column."""
+"""Words before a unit in a row of units that are not column names."""
 NO_UNIT = ("", "-", "--", "none", "n/a", "1")
 
 

@@ -199,6 +199,7 @@ def read_ascii(path: Path, choice: Choice) -> Trajectory:
     Raises
     ------
     InputError
+        If the file is damaged or a value is not possible.
     """
     path = Path(path)
     layout = layout_by_choice(path, choice)
@@ -448,7 +449,7 @@ _LETTERS = (
     {"N", "S", "NORTH", "SOUTH", "NORD", "SUD", "SÜD"},
     {"E", "W", "O", "EAST", "WEST", "EST", "OUEST", "OST"},
 )
-"""What columns of hemispheres hold."""
+"""Letters in columns of hemispheres."""
 ROWS_SEARCHED = 200_000
 """Rows that are searched for the first position."""
 SAMPLE_ROWS = 60

@@ -112,6 +112,7 @@ def record_chunks(path: Path, rows: int) -> Iterator[NDArray[np.float64]]:
     Raises
     ------
     InputError
+        If the file is cut short or its records are inconsistent.
     """
     size = path.stat().st_size
     if size % RECORD:

@@ -60,6 +60,7 @@ def preview_states(path: Path, choice: Choice) -> FilePreview:
     Raises
     ------
     InputError
+        If the file is damaged.
     """
     states = _state_table(path)
     return FilePreview(
@@ -103,6 +104,7 @@ def read_sigmas(path: Path, choice: Choice) -> TrajectoryAccuracy:
     Raises
     ------
     InputError
+        If the file is damaged.
     """
     states = _state_table(path)
     return TrajectoryAccuracy(states[:, 0], states[:, 10:13], states[:, 4:7])

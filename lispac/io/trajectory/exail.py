@@ -193,6 +193,7 @@ def read_exail(path: Path, choice: Choice) -> Trajectory:
     Raises
     ------
     InputError
+        If the file is damaged or a value is not possible.
     """
     path = Path(path)
     layout = exail_layout(path)
@@ -218,6 +219,7 @@ def read_exail_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
     Raises
     ------
     InputError
+        If the file is damaged or a value is not possible.
     """
     path = Path(path)
     layout = exail_layout(path)

@@ -148,6 +148,7 @@ def read_pospac(path: Path, choice: Choice) -> Trajectory:
     Raises
     ------
     InputError
+        If the file is damaged or a value is not possible.
     """
     path = Path(path)
     layout = pospac_layout(path)
@@ -171,6 +172,7 @@ def read_pospac_accuracy(path: Path, choice: Choice) -> TrajectoryAccuracy:
     Raises
     ------
     InputError
+        If the file is damaged or a value is not possible.
     """
     path = Path(path)
     layout = pospac_layout(path)

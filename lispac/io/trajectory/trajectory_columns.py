@@ -109,7 +109,7 @@ def role_of(name: str) -> str:
 
 @dataclass(frozen=True)
 class Column:
-    """One column of a file: what it means, where it stands, what it is called and its unit."""
+    """One column of a file: meaning, index, name and unit."""
 
     role: str
     index: int
@@ -235,6 +235,7 @@ def accuracy_of(
     Raises
     ------
     InputError
+        If a standard deviation is negative or not a number.
     """
     chosen = [
         _find_column(path, columns, "time"),
@@ -317,6 +318,7 @@ def map_warnings(
     Raises
     ------
     InputError
+        If the positions are outside the coordinate system.
     """
     chosen = _choose_columns(path, columns, conventions)
     grid = _chosen_grid(path, chosen, conventions)

@@ -11,7 +11,7 @@ from lispac.messages import Message, error, note
 
 Array = NDArray[np.float64]
 Axes = tuple[str, str, str]
-"""Where X, Y and Z point."""
+"""Directions of X, Y and Z."""
 
 _DIRECTIONS: dict[str, tuple[int, int, int]] = {
     N_("forward"): (1, 0, 0),

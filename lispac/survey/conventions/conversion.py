@@ -64,7 +64,7 @@ class ConventionSetup:
 
     @property
     def status(self) -> Status:
-        """How sure the convention is, as it is used here."""
+        """Degree of verification of the convention, as it is used here."""
         return self.convention.status if self.is_as_documented else "unverified"
 
     @property
@@ -103,7 +103,7 @@ class ConventionSetup:
         return self.permutation @ axes_matrix(self.nominal_axes(rotation_body_lidar)).T
 
     def nominal_axes(self, rotation_body_lidar: Array | None = None) -> Axes:
-        """Where the raw scanner axes nominally point.
+        """Nominal directions of the raw scanner axes.
 
         Parameters
         ----------
@@ -116,7 +116,7 @@ class ConventionSetup:
 
     @property
     def assumption(self) -> LazyText | None:
-        """What is assumed about the system, to be shown with every number."""
+        """Assumption about the system, shown with every number."""
         found = [gettext_lazy(self.convention.assumption)] if self.convention.assumption else []
         if not self.is_as_documented:
             found.append(
@@ -128,7 +128,7 @@ class ConventionSetup:
         return join_sentences(found) if found else None
 
     def scanner_axes(self, rotation_body_lidar: Array) -> LazyText:
-        """What is assumed about the scanner's axes.
+        """Assumption about the scanner's axes.
 
         Parameters
         ----------
@@ -360,7 +360,7 @@ def angle_jacobian(setup: ConventionSetup, boresight: Array) -> Array | None:
 
 
 def angle_to_turn_jacobian(convention: Convention, angles: Array) -> Array:
-    """Small turns left of the product by changes of the angles, shape (3, 3), no unit.
+    """Jacobian of the small rotation by the angles, shape (3, 3), no unit.
 
     Parameters
     ----------

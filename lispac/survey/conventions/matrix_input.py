@@ -28,6 +28,7 @@ def matrix_of_text(text: str, where: str) -> tuple[Array, Array | None]:
     Raises
     ------
     InputError
+        If there are not 9 or 16 numbers, or they are no rotation.
     """
     words = " ".join(line.partition("#")[0] for line in text.splitlines())
     for mark in ",;[]()":

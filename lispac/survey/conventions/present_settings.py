@@ -24,7 +24,7 @@ from lispac.survey.georeferencing import Mounting
 Array = NDArray[np.float64]
 
 LeverArm = Literal["none", "given", "replaced", "taken over", "on top", "turned"]
-"""Where the new lever arm comes from."""
+"""Origin of the new lever arm."""
 _LEVER_ARM_CODES: dict[LeverArm, str] = {
     "replaced": "convention.lever_arm_replaced",
     "taken over": "convention.lever_arm_kept",
@@ -50,7 +50,7 @@ class PresentSettings:
 
     @property
     def lever_arm(self) -> Array | None:
-        """Of the 4x4 matrix, shape (3,), metres, body axes of the system."""
+        """Lever arm of the 4x4 matrix, shape (3,), metres, body axes of the system."""
         return None if self.transform is None else np.asarray(self.transform[:3, 3])
 
 
@@ -82,7 +82,7 @@ class ReplacementSettings:
 
     @property
     def lever_arm_note(self) -> Message | None:
-        """Where the new lever arm comes from, if it is not simply the one given."""
+        """Origin of the new lever arm, if it is not simply the one given."""
         code = _LEVER_ARM_CODES.get(self.lever_arm)
         return None if code is None else note(code)
 

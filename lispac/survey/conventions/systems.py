@@ -89,7 +89,7 @@ class AxisRotation:
 
 @dataclass(frozen=True)
 class Convention:
-    """How one program states a boresight and a lever arm.
+    """Convention of a program for boresight and lever arm.
 
     Attributes
     ----------

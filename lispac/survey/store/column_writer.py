@@ -124,6 +124,6 @@ class _ColumnsWriter:
 
 
 def attribute_file_name(number: int, attribute: str) -> str:
-    """Of the column of an attribute, whatever the file calls it."""
+    """Name of the file that holds the column of an attribute."""
     plain = "".join(c if c.isascii() and c.isalnum() else "_" for c in attribute)[:40]
     return f"attribute-{number:02d}-{plain}.npy"

@@ -15,7 +15,7 @@ POLYNOMIAL = 0xEDB88320
 
 @dataclass(frozen=True)
 class RunningFingerprint:
-    """What is known after some points: their number and two checksums."""
+    """Number and two checksums of the points so far."""
 
     points: int = 0
     coordinates: int = 0
@@ -39,7 +39,7 @@ class RunningFingerprint:
 
     @property
     def fingerprint(self) -> str:
-        """As `Scan.fingerprint` of all points so far."""
+        """Fingerprint of all points so far; see `Scan.fingerprint`."""
         checksum = combine_crc32(self.coordinates, self.times, 8 * self.points)
         return f"{self.points}-{checksum:08x}"
 

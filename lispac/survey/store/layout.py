@@ -93,7 +93,7 @@ def require_no_link(*paths: Path) -> None:
 
 @dataclass(frozen=True)
 class StoredColumn:
-    """One column.
+    """Stored column.
 
     Attributes
     ----------
@@ -361,7 +361,9 @@ def read_checked_json(text: str) -> Any:
     Raises
     ------
     ValueError
+        If the text is not JSON or its checksum is wrong.
     KeyError
+        If there is no checksum.
     TypeError
         Where it is damaged.
     """
@@ -434,7 +436,7 @@ def remove_leftovers(folder: Path, keep: str = "") -> None:
 
 
 def columns_folders(folder: Path) -> list[Path]:
-    """What has the name of a folder of columns in the folder of a line, links among it."""
+    """Entries of a line's folder with the name of a folder of columns, links included."""
     return sorted(path for path in folder.iterdir() if COLUMNS_NAME.fullmatch(path.name))
 
 
@@ -459,6 +461,7 @@ def writing_errors_as_project_errors(
     Raises
     ------
     ProjectError
+        If the disk is full or the folder cannot be written to.
     """
     try:
         yield

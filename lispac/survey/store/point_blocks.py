@@ -26,7 +26,7 @@ OWN = (
     StoredColumn("number", "<u4"),
     StoredColumn("before", "<u4"),
 )
-"""What every point has: its place in the scanner frame, its time, its number in the line, and how
+"""Columns of every point: its place in the scanner frame, its time, its number in the line, and how
 many points before it in the file are excluded."""
 
 Values = dict[str, NDArray[Any]]
@@ -113,7 +113,7 @@ class PointBlock:
 
     @property
     def values(self) -> Values:
-        """Of the points so far."""
+        """Values of the points added so far, by column."""
         return {field: values[: self.count] for field, values in self._values.items()}
 
     @property

@@ -18,11 +18,11 @@ Array = NDArray[np.float64]
 Keys = NDArray[np.uint64]
 
 BITS = 16
-"""Of a cell's number along each axis."""
+"""Bits of a cell's number along each axis."""
 HALF = 1 << (BITS - 1)
 OCTAVE_BITS = 4
 MAX_HALVINGS = (1 << OCTAVE_BITS) - 1
-"""Beyond, a sample gets no smaller."""
+"""Largest number of halvings of a sample."""
 SIDES = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 """Metres; with the smallest one the cells reach 16 km around the origin, and what lies farther
 counts to the outermost."""
@@ -40,7 +40,7 @@ def choose_cell_side(points_local: Array) -> float:
 
 
 def order_keys(points_local: Array, numbers: NDArray[Any], side: float) -> Keys:
-    """Where points stand: cell, then octave.
+    """Sort keys of points: cell, then octave.
 
     Parameters
     ----------

@@ -152,7 +152,7 @@ class Spool:
 
     @property
     def next_index(self) -> int:
-        """Where in the file to go on."""
+        """Index in the file at which reading continues."""
         return self.blocks[-1].next_index if self.blocks else 0
 
     @property
@@ -162,7 +162,7 @@ class Spool:
 
     @property
     def read_end(self) -> SpoolSummary | None:
-        """What was known at the end of the file, None where it is not read to its end."""
+        """State at the end of the file; None if it is not yet read to its end."""
         try:
             content = read_checked_json((self.folder / COMPLETE).read_text(encoding="utf-8"))
             if content["points"] != self.points:
@@ -244,7 +244,7 @@ class Spool:
         return keys, values
 
     def remove(self) -> None:
-        """Remove all of it."""
+        """Remove the spool from disk."""
         remove_spool(self.folder.parent)
         self.blocks = []
 

@@ -52,7 +52,7 @@ FARTHEST = 1e8
 FINEST = 1e-6
 """Metres: rounding of a reach near zero."""
 ROUNDING = 2.0**-23
-"""Of the distance from the scanner: a point has moved by less since it was put into its cell."""
+"""Share of the distance from the scanner: a point has moved by less since it was sorted."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,7 +107,7 @@ class StoredLine:
 
     @property
     def fingerprint(self) -> str:
-        """That of the points as read from the file, in its order: the one picks are kept with."""
+        """Fingerprint of the points in the order of the file; picks are stored with it."""
         return self.manifest.fingerprint
 
     @cached_property
@@ -191,7 +191,7 @@ class StoredLine:
         return ProjectError(import_again_message(error("store.values", line=self.name)))
 
     def indices_in_file(self, rows: NDArray[Any]) -> NDArray[np.int64]:
-        """Places of ``rows``, both (n,), in the original file, which also holds points left out."""
+        """Places of ``rows``, both (n,), in the original file, which has skipped points too."""
         numbers = self.numbers(rows)
         if "before" in self._columns:
             numbers += self._own("before")[rows]
@@ -199,7 +199,7 @@ class StoredLine:
 
     @property
     def reach(self) -> float:
-        """Of the farthest point from the scanner, metres."""
+        """Distance of the farthest point from the scanner, metres."""
         return self.manifest.reach
 
     @property
@@ -337,6 +337,7 @@ class StoredLine:
         Raises
         ------
         ProjectError
+            If a file is missing, damaged or of invalid points.
         """
         done = 0
         for column in self.manifest.files:

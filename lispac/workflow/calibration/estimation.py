@@ -232,7 +232,9 @@ def _add_failure_causes(project: Project, survey: Survey) -> Iterator[None]:
     Raises
     ------
     NotConverged
+        If the adjustment did not converge.
     RankDeficient
+        If a parameter is not determined.
     TargetDisagrees
         The error of the block, with the causes.
     """

@@ -33,7 +33,7 @@ from lispac.workflow.project.survey import Survey
 Array = NDArray[np.float64]
 
 RESELECT_ANGLE = np.radians(0.05)
-"""Where an angle has moved by more, radians, the objects' points are taken again: lines were apart
+"""Change of an angle, radians, above which the objects' points are taken again: lines were apart
 when they were taken, and boxes did not hold the same of each."""
 
 

@@ -69,6 +69,7 @@ def find_target(
     Raises
     ------
     TargetNotFound
+        If no target is found in any line.
     ProjectError
         Where there is no such line, the shape does not suit the role, or the one line's sighting
         does not suit the target it is for.
@@ -128,6 +129,7 @@ def pick_target(
     Raises
     ------
     TargetNotFound
+        If no target is found in any line.
     ProjectError
         As `find_target`.
     """
@@ -187,6 +189,7 @@ def point_position(project: Project, survey: Survey, line: str, number: int) -> 
     Raises
     ------
     ProjectError
+        If there is no such line or point.
     """
     _require_point_numbers(project.name, survey, line, np.array([number]))
     return survey.clouds[line][np.array([number])][0]

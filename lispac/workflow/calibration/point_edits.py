@@ -15,7 +15,7 @@ from lispac.survey.cloud import Cloud
 
 Array = NDArray[np.float64]
 Chosen = Callable[[Array], NDArray[np.bool_]]
-"""Which of the points (n, 3) are meant."""
+"""Selection among the points (n, 3)."""
 
 MIN_POINTS = 10
 """Points that a sighting keeps at least."""

@@ -11,7 +11,7 @@ from lispac.messages import error
 
 _RUN = re.compile(r"(\d{1,15})(?:\+(\d{1,9}))?")
 MAX_POINTS = 10**9
-"""Points that a text may stand for."""
+"""Largest number of points that a text may list."""
 
 
 def numbers_text(indices: NDArray[np.int64]) -> str:
@@ -41,6 +41,7 @@ def point_numbers(text: str) -> NDArray[np.int64]:
     Raises
     ------
     InputError
+        If the text lists too many points or is not valid.
     """
     runs = list(_parse_runs(text))
     if sum(count for _, count in runs) > MAX_POINTS:

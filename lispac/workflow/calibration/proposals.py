@@ -216,7 +216,9 @@ def _choose_targets(
     Raises
     ------
     TargetNotFound
+        If too few planes are found.
     AdjustmentError
+        If the planes do not determine the angles.
     """
     candidates = list(flat)
     while True:

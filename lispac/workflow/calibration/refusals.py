@@ -26,7 +26,9 @@ def refused_by_method(project: str, method: Method) -> Iterator[None]:
     Raises
     ------
     RankDeficient
+        If the angles are not determined.
     NotConverged
+        If the adjustment did not converge.
     """
     try:
         yield

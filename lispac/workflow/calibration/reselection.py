@@ -19,7 +19,7 @@ from lispac.workflow.project.survey import Survey
 Array = NDArray[np.float64]
 
 ESTIMATED = PlacementAccuracy(ROUGHLY_OFF)
-"""Of lines that an adjustment has placed; the first one used points smeared by the prior."""
+"""Accuracy of lines that an adjustment has placed; the first used points with prior errors."""
 
 THRESHOLD_FACTOR = 2 / 3
 """Share of the pick's threshold that is left once the boresight no longer smears the surface: two

@@ -151,6 +151,7 @@ def _best_pair(planes: CandidatePlanes, names: Sequence[str]) -> list[str]:
     Raises
     ------
     AdjustmentError
+        If all planes face one way or no pair determines the angles.
     """
     worst = {
         pair: float(planes.sigma(pair).max())

@@ -137,6 +137,7 @@ class TargetSearch:
         Raises
         ------
         TargetNotFound
+            If there is none.
         """
         if self.shape == "sphere":
             region = cloud.within(require_seed(seed), settings.radius)
@@ -192,6 +193,7 @@ class TargetSearch:
         Raises
         ------
         TargetNotFound
+            If it is in no line.
         """
         if self.shape == "plane":
             return find_planes_in_lines(

@@ -33,7 +33,7 @@ from lispac.workflow.project.survey import Survey
 Array = NDArray[np.float64]
 
 MAX_POINTS = 2_000_000
-"""Of a static scan; of more a fair sample is kept."""
+"""Largest number of points of a static scan; a larger one is sampled."""
 LARGEST_SIGMA = 0.2
 """Metres; of a surveyed point, a larger one is rather one in millimetres."""
 LEAST_CELL = 1.0

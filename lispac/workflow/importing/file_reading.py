@@ -169,6 +169,7 @@ def usual_or_detected_reading(
     Raises
     ------
     InputError
+        If the file has no known format or cannot be read.
     """
     if columns and not given_reading.format and not given_reading.options:
         found = recognise_formats(path, kind)
@@ -207,6 +208,7 @@ def read_trajectory(path: Path, reading: Reading) -> Trajectory:
     Raises
     ------
     InputError
+        If the file cannot be read in that format.
     """
     if not reading.format:
         return read_sbet(path).with_positions_only()
@@ -241,6 +243,7 @@ def read_accuracy(path: Path, reading: Reading) -> TrajectoryAccuracy:
     Raises
     ------
     InputError
+        If the file cannot be read in that format.
     """
     if not reading.format:
         return read_smrmsg(path)

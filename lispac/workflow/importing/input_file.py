@@ -229,6 +229,7 @@ def reexamine_file(entry: InputFile, *, progress: Progress = no_progress) -> Inp
     Raises
     ------
     Cancelled
+        If the user cancels.
     """
     entry = replace(entry, pending=False, error=None, content=None, place=None)
     if entry.role is None or entry.format is None:

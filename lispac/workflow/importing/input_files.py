@@ -102,7 +102,7 @@ class InputFiles:
 
     @classmethod
     def of_project(cls, project: Project) -> "InputFiles":
-        """For lines to be added: the project's trajectory and accuracies are there already."""
+        """Input files for an open project, which has a trajectory and accuracies already."""
         entries = [
             InputFile(
                 project.trajectory, role="trajectory", project_reading=project.trajectory_reading

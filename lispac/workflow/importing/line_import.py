@@ -116,6 +116,7 @@ def import_line(
     Raises
     ------
     InputError
+        If the file is missing or cannot be read.
     ProjectError
         As `import_lines`.
     """
@@ -324,6 +325,7 @@ class _LineFileReader:
         InputError
             Where the file cannot be read, changes meanwhile, or none of its points can be used.
         DistantDuplicates
+            If equal points are too far apart in the file to be excluded at once.
         """
         for piece in self._points.pieces():
             if piece.read > first:

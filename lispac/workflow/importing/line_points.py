@@ -309,6 +309,7 @@ def read_line(
     Raises
     ------
     InputError
+        If the file cannot be read.
     """
     for far_copies in (False, True):
         points = LinePoints(

@@ -28,7 +28,7 @@ ENDINGS: dict[What, tuple[str, ...]] = {
     "planes": ("txt",),
     "trajectory": ("sbet", "text"),
 }
-"""For each thing to export, the usual form first."""
+"""Forms of each kind of export, the usual one first."""
 
 
 @dataclass(frozen=True)
@@ -81,6 +81,7 @@ def export(
     Raises
     ------
     InputError
+        If the request is not valid or a file cannot be written.
     ProjectError
         As the functions of `data_export` and `georeferencing`.
     """

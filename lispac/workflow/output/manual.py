@@ -52,6 +52,7 @@ def manual_page(
     InputError
         Where the manual is not built and cannot be.
     Cancelled
+        If the user cancels.
     """
     sources = sources or resource_path("manual")
     built = sources / SHIPPED
@@ -78,6 +79,7 @@ def build_manual(
     InputError
         Where the packages that build it are not installed, or they refuse.
     Cancelled
+        If the user cancels.
     """
     missing = [name for module, name in BUILDERS.items() if not importlib.util.find_spec(module)]
     if missing:

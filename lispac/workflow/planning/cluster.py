@@ -126,6 +126,7 @@ class _Cluster:
         Raises
         ------
         LispacError
+            If a worker is missing or has another version.
         """
         try:  # one that was lost is perhaps being started again
             self.client.wait_for_workers(1, timeout=START_TIMEOUT)
@@ -266,6 +267,7 @@ class _Cluster:
         Raises
         ------
         LispacError
+            If the connection is lost.
         """
         try:
             yield

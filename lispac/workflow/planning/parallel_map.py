@@ -51,7 +51,7 @@ def choose_mapper(
 
 @contextmanager
 def process_pool_mapper(workers: int, *, at_once: int = MAX_CHUNK) -> Iterator[Mapper]:
-    """Mapper over ``workers`` processes; one stands for this process.
+    """Mapper over ``workers`` processes; one means this process.
 
     What is not done when the context is left is never begun. The processes are started afresh on
     every system: one that is forked from a program with threads may wait for a lock for ever.

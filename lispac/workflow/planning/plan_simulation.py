@@ -66,6 +66,7 @@ def simulation_of_plan(
     Raises
     ------
     InputError
+        If the plan is not valid or cannot be simulated.
     """
     path = Path(path)
     titled = read_plan(path)

@@ -73,7 +73,7 @@ F = TypeVar("F", ScannerSpecification, PosSpecification)
 
 @dataclass(frozen=True)
 class Sensor(Generic[F]):
-    """One entry.
+    """Sensor of the library.
 
     Attributes
     ----------

@@ -67,7 +67,7 @@ def read_simulation(
     points_per_second: float | None = None,
     errors: Mapping[str, Any] | None = None,
 ) -> SimulatedSetup:
-    """Put scene, vessel and scanner together.
+    """Combine scene, vessel and scanner.
 
     Parameters
     ----------
@@ -84,6 +84,7 @@ def read_simulation(
     Raises
     ------
     InputError
+        If a file is not valid or the parts do not fit.
     """
     files = {"scene": setup_file("scene", scene, None)}
     described = read_scene(files["scene"])

@@ -12,7 +12,7 @@ from lispac.report.visibility_tables import comparison_table, values_table
 from lispac.simulation.visibility_study import VisibilityStudy
 
 RESOLUTION = 200
-"""Of a PNG, dots per inch."""
+"""Resolution of a PNG, dots per inch."""
 
 
 def write_visibility(

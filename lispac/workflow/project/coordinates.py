@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 MAX_DISTANCE = 5_000.0
 """Metres from the trajectory beyond which no LiDAR on a vessel sees: a slip, not a target."""
 MAX_STATES = 5_000
-"""Of the trajectory, that distances are measured to: of an hour about one a second."""
+"""States of the trajectory used for distances: about one a second for an hour."""
 
 
 def axis_names(system: CoordinateSystem | None) -> tuple[str, str, str]:

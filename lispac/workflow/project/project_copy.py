@@ -34,7 +34,7 @@ from lispac.workflow.project.survey import Survey
 
 PIECE = 1 << 24  # bytes copied at once
 MARK = ".saving"
-"""In the folder of a line that is copied: it counts for nothing until the project is written."""
+"""File in the folder of a copied line: the copy is invalid until the project is written."""
 
 
 def save_project_as(
@@ -101,6 +101,7 @@ def _remove_points_on_failure(folder: Path) -> Iterator[None]:
     Raises
     ------
     InputError
+        If the project cannot be written.
     """
     sightings = folder / SIGHTINGS
     new = not sightings.exists()

@@ -127,6 +127,7 @@ def new_project(
     Raises
     ------
     ProjectError
+        If the folder contains a project already.
     InputError
         As `create_project` and `load_survey`; no folder is left then.
     """
@@ -201,6 +202,7 @@ def with_lines_added(
     Raises
     ------
     ProjectError
+        If a line is in the project already.
     InputError
         Where a line has the name or the file of one that is there, or cannot be read; nothing
         that was imported for it is left then.
@@ -272,6 +274,7 @@ def open_project(folder: Path) -> Project:
     Raises
     ------
     ProjectError
+        If there is no valid project.
     """
     return open_project_with_notes(folder)[0]
 
@@ -292,6 +295,7 @@ def locked_project(
     Raises
     ------
     ProjectError
+        If there is no valid project, or another program has locked it.
     InputError
         Where the folder cannot be written.
     """
@@ -306,6 +310,7 @@ def open_project_with_notes(folder: Path) -> tuple[Project, tuple[Message, ...]]
     Raises
     ------
     ProjectError
+        If there is no valid project.
     """
     return with_files_beside(read_project(folder))
 

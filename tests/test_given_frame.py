@@ -1,4 +1,4 @@
-"""What is stated of a line's frame and coordinate system, where its coordinates deny it."""
+"""Frame and coordinate system given for a line that its coordinates contradict."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -20,7 +20,16 @@ from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.georeferencing import georeference_project
 from lispac.workflow.project.projects import create_project, new_project
 from tests.error_codes import has_code
-from tests.intake_files import LEVER, START, codes_about, fan, named, said, taken_in, write_line
+from tests.input_file_samples import (
+    LEVER,
+    START,
+    codes_about,
+    fan,
+    message_texts,
+    named,
+    taken_in,
+    write_line,
+)
 from tests.trajectory_files import vessel, write_records
 
 SYSTEM = "EPSG:32619"
@@ -51,7 +60,7 @@ def made(folder: Path, track: Path, line: Path, reading: Reading):
     )  # fmt: skip
 
 
-def test_map_coordinates_stated_as_the_scanners_are_refused_everywhere(track, tmp_path) -> None:
+def test_map_coordinates_given_as_the_scanners_are_refused_everywhere(track, tmp_path) -> None:
     line = on_map(tmp_path, SYSTEM)
     told = "utm.las: half of the points are more than 5,000 m from the origin"
     with pytest.raises(InputError, match=told):
@@ -59,7 +68,7 @@ def test_map_coordinates_stated_as_the_scanners_are_refused_everywhere(track, tm
     input_files = taken_in(
         taken_in(InputFiles(), track, line).with_option(line, "frame", "scanner")
     )
-    assert "not in the scanner frame" in input_files.files_problem_text() + said(
+    assert "not in the scanner frame" in input_files.files_problem_text() + message_texts(
         input_files, "utm.las"
     )
     assert input_files.state_of_file(named(input_files, "utm.las")) == "error"
@@ -95,7 +104,7 @@ def test_single_points_far_off_are_no_reason(track, tmp_path) -> None:
     assert len(survey.scans["L"]) == 2000  # those beyond any range are excluded
 
 
-def test_a_system_that_is_stated_is_not_asked_for(track, tmp_path, capsys) -> None:
+def test_a_system_that_is_given_is_not_asked_for(track, tmp_path, capsys) -> None:
     line = on_map(tmp_path)
     command = ["new", str(tmp_path / "p"), str(line), "--trajectory", str(track)]
     command += ["--lever-arm", "0", "0", "0"]
@@ -109,7 +118,7 @@ def test_a_system_that_is_stated_is_not_asked_for(track, tmp_path, capsys) -> No
     assert input_files.state_of_file(named(input_files, "utm.las")) == "fine"
 
 
-def test_a_system_that_is_not_used_is_said(track, tmp_path) -> None:
+def test_a_system_that_is_not_used_is_reported(track, tmp_path) -> None:
     line = write_line(tmp_path / "near.las", START + np.linspace(5, 20, 3000))
     _, survey = made(tmp_path / "p", track, line, options(crs=SYSTEM))
     unused = warning(

@@ -1,4 +1,4 @@
-"""The house itself: locked dependencies, one version, a command line that starts at once."""
+"""Structure of the code: locked dependencies, one version, a command line that starts at once."""
 
 import os
 import re
@@ -117,7 +117,7 @@ def test_version_is_written_in_one_place() -> None:
     assert re.fullmatch(r"\d+\.\d+\.\d+", lispac.__version__)
 
 
-def test_changelog_and_citation_tell_of_this_version() -> None:
+def test_changelog_and_citation_name_this_version() -> None:
     assert f"## {lispac.__version__}" in (CHECKOUT / "CHANGELOG.md").read_text(encoding="utf-8")
     cited = (CHECKOUT / "CITATION.cff").read_text(encoding="utf-8")
     assert f"\nversion: {lispac.__version__}\n" in cited

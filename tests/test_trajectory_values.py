@@ -1,4 +1,4 @@
-"""Trajectories: what single values of them are refused for, and what a look at them remarks."""
+"""Trajectories: values that are refused, and values that give a warning."""
 
 from pathlib import Path
 
@@ -98,7 +98,7 @@ def test_a_heading_far_beyond_a_circle_has_to_have_got_there() -> None:
     }  # fmt: skip
 
 
-def test_times_against_the_base_that_is_stated() -> None:
+def test_times_against_the_base_that_is_given() -> None:
     time = 486_000 + np.arange(200) / 50
     assert time_warnings(time, "gps-week", "a") == ()
     (other,) = time_warnings(time, "utc-day", "a")
@@ -110,7 +110,7 @@ def test_times_against_the_base_that_is_stated() -> None:
     )
 
 
-def test_a_heading_across_the_course_is_doubted(tmp_path: Path) -> None:
+def test_a_heading_across_the_course_gives_a_warning(tmp_path: Path) -> None:
     """The bow of this vessel points two degrees to starboard of its course."""
     records = vessel()
     assert not SBET.preview(write_records(tmp_path / "a.sbet", records), {}).file_warnings
@@ -142,7 +142,7 @@ def test_implausible_standard_deviations_are_warned_about(
             assert each.params["attitude"] == pytest.approx(np.radians(attitude_deg))
 
 
-def test_remarks_at_the_end_of_text_are_no_rows(
+def test_comments_at_the_end_of_text_are_no_rows(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(trajectory_preview, "HEAD_ROWS", 50)

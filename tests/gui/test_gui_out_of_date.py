@@ -1,4 +1,4 @@
-"""An estimate that is refused leaves the one before, and nobody takes that for the new one."""
+"""A refused estimate keeps the former result and marks it as out of date."""
 
 import json
 from dataclasses import replace
@@ -12,7 +12,9 @@ from lispac.message_texts import message_text
 from tests.gui.support import Driver
 
 
-def test_window_and_report_say_that_the_answer_is_older(adjusted: Driver, tmp_path: Path) -> None:
+def test_window_and_report_say_that_the_result_is_out_of_date(
+    adjusted: Driver, tmp_path: Path
+) -> None:
     before = adjusted.project.result
     asked = replace(adjusted.project.settings, surface=-1.0)
     adjusted.window.estimation.estimate(asked, False)

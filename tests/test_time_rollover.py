@@ -1,4 +1,4 @@
-"""Lines whose own times start again at midnight or at the end of the week keep all their points."""
+"""Lines with a time rollover (midnight, end of week) keep all their points."""
 
 from pathlib import Path
 
@@ -23,7 +23,7 @@ from lispac.workflow.importing.line_import import import_lines
 from lispac.workflow.output.georeferencing import georeference_project
 from lispac.workflow.project.projects import new_project, open_project
 from lispac.workflow.project.survey import load_survey
-from tests.intake_files import LEVER, START, codes_about, named, taken_in, write_line
+from tests.input_file_samples import LEVER, START, codes_about, named, taken_in, write_line
 from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 
@@ -84,7 +84,7 @@ def test_times_moved_back_are_those_of_the_file(restart: str, shift: float) -> N
     assert reading.to_file_time(moved).tolist() == written.tolist()
 
 
-def test_two_times_can_tell_a_restart_and_one_cannot() -> None:
+def test_two_times_can_show_a_rollover_and_one_cannot() -> None:
     assert find_rollover(np.array([DAY - 3.0, 2.0])) == "midnight"
     assert find_rollover(np.array([2.0, WEEK - 3.0])) == "week-end"
     assert find_rollover(np.array([DAY - 3.0])) == ""
@@ -109,7 +109,7 @@ def test_an_option_states_it_or_takes_it_back(tmp_path: Path, capsys) -> None:
     assert load_survey(open_project(tmp_path / "p")).scans["later"].time.min() == WEEK + 1
 
 
-def test_text_and_stated_time_bases_count_on_too(tmp_path: Path) -> None:
+def test_text_and_given_time_bases_resolve_rollovers_too(tmp_path: Path) -> None:
     track, _ = survey_about(tmp_path, DAY)
     utc = np.mod(DAY - 20 - 18 + np.linspace(20, 38, 500), DAY)
     rows = "\n".join(f"{t:.6f} 0 10 {k % 7}" for k, t in enumerate(utc))
@@ -126,7 +126,7 @@ def test_text_and_stated_time_bases_count_on_too(tmp_path: Path) -> None:
     assert survey.scans["L"].time.max() == pytest.approx(DAY + 18)
 
 
-def test_the_dialogue_counts_on_and_says_so(tmp_path: Path) -> None:
+def test_the_dialogue_resolves_a_rollover_and_says_so(tmp_path: Path) -> None:
     track, line = survey_about(tmp_path, WEEK)
     input_files = taken_in(InputFiles(), track, line)
     entry = named(input_files, "L.las")
@@ -194,13 +194,13 @@ MIDNIGHT = note("rollover.midnight")
         ),
     ],
 )  # fmt: skip
-def test_what_is_done_to_times_that_restart_is_said(
+def test_a_resolved_rollover_is_reported(
     times: list[float], restart: str, message: Message
 ) -> None:
     assert rollover_note(np.array(times), restart, "a") == message
 
 
-def test_a_restarting_sbet_is_taken_without_options_and_looked_at_rightly(tmp_path, capsys) -> None:
+def test_an_sbet_with_a_rollover_needs_no_options(tmp_path, capsys) -> None:
     track, line = survey_about(tmp_path, WEEK)
     main(["inspect", str(track)])
     told = capsys.readouterr().out

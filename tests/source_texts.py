@@ -1,4 +1,4 @@
-"""Every sentence that the source of a module can make, read from its syntax tree."""
+"""Texts that the source of a module can display, read from its syntax tree."""
 
 import ast
 import re
@@ -19,7 +19,7 @@ NEVER_CALLED = {"progress", "step"}
 _TWO_WORDS = re.compile(r"[^\W\d_]{2,} .*[^\W\d_]{2,}", re.DOTALL)
 
 
-def told(
+def displayed_texts(
     path: Path, functions: set[str] | None = None, *, at_once: bool = False
 ) -> Iterator[tuple[int, str]]:
     """Line and text of each string with two words at least, `PLACE` where values go.

@@ -1,4 +1,4 @@
-"""The same surface picked twice is told of: at the pick, with the answer, and in the report."""
+"""Duplicate targets are reported: when picked, with the result, and in the report."""
 
 import json
 import shutil
@@ -53,7 +53,7 @@ def test_the_share_is_that_of_the_smaller_one_on_the_line_where_it_is_largest() 
 
 
 @pytest.mark.parametrize(("shared", "told"), [(0, False), (99, False), (100, True), (299, True)])
-def test_from_a_tenth_on_it_is_told(shared: int, told: bool) -> None:
+def test_from_a_tenth_on_it_is_reported(shared: int, told: bool) -> None:
     other = picked("T3", {"L1": range(2000 - shared, 3000 - shared), "L9": range(10)})
     assert bool(find_overlaps([BOARD, other])) == told
     found = overlap_warning(other, [BOARD])
@@ -76,7 +76,7 @@ def test_order_of_the_numbers_does_not_matter() -> None:
     assert found.share == pytest.approx(0.89)
 
 
-def test_what_is_said_of_a_target_just_found() -> None:
+def test_the_warning_for_a_target_just_found() -> None:
     found = overlap_warning(AGAIN, [BOARD])
     assert found is not None
     assert found.code == "overlap.same_surface_twice"
@@ -106,7 +106,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
          "does not check the angles independently. Exclude one of the two."),
     ],
 )  # fmt: skip
-def test_an_answer_with_shared_points_is_in_doubt_everywhere(
+def test_a_result_with_shared_points_has_a_warning_everywhere(
     capsys: pytest.CaptureFixture[str], project: Project, second: Target, code: str,
     serious: bool, words: str,
 ) -> None:  # fmt: skip

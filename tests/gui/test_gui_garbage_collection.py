@@ -1,4 +1,4 @@
-"""Garbage is collected by the window's thread alone."""
+"""Garbage is collected only by the window's thread."""
 
 import gc
 import mmap
@@ -27,7 +27,7 @@ from lispac.gui.garbage_collection import (
     collect_all,
 )  # fmt: skip
 from tests.gui.support import WAIT_MS
-from tests.leavings import left_behind
+from tests.leaked_resources import find_leaks
 
 
 class Cycle:
@@ -86,7 +86,7 @@ def test_each_generation_has_its_turn(qapp: QApplication, monkeypatch: pytest.Mo
     assert collected == [0, 2, 0, 2]
 
 
-def test_modules_that_came_are_not_looked_at_again(
+def test_modules_that_came_are_not_examined_again(
     qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     now, done = [100.0], []
@@ -181,13 +181,13 @@ def test_what_lies_in_holes_is_given_back_after_work(monkeypatch: pytest.MonkeyP
 
 def test_what_a_test_leaves_behind_is_seen(qapp: QApplication, qtbot: QtBot) -> None:
     """By the check that follows each test of a window."""
-    assert left_behind() == []
+    assert find_leaks() == []
     window, timer, stop = QMainWindow(), QTimer(objectName="beat"), threading.Event()
     window.show()
     timer.start(1000)
     worker = threading.Thread(target=stop.wait, name="lispac-worker")
     worker.start()
-    found = left_behind()
+    found = find_leaks()
     stop.set()
     worker.join()
     timer.stop()
@@ -198,4 +198,4 @@ def test_what_a_test_leaves_behind_is_seen(qapp: QApplication, qtbot: QtBot) -> 
         "thread lispac-worker", "timer beat", "shown QMainWindow", "QMainWindow"
     ]  # fmt: skip
     del window, timer
-    assert left_behind() == []
+    assert find_leaks() == []

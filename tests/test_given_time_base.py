@@ -1,4 +1,4 @@
-"""Stated time bases are applied: times that they say differ are brought together."""
+"""Time bases given by the user are applied: lines and trajectory get the same base."""
 
 from pathlib import Path
 
@@ -21,7 +21,7 @@ from lispac.workflow.importing.line_import import assumptions_of, import_lines
 from lispac.workflow.project.projects import new_project, open_project, with_lines_added
 from lispac.workflow.project.survey import Survey, load_survey
 from tests.command_errors import command_error
-from tests.intake_files import LEVER, START, codes_about, named, taken_in, write_line
+from tests.input_file_samples import LEVER, START, codes_about, named, taken_in, write_line
 from tests.message_codes import codes
 from tests.trajectory_files import vessel, write_records
 
@@ -58,7 +58,7 @@ def made(folder: Path, track: Path, line: Path, reading=Reading(), track_reading
     )  # fmt: skip
 
 
-def test_a_line_stated_in_utc_comes_into_gps_time_though_it_lies_inside(track, tmp_path) -> None:
+def test_a_line_given_in_utc_comes_into_gps_time_though_it_lies_inside(track, tmp_path) -> None:
     line = write_points(tmp_path / "utc.las", -18)
     project, survey = made(tmp_path / "p", track, line, Reading("", UTC_WEEK))
     assert survey.scans["L"].time.min() == pytest.approx(START + 30)
@@ -78,7 +78,7 @@ def test_a_line_stated_in_utc_comes_into_gps_time_though_it_lies_inside(track, t
     assert (follows.params["file"], follows.params["shift"]) == ("later.las", 18.0)
 
 
-def test_a_trajectory_stated_in_utc_takes_the_lines_along(tmp_path) -> None:
+def test_a_trajectory_given_in_utc_takes_the_lines_along(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
     line = write_points(tmp_path / "gps.las", 0)  # its header says seconds of the GPS week
     stated = Reading("", (("time", "utc-week"),))
@@ -193,7 +193,7 @@ def test_a_shift_is_offered_where_it_brings_in_a_twentieth_more() -> None:
     )  # fmt: skip
 
 
-def test_a_base_that_the_file_does_not_tell_is_said(tmp_path) -> None:
+def test_a_base_that_the_file_does_not_contain_is_reported(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
     rows = np.column_stack([START + np.linspace(30, 60, 500), np.tile([5.0, 6.0, 7.0], (500, 1))])
     path = tmp_path / "L.txt"
@@ -278,7 +278,7 @@ def test_the_dialogue_offers_the_shift_that_brings_in_more(track, tmp_path) -> N
     assert covered.outside == 0
 
 
-def test_beside_a_line_that_is_stated_the_others_stay_as_they_are(track, tmp_path) -> None:
+def test_beside_a_line_with_a_given_base_the_others_stay_as_they_are(track, tmp_path) -> None:
     utc, own = write_points(tmp_path / "utc.las", -18), write_points(tmp_path / "own.las", 0)
     lines = [LineSource("utc", utc, reading=Reading("", UTC_WEEK)), LineSource("own", own)]
     project, survey = new_project(
@@ -298,7 +298,7 @@ def test_a_typed_shift_holds_where_the_bases_lead_nowhere(track, tmp_path) -> No
     assert project.lines[0].reading.time_shift == -50_000.0
 
 
-def test_of_a_typed_shift_it_is_not_said_that_the_base_is_not_told(tmp_path) -> None:
+def test_a_typed_shift_has_no_warning_of_an_unknown_base(tmp_path) -> None:
     track = write_track(tmp_path / "utc.sbet", -18)
     rows = np.column_stack([START + np.linspace(30, 60, 500), np.tile([5.0, 6.0, 7.0], (500, 1))])
     path = tmp_path / "L.txt"

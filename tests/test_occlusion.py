@@ -1,4 +1,4 @@
-"""What a line shows of a target, by what the other lines show of it."""
+"""Part of a target that a line shows, compared with the other lines."""
 
 from dataclasses import replace
 
@@ -51,7 +51,7 @@ def test_half_a_board_is_half_whatever_the_line_lies_beside():
     assert whole.share > 0.999
 
 
-def test_a_quarter_is_told_in_both_directions():
+def test_a_quarter_is_reported_in_both_directions():
     quarter, _ = shares(seen(wide=(0.0, 0.6), high=(-0.5, 0.0)), seen())
     assert quarter.share == pytest.approx(0.25, abs=0.01)
     assert codes(quarter.message.params["sides"]) == ["quality.width_of", "quality.height_of"]
@@ -114,7 +114,7 @@ def narrowed(project: Project, survey: Survey, name: str, line: str) -> Project:
     )
 
 
-def test_on_the_demo_a_half_is_told_and_the_others_are_judged_anew(
+def test_on_the_demo_a_half_is_reported_and_the_others_are_judged_anew(
     calibrated: tuple[Project, Survey],
 ) -> None:
     project, survey = calibrated

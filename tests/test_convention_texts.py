@@ -1,4 +1,4 @@
-"""What is said about a boresight: the words, and what is labelled as not verified."""
+"""Texts about a boresight, and the values labelled as not verified."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from lispac.survey.conventions.systems import SYSTEMS
 from lispac.survey.georeferencing import Mounting
 
 
-def said(boresight: np.ndarray) -> str:
+def text_of(boresight: np.ndarray) -> str:
     return str(orientation_text(boresight))
 
 
@@ -20,43 +20,43 @@ def arm(lever_arm: tuple[float, float, float]) -> str:
     return str(lever_arm_text(lever_arm))
 
 
-def test_a_steep_pitch_is_told_by_the_axes() -> None:
+def test_a_steep_pitch_is_reported_by_the_axes() -> None:
     """There roll and yaw are turns about the same axis and say little alone."""
-    assert said(np.radians([0.0, 90.0, 0.0])) == (
+    assert text_of(np.radians([0.0, 90.0, 0.0])) == (
         "Directions of the scanner axes: X down, Y port, Z forward."
     )
     rotation = rotation_matrix(*np.radians([-57.9, 89.3, 58.2]))
     cosine = min(-rotation[2, 0], rotation[1, 1], rotation[0, 2])
     off = f"{np.degrees(np.arccos(cosine)):.3f}"
-    assert said(rotation_angles(rotation)) == (
+    assert text_of(rotation_angles(rotation)) == (
         f"Directions of the scanner axes: X down, Y port, Z forward, with deviations up to {off} "
         "deg."
     )
 
 
 def test_a_boresight_in_a_sentence() -> None:
-    assert said(np.radians([0.13, -0.12, 0.28])) == (
+    assert text_of(np.radians([0.13, -0.12, 0.28])) == (
         "The scanner is pitched 0.120 deg bow up, is yawed 0.280 deg to starboard and is rolled "
         "0.130 deg port side up."
     )
-    assert said(np.radians([-0.13, 0.12, -0.28])) == (
+    assert text_of(np.radians([-0.13, 0.12, -0.28])) == (
         "The scanner is pitched 0.120 deg bow down, is yawed 0.280 deg to port and is rolled "
         "0.130 deg starboard side up."
     )
-    assert said(np.zeros(3)) == "The scanner is parallel to the body."
-    assert said(np.radians([0, 0, 0.0251])) == "The scanner is yawed 0.0251 deg to starboard."
-    assert "(order of rotations: yaw, pitch, roll)" in said(np.radians([5, 0, 90]))
+    assert text_of(np.zeros(3)) == "The scanner is parallel to the body."
+    assert text_of(np.radians([0, 0, 0.0251])) == "The scanner is yawed 0.0251 deg to starboard."
+    assert "(order of rotations: yaw, pitch, roll)" in text_of(np.radians([5, 0, 90]))
 
 
-def test_angles_are_said_with_as_many_decimals_as_each_other() -> None:
-    assert said(np.radians([0.2, 1.178, 0.3])) == (
+def test_angles_are_reported_with_as_many_decimals_as_each_other() -> None:
+    assert text_of(np.radians([0.2, 1.178, 0.3])) == (
         "The scanner is pitched 1.178 deg bow down, is yawed 0.300 deg to starboard and is rolled "
         "0.200 deg port side up."
     )
-    assert said(np.radians([0, 1.2, 0.0251])) == (
+    assert text_of(np.radians([0, 1.2, 0.0251])) == (
         "The scanner is pitched 1.200 deg bow down and is yawed 0.0251 deg to starboard."
     )
-    assert said(np.radians([1e-6, 1.178, 90])) == (
+    assert text_of(np.radians([1e-6, 1.178, 90])) == (
         "The scanner is pitched 1.178 deg bow down and is yawed 90.000 deg to starboard (order of "
         "rotations: yaw, pitch, roll)."
     )
@@ -70,10 +70,10 @@ def test_the_words_say_what_the_matrix_does(sign: int) -> None:
         rotation_matrix(0, angle, 0) @ [1, 0, 0],
         rotation_matrix(angle, 0, 0) @ [0, 1, 0],
     )
-    assert ("bow up" in said(np.array([0, angle, 0]))) == (forward[2] > 0)
-    assert ("port side up" in said(np.array([angle, 0, 0]))) == (left[2] > 0)
+    assert ("bow up" in text_of(np.array([0, angle, 0]))) == (forward[2] > 0)
+    assert ("port side up" in text_of(np.array([angle, 0, 0]))) == (left[2] > 0)
     turned = rotation_matrix(0, 0, angle) @ [1, 0, 0]
-    assert ("to port" in said(np.array([0, 0, angle]))) == (turned[1] > 0)
+    assert ("to port" in text_of(np.array([0, 0, angle]))) == (turned[1] > 0)
 
 
 def test_a_lever_arm_in_a_sentence() -> None:
@@ -116,7 +116,7 @@ def test_what_is_not_verified_says_what_is_assumed(convention) -> None:
             assert turn.meaning in str(convention.signs)
 
 
-def test_what_is_taken_for_the_axes_of_the_scanner_is_said() -> None:
+def test_what_is_taken_for_the_axes_of_the_scanner_is_reported() -> None:
     opals = ConventionSetup(next(each for each in SYSTEMS if each.key == "opals"))
     assert str(opals.scanner_axes(rotation_matrix(0.01, 0.02, np.pi / 2))) == (
         "An axis permutation (mounting) first maps the raw scanner axes to the body axes; the "

@@ -1,4 +1,4 @@
-"""Small surveys on their way in, and the intake driven in one thread."""
+"""Small surveys as input files, examined and imported in one thread."""
 
 from pathlib import Path
 
@@ -84,7 +84,7 @@ def named(input_files: InputFiles, name: str) -> InputFile:
     return next(entry for entry in input_files.entries if entry.path.name == name)
 
 
-def said(input_files: InputFiles, name: str) -> str:
+def message_texts(input_files: InputFiles, name: str) -> str:
     """Texts of the messages about a file."""
     return texts(input_files.messages(named(input_files, name)))
 

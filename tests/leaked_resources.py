@@ -1,4 +1,4 @@
-"""What a test of the window left behind: threads, timers, windows and graphics."""
+"""Resources that a test of the window leaked: threads, timers, windows and graphics."""
 
 import gc
 import sys
@@ -13,7 +13,7 @@ SETTLES_S = 1.0
 """What is about to end may end: a timer that fires once, a thread that says so last of all."""
 
 
-def left_behind() -> list[str]:
+def find_leaks() -> list[str]:
     """Name what lives on of what was made since `gc.freeze`, once all that may go has gone."""
     left = _left()
     until = time.monotonic() + SETTLES_S  # one look takes as long on a busy machine

@@ -1,4 +1,4 @@
-"""What a campaign does while its cluster is slow or loses workers, with answers made by hand."""
+"""Campaigns on a cluster that is slow or loses workers, with simulated answers."""
 
 from collections.abc import Callable, Iterator
 from threading import Timer

@@ -1,4 +1,4 @@
-"""Lines on their way into an open project, and what the list of files says in rarer cases."""
+"""Adding lines to an open project, and rarer states of the list of input files."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -36,7 +36,7 @@ from lispac.workflow.importing.input_times import (
     trajectory_time_base,
 )
 from lispac.workflow.project.projects import new_project
-from tests.intake_files import (
+from tests.input_file_samples import (
     LEVER,
     START,
     codes_about,
@@ -96,7 +96,7 @@ def test_a_projects_own_files_are_there_and_stay(project: Project, files: Path) 
     )
 
 
-def test_a_line_that_is_there_already_can_only_be_left_out(project: Project, files: Path) -> None:
+def test_a_line_that_is_there_already_can_only_be_skipped(project: Project, files: Path) -> None:
     input_files = taken_in(opened(project), files / "L1.laz")
     (remark,) = input_files.messages(named(input_files, "L1.laz"))
     assert (remark.level, remark.code) == (Level.ERROR, "import.already_in_project")
@@ -141,7 +141,7 @@ def test_a_gap_too_wide_to_be_bridged_has_no_remedy(files: Path, tmp_path: Path)
 # -- single rules of the list ---------------------------------------------------------------------
 
 
-def test_before_there_is_a_trajectory_nothing_is_told_of_times(files: Path) -> None:
+def test_before_there_is_a_trajectory_nothing_is_reported_for_times(files: Path) -> None:
     line = taken_in(InputFiles(), files / "L1.laz")
     entry = line.entry(files / "L1.laz")
     assert line.time_messages(entry) == ()
@@ -227,7 +227,7 @@ def test_what_a_trajectory_cannot_do_without_is_named(tokens: str, said: str) ->
     assert found == tuple(note(f"column.{name}") for name in said.split())
 
 
-def test_what_is_not_settled_has_no_time_base() -> None:
+def test_an_undecided_file_has_no_time_base() -> None:
     assert trajectory_time_base(None) == KnownTimeBase()
     entry = InputFile(Path("a.sbet"), role="trajectory")
     assert trajectory_time_base(entry) == KnownTimeBase()
@@ -236,7 +236,7 @@ def test_what_is_not_settled_has_no_time_base() -> None:
     assert reexamine_file(entry).pending is False
 
 
-def test_a_line_in_another_base_than_that_stated_is_sought_in_any() -> None:
+def test_a_line_in_another_base_than_that_given_is_tried_in_all() -> None:
     """Times of the day fit a trajectory in seconds of the week, though it is said to be Unix's."""
     track = START + np.linspace(0, 100, 400)
     zero = np.zeros(len(track))
@@ -348,7 +348,7 @@ def test_a_warning_leads_to_the_option_it_is_about(key: str, doubt: Message, opt
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_actions_and_tips_are_told_in_every_language(language: str) -> None:
+def test_actions_and_tips_are_translated(language: str) -> None:
     shift = Action(
         "shift_times",
         {
@@ -362,7 +362,7 @@ def test_actions_and_tips_are_told_in_every_language(language: str) -> None:
         assert action_tip(Action("leave_out")) == ""
 
 
-def test_of_a_long_file_it_is_said_that_the_rest_comes_later() -> None:
+def test_of_a_long_file_it_is_reported_that_the_rest_comes_later() -> None:
     sample = START + np.arange(1500.0)
     times = LineTimes(
         sample, sample[0], sample[-1], None, whole=False, reached_end=False, place=np.zeros(3)

@@ -1,4 +1,4 @@
-"""What page one says of a check against a reference: all lines, single ones, points and the RMS."""
+"""Warnings on page one about a check against a reference: lines, points and the RMS."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -49,7 +49,7 @@ def check(
     )  # fmt: skip
 
 
-def told(folder: Path, found: AbsoluteCheck) -> dict[str, tuple[Level, str]]:
+def shown_warnings(folder: Path, found: AbsoluteCheck) -> dict[str, tuple[Level, str]]:
     content = sample_content(sample_project(folder).with_absolute(found))
     return {
         each.code: (each.level, message_text(each))
@@ -63,7 +63,7 @@ def told(folder: Path, found: AbsoluteCheck) -> dict[str, tuple[Level, str]]:
     [(0.023, None), (0.028, Level.NOTE), (-0.028, Level.NOTE), (0.033, Level.WARNING)],
 )
 def test_a_single_line(tmp_path: Path, off: float, level: Level | None) -> None:
-    found = told(tmp_path, check({"L3": off}))
+    found = shown_warnings(tmp_path, check({"L3": off}))
     if level is None:
         assert found == {}
         return
@@ -75,7 +75,7 @@ def test_a_single_line(tmp_path: Path, off: float, level: Level | None) -> None:
 
 
 def test_several_lines_agree_in_number(tmp_path: Path) -> None:
-    (text,) = (t for _, t in told(tmp_path, check({"L1": 0.03, "L2": 0.03})).values())
+    (text,) = (t for _, t in shown_warnings(tmp_path, check({"L1": 0.03, "L2": 0.03})).values())
     assert "2 of 6 lines deviate from the reference by more than their uncertainty" in text
 
 
@@ -84,8 +84,8 @@ def test_surveyed_planes(tmp_path: Path) -> None:
         return PointCheck(name, 6, 0.001, -0.2, after, half)
 
     good, unknown = plane("T1", -0.004, 0.025), plane("OLD", -0.2, None)
-    assert told(tmp_path, check({}, points=(good, unknown))) == {}
-    found = told(tmp_path, check({}, points=(good, plane("T2", -0.1843, 0.025))))
+    assert shown_warnings(tmp_path, check({}, points=(good, unknown))) == {}
+    found = shown_warnings(tmp_path, check({}, points=(good, plane("T2", -0.1843, 0.025))))
     assert found["report.absolute_point_off"][0] is Level.WARNING
     assert "from 1 of 2 surveyed" in found["report.absolute_point_off"][1]
     assert "T2 (-184.3 mm, ± 25.0 mm)" in found["report.absolute_point_off"][1]
@@ -93,7 +93,7 @@ def test_surveyed_planes(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("times", "level"), [(1.9, None), (2.5, Level.NOTE), (3.7, Level.WARNING)])
 def test_the_rms(tmp_path: Path, times: float, level: Level | None) -> None:
-    found = told(tmp_path, check({}, rms=times * SIGMA))
+    found = shown_warnings(tmp_path, check({}, rms=times * SIGMA))
     assert found.get("report.absolute_rms", (None, ""))[0] == level
     if level:
         assert f"{times:.1f} times the 12.0 mm" in found["report.absolute_rms"][1]

@@ -1,4 +1,4 @@
-"""Files on their way into a project: what they are taken for, and how their times fit."""
+"""Examination of input files: detected kind and format, and agreement of their times."""
 
 import json
 from dataclasses import replace
@@ -18,13 +18,13 @@ from lispac.workflow.importing.input_file import examine_file
 from lispac.workflow.importing.input_files import InputFiles, find_project, proposed_folder
 from lispac.workflow.project.projects import new_project, open_project
 from lispac.workflow.project.survey import load_survey
-from tests.intake_files import (
+from tests.input_file_samples import (
     LEVER,
     START,
     codes_about,
     fan,
+    message_texts,
     named,
-    said,
     taken_in,
     write_line,
     write_survey,
@@ -61,7 +61,7 @@ def test_files_of_a_folder_are_sorted_by_what_they_are(whole: InputFiles) -> Non
     assert codes_about(whole, "letter.md") == ["import.unknown_format"]
 
 
-def test_what_readers_take_for_granted_is_told_apart_from_doubts(whole: InputFiles) -> None:
+def test_assumptions_of_readers_are_distinguished_from_warnings(whole: InputFiles) -> None:
     finding = named(whole, "pos.sbet").finding
     assert finding is not None
     assert "assumed.pitch_bow_up" in codes(finding.assumptions)
@@ -75,7 +75,7 @@ def test_a_project_among_the_files_is_found(files: Path, tmp_path: Path) -> None
     assert find_project([tmp_path / "project.json"]) == tmp_path / "project.json"
 
 
-def test_what_is_missing_is_said_in_order(files: Path, tmp_path: Path) -> None:
+def test_what_is_missing_is_reported_in_order(files: Path, tmp_path: Path) -> None:
     assert InputFiles().import_problem("x").startswith("Add the files of the survey")
     waiting = InputFiles().with_files([files / "L1.laz"])
     assert waiting.import_problem("x") == "The files are being examined."
@@ -91,7 +91,7 @@ def test_what_is_missing_is_said_in_order(files: Path, tmp_path: Path) -> None:
     assert proposed_folder(both) == files / "boresight"
 
 
-def test_two_trajectories_are_one_too_many_until_one_is_left_out(
+def test_two_trajectories_are_one_too_many_until_one_is_skipped(
     whole: InputFiles, files: Path, tmp_path: Path
 ) -> None:
     second = write_records(tmp_path / "second.sbet", vessel(500))
@@ -135,7 +135,7 @@ def test_a_damaged_line_is_an_error_beside_the_others(
     damaged.write_bytes(content[: len(content) // 2])
     input_files = taken_in(whole, damaged)
     assert input_files.state_of_file(input_files.entry(damaged)) == "error"
-    assert str(damaged) not in said(input_files, "damaged.laz")
+    assert str(damaged) not in message_texts(input_files, "damaged.laz")
     assert input_files.import_problem("x").startswith("damaged.laz: ")
     assert input_files.with_role(damaged, None).files_problem_text() == ""
 
@@ -174,7 +174,7 @@ def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
     assert again.scans["day"].time.max() == pytest.approx(START + 30)
 
 
-def test_a_shift_that_another_one_rivals_stays_a_doubt(whole: InputFiles, tmp_path: Path) -> None:
+def test_a_shift_that_another_one_rivals_stays_a_warning(whole: InputFiles, tmp_path: Path) -> None:
     # With 18 s to spare on one side, UTC and GPS seconds of the day both fit.
     late = write_line(tmp_path / "day.laz", START + np.linspace(1, 5, 500) - 5 * 86_400)
     input_files = taken_in(whole, late)
@@ -210,7 +210,7 @@ def gaps_of(input_files: InputFiles, name: str) -> list[Message]:
     ]
 
 
-def test_points_in_a_gap_are_told_from_those_outside_and_bridged_on_demand(
+def test_points_in_a_gap_are_distinguished_from_those_outside_and_bridged_on_demand(
     files: Path, tmp_path: Path
 ) -> None:
     records = vessel(2000)
@@ -265,7 +265,7 @@ def test_a_project_without_the_longest_gap_has_the_usual_one(files: Path, tmp_pa
     assert open_project(project.folder).settings.longest_gap == LONGEST_GAP
 
 
-def test_a_long_line_is_looked_at_here_and_there(
+def test_a_long_line_is_examined_here_and_there(
     files: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     whole = read_line_times(files / "L1.laz", format_of("las"), {})
@@ -279,7 +279,7 @@ def test_a_long_line_is_looked_at_here_and_there(
     assert len(sampled.sample) == 40 * 50
 
 
-def test_a_line_that_takes_long_to_read_is_cut_and_said(
+def test_a_line_that_takes_long_to_read_is_cut_and_reported(
     files: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(times_module, "TIME_LIMIT", -1.0)

@@ -1,8 +1,8 @@
-"""A surface clicked twice is told of before it is accepted, and with the answer."""
+"""Duplicate targets are reported before they are accepted, and with the result."""
 
 from lispac.gui.viewport.base import PickedPoint
 from lispac.workflow.planning.demo import demo_seeds
-from tests.gui.support import Driver, click, open_step, settle
+from tests.gui.support import Driver, click, open_step, wait_until_idle
 
 
 def click_on(driver: Driver, name: str, aside: float = 0.0) -> None:
@@ -13,7 +13,7 @@ def click_on(driver: Driver, name: str, aside: float = 0.0) -> None:
     driver.rest()
 
 
-def test_a_surface_clicked_twice_is_told_of(opened: Driver) -> None:
+def test_a_surface_clicked_twice_is_reported(opened: Driver) -> None:
     window = opened.window
     box = window.targets.candidate
     for name in ("T1", "T2"):
@@ -29,9 +29,9 @@ def test_a_surface_clicked_twice_is_told_of(opened: Driver) -> None:
     assert [target.name for target in opened.project.targets] == ["T1", "T2", "T3"]
     open_step(opened, 2)
     click(opened, window.adjust.estimate)
-    settle(opened)
+    wait_until_idle(opened)
     assert "Targets have points in common: T2 with T3 (" in window.results.warnings.text()
     assert "with warnings" in window.workflow.headers[2].sentence.text()
     window.controller.use_target("T3", False)
-    settle(opened)
+    wait_until_idle(opened)
     assert "points in common" not in window.results.warnings.text()

@@ -1,4 +1,4 @@
-"""What is said of points, accuracies and time bases that do not fit the trajectory."""
+"""Messages about points, accuracies and time bases that do not fit the trajectory."""
 
 from pathlib import Path
 
@@ -14,7 +14,7 @@ from lispac.workflow.importing.input_files import InputFiles
 from lispac.workflow.project.projects import new_project
 from lispac.workflow.project.survey import Survey
 from tests.command_errors import codes_of
-from tests.intake_files import LEVER, START, fan, named, taken_in, write_line
+from tests.input_file_samples import LEVER, START, fan, named, taken_in, write_line
 from tests.trajectory_files import vessel, write_records
 
 SYSTEM = "EPSG:32619"
@@ -27,7 +27,7 @@ def made(folder: Path, track: Path, line: Path, reading=Reading(), **more):  # n
     )  # fmt: skip
 
 
-def test_gaps_are_told_from_the_ends_for_lines_on_the_map_too(tmp_path: Path) -> None:
+def test_gaps_are_distinguished_from_the_ends_for_lines_on_the_map_too(tmp_path: Path) -> None:
     records = vessel(2000)
     time = records[:, 0] - START
     write_records(tmp_path / "gap.sbet", records[(time < 10) | (time > 14)])
@@ -50,7 +50,7 @@ def too_short_of(survey: Survey) -> list[Message]:
     return [each for each in survey.notes if each.code == "import.accuracy_too_short"]
 
 
-def test_accuracies_that_cover_half_the_trajectory_are_said(tmp_path: Path) -> None:
+def test_accuracies_that_cover_half_the_trajectory_are_reported(tmp_path: Path) -> None:
     write_records(tmp_path / "pos.sbet", vessel(2000))
     accuracy = np.tile([0, 0.01, 0.01, 0.02, 0.1, 0.1, 0.1, 0.5, 0.5, 0.7], (41, 1))
     accuracy[:, 0] = START + np.arange(41)
@@ -69,7 +69,7 @@ def test_accuracies_that_cover_half_the_trajectory_are_said(tmp_path: Path) -> N
     assert too_short_of(survey) == []
 
 
-def test_a_base_that_the_values_suggested_is_said_to_be_that(tmp_path: Path) -> None:
+def test_a_base_that_the_values_suggested_is_reported_as_such(tmp_path: Path) -> None:
     records = vessel(2000)
     gps = 2278 * WEEK + records[:, 0]
     records[:, 0] = gps - 18 + GPS_EPOCH

@@ -1,4 +1,4 @@
-"""What the view shows is shown again by the window that comes with other looks."""
+"""The state of the view is restored in a window with another theme."""
 
 from collections.abc import Mapping
 
@@ -31,11 +31,11 @@ def test_the_lines_are_shown_as_they_were(
 ) -> None:
     """After, or before and after in one picture; nothing is placed anew."""
     session.window.document.open(estimated, demo.survey)
-    settle(session, qtbot)
+    wait_until_idle(session, qtbot)
     before = dict(session.window.viewport.clouds)
     for key in (Key.Key_B, Key.Key_C):
         qtbot.keyClick(session.window, key)
-    settle(session, qtbot)
+    wait_until_idle(session, qtbot)
     after, shading = session.window.viewport.clouds, session.window.viewport.shading
     assert not same(after, before)
     assert shading is not None
@@ -43,7 +43,7 @@ def test_the_lines_are_shown_as_they_were(
     for looks in ("Dark", "Light"):
         change(session, qtbot, looks)
         window = session.window
-        settle(session, qtbot)
+        wait_until_idle(session, qtbot)
         assert same(window.viewport.clouds, after)
         assert window.viewport.shading.title == shading.title
         for name in ("after", "colour_height"):
@@ -59,16 +59,16 @@ def test_the_lines_are_shown_as_they_were(
             qtbot.keyClick(window, Key.Key_W)
     assert same(window.viewport.wipe_clouds, before)
     qtbot.keyClick(window, Key.Key_B)
-    settle(session, qtbot)
+    wait_until_idle(session, qtbot)
     assert same(window.viewport.clouds, before)
     assert not window.actions_["wipe"].isChecked()
     change(session, qtbot, "Dark")
-    settle(session, qtbot)
+    wait_until_idle(session, qtbot)
     assert same(session.window.viewport.clouds, before)
     assert session.window.actions_["before"].isChecked()
 
 
-def settle(session: Session, bot: QtBot) -> None:
+def wait_until_idle(session: Session, bot: QtBot) -> None:
     """Wait until the lines are drawn as they are shown."""
     bot.waitUntil(
         lambda: not session.window.runner.active and session.window.scene.is_drawn, timeout=SOON_MS

@@ -1,4 +1,4 @@
-"""Columns, coordinate systems and options of files on their way in, and accuracies beside them."""
+"""Columns, coordinate systems and reader options of input files, and accuracy files."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -16,12 +16,12 @@ from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.importing.input_file_messages import option_to_choose
 from lispac.workflow.importing.input_files import InputFiles
 from lispac.workflow.project.projects import new_project
-from tests.intake_files import (
+from tests.input_file_samples import (
     LEVER,
     START,
     codes_about,
     fan,
-    said,
+    message_texts,
     taken_in,
     write_line,
     write_survey,
@@ -64,7 +64,7 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
     )
     assert input_files.entry(text).columns == ("-", "y", "z", "time")
     input_files = taken_in(input_files.with_column(text, 0, "x"))
-    assert input_files.state_of_file(input_files.entry(text)) == "fine", said(
+    assert input_files.state_of_file(input_files.entry(text)) == "fine", message_texts(
         input_files, "one.txt"
     )
     request = input_files.request(tmp_path / "p", Settings(lever_arm=LEVER))
@@ -149,7 +149,7 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     place = input_files.entry(stated).place
     assert place is not None
     assert place.system.startswith("WGS 84 / UTM zone 18N")
-    assert input_files.state_of_file(input_files.entry(stated)) == "fine", said(
+    assert input_files.state_of_file(input_files.entry(stated)) == "fine", message_texts(
         input_files, "stated.laz"
     )
 
@@ -159,9 +159,9 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     assert (remark.level, option_to_choose(remark.actions[0])) == (Level.ERROR, "crs")
     assert input_files.coverage(input_files.entry(bare)) is not None
     wrong = taken_in(input_files.with_option(bare, "crs", "EPSG:32617"))
-    assert "km from the trajectory" in said(wrong, "bare.laz")
+    assert "km from the trajectory" in message_texts(wrong, "bare.laz")
     nonsense = taken_in(input_files.with_option(bare, "crs", "EPSG:1"))
-    assert "PROJ does not know this coordinate system" in said(nonsense, "bare.laz")
+    assert "PROJ does not know this coordinate system" in message_texts(nonsense, "bare.laz")
     right = taken_in(wrong.with_option(bare, "crs", "32618"))
     assert right.files_problem_text() == ""
     request = right.request(tmp_path / "p", Settings(lever_arm=LEVER))
@@ -172,7 +172,7 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
     np.testing.assert_allclose(survey.scans["bare"].points_lidar, fan(1500), atol=1e-3)
 
 
-def test_an_option_that_is_stated_goes_with_the_request(whole: InputFiles, files: Path) -> None:
+def test_an_option_that_is_given_goes_with_the_request(whole: InputFiles, files: Path) -> None:
     pos = files / "pos.sbet"
     usual = whole.request(Path("p"), Settings(lever_arm=LEVER)).trajectory_reading
     assert usual.format == ""

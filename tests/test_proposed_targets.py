@@ -1,4 +1,4 @@
-"""What is proposed, and what is not: ripples, natural planes alone, a drone's planes."""
+"""Proposed targets: ripples, natural planes alone, planes of a drone survey."""
 
 import json
 from collections.abc import Mapping
@@ -30,7 +30,7 @@ from lispac.workflow.calibration.sighting_assessment import lidar_noise, sightin
 from lispac.workflow.checking.validation import validate
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import Survey, load_survey
-from tests.few_passes import passes
+from tests.few_lines import site_of_few_lines
 from tests.finder_scenes import WALL, Site, rippled, site
 from tests.test_finder_sites import board, wall
 
@@ -160,7 +160,7 @@ def test_what_a_plane_is_good_for(poor: int, rough: int, use: str) -> None:
     assert judged.reason == ("The beams meet it aslant." if poor else "")
 
 
-def test_with_ripples_alone_it_is_said_why_nothing_is_proposed() -> None:
+def test_with_ripples_alone_the_reason_for_no_proposal_is_given() -> None:
     seen = site([*rippled("T1", (0.0, WALL, 8.0), 1.4, 1.2), wall(0.5)])
     project, survey = seen.opened()
     with pytest.raises(TargetNotFound) as raised:
@@ -232,7 +232,7 @@ def test_planes_that_all_face_one_way_are_proposed_where_that_is_accepted() -> N
 
 
 def test_in_thesis_mode_the_same_boards_are_proposed() -> None:
-    project, survey = passes().opened((1, -1, 1))
+    project, survey = site_of_few_lines().opened((1, -1, 1))
     thesis = project.with_settings(replace(project.settings, pos_errors="independent"))
     usual, proposal = propose_targets(project, survey), propose_targets(thesis, survey)
     for one, other in zip(usual.targets, proposal.targets, strict=True):
@@ -257,7 +257,7 @@ def test_targets_that_act_as_one_are_not_proposed_together() -> None:
     assert "targets.proposal_unchecked" not in [each.code for each in proposal.warnings]
 
 
-def test_boards_are_added_as_long_as_each_tells_clearly_more() -> None:
+def test_boards_are_added_as_long_as_each_adds_clear_information() -> None:
     """Of eight that hardly differ, four are left for validation."""
     facing = [(0, 3), (0, 6), (3, 0), (-3, 0), (6, 3), (-6, 3), (3, 6), (35, 0)]
     boards = [

@@ -1,4 +1,4 @@
-"""What is said of a plan before it is sailed: too near to the wall, boards in one place."""
+"""Warnings about a plan: too near to the wall, boards in one place."""
 
 from dataclasses import replace
 
@@ -46,7 +46,7 @@ def test_lines_that_a_vessel_cannot_sail(
         assert found.params["distance"] == distance
 
 
-def test_boards_in_one_place_are_told(plan: Plan) -> None:
+def test_boards_in_one_place_are_reported(plan: Plan) -> None:
     one = plan.targets[0]
     twins = replace(plan, targets=(one, replace(one, name="twin"), *plan.targets[1:]))
     found = plan_warnings(TitledPlan("Quay", twins, WALL))

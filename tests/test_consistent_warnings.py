@@ -124,7 +124,7 @@ def _apart(project: Project) -> Project:
     return replace(project, cross_checks=replace(checks, parts=parts))
 
 
-def _told_apart_badly(project: Project) -> Project:
+def _badly_separated(project: Project) -> Project:
     assert project.result is not None
     covariance = project.result.covariance_all.copy()
     covariance[0, 1] = covariance[1, 0] = -0.97 * np.sqrt(covariance[0, 0] * covariance[1, 1])
@@ -225,7 +225,7 @@ CASES = [
     ("sigmas_raised", False, _raised, "were increased: pitch from 0.0291 to 0.0728"),
     ("cross_check", False, _apart, "without line L2 (pitch -0.0512 deg, 4.1 times its standard"
      " deviation)"),
-    ("high_correlation", False, _told_apart_badly, "correlation of roll and pitch is -0.97"),
+    ("high_correlation", False, _badly_separated, "correlation of roll and pitch is -0.97"),
     ("independent_pos_errors", True, _model(pos_errors="independent"), "uncorrelated POS errors"),
     ("steep_pitch", False, _steep, "The boresight pitch exceeds 60 deg"),
     ("surface_held", False, _model(surface=0.0), "The surface roughness is fixed at 0"),
@@ -256,7 +256,7 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 @pytest.mark.parametrize(
     ("code", "serious", "change", "words"), CASES, ids=[f"{c[0]}-{k}" for k, c in enumerate(CASES)]
 )
-def test_a_doubt_is_told_alike_everywhere(
+def test_a_warning_is_reported_alike_everywhere(
     capsys: pytest.CaptureFixture[str], project: Project, code: str, serious: bool,
     change: Callable[[Project], Project], words: str,
 ) -> None:  # fmt: skip
@@ -310,7 +310,7 @@ def test_every_rule_has_been_heard(project: Project) -> None:
     assert told == set(RULES)
 
 
-def test_a_sound_answer_leaves_no_doubt(
+def test_a_sound_answer_leaves_no_warning(
     capsys: pytest.CaptureFixture[str], project: Project, tmp_path: Path
 ) -> None:
     result, checks = project.result, project.cross_checks
@@ -321,7 +321,7 @@ def test_a_sound_answer_leaves_no_doubt(
     assert "Warnings and notes:" not in capsys.readouterr().out
 
 
-def test_a_value_that_was_stated_and_found_does_not_go_into_a_large_sigma(project: Project) -> None:
+def test_a_value_that_was_given_and_found_does_not_go_into_a_large_sigma(project: Project) -> None:
     seen = ParameterEstimate("lever_x", 0.0, 0.01, value=0.004, sigma=0.006, significance=0.5)
     wide = _wide(project).result
     assert wide is not None
@@ -329,14 +329,14 @@ def test_a_value_that_was_stated_and_found_does_not_go_into_a_large_sigma(projec
     assert large.code == "adjustment.large_sigma"
 
 
-def test_serious_doubts_come_first(project: Project) -> None:
+def test_serious_warnings_come_first(project: Project) -> None:
     changed = _raised(_wide(project))
     assert changed.result is not None
     told = [each.level for each in result_warnings(changed.result, changed.cross_checks)]
     assert told == [Level.WARNING, Level.NOTE]
 
 
-def test_a_doubt_outlives_saving(project: Project, tmp_path: Path) -> None:
+def test_a_warning_outlives_saving(project: Project, tmp_path: Path) -> None:
     saved = replace(_contradicted(project), folder=tmp_path)
     write_project(saved)
     opened = read_project(tmp_path)
@@ -350,5 +350,5 @@ def test_a_doubt_outlives_saving(project: Project, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("points", [1, 2, 50, 999, 2_215, 1_000_000])
-def test_strays_by_chance_are_those_of_the_binomial_distribution(points: int) -> None:
+def test_outliers_by_chance_are_those_of_the_binomial_distribution(points: int) -> None:
     assert exceedance_limit(points, 0.001) == stats.binom.isf(0.001, points, 0.001)

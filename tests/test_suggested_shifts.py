@@ -1,4 +1,4 @@
-"""What is offered for a line of which points lie outside the trajectory, and when nothing is."""
+"""Time shifts suggested for a line with points outside the trajectory."""
 
 from pathlib import Path
 
@@ -27,7 +27,7 @@ def test_nothing_is_offered_for_a_line_without_points() -> None:
     assert shift_gain_note(line(), np.zeros(0), track(0, 100)) is None
 
 
-def test_times_that_restart_are_offered_to_be_counted_on_once() -> None:
+def test_a_rollover_of_the_times_is_offered_once() -> None:
     counted = track(DAY - 50, DAY + 50)
     assert shift_gain_note(line(), ROUND_MIDNIGHT, counted) == note(
         "import.restart_found", file="L1.las", place=note("rollover.midnight"),
@@ -39,7 +39,7 @@ def test_times_that_restart_are_offered_to_be_counted_on_once() -> None:
     )
 
 
-def test_a_line_counted_on_beside_a_sorted_trajectory_is_offered_as_it_was_written() -> None:
+def test_a_resolved_line_beside_a_sorted_trajectory_is_offered_as_it_was_written() -> None:
     reading = Reading(options=(("restart", "midnight"),))
     assert shift_gain_note(
         line(reading), reading.to_trajectory_time(ROUND_MIDNIGHT), track(0, DAY)
