@@ -127,6 +127,6 @@ class TargetActions(QObject):
 
 def _used_as_before(target: Target, before: Target) -> Target:
     """Exclude the sightings that were excluded before."""
-    left_out = {sighting.line for sighting in before.sightings if not sighting.used}
-    sightings = tuple(replace(s, used=s.line not in left_out) for s in target.sightings)
+    excluded = {sighting.line for sighting in before.sightings if not sighting.used}
+    sightings = tuple(replace(s, used=s.line not in excluded) for s in target.sightings)
     return replace(target, used=before.used, sightings=sightings)

@@ -119,7 +119,7 @@ def _ramp_distance(time: Array, ramp: float) -> Array:
 
 
 def _smooth_step(count: int) -> Array:
-    """From 0 to 1, at rest and without acceleration at both ends (ends left out)."""
+    """From 0 to 1, at rest and without acceleration at both ends (ends excluded)."""
     u = np.arange(1, count) / count
     return np.asarray(u**3 * (10 - 15 * u + 6 * u**2))
 

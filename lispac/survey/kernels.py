@@ -13,7 +13,7 @@ from lispac.compiled_code import njit
 
 TILE = 2048
 SHORT = 0.1
-"""Radians; the first term left out of the series is 3e-17 there."""
+"""Radians; the first omitted term of the series is 3e-17 there."""
 TERMS = 20
 """Coefficients of a polynomial of third degree in three variables."""
 
