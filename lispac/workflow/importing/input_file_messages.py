@@ -20,7 +20,7 @@ from lispac.survey.known_time_base import (
     matches_of_known_bases,
     time_base_error,
 )
-from lispac.survey.line_source import RESTART, printable
+from lispac.survey.line_source import TIME_ROLLOVER, printable
 from lispac.survey.time_base import TimeBase, TimeMatch, equally_good_matches
 from lispac.survey.time_quality import TrajectoryCoverage, accuracy_coverage_warning
 from lispac.survey.time_rollover import NONE, rollover_note
@@ -58,7 +58,7 @@ OF_A_FILE = {
 
 LEAVE_OUT = Action("leave_out")
 CLEAR_TIME_BASE = Action("clear_time_base", {"name": "time_base", "value": ""})
-IGNORE_ROLLOVER = Action("ignore_rollover", {"name": RESTART, "value": NONE})
+IGNORE_ROLLOVER = Action("ignore_rollover", {"name": TIME_ROLLOVER, "value": NONE})
 
 SYSTEM_ERRORS = {
     "trajectory.no_system", "trajectory.grid_heading", "trajectory.outside_system",
@@ -243,9 +243,9 @@ def time_messages(
         messages = _given_base_notes(entry, times, track, own, known)
     else:
         messages = _shift_messages(entry, times, track, base)
-    if times.restart:
-        restart = rollover_note(times.sample, times.restart, file)
-        messages.append(replace(restart, actions=(IGNORE_ROLLOVER,)))
+    if times.rollover:
+        rollover = rollover_note(times.sample, times.rollover, file)
+        messages.append(replace(rollover, actions=(IGNORE_ROLLOVER,)))
     if covered.usable == covered.count:
         return messages
     if covered.usable == 0 and covered.outside:

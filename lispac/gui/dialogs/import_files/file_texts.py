@@ -42,12 +42,12 @@ _OPTIONS = {
     "origin": N_("Origin"),
     "pitch": N_("Pitch"),
     "position": N_("Unit of latitude and longitude"),
-    "restart": N_("Time rollover (midnight or week)"),
     "roll": N_("Roll"),
     "separator": N_("Column separator"),
     "time": N_("Time"),
     "time_base": N_("Time base"),
     "time_field": N_("Time field"),
+    "time_rollover": N_("Time rollover (midnight or week)"),
     "time_from": N_("Time origin"),
     "time_unit": N_("Time unit"),
     "trajectory_datum": N_("Trajectory datum"),
@@ -107,13 +107,13 @@ _FACTS = {
 }
 """Labels of the facts about a file."""
 _AUTOMATIC = {
-    "restart": N_("automatic"),
+    "time_rollover": N_("automatic"),
     "grid_unit": N_("same as the coordinate system"),
     "heights": N_("same as the coordinate system"),
 }
 """Empty values of options that do not come from the file."""
 _OF_OPTION = {
-    ("restart", "none"): N_("none"),
+    ("time_rollover", "none"): N_("none"),
     ("frame", "scanner"): N_("Scanner"),
     ("axes", "unknown"): N_("unknown"),
     ("header", "auto"): N_("automatic"),
