@@ -168,7 +168,7 @@ class ImportDialog(QDialog):
             gettext("Stop"), "import_stop", tip=gettext("Stop reading files")
         )
         self.again = widgets.button(
-            gettext("Read again"), "import_look_again",
+            gettext("Read again"), "import_read_again",
             tip=gettext("Read the files that were skipped when reading was stopped"),
         )  # fmt: skip
         for each in (self.add_files, self.add_folder, self.remove):
