@@ -129,7 +129,7 @@ def problems(catalogue: Catalog) -> list[str]:
             found.append(f"no translation: {english!r}")
             continue
         for string in strings_of(message):
-            # The singular may leave out the count.
+            # The singular may omit the count.
             if places(string) != places(english) and places(string) | {"count"} != places(english):
                 found.append(f"other placeholders: {english!r}")
     return found

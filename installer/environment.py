@@ -83,8 +83,8 @@ def child_variables(
     own = ENVIRONMENT / "cache"
     # Modules of another environment would be found before the locked ones. Bytecode lies in a
     # folder of its own, so it may be kept: without it every process compiles its libraries anew.
-    left_out = ("PYTHONPATH", "PYTHONHOME", "PYTHONDONTWRITEBYTECODE")
-    kept = {k: v for k, v in variables.items() if k not in left_out}
+    excluded = ("PYTHONPATH", "PYTHONHOME", "PYTHONDONTWRITEBYTECODE")
+    kept = {k: v for k, v in variables.items() if k not in excluded}
     kept.update(
         PYTHONPYCACHEPREFIX=str(own / "bytecode"),
         HYPOTHESIS_STORAGE_DIRECTORY=str(own / "hypothesis"),

@@ -6,7 +6,7 @@ Each format keeps its own table of former and new names; the functions here appl
 import functools
 import inspect
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
 from lispac.message_texts import message_text
@@ -22,6 +22,7 @@ SCRIPT_NAMES = {
     "reach": "search_distance",
     "released": "rejected",
     "remarks": "messages",
+    "restart": "time_rollover",
     "settled": "resolved",
     "stated_times": "given_correlation_times",
     "strays": "outliers",
@@ -30,6 +31,8 @@ SCRIPT_NAMES = {
     "together": "all_lines",
 }
 """Former and new names of parameters and attributes that scripts use."""
+READING_OPTIONS = {"restart": "time_rollover"}
+"""New names of reading options by the former ones."""
 
 
 def renamed_keys(content: Any, names: Mapping[str, Mapping[str, str]], place: str = "") -> Any:
@@ -52,6 +55,17 @@ def renamed_keys(content: Any, names: Mapping[str, Mapping[str, str]], place: st
     }
 
 
+def renamed_reading(reading: Mapping[str, Any]) -> dict[str, Any]:
+    """Plain values of a `Reading` with the former names of its options replaced."""
+    options = [[READING_OPTIONS.get(name, name), value] for name, value in reading["options"]]
+    return {**reading, "options": options}
+
+
+def renamed_options(options: Iterable[tuple[str, str]]) -> tuple[tuple[str, str], ...]:
+    """Reading options of a script with their former names replaced; a warning names each."""
+    return tuple((_present_option(name), value) for name, value in options)
+
+
 def accept_script_names(renamed: Renamed) -> Renamed:
     """Accept the former names of the parameters of a function, or also attributes of a class."""
     if isinstance(renamed, type):
@@ -59,6 +73,13 @@ def accept_script_names(renamed: Renamed) -> Renamed:
         renamed.__getattr__ = _attribute_of_former_name  # type: ignore[attr-defined]
         return renamed
     return _with_former_parameters(renamed)  # type: ignore[return-value]
+
+
+def _present_option(name: str) -> str:
+    new = READING_OPTIONS.get(name, name)
+    if new != name:
+        _warn(note("former_name.script", former=name, name=new))
+    return new
 
 
 def _with_former_parameters(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -8,12 +8,12 @@ import numpy as np
 
 from lispac.geometry.frames import LocalFrame
 from lispac.project import LineSource, Project, Settings
-from lispac.simulation.port_scene import ORIGIN, six_passes
+from lispac.simulation.port_scene import ORIGIN, six_lines
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes, Scanner, scan_scene
 from lispac.simulation.scene import Rectangle, Scene, Surface, tilted_rectangle
 from lispac.simulation.simulated_survey import BORESIGHT_DEG, LEVER_ARM
-from lispac.simulation.vessel_motion import RATE, sail_passes
+from lispac.simulation.vessel_motion import RATE, sail_lines
 from lispac.survey.cloud import CloudInMemory
 from lispac.survey.georeferencing import Mounting, georeference
 from lispac.survey.scan import Scan
@@ -86,21 +86,21 @@ def site(
     absent_from: str | None = None,
     near: float = NEAR,
 ) -> Site:
-    """The first of the six passes along such a scene, with POS errors, noise and mixed echoes.
+    """The first of the six lines along such a scene, with POS errors, noise and mixed echoes.
 
     T1 was not there yet when the line ``absent_from`` was recorded. Points farther than ``near``,
     metres, from the middle of the targets are left out.
     """
     sea, errors, *scanners = np.random.default_rng(seed).spawn(2 + lines)
-    passes = [replace(each, run_in=REACH, run_out=REACH) for each in six_passes()[:lines]]
-    motion = sail_passes(passes, 1.1, sea)
+    lines = [replace(each, run_in=REACH, run_out=REACH) for each in six_lines()[:lines]]
+    motion = sail_lines(lines, 1.1, sea)
     off_position, off_attitude = HYDROGRAPHIC_INS.draw(len(motion.time), 1 / RATE, errors)
     states = (motion.time, motion.position, motion.attitude)
     scene, boresight = Scene.of(surfaces), np.radians(BORESIGHT_DEG)
     middle = np.mean([s.centre for s in scene.surfaces if s.name.startswith("T")], axis=0)
     without = Scene.of([s for s in surfaces if s.name != "T1"])
     echoes = {}
-    for k, (each, recorded) in enumerate(zip(passes, motion.recorded, strict=True)):
+    for k, (each, recorded) in enumerate(zip(lines, motion.recorded, strict=True)):
         absent = absent_from == f"L{k + 1}"
         shown = without if absent else scene
         whole = scan_scene(

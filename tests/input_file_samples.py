@@ -20,10 +20,10 @@ def taken_in(
 ) -> InputFiles:
     """As the window does it, in one thread."""
     input_files = input_files.with_files(collect_files(paths))
-    while waiting := [entry for entry in input_files.entries if entry.pending]:
+    while waiting := [entry for entry in input_files.files if entry.pending]:
         entry = waiting[0]
         found = reexamine_file(entry) if entry.checks else examine_file(entry.path, mappings)
-        input_files = input_files.with_entry(found).with_resolved_role(entry.path)
+        input_files = input_files.with_changed_file(found).with_resolved_role(entry.path)
     return input_files
 
 
@@ -81,7 +81,7 @@ def write_survey(folder: Path) -> Path:
 
 def named(input_files: InputFiles, name: str) -> InputFile:
     """The entry of a file of that name."""
-    return next(entry for entry in input_files.entries if entry.path.name == name)
+    return next(entry for entry in input_files.files if entry.path.name == name)
 
 
 def message_texts(input_files: InputFiles, name: str) -> str:

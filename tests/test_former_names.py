@@ -188,6 +188,34 @@ def test_a_project_of_version_9_has_the_same_values() -> None:
     ]
 
 
+def test_former_reading_options_of_a_script_are_accepted() -> None:
+    options = (("frame", "scanner"), ("time_rollover", "midnight"))
+    with pytest.warns(FutureWarning, match="time_rollover"):
+        reading = lispac.Reading("las", (options[0], ("restart", "midnight")))
+    assert reading == lispac.Reading("las", options)
+    with pytest.warns(FutureWarning, match="time_rollover"):
+        assert reading.restart == reading.time_rollover == "midnight"  # type: ignore[attr-defined]
+
+
+def test_a_former_reading_option_at_the_command_line_is_replaced_with_a_note(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    command = ["new", "p", "a.laz", "--trajectory", "t", "--lever-arm", "0", "0", "1"]
+    options = ["--line-option", "restart=midnight", "--line-option=time_base=utc"]
+    found = build_parser().parse_args([*command, *options]).line_option
+    assert found == [("time_rollover", "midnight"), ("time_base", "utc")]
+    (note,) = capsys.readouterr().err.splitlines()
+    assert note.startswith("note: The option restart is now called time_rollover.")
+
+
+def test_a_project_of_version_10_keeps_the_time_rollover_of_a_line() -> None:
+    project = read_project(DATA / "project-10")
+    assert project.lines[1].reading == lispac.Reading(
+        "las", (("frame", "scanner"), ("time_rollover", "midnight"))
+    )
+    assert all(line.reading == lispac.Reading() for line in project.lines if line.name != "L2")
+
+
 @pytest.mark.usefixtures("small")
 def test_a_line_stored_with_version_2_is_read(tmp_path: Path) -> None:
     now = stored(tmp_path / "L1").manifest
@@ -198,4 +226,16 @@ def test_a_line_stored_with_version_2_is_read(tmp_path: Path) -> None:
     former = {"version": 2, "checksum": layout._checksum(store), "store": store}
     path.write_text(json.dumps(former), encoding="utf-8")
     assert now.excluded_points > 0
+    assert layout.read_manifest(tmp_path / "L1") == now
+
+
+@pytest.mark.usefixtures("small")
+def test_a_line_stored_with_former_reading_options_is_read(tmp_path: Path) -> None:
+    now = stored(tmp_path / "L1").manifest
+    reading = {"format": "las", "options": [["time_rollover", "none"]], "time_shift": 0.0}
+    now = replace(now, made_with={**now.made_with, "reading": reading})
+    former = {**reading, "options": [["restart", "none"]]}
+    layout.write_manifest(
+        tmp_path / "L1", replace(now, made_with={**now.made_with, "reading": former})
+    )
     assert layout.read_manifest(tmp_path / "L1") == now

@@ -48,7 +48,7 @@ def whole(files: Path) -> InputFiles:
 
 
 def test_files_of_a_folder_are_sorted_by_what_they_are(whole: InputFiles) -> None:
-    roles = {entry.path.name: entry.role for entry in whole.entries}
+    roles = {entry.path.name: entry.role for entry in whole.files}
     assert roles == {
         "pos.sbet": "trajectory", "smrmsg.out": "accuracy", "L1.laz": "points",
         "L2.las": "points", "letter.md": None,
@@ -99,7 +99,7 @@ def test_two_trajectories_are_one_too_many_until_one_is_skipped(
     assert "more than one file has the role of trajectory" in input_files.import_problem("x")
     (leave_out,) = input_files.messages(named(input_files, "second.sbet"))[0].actions
     mended = input_files.with_action(second, leave_out)
-    assert mended.state_of_file(mended.entry(second)) == "out"
+    assert mended.state_of_file(mended.file(second)) == "out"
     assert mended.trajectory is not None
     assert mended.trajectory.path == files / "pos.sbet"
     assert mended.files_problem_text() == ""
@@ -112,9 +112,9 @@ def test_text_that_might_be_a_trajectory_is_a_line_beside_a_certain_one(
     text = tmp_path / "points.txt"
     np.savetxt(text, rows, fmt="%.4f")
     alone = taken_in(InputFiles(), text)
-    assert "points" in alone.entries[0].roles
+    assert "points" in alone.files[0].roles
     beside = taken_in(taken_in(InputFiles(), files / "pos.sbet"), text)
-    assert beside.entry(text).role == "points"
+    assert beside.file(text).role == "points"
 
 
 def test_lines_of_one_name_are_named_by_their_folders(files: Path, tmp_path: Path) -> None:
@@ -134,7 +134,7 @@ def test_a_damaged_line_is_an_error_beside_the_others(
     content = (files / "L1.laz").read_bytes()
     damaged.write_bytes(content[: len(content) // 2])
     input_files = taken_in(whole, damaged)
-    assert input_files.state_of_file(input_files.entry(damaged)) == "error"
+    assert input_files.state_of_file(input_files.file(damaged)) == "error"
     assert str(damaged) not in message_texts(input_files, "damaged.laz")
     assert input_files.import_problem("x").startswith("damaged.laz: ")
     assert input_files.with_role(damaged, None).files_problem_text() == ""
@@ -148,7 +148,7 @@ def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
 ) -> None:
     late = write_line(tmp_path / "day.laz", START + np.linspace(20, 30, 3000) - 5 * 86_400)
     input_files = taken_in(whole, late)
-    remark = input_files.messages(input_files.entry(late))[0]
+    remark = input_files.messages(input_files.file(late))[0]
     assert (remark.level, remark.code) == (Level.ERROR, "import.outside_with_shift")
     assert remark.params["points"] == note("time_base.gps_day")
     assert remark.actions[0].params["shift"] == pytest.approx(432_000)
@@ -159,7 +159,7 @@ def test_a_line_in_seconds_of_the_day_is_offered_the_shift_that_fits(
     ):
         assert mended.files_problem_text() == ""
         assert mended.proposed_shifts == ()
-        covered = mended.coverage(mended.entry(late))
+        covered = mended.coverage(mended.file(late))
         assert covered is not None
         assert covered.usable == covered.count
     request = mended.request(tmp_path / "made", Settings(lever_arm=LEVER))
@@ -178,14 +178,14 @@ def test_a_shift_that_another_one_rivals_stays_a_warning(whole: InputFiles, tmp_
     # With 18 s to spare on one side, UTC and GPS seconds of the day both fit.
     late = write_line(tmp_path / "day.laz", START + np.linspace(1, 5, 500) - 5 * 86_400)
     input_files = taken_in(whole, late)
-    first = input_files.messages(input_files.entry(late))[0]
+    first = input_files.messages(input_files.file(late))[0]
     assert len({action.params.get("shift") for action in first.actions} - {None}) == 2
     mended = input_files.with_action(late, first.actions[0])
-    assert mended.state_of_file(mended.entry(late)) == "warning"
-    rivals = mended.messages(mended.entry(late))[0]
+    assert mended.state_of_file(mended.file(late)) == "warning"
+    rivals = mended.messages(mended.file(late))[0]
     assert rivals.code == "import.other_bases_fit"
     assert (
-        mended.with_action(late, rivals.actions[-1]).state_of_file(input_files.entry(late))
+        mended.with_action(late, rivals.actions[-1]).state_of_file(input_files.file(late))
         == "error"
     )
 
@@ -195,7 +195,7 @@ def test_a_line_of_another_day_is_refused_with_the_distance(
 ) -> None:
     other = write_line(tmp_path / "other.laz", START + 50_000 + np.linspace(0, 5, 500))
     input_files = taken_in(whole, other)
-    remark = input_files.messages(input_files.entry(other))[0]
+    remark = input_files.messages(input_files.file(other))[0]
     assert (remark.level, remark.code) == (Level.ERROR, "import.after_trajectory")
     assert remark.params["distance"] == pytest.approx(49_960, abs=0.5)
     assert remark.actions == (Action("leave_out"),)

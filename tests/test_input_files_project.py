@@ -66,8 +66,8 @@ def project(files: Path, tmp_path_factory: pytest.TempPathFactory) -> Project:
 def opened(project: Project) -> InputFiles:
     """For lines to be added to it, its own files looked into as it reads them."""
     input_files = InputFiles.of_project(project)
-    for entry in input_files.entries:
-        input_files = input_files.with_entry(examine_project_file(entry))
+    for entry in input_files.files:
+        input_files = input_files.with_changed_file(examine_project_file(entry))
     return input_files
 
 
@@ -76,18 +76,18 @@ def opened(project: Project) -> InputFiles:
 
 def test_a_projects_own_files_are_there_and_stay(project: Project, files: Path) -> None:
     input_files = opened(project)
-    assert [entry.role for entry in input_files.entries] == ["trajectory", "accuracy"]
+    assert [entry.role for entry in input_files.files] == ["trajectory", "accuracy"]
     assert input_files.trajectory_content is not None
     assert input_files.accuracy_content is not None
     assert (
         input_files.files_problem_text()
         == "There is no line. Add the scan file of at least one line."
     )
-    for entry in input_files.entries:
-        assert input_files.without_file(entry.path).entries == input_files.entries
+    for entry in input_files.files:
+        assert input_files.without_file(entry.path).files == input_files.files
         assert input_files.with_role(entry.path, "points") is input_files
     without = InputFiles.of_project(replace(project, accuracy=None))
-    assert [entry.role for entry in without.entries] == ["trajectory"]
+    assert [entry.role for entry in without.files] == ["trajectory"]
     more = taken_in(input_files, files / "L2.las")
     assert more.files_problem_text() == ""
     assert [(line.name, line.path.name) for line in more.sources()] == [("L2", "L2.las")]
@@ -103,7 +103,7 @@ def test_a_line_that_is_there_already_can_only_be_skipped(project: Project, file
     assert remark.params == {"file": "L1.laz", "line": "L1"}
     assert message_text(remark) in input_files.files_problem_text()
     left = input_files.with_action(files / "L1.laz", remark.actions[0])
-    assert left.state_of_file(left.entry(files / "L1.laz")) == "out"
+    assert left.state_of_file(left.file(files / "L1.laz")) == "out"
 
 
 def test_gaps_are_bridged_for_a_new_project_and_not_for_one_that_is_there(
@@ -143,21 +143,21 @@ def test_a_gap_too_wide_to_be_bridged_has_no_remedy(files: Path, tmp_path: Path)
 
 def test_before_there_is_a_trajectory_nothing_is_reported_for_times(files: Path) -> None:
     line = taken_in(InputFiles(), files / "L1.laz")
-    entry = line.entry(files / "L1.laz")
+    entry = line.file(files / "L1.laz")
     assert line.time_messages(entry) == ()
     assert line.coverage(entry) is None
     assert line.proposed_shifts == ()
     assert line.time_base is None
     both = taken_in(line, files / "pos.sbet")
-    assert both.time_messages(both.entry(files / "pos.sbet")) == ()
-    covered = both.coverage(both.entry(files / "L1.laz"))
+    assert both.time_messages(both.file(files / "pos.sbet")) == ()
+    covered = both.coverage(both.file(files / "L1.laz"))
     assert covered is not None
     assert covered.usable == covered.count
 
 
 def test_a_file_that_waits_says_nothing(files: Path) -> None:
     waiting = InputFiles().with_files([files / "L1.laz"])
-    entry = waiting.entries[0]
+    entry = waiting.files[0]
     assert waiting.state_of_file(entry) == "pending"
     assert waiting.messages(entry) == ()
 

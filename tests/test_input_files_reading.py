@@ -52,19 +52,19 @@ def write_unnamed(path: Path, seconds: float = 3.0) -> Path:
 def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_path: Path) -> None:
     text = write_unnamed(tmp_path / "one.txt")
     input_files = taken_in(InputFiles(), files / "pos.sbet", text)
-    assert input_files.state_of_file(input_files.entry(text)) == "error"
-    (missing,) = input_files.messages(input_files.entry(text))
+    assert input_files.state_of_file(input_files.file(text)) == "error"
+    (missing,) = input_files.messages(input_files.file(text))
     assert missing.code == "import.columns_not_chosen"
     names = [note(f"column.{name}") for name in ("time", "x", "y", "z")]
     assert list(missing.params["columns"]) == names  # type: ignore[arg-type]
     for column, meaning in enumerate(("y", "y", "z", "time")):
         input_files = taken_in(input_files.with_column(text, column, meaning))
-    assert tuple(input_files.messages(input_files.entry(text))[0].params["columns"]) == (  # type: ignore[arg-type]
+    assert tuple(input_files.messages(input_files.file(text))[0].params["columns"]) == (  # type: ignore[arg-type]
         note("column.x"),
     )
-    assert input_files.entry(text).columns == ("-", "y", "z", "time")
+    assert input_files.file(text).columns == ("-", "y", "z", "time")
     input_files = taken_in(input_files.with_column(text, 0, "x"))
-    assert input_files.state_of_file(input_files.entry(text)) == "fine", message_texts(
+    assert input_files.state_of_file(input_files.file(text)) == "fine", message_texts(
         input_files, "one.txt"
     )
     request = input_files.request(tmp_path / "p", Settings(lever_arm=LEVER))
@@ -76,13 +76,13 @@ def test_columns_are_chosen_and_remembered_for_the_next_file(files: Path, tmp_pa
 
     second = write_unnamed(tmp_path / "two.txt", 20.0)
     after = taken_in(InputFiles(), files / "pos.sbet", second, mappings=input_files.column_mappings)
-    assert after.entry(second).remembered
-    assert after.entry(second).columns == ("x", "y", "z", "time")
-    assert after.state_of_file(after.entry(second)) == "fine"
-    (action,) = after.messages(after.entry(second))[0].actions
+    assert after.file(second).remembered
+    assert after.file(second).columns == ("x", "y", "z", "time")
+    assert after.state_of_file(after.file(second)) == "fine"
+    (action,) = after.messages(after.file(second))[0].actions
     assert action.code == "detect_columns"
     anew = taken_in(after.with_action(second, action))
-    assert anew.state_of_file(anew.entry(second)) == "error"
+    assert anew.state_of_file(anew.file(second)) == "error"
 
 
 def test_columns_of_another_layout_are_not_taken_over(files: Path, tmp_path: Path) -> None:
@@ -93,9 +93,7 @@ def test_columns_of_another_layout_are_not_taken_over(files: Path, tmp_path: Pat
     wider = tmp_path / "wider.txt"
     np.savetxt(wider, np.column_stack([np.loadtxt(first), np.arange(400) % 50]), fmt="%.6f")
     assert (
-        not taken_in(InputFiles(), wider, mappings=input_files.column_mappings)
-        .entries[0]
-        .remembered
+        not taken_in(InputFiles(), wider, mappings=input_files.column_mappings).files[0].remembered
     )
 
 
@@ -108,11 +106,11 @@ def test_columns_of_a_trajectory_of_text_are_chosen(tmp_path: Path) -> None:
     path = tmp_path / "track.csv"
     np.savetxt(path, rows, fmt="%.9f", delimiter=",")
     input_files = taken_in(InputFiles(), path)
-    assert input_files.entry(path).role == "trajectory"
+    assert input_files.file(path).role == "trajectory"
     order = ("latitude", "longitude", "height", "time", "roll", "pitch", "heading")
     for column, meaning in enumerate(order):
         input_files = taken_in(input_files.with_column(path, column, meaning))
-    assert input_files.entry(path).error is None
+    assert input_files.file(path).error is None
     assert input_files.trajectory_content is not None
     np.testing.assert_allclose(input_files.trajectory_content.time, records[:, 0])
 
@@ -127,7 +125,7 @@ def test_a_trajectory_on_the_map_needs_its_coordinate_system(tmp_path: Path, lan
     path.write_text("\n".join(["time,easting,northing,height,roll,pitch,heading", *rows]))
     with in_language(language):
         input_files = taken_in(InputFiles(), path)
-    entry = input_files.entry(path)
+    entry = input_files.file(path)
     assert entry.error is not None
     assert entry.error.code == "trajectory.no_system"
     errors = [each for each in input_files.messages(entry) if each.level is Level.ERROR]
@@ -146,18 +144,18 @@ def test_a_line_on_the_map_needs_its_coordinate_system(
 
     stated = write_line(tmp_path / "stated.laz", times, points, "EPSG:32618")
     input_files = taken_in(whole, stated)
-    place = input_files.entry(stated).place
+    place = input_files.file(stated).place
     assert place is not None
     assert place.system.startswith("WGS 84 / UTM zone 18N")
-    assert input_files.state_of_file(input_files.entry(stated)) == "fine", message_texts(
+    assert input_files.state_of_file(input_files.file(stated)) == "fine", message_texts(
         input_files, "stated.laz"
     )
 
     bare = write_line(tmp_path / "bare.laz", times, points)
     input_files = taken_in(whole, bare)
-    remark = input_files.messages(input_files.entry(bare))[0]
+    remark = input_files.messages(input_files.file(bare))[0]
     assert (remark.level, option_to_choose(remark.actions[0])) == (Level.ERROR, "crs")
-    assert input_files.coverage(input_files.entry(bare)) is not None
+    assert input_files.coverage(input_files.file(bare)) is not None
     wrong = taken_in(input_files.with_option(bare, "crs", "EPSG:32617"))
     assert "km from the trajectory" in message_texts(wrong, "bare.laz")
     nonsense = taken_in(input_files.with_option(bare, "crs", "EPSG:1"))
@@ -192,4 +190,4 @@ def test_an_accuracy_of_another_time_is_an_error(whole: InputFiles, files: Path,
     write_records(tmp_path / "other.out", other)
     input_files = taken_in(whole.without_file(files / "smrmsg.out"), tmp_path / "other.out")
     assert "import.accuracy_times" in codes_about(input_files, "other.out")
-    assert replace(input_files, entries=whole.entries).files_problem_text() == ""
+    assert replace(input_files, files=whole.files).files_problem_text() == ""

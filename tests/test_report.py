@@ -241,7 +241,7 @@ def test_json_holds_full_precision(content: ReportContent, tmp_path: Path) -> No
     path = tmp_path / "report.json"
     write_json(content, path)
     data = json.loads(path.read_text(encoding="utf-8"))
-    assert data["schema_version"] == 3
+    assert data["schema_version"] == 4
     assert data["angles"][1]["estimated_deg"] == content.angles[1].estimated_deg
     assert content.adjustment is not None
     assert data["adjustment"]["rms_after_m"] == content.adjustment.rms_after_m

@@ -93,7 +93,7 @@ def test_a_sighting_is_marked_where_the_report_says_that_it_disagrees(sample: Sa
     near = replace(first, w=critical - 0.01, rejected=False, outliers=0)
     beyond = replace(second, w=-critical - 0.01, rejected=False, outliers=0)
     rows = sighting_rows(replace(result, reliability=(near, beyond, *rest)))
-    assert sighting_columns()[-1].title == "Remark"
+    assert sighting_columns()[-1].title == "Note"
     assert [row.marked for row in rows[:2]] == [False, True]
     assert [row.cells[-1].text for row in rows[:2]] == ["", f"w beyond {critical:.2f}"]
     assert all(len(row.cells) == len(sighting_columns()) for row in rows)

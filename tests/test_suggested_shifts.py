@@ -31,19 +31,19 @@ def test_a_rollover_of_the_times_is_offered_once() -> None:
     counted = track(DAY - 50, DAY + 50)
     assert shift_gain_note(line(), ROUND_MIDNIGHT, counted) == note(
         "import.restart_found", file="L1.las", place=note("rollover.midnight"),
-        option="restart=midnight",
+        option="time_rollover=midnight",
     )  # fmt: skip
-    reading = Reading(options=(("restart", "midnight"),))
+    reading = Reading(options=(("time_rollover", "midnight"),))
     assert (
         shift_gain_note(line(reading), reading.to_trajectory_time(ROUND_MIDNIGHT), counted) is None
     )
 
 
 def test_a_resolved_line_beside_a_sorted_trajectory_is_offered_as_it_was_written() -> None:
-    reading = Reading(options=(("restart", "midnight"),))
+    reading = Reading(options=(("time_rollover", "midnight"),))
     assert shift_gain_note(
         line(reading), reading.to_trajectory_time(ROUND_MIDNIGHT), track(0, DAY)
-    ) == note("import.restart_not_needed", file="L1.las", share=1.0, option="restart=none")
+    ) == note("import.restart_not_needed", file="L1.las", share=1.0, option="time_rollover=none")
 
 
 def test_beside_a_typed_shift_no_other_is_offered() -> None:

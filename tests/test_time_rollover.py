@@ -73,10 +73,10 @@ def test_no_point_is_lost_on_any_way(period: float, order: str, tmp_path: Path) 
 
 
 @pytest.mark.parametrize("shift", [0.0, 18.0])
-@pytest.mark.parametrize("restart", ["midnight", "week-end", "none"])
-def test_times_moved_back_are_those_of_the_file(restart: str, shift: float) -> None:
-    reading = Reading("", (("restart", restart),), shift)
-    period = {"midnight": DAY, "week-end": WEEK, "none": 0.0}[restart]
+@pytest.mark.parametrize("rollover", ["midnight", "week-end", "none"])
+def test_times_moved_back_are_those_of_the_file(rollover: str, shift: float) -> None:
+    reading = Reading("", (("time_rollover", rollover),), shift)
+    period = {"midnight": DAY, "week-end": WEEK, "none": 0.0}[rollover]
     written = np.array([period - 0.5, 0.0, 3.0]) if period else np.array([5.0, 6.5])
     moved = reading.to_trajectory_time(written)
     counted = [period - 0.5, period, period + 3.0] if period else [5.0, 6.5]
@@ -97,14 +97,14 @@ def test_two_times_can_show_a_rollover_and_one_cannot() -> None:
 
 def test_an_option_states_it_or_takes_it_back(tmp_path: Path, capsys) -> None:
     track, line = survey_about(tmp_path, WEEK)
-    _, survey = made(tmp_path / "none", track, line, Reading("", (("restart", "none"),)))
+    _, survey = made(tmp_path / "none", track, line, Reading("", (("time_rollover", "none"),)))
     assert survey.scans["L"].time.max() < WEEK
     assert len(survey.scans["L"]) < 2000
     later = write_line(tmp_path / "later.las", np.linspace(1, 15, 3000))
     command = ["new", str(tmp_path / "p"), str(later), "--trajectory", str(track)]
     command += ["--lever-arm", "0", "0", "0"]
     assert main(command) != 0
-    assert main([*command, "--line-option", "restart=week-end"]) == 0
+    assert main([*command, "--line-option", "time_rollover=week-end"]) == 0
     assert "604,800 s are added to" in "".join(capsys.readouterr())
     assert load_survey(open_project(tmp_path / "p")).scans["later"].time.min() == WEEK + 1
 
@@ -148,7 +148,7 @@ def test_a_long_line_is_counted_on_by_a_sample(tmp_path: Path, monkeypatch) -> N
     times = np.mod(DAY - 5000 + np.linspace(0, 5400, 60_000), DAY)
     line = write_line(tmp_path / "long.las", times)
     found = read_line_times(line, format_of("las"), {})
-    assert found.restart == "midnight"
+    assert found.rollover == "midnight"
     assert found.end == pytest.approx(DAY + 400)
 
 
@@ -175,7 +175,7 @@ MIDNIGHT = note("rollover.midnight")
 
 
 @pytest.mark.parametrize(
-    ("times", "restart", "message"),
+    ("times", "rollover", "message"),
     [
         (
             [DAY - 2.5, DAY + 3.0], "midnight",
@@ -195,9 +195,9 @@ MIDNIGHT = note("rollover.midnight")
     ],
 )  # fmt: skip
 def test_a_resolved_rollover_is_reported(
-    times: list[float], restart: str, message: Message
+    times: list[float], rollover: str, message: Message
 ) -> None:
-    assert rollover_note(np.array(times), restart, "a") == message
+    assert rollover_note(np.array(times), rollover, "a") == message
 
 
 def test_an_sbet_with_a_rollover_needs_no_options(tmp_path, capsys) -> None:
@@ -220,5 +220,5 @@ def test_a_sorted_trajectory_asks_for_a_line_that_is_not_counted_on(tmp_path: Pa
     write_records(track, records[np.argsort(records[:, 0])])
     _, survey = made(tmp_path / "p", track, line)
     assert "import.restart_not_needed" in codes(survey.notes)
-    _, survey = made(tmp_path / "q", track, line, Reading("", (("restart", "none"),)))
+    _, survey = made(tmp_path / "q", track, line, Reading("", (("time_rollover", "none"),)))
     assert len(survey.scans["L"]) > 2990

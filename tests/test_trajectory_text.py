@@ -93,8 +93,8 @@ def test_a_refused_trajectory_is_reported_once_without_its_path(tmp_path: Path) 
     head += "position in Meters, orientation in Degrees)\n"
     rows = [f"{300 + k / 10} {4e5 + k} 5e6 10 0 0 90" for k in range(50)]
     path.write_text("POS Export Utility\n" + head + "\n".join(rows), encoding="utf-8")
-    input_files = InputFiles().with_files([path]).with_entry(examine_file(path))
-    remarks = input_files.messages(input_files.entries[0])
+    input_files = InputFiles().with_files([path]).with_changed_file(examine_file(path))
+    remarks = input_files.messages(input_files.files[0])
     about = [remark for remark in remarks if remark.code == "trajectory.no_system"]
     assert [remark.level for remark in about] == [Level.ERROR]
     assert about[0].params["file"] == path.name

@@ -17,7 +17,10 @@ from lispac.workflow.project.projects import open_project
 from tests.message_codes import codes
 from tests.report_sample import sample_project
 
-OLDER = sorted((Path(__file__).parent / "data").glob("project-*"))
+OLDER = sorted(
+    (Path(__file__).parent / "data").glob("project-*"),
+    key=lambda folder: int(folder.name.removeprefix("project-")),
+)
 
 
 @pytest.mark.parametrize("folder", OLDER, ids=lambda folder: folder.name)

@@ -261,7 +261,7 @@ def _is_already_named(result: AdjustmentResult, cause: PossibleCause) -> bool:
     critical = critical_test_value(result)
     return critical is not None and any(
         (item.sighting.target, item.sighting.line) == (cause.target, cause.line)
-        and sighting_status(item, critical) in ("left out", "disagrees")
+        and sighting_status(item, critical) in ("rejected", "disagrees")
         for item in result.reliability
     )
 

@@ -95,13 +95,13 @@ def to_plain_text(text: str) -> str:
     return text
 
 
-SightingStatus = Literal["left out", "not checked", "disagrees", "agrees"]
+SightingStatus = Literal["rejected", "not checked", "disagrees", "agrees"]
 
 
 def sighting_status(item: SightingReliability, critical: float) -> SightingStatus:
     """Status of a sighting; ``critical`` is the critical test value."""
     if item.rejected:
-        return "left out"
+        return "rejected"
     if not item.detectable < UNCHECKED_SHIFT:
         return "not checked"
     return "disagrees" if abs(item.w) > critical else "agrees"

@@ -105,7 +105,7 @@ def excess_variance(
 
 
 def leave_out_sigma_factors(here: LinearisedProblem) -> Array:
-    """Factors on the sigmas of the angles from leaving out lines and targets, (3,), no unit.
+    """Factors on the sigmas of the angles from omitting lines and targets, (3,), no unit.
 
     Each is 1 where chance explains how the results without one line, or one target, scatter.
 
@@ -198,7 +198,7 @@ def _is_scatter_significant(differences: Array, predicted: Array) -> NDArray[np.
 
 
 def _place_and_stretch_groups(here: LinearisedProblem, origins: Array) -> Iterator[list[Flags]]:
-    """Groups of points to leave out: places of the scene, and sections of each line."""
+    """Groups of points to omit: places of the scene, and sections of each line."""
     problem = here.problem
     groups, observations = problem.groups, problem.observations
     assert groups.knots is not None

@@ -54,16 +54,15 @@ def find_undetermined_parameters(linearised: LinearisedProblem) -> tuple[Paramet
     information = linearised.normal.information(len(active))
     limits = LIMITS[active]
     own = {p.index: p.sigma**-2 if p.sigma else 0.0 for p in problem.parameters}
-    hidden: list[ParameterEstimate] = []
+    undetermined: list[ParameterEstimate] = []
     left = {p.index: p for p in problem.parameters}
     while left:
         free = information.copy()
         for index in left:
             k = int(np.searchsorted(active, index))
             free[k, k] -= own[index]
-        kept = np.array([
-            CALIBRATION[i] not in {h.name for h in hidden if h.prior_sigma is None} for i in active
-        ])  # fmt: skip
+        fixed = {each.name for each in undetermined if each.prior_sigma is None}
+        kept = np.array([CALIBRATION[i] not in fixed for i in active])
         # Scaled to the limits; a trace of a prior keeps what is wholly unseen finite.
         scaled = (free * np.outer(limits, limits))[np.ix_(kept, kept)] + 1e-4 * np.eye(kept.sum())
         covariance = np.linalg.inv(scaled)
@@ -72,13 +71,13 @@ def find_undetermined_parameters(linearised: LinearisedProblem) -> tuple[Paramet
         if sigmas[worst] <= 1:
             break
         k = int(np.searchsorted(active[kept], worst))
-        hidden.append(
+        undetermined.append(
             _undetermined_estimate(
                 linearised, worst, covariance[k], active[kept], left[worst].sigma
             )
         )
         del left[worst]
-    return tuple(hidden)
+    return tuple(undetermined)
 
 
 def _undetermined_estimate(

@@ -85,7 +85,7 @@ def _test_omitted_parameter(
         Change of the angles by the parameters freed before.
     """
     freed = _restrict_parameters(all_freed, (*others, parameter))
-    if any(hidden.name == parameter.name for hidden in find_undetermined_parameters(freed)):
+    if any(each.name == parameter.name for each in find_undetermined_parameters(freed)):
         return None
     problem = freed.problem
     # Where the surfaces' sigma is zero already, it has absorbed nothing.

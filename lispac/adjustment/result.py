@@ -62,8 +62,8 @@ class SightingReliability:
         Estimated POS error (north, west, up, roll, pitch, heading) in the middle of the sighting,
         its standard deviation before and after the adjustment.
     shift : float, metres
-        Offset of the whole sighting from the result of all others, along the normal, with
-        its own prior left out.
+        Offset of the whole sighting from the result of all others, along the normal, without
+        its own prior.
     w : float
         The shift over its standard deviation (Baarda's test); a unit normal variable where the
         sighting has no blunder.

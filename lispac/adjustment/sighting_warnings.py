@@ -44,8 +44,8 @@ def contradicted_sighting_warnings(
     critical = critical_test_value(result)
     if critical is None:
         return
-    found = [(sighting_status(item, critical), item) for item in result.reliability]
-    rejected = [item for finding, item in found if finding == "left out"]
+    tested = [(sighting_status(item, critical), item) for item in result.reliability]
+    rejected = [item for status, item in tested if status == "rejected"]
     if rejected:
         yield note(
             "adjustment.released",
@@ -53,7 +53,7 @@ def contradicted_sighting_warnings(
             sightings=_sorted_sighting_items(rejected),
             subject=_worst_sighting_subject(rejected),
         )
-    disagreeing = [item for finding, item in found if finding == "disagrees"]
+    disagreeing = [item for status, item in tested if status == "disagrees"]
     if disagreeing:
         yield note(
             "adjustment.sighting_disagrees",

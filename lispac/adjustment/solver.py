@@ -323,18 +323,18 @@ def _determined_parameters(
 ) -> tuple[tuple[Parameter, ...], tuple[ParameterEstimate, ...]]:
     """The parameters to estimate, and those the geometry does not determine."""
     linearised = problem.linearised(state)
-    hidden = (
+    undetermined = (
         find_undetermined_parameters(linearised)
         if problem.model.correlated
         else _fixed_if_uncorrelated(problem)
     )
     correlated = problem.model.correlated
-    fixed = {e.name for e in hidden if e.prior_sigma is None or not correlated}
+    fixed = {e.name for e in undetermined if e.prior_sigma is None or not correlated}
     kept = tuple(p for p in problem.parameters if p.name not in fixed)
     if fixed:
         linearised = problem.with_parameters(kept).linearised(state)
     require_determined(linearised)
-    return kept, hidden
+    return kept, undetermined
 
 
 def _require_still_determined(linearised: LinearisedProblem) -> None:

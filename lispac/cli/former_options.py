@@ -3,6 +3,8 @@
 import sys
 from collections.abc import Sequence
 
+from lispac.cli.argument_types import split_named_value
+from lispac.former_names import READING_OPTIONS
 from lispac.message_texts import message_text
 from lispac.messages import Message, note
 
@@ -31,6 +33,21 @@ def with_new_names(words: Sequence[str]) -> list[str]:
         return []
     former = FORMER_OPTIONS.get(words[0], {})
     return [_with_new_command(words[0]), *(_with_new_option(word, former) for word in words[1:])]
+
+
+def split_reading_option(text: str) -> tuple[str, str]:
+    """Split ``NAME=VALUE`` of a reading option; a former name is replaced with a note.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Where it is none.
+    """
+    name, value = split_named_value(text)
+    if name not in READING_OPTIONS:
+        return name, value
+    _print_note(note("former_name.option", former=name, name=READING_OPTIONS[name]))
+    return READING_OPTIONS[name], value
 
 
 def _with_new_command(word: str) -> str:

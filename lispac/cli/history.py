@@ -44,7 +44,7 @@ def history(arguments: Namespace) -> None:
 
 def _print_calibrations(history: CalibrationHistory) -> None:
     width = max(12, *(len(each.charted.calibration.name) for each in history.entries)) + 2
-    print(history.system.in_words)
+    print(history.system.full_name)
     heads = "".join(f"{f'{angle}, 1 sigma':>20s}" for angle in ANGLES)
     print(f"{'date':12s}{'calibration':{width}s}{heads}  deg")
     for each in history.entries:

@@ -26,8 +26,8 @@ from lispac.cli.argument_types import (
     non_negative_number,
     picture_file,
     positive_number,
-    split_named_value,
 )
+from lispac.cli.former_options import split_reading_option
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -141,7 +141,7 @@ def _add_new(commands: "Commands[argparse.ArgumentParser]") -> None:
         )
         new.add_argument(
             f"--{file}-option",
-            type=split_named_value,
+            type=split_reading_option,
             action="append",
             default=[],
             metavar="NAME=VALUE",

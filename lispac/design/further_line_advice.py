@@ -67,7 +67,7 @@ def further_lines(observations: Observations, result: AdjustmentResult) -> tuple
 
 
 def _parameters_with_sigmas(result: AdjustmentResult) -> tuple[Parameter, ...]:
-    """Parameters with their prior sigmas; values fixed without a sigma are left out."""
+    """Parameters with their prior sigmas; values fixed without a sigma are omitted."""
     if not result.model.correlated:
         return ()  # the model of independent POS errors estimates the angles alone
     return tuple(

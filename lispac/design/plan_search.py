@@ -262,7 +262,7 @@ def _improve_by_exchange(space: DesignSpace, choice: PlanChoice, mapper: Mapper)
 
 
 def _reduce_effort(site: Site, plan: Plan, objective: PlanObjective) -> tuple[ReductionStep, ...]:
-    """Leave out targets and lines one by one, the least loss for the minutes saved first."""
+    """Omit targets and lines one by one, the least loss for the minutes saved first."""
     steps = [ReductionStep(plan, site.minutes(plan), objective.of(plan))]
     while True:
         now = steps[-1]

@@ -1,7 +1,7 @@
 """Scenarios that change one thing of a plan at a time (thesis 4.4.1.2, figure 4.12).
 
 The first four are the thesis's: which lines, how inclined, how large, which targets together. The
-others it left out: how far off and how high the targets are, lines sailed again, speed, POS.
+others are not in it: how far off and how high the targets are, lines sailed again, speed, POS.
 """
 
 from collections.abc import Callable, Sequence

@@ -86,7 +86,7 @@ _ACTIONS: dict[str, ActionSpec] = {
     "patch_test": (N_("LiDAR &patch test"), "", "", "Ctrl+T",
                    N_("Estimate the boresight by aligning the lines on objects, as an "
                       "alternative method")),
-    "subsampling": (N_("&Subsampling study…"), "", "", "Shift+F9",
+    "subsampling": (N_("Point &spacing study…"), "", "", "Shift+F9",
                     N_("Repeat the adjustment with smaller and larger point spacings, and "
                        "compare the results")),
     "methods": (N_("Compare with other &methods…"), "", "", "Ctrl+F9",

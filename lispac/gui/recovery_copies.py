@@ -81,7 +81,7 @@ class RecoveryCopies(QObject):
             else:
                 self._document.open(None, None)
         elif not self._document.is_modified:
-            self._offer_recovery(project)
+            self._ask_recovery(project)
 
     def _lock_project(self, project: Project) -> bool:
         """Lock the project; False if another window has it. True where nothing can be written."""
@@ -97,7 +97,7 @@ class RecoveryCopies(QObject):
             return gettext("another program")
         return gettext("{host}, process {process}", host=host, process=process)
 
-    def _offer_recovery(self, project: Project) -> None:
+    def _ask_recovery(self, project: Project) -> None:
         """Ask whether to recover the changes that a crash left unsaved."""
         try:
             found = read_unsaved_project(project.folder)

@@ -140,7 +140,7 @@ class Studies(QObject):
             return subsampling_study(project, survey, sorted({*DISTANCES, used}), progress=progress)
 
         task = self._runner.run(
-            gettext("Subsampling study"), work,
+            gettext("Point spacing study"), work,
             lambda found: self._dialogs.subsampling(found, used), modal=True,
         )  # fmt: skip
         self._controller.cancel_on_edit(task)

@@ -67,7 +67,7 @@ class TargetActions(QObject):
         task = self._runner.run(
             gettext("Searching for targets to propose"),
             work,
-            lambda proposal: self._offer_proposal(project, proposal),
+            lambda proposal: self._add_proposed_targets(project, proposal),
             modal=True,
         )
         self._controller.cancel_on_edit(task)
@@ -98,7 +98,7 @@ class TargetActions(QObject):
         task = self._runner.run(title, work, self._controller.set_candidate)
         self._controller.cancel_on_edit(task)
 
-    def _offer_proposal(self, project: Project, proposal: "Proposal") -> None:
+    def _add_proposed_targets(self, project: Project, proposal: "Proposal") -> None:
         from lispac.workflow.calibration.proposal_acceptance import with_accepted
 
         if self._document.project is not project:
@@ -127,6 +127,6 @@ class TargetActions(QObject):
 
 def _used_as_before(target: Target, before: Target) -> Target:
     """Exclude the sightings that were excluded before."""
-    left_out = {sighting.line for sighting in before.sightings if not sighting.used}
-    sightings = tuple(replace(s, used=s.line not in left_out) for s in target.sightings)
+    excluded = {sighting.line for sighting in before.sightings if not sighting.used}
+    sightings = tuple(replace(s, used=s.line not in excluded) for s in target.sightings)
     return replace(target, used=before.used, sightings=sightings)

@@ -204,7 +204,7 @@ KEYS = (
     (N_("Project"), (
         (N_("Ctrl + 1, 2, 3, 4, 5"), N_("go to a step of the workflow")),
         ("F9, F10", N_("estimate the boresight, validate")),
-        (N_("Shift + F9"), N_("run the subsampling study")),
+        (N_("Shift + F9"), N_("run the point spacing study")),
         (N_("Shift + F10, F11"), N_("check against a reference, compare calibrations")),
         ("F12", N_("list all warnings")),
         (N_("Ctrl + ."), N_("cancel the running task")),

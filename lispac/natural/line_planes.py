@@ -1,7 +1,7 @@
 """Plane of each line in each region of the scene.
 
 Sums of products give a plane without reading its points one by one; a second and a third pass
-leave out what lies far from it.
+exclude the points far from it.
 """
 
 from collections.abc import Mapping

@@ -45,7 +45,7 @@ VARIANCE_FACTOR_COMPONENTS_BEFORE_NOISE = N_(
     "{factor}, computed with the given sigmas multiplied by the applied variance components, "
     "without the LiDAR noise estimated from the residuals"
 )
-OUTLIERS_LEFT_OUT = Plural(
+EXCLUDED_OUTLIERS = Plural(
     "{points:n}; {count:n} outlier excluded from the averages",
     "{points:n}; {count:n} outliers excluded from the averages",
 )
@@ -246,7 +246,7 @@ def _displacement_table(adjustment: AdjustmentValues) -> Table:
 def _point_count_text(adjustment: AdjustmentValues) -> str:
     if not adjustment.excluded_outliers:
         return grouped_number(adjustment.points)
-    return gettext(OUTLIERS_LEFT_OUT, points=adjustment.points, count=adjustment.excluded_outliers)
+    return gettext(EXCLUDED_OUTLIERS, points=adjustment.points, count=adjustment.excluded_outliers)
 
 
 def _effect_name(angle: str) -> str:

@@ -36,7 +36,7 @@ from lispac.report.text_format import (
 )
 
 STANDINGS: Mapping[str, str] = {
-    "left out": N_("rejected"),
+    "rejected": N_("rejected"),
     "not checked": N_("not checked"),
     "disagrees": N_("disagrees"),
     "agrees": N_("agrees"),

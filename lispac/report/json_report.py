@@ -14,7 +14,7 @@ from lispac.messages import Level, Message, plain_params
 from lispac.report.report_values import ReportContent
 
 NAME = "lispac-report"
-SCHEMA_VERSION = 3
+SCHEMA_VERSION = 4
 SCHEMA_FILE = "report.schema.json"
 
 

@@ -30,7 +30,7 @@ def method_blocks(content: ReportContent) -> list[Block]:
     if len(found) < 2:
         return []
     messages = [
-        gettext("{name}: {remark}", name=_method_name(each), remark=sentence_text(message))
+        gettext("{name}: {text}", name=_method_name(each), text=sentence_text(message))
         for each in found
         for message in each.messages
     ]

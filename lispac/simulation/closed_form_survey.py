@@ -176,7 +176,7 @@ class Ball:
 
 @dataclass(frozen=True)
 class Course:
-    """A straight pass at constant speed.
+    """A straight line at constant speed.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Motion of a vessel during a survey: sailed passes or a recorded trajectory."""
+"""Motion of a vessel during a survey: sailed lines or a recorded trajectory."""
 
 from dataclasses import dataclass
 from typing import Protocol
@@ -7,7 +7,7 @@ import numpy as np
 
 from lispac.errors import InputError
 from lispac.messages import error
-from lispac.simulation.vessel_motion import StraightPass, VesselMotion, sail_passes
+from lispac.simulation.vessel_motion import SailedLine, VesselMotion, sail_lines
 from lispac.survey.trajectory import LocalTrajectory
 
 FINEST = 0.005
@@ -54,16 +54,16 @@ class MotionSource(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class SailedTrajectory:
-    """Lines sailed one after the other (see `lispac.simulation.vessel_motion.sail_passes`).
+    """Lines sailed one after the other (see `lispac.simulation.vessel_motion.sail_lines`).
 
     Attributes
     ----------
-    passes : tuple of StraightPass
+    lines : tuple of SailedLine
     height : float, metres
         Of the POS in the local frame.
     """
 
-    passes: tuple[StraightPass, ...]
+    lines: tuple[SailedLine, ...]
     height: float
 
     @property
@@ -73,15 +73,15 @@ class SailedTrajectory:
 
     @property
     def legs(self) -> tuple[RecordedLeg, ...]:
-        """Legs, one for each line."""
+        """Number, heading and side of each line."""
         return tuple(
             RecordedLeg.numbered_leg(k + 1, float(np.degrees(each.heading)), each.starboard)
-            for k, each in enumerate(self.passes)
+            for k, each in enumerate(self.lines)
         )
 
     def motion(self, generator: np.random.Generator) -> VesselMotion:
         """Motion of the vessel: its courses, with the motion due to the sea added."""
-        return sail_passes(self.passes, self.height, generator)
+        return sail_lines(self.lines, self.height, generator)
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """The port scene: a pier head with two boards, a 40 m tower and a warehouse (thesis 4.4, 4.5).
 
-The local origin lies on the water, on the course of the pass along the wall: the wall's face is
+The local origin lies on the water, on the course of the line along the wall: the wall's face is
 15 m to the east. The pier is short so that the oblique courses lead past its corners.
 Height 0 is the water, the scanner rides a little over 3 m above it.
 """
@@ -16,7 +16,7 @@ from lispac.simulation.scene import (
     tilted_rectangle,
     upright_rectangle,
 )
-from lispac.simulation.vessel_motion import StraightPass
+from lispac.simulation.vessel_motion import SailedLine
 
 ORIGIN = (np.radians(45.5189), np.radians(-73.5390), -25.6)  # latitude, longitude, height
 WALL_WEST = -15.0  # metres, local: the face of the quay wall
@@ -94,7 +94,7 @@ def _warehouse_door() -> list[Rectangle]:
     ]
 
 
-def six_passes(distance: float = 15.0) -> tuple[StraightPass, ...]:
+def six_lines(distance: float = 15.0) -> tuple[SailedLine, ...]:
     """The six-fold pattern of the thesis (figure 3.3): all pass the boards at ``distance``.
 
     Two along the wall, four on courses at 45 deg to it. The oblique ones are recorded up to 3 m
@@ -109,12 +109,10 @@ def six_passes(distance: float = 15.0) -> tuple[StraightPass, ...]:
         (315, 45, 10, 27),
         (135, 45, 27, 10),
     )
-    passes = []
+    lines = []
     for heading_deg, bearing_deg, run_in, run_out in pattern:
         bearing = np.radians(bearing_deg)
         abeam = (-distance * np.cos(bearing), WALL_WEST + distance * np.sin(bearing))
         starboard = (bearing_deg - heading_deg) % 360 < 180
-        passes.append(
-            StraightPass(float(np.radians(heading_deg)), abeam, run_in, run_out, starboard)
-        )
-    return tuple(passes)
+        lines.append(SailedLine(float(np.radians(heading_deg)), abeam, run_in, run_out, starboard))
+    return tuple(lines)

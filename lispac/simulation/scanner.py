@@ -213,7 +213,7 @@ def scan_scene(
     mounting: Mounting,
     generator: np.random.Generator | None,
 ) -> Echoes:
-    """Scan the scene during one pass.
+    """Scan the scene on one line.
 
     Parameters
     ----------

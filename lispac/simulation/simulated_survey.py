@@ -14,7 +14,7 @@ from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
 from lispac.simulation.motion_source import MotionSource, RecordedTrajectory, SailedTrajectory
-from lispac.simulation.port_scene import ORIGIN, TARGETS, VALIDATION, port_scene, six_passes
+from lispac.simulation.port_scene import ORIGIN, TARGETS, VALIDATION, port_scene, six_lines
 from lispac.simulation.pos_error_models import PosErrors
 from lispac.simulation.pos_errors import HYDROGRAPHIC_INS
 from lispac.simulation.scanner import Echoes, Scanner, scan_scene
@@ -32,7 +32,7 @@ POINTS_PER_SECOND = 150_000.0
 
 @dataclass(frozen=True, eq=False)
 class SimulatedLine:
-    """Line as the scanner recorded it.
+    """One line as the scanner recorded it.
 
     Attributes
     ----------
@@ -166,7 +166,7 @@ def port_survey(
     pos_errors: bool = True,
     progress: Progress = no_progress,
 ) -> SimulatedSurvey:
-    """Simulate the six passes of the built-in survey of a small port.
+    """Simulate the six lines of the built-in survey of a small port.
 
     Parameters
     ----------
@@ -179,7 +179,7 @@ def port_survey(
         As for `simulate_survey`.
     """
     setup = SurveySetup(
-        ORIGIN, port_scene(), TARGETS, VALIDATION, SailedTrajectory(six_passes(), POS_HEIGHT),
+        ORIGIN, port_scene(), TARGETS, VALIDATION, SailedTrajectory(six_lines(), POS_HEIGHT),
         HYDROGRAPHIC_INS, Scanner(points_per_second),
         Mounting(np.array(LEVER_ARM), np.radians(boresight_deg)),
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Motion of the vessel: straight passes, turns between them, and sea motion."""
+"""Motion of the vessel: straight lines, turns between them, and sea motion."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ class VesselHandling:
     slow_time : float, seconds
         Half-width of the slow stretch.
     ramp : float, seconds
-        To come up to speed before a pass, and to stop after it.
+        To come up to speed before a line, and to stop after it.
     transit : float, seconds
         From one stop to the start of the next run-up, turning on the way.
     wait : float, seconds
@@ -54,8 +54,8 @@ LAUNCH = VesselHandling()
 
 
 @dataclass(frozen=True)
-class StraightPass:
-    """A straight pass; the scanner records from ``run_in`` before abeam to ``run_out`` after it.
+class SailedLine:
+    """A straight line; the scanner records from ``run_in`` before abeam to ``run_out`` after it.
 
     Attributes
     ----------
@@ -119,7 +119,7 @@ def _ramp_distance(time: Array, ramp: float) -> Array:
 
 
 def _smooth_step(count: int) -> Array:
-    """From 0 to 1, at rest and without acceleration at both ends (ends left out)."""
+    """From 0 to 1, at rest and without acceleration at both ends (ends excluded)."""
     u = np.arange(1, count) / count
     return np.asarray(u**3 * (10 - 15 * u + 6 * u**2))
 
@@ -135,7 +135,7 @@ class VesselMotion:
     attitude : ndarray of shape (n, 3), radians
         Roll, pitch, heading against the axes of the local frame, without jumps.
     recorded : tuple of pairs of float, seconds
-        Start and stop of recording of each pass.
+        Start and stop of recording of each line.
     interval : float, seconds
         Between two samples.
     """
@@ -147,30 +147,30 @@ class VesselMotion:
     interval: float = 1 / RATE
 
 
-def sail_passes(
-    passes: Sequence[StraightPass], height: float, generator: np.random.Generator
+def sail_lines(
+    lines: Sequence[SailedLine], height: float, generator: np.random.Generator
 ) -> VesselMotion:
-    """Sail the passes one after the other in one unbroken motion.
+    """Sail the lines one after the other in one unbroken motion.
 
-    Between two passes the vessel stops, turns the short way while it moves over, and starts
+    Between two lines the vessel stops, turns the short way while it moves over, and starts
     again; straight starboard where it must turn about.
 
     Parameters
     ----------
-    passes : sequence of StraightPass
+    lines : sequence of SailedLine
         All of them handled alike.
     height : float, metres
         Mean height of the POS in the local frame.
     """
-    own = passes[0].handling
+    own = lines[0].handling
     wait = round(own.wait * RATE)
     blend = _smooth_step(round(own.transit * RATE))
-    courses = [each.course() for each in passes]
-    heading = passes[0].heading
+    courses = [each.course() for each in lines]
+    heading = lines[0].heading
     stretches = [np.repeat(courses[0][:1], wait, axis=0)]
     headings = [np.full(wait, heading)]
     recorded = []
-    for i, (each, course) in enumerate(zip(passes, courses, strict=True)):
+    for i, (each, course) in enumerate(zip(lines, courses, strict=True)):
         if i > 0:
             stop = stretches[-1][-1]
             stretches.append(stop + blend[:, None] * (course[0] - stop))

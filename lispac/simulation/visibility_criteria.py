@@ -10,7 +10,7 @@ Where the thesis leaves something open or is misprinted:
 - Figure 3.8, how the two become one number, is a picture. Planarity times one less the normalised
   distance is 1 only where both are as good as they can be, and 0 where either is as bad.
 - Figure 3.10 divides the orthogonal distance by the length of the simulated plane's normal, which
-  is 1, and leaves out the d of the reference plane: right only where that goes through the origin.
+  is 1, and omits the d of the reference plane: right only where that goes through the origin.
 - Figure 3.10 wants an angle in 0 to 90 deg of an arc tangent that gives one up to 180 deg: two
   normals of one plane may point to opposite sides.
 """

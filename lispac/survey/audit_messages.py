@@ -31,7 +31,7 @@ SIMULTANEOUS = 0.05
 """Share of the time of the shorter line from which two lines are of the same time."""
 WHOLE_SECONDS = 2.0
 """Seconds by which spans to whole seconds may overlap where the lines do not."""
-NEAR_RESTART = 1.5
+NEAR_ROLLOVER = 1.5
 """Seconds from a time rollover within which a line crosses it."""
 LONG_PAUSE = 60.0
 """Seconds without points that separate two passes in any case."""
@@ -301,12 +301,12 @@ def _unrolled_spans(spans: Sequence[Sequence[float]]) -> list[tuple[float, float
     if len(own) < 2:
         return own
     for period in (HOUR, DAY, WEEK):
-        if own[0][0] <= NEAR_RESTART and abs(own[-1][1] - period) <= NEAR_RESTART:
+        if own[0][0] <= NEAR_ROLLOVER and abs(own[-1][1] - period) <= NEAR_ROLLOVER:
             pauses = [after - before for (_, before), (after, _) in pairwise(own)]
             k = 1 + int(np.argmax(pauses))
-            counted_on = [(start + period, end + period) for start, end in own[:k]]
-            through = (own[-1][0], counted_on[0][1])  # one span on both sides of the rollover
-            return [*own[k:-1], through, *counted_on[1:]]
+            after_rollover = [(start + period, end + period) for start, end in own[:k]]
+            through = (own[-1][0], after_rollover[0][1])  # one span on both sides of the rollover
+            return [*own[k:-1], through, *after_rollover[1:]]
     return own
 
 

@@ -7,10 +7,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from lispac.former_names import accept_script_names, renamed_options
 from lispac.survey.time_rollover import resolve_rollover, restore_rollover
 
-RESTART = "restart"
-"""Option of every format of points: where the times of a line start again."""
+TIME_ROLLOVER = "time_rollover"
+"""Option of every format of points: the time rollover of a line."""
 OTHER_SURROGATES = re.compile(r"[\ud800-\udc7f\udd00-\udfff]")
 """Halves of pairs of characters by which Python keeps no byte of a file name."""
 
@@ -21,6 +22,7 @@ def printable(name: str) -> str:
     return whole.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
 
 
+@accept_script_names
 @dataclass(frozen=True)
 class Reading:
     """Options for reading a file.
@@ -40,19 +42,24 @@ class Reading:
     options: tuple[tuple[str, str], ...] = ()
     time_shift: float = 0.0
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "options", renamed_options(self.options))
+
     @property
-    def restart(self) -> str:
-        """Where a line's times start again; empty where they do not."""
-        return dict(self.options).get(RESTART, "")
+    def time_rollover(self) -> str:
+        """Moment of the time rollover of a line; empty where there is none."""
+        return dict(self.options).get(TIME_ROLLOVER, "")
 
     def to_trajectory_time(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
         """A line's times (n,), seconds as its file has them, in the trajectory's time base."""
-        counted = resolve_rollover(times, self.restart)
-        return counted + self.time_shift if self.time_shift else counted
+        resolved = resolve_rollover(times, self.time_rollover)
+        return resolved + self.time_shift if self.time_shift else resolved
 
     def to_file_time(self, times: NDArray[np.float64]) -> NDArray[np.float64]:
         """The inverse of `to_trajectory_time`, to the last digit of a double."""
-        return restore_rollover(times - self.time_shift if self.time_shift else times, self.restart)
+        return restore_rollover(
+            times - self.time_shift if self.time_shift else times, self.time_rollover
+        )
 
 
 USUAL = Reading()

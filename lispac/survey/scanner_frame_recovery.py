@@ -2,9 +2,9 @@
 
 Most software exports points on the map, not in the scanner frame. With the trajectory, lever
 arm and boresight that made the cloud, the exact inverse of `lispac.survey.georeferencing` brings
-the scanner's vectors back; a calibration then starts as from raw lines. What the cloud's making
-left out or added (its stored resolution, a strip adjustment, a smoothed or another trajectory)
-stays in the vectors.
+the scanner's vectors back; a calibration then starts as from raw lines. Errors of the cloud
+(its stored resolution, a strip adjustment, a smoothed or another trajectory) remain in the
+vectors.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -123,7 +123,7 @@ def recover_scanner_points(chunks: Iterable[C], recovery: RecoverySetup) -> Iter
     chunk
         The same with ``xyz`` in the LiDAR frame in metres, and only the points that have a pose.
     lost : int
-        Points of the chunk left out because they have none.
+        Points of the chunk that are excluded because they have none.
 
     Raises
     ------

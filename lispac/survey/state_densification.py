@@ -19,7 +19,7 @@ LIMIT = np.array([1e-4] * 3 + [float(np.radians(1e-4))] * 3)
 MAX_PARTS = 20
 """Parts that an interval is divided into at most."""
 MAX_ERROR_RATIO = 0.5
-"""Error of the cubic over that of a straight line, at omitted states, up to which it is used."""
+"""Error of the cubic over that of a straight line, at excluded states, up to which it is used."""
 MIN_STATES = 20
 """States that can be excluded, below which nothing is inserted."""
 QUANTILE = 0.995
@@ -79,9 +79,9 @@ def insert_states(
     ends = states[inner - 1], states[inner + 1]
     slopes = derivatives[inner - 1], derivatives[inner + 1]
     straight = states[inner] - (ends[0] + u * (ends[1] - ends[0]))
-    left_out = states[inner] - hermite_cubic(u, span[:, None], ends, slopes)
+    error_cubic = states[inner] - hermite_cubic(u, span[:, None], ends, slopes)
     error_straight = np.abs(straight).mean(axis=0)
-    used = np.abs(left_out).mean(axis=0) < MAX_ERROR_RATIO * error_straight
+    used = np.abs(error_cubic).mean(axis=0) < MAX_ERROR_RATIO * error_straight
     # Of a parabola, the error over one interval is a quarter of that over two.
     needed = np.quantile(np.abs(straight), QUANTILE, axis=0) / 4
     coarse = needed > LIMIT
@@ -90,9 +90,9 @@ def insert_states(
     parts = min(parts, MAX_PARTS)
     if parts <= 1:
         return DenseStates(time, states, unused=unused)
-    # Of a polynomial of fourth degree, a sixteenth: the states left out measure the error.
+    # Of a polynomial of fourth degree, a sixteenth: the excluded states measure the error.
     off = np.zeros_like(states)
-    off[inner] = left_out / 16 * used
+    off[inner] = error_cubic / 16 * used
     return _insert_parts(time, states, derivatives, bridged, used, off, parts, unused)
 
 

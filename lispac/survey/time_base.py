@@ -56,7 +56,7 @@ class TimeBase:
         Whether it lacks the leap seconds that GPS time counts.
     lowest, highest : float, seconds
         Values a survey can have. Absolute bases: years 2000 to 2045. Periodic ones: one period
-        more, for writers that count on through midnight.
+        more, for writers that continue through midnight.
     """
 
     key: str

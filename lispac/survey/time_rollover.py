@@ -18,7 +18,7 @@ PLACES: Mapping[str, Message] = {
     "midnight": note("rollover.midnight"), "week-end": note("rollover.week_end"),
     "full-hour": note("rollover.full_hour"),
 }  # fmt: skip
-"""Names of the moments at which times start again."""
+"""Names of the moments of a time rollover."""
 
 
 def find_rollover(times: Array) -> str:
@@ -51,39 +51,39 @@ def find_rollover(times: Array) -> str:
     return ""
 
 
-def resolve_rollover(times: Array, restart: str) -> Array:
+def resolve_rollover(times: Array, rollover: str) -> Array:
     """Times of a line (n,) with the rollover resolved, in any part and order of it.
 
     Parameters
     ----------
     times : ndarray of shape (n,), seconds, as the file has them
-    restart : str
+    rollover : str
         As `find_rollover` gives it. What lies in the first half of the day or week is after it.
     """
-    period = PERIODS.get(restart)
+    period = PERIODS.get(rollover)
     if period is None:
         return times
     return np.where(times < period / 2, times + period, times)
 
 
-def restore_rollover(times: Array, restart: str) -> Array:
+def restore_rollover(times: Array, rollover: str) -> Array:
     """Restore the rollover; the inverse of `resolve_rollover`, exact to the last digit."""
-    period = PERIODS.get(restart)
+    period = PERIODS.get(rollover)
     if period is None:
         return times
     return np.where(times >= period, times - period, times)
 
 
-def rollover_note(times: Array, restart: str, file: str) -> Message:
-    """The note that the times of a line start again, and what is added to them.
+def rollover_note(times: Array, rollover: str, file: str) -> Message:
+    """The note on the time rollover of a line and on what is added to its times.
 
     Parameters
     ----------
-    times : ndarray of shape (n,), seconds, as they count on
+    times : ndarray of shape (n,), seconds, with the rollover resolved
     file : str
         Name of the file.
     """
-    period, place = PERIODS[restart], PLACES[restart]
+    period, place = PERIODS[rollover], PLACES[rollover]
     before = times[times < period]
     if not len(before):
         return note("import.times_after_restart", file=file, place=place, period=period)

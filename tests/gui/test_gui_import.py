@@ -81,7 +81,7 @@ def test_the_examination_can_be_stopped_and_resumed(
     dialog: ImportDialog, qtbot: QtBot, demo: Demo
 ) -> None:
     drop(dialog, raw(demo))
-    qtbot.waitUntil(lambda: any(e.pending for e in dialog.input_files.entries), timeout=WAIT_MS)
+    qtbot.waitUntil(lambda: any(e.pending for e in dialog.input_files.files), timeout=WAIT_MS)
     assert dialog.stop.isVisible()
     qtbot.mouseClick(dialog.stop, Left)
     rest(qtbot, dialog)
@@ -128,7 +128,7 @@ def test_lines_in_another_time_base_are_mended_by_a_button(
     assert first.text() == "Add +86,400 s"
     qtbot.mouseClick(first, Left)
     rest(qtbot, dialog)
-    assert dialog.input_files.entry(late[0]).shift == pytest.approx(86_400)
+    assert dialog.input_files.file(late[0]).shift == pytest.approx(86_400)
     dialog.work.edit(dialog.input_files.with_action(late[0], Action("clear_shift")))
     qtbot.mouseClick(dialog.timeline.all, Left)
     rest(qtbot, dialog)
@@ -156,7 +156,7 @@ def test_a_line_is_excluded_by_its_button_and_the_timeline_goes_by_keys(
         assert button.text() == "Exclude the file"
         qtbot.mouseClick(button, Left)
         rest(qtbot, dialog)
-        assert dialog.input_files.entry(left_out).role is None
+        assert dialog.input_files.file(left_out).role is None
     assert dialog.ok.isEnabled(), dialog.reason.text()
 
 

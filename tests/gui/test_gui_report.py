@@ -60,7 +60,7 @@ def test_what_is_wrong_is_reported_and_cancel_changes_nothing(opened: Driver) ->
 
     def answer(dialog: QWidget) -> None:
         said, keep = (
-            dialog.findChild(QLabel, "identity_said"),
+            dialog.findChild(QLabel, "identity_message"),
             dialog.findChild(QPushButton, "identity_keep"),
         )
         type_into(opened, field(dialog, "vessel"), "V" * 201)
@@ -167,7 +167,7 @@ def test_the_preview_shows_every_page_and_saves_what_it_shows(
         assert place.text().startswith("Page 1 ")
         adjusted.dialogs.path = tmp_path / "seen.pdf"
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
-        assert "seen.pdf" in dialog.findChild(QLabel, "preview_said").text()
+        assert "seen.pdf" in dialog.findChild(QLabel, "preview_message").text()
         adjusted.dialogs.path = None  # asked again, and cancelled
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_close"), Left)
@@ -192,7 +192,7 @@ def test_a_preview_that_cannot_be_saved_says_so(adjusted: Driver, tmp_path: Path
     def answer(dialog: QWidget) -> None:
         adjusted.dialogs.path = tmp_path / "file" / "r.pdf"
         adjusted.bot.mouseClick(dialog.findChild(QPushButton, "preview_save"), Left)
-        assert dialog.findChild(QLabel, "preview_said").text() == ""
+        assert dialog.findChild(QLabel, "preview_message").text() == ""
         adjusted.bot.keyClick(dialog, Key.Key_Escape)
 
     hand(adjusted, answer)

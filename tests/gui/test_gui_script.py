@@ -69,7 +69,7 @@ def test_the_demo_run_in_the_window_is_the_script_run_without_it(
         opened.dialogs.path = tmp_path / "steps.py"
         opened.bot.mouseClick(dialog.findChild(QPushButton, "script_copy"), Left)
         opened.bot.mouseClick(dialog.findChild(QPushButton, "script_save"), Left)
-        assert "steps.py" in dialog.findChild(QLabel, "script_said").text()
+        assert "steps.py" in dialog.findChild(QLabel, "script_message").text()
         assert dialog.findChild(QLabel, "script_messages") is None
 
     script = shown(opened, save)
@@ -120,7 +120,7 @@ def test_a_script_that_cannot_be_saved_says_so(opened: Driver, tmp_path: Path) -
     def save(dialog: QWidget) -> None:
         opened.dialogs.path = tmp_path / "file" / "steps.py"
         opened.bot.mouseClick(dialog.findChild(QPushButton, "script_save"), Left)
-        assert dialog.findChild(QLabel, "script_said").text() == ""
+        assert dialog.findChild(QLabel, "script_message").text() == ""
 
     with pytest.raises(AssertionError):
         shown(opened, save)

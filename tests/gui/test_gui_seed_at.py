@@ -48,7 +48,7 @@ def fill(driver: Driver, dialog: SeedDialog, name: str, text: str) -> None:
 
 
 def shown_result(dialog: SeedDialog) -> str:
-    return dialog.findChild(QLabel, "seed_said").text()
+    return dialog.findChild(QLabel, "seed_message").text()
 
 
 def find(dialog: SeedDialog) -> QPushButton:

@@ -61,7 +61,7 @@ def test_previewed_picked_and_undone_in_one_step(opened: Driver, listed: Path) -
 
     def preview(dialog: QDialog) -> None:
         seen.append(cells(dialog, "seed_list_table"))
-        seen.append(dialog.findChild(QLabel, "list_said").text())
+        seen.append(dialog.findChild(QLabel, "list_message").text())
         opened.bot.mouseClick(dialog.findChild(QPushButton, "pick_list"), Left)
 
     def table(dialog: QDialog) -> None:
@@ -98,17 +98,18 @@ def test_taken_names_are_not_ticked_and_columns_can_be_given(picked: Driver, lis
         assert "tick to replace" in table.item(0, 6).text()
         columns = dialog.findChild(QLineEdit, "list_columns")
         picked.bot.keyClicks(columns, "name,x,y")
-        assert "columns are missing: z" in dialog.findChild(QLabel, "list_said").text()
+        assert "columns are missing: z" in dialog.findChild(QLabel, "list_message").text()
         assert not pick.isEnabled()
         assert table.rowCount() == 0
         picked.bot.keyClicks(columns, ",z")
-        assert "Columns identified by their names" in dialog.findChild(QLabel, "list_said").text()
+        message = dialog.findChild(QLabel, "list_message")
+        assert "Columns identified by their names" in message.text()
         box = dialog.findChild(QComboBox, "list_system")
         box.setFocus()
         picked.bot.keyClick(box, Key.Key_Down)
         assert "EPSG:32618" in box.currentText()
         picked.bot.waitUntil(
-            lambda: "Check the coordinate system" in dialog.findChild(QLabel, "list_said").text(),
+            lambda: "Check the coordinate system" in message.text(),
             timeout=WAIT_MS,
         )
         picked.bot.keyClick(dialog, Key.Key_Escape)

@@ -104,7 +104,7 @@ def test_findings_are_shown_before_the_project_is_made(
     ]
     qtbot.mouseClick(keep, Left)
     rest(qtbot, dialog)
-    assert dialog.input_files.entry(path).options["withheld"] == "keep"
+    assert dialog.input_files.file(path).options["withheld"] == "keep"
     assert "20 points" not in " ".join(shown_messages(dialog))
 
 

@@ -52,7 +52,7 @@ class AnglesTable(QWidget):
         layout.addWidget(self.messages)
         layout.addStretch(1)
         self.outdated = widgets.label(
-            gettext(OUT_OF_DATE), "warning", wrap=True, name=f"{name}_stale"
+            gettext(OUT_OF_DATE), "warning", wrap=True, name=f"{name}_out_of_date"
         )
         layout.insertWidget(1, self.outdated)
         for each in (self.head, self.outdated, self.messages):

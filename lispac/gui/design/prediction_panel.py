@@ -98,7 +98,7 @@ class PredictionPanel(QScrollArea):
         layout.addWidget(self._points_area)
         layout.addWidget(widgets.label(gettext("Information gain"), "heading"))
         self.gain_table = DiagnosticsTable(
-            "design_worth",
+            "design_gain",
             gettext("Information gain of each target and line"),
             _information_gain_columns(),
         )

@@ -82,7 +82,7 @@ class SearchPanel(QScrollArea):
             tip=gettext("Stop the search without changing the survey plan"),
         )
         self.about_file = widgets.label("", "muted", wrap=True, name="search_about_file")
-        self.message_label = widgets.label("", "hint", wrap=True, name="search_said")
+        self.message_label = widgets.label("", "hint", wrap=True, name="search_message")
         self.message_label.hide()
         self.error_label = widgets.label("", "error", wrap=True, name="search_mistake")
         body = QWidget()

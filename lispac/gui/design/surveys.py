@@ -74,7 +74,7 @@ class SurveysPanel(QScrollArea):
                         "are finished.",
                         count=MIN_SURVEYS),
         )  # fmt: skip
-        self.result_table = AnglesTable("surveys_answer", gettext(HINT))
+        self.result_table = AnglesTable("surveys_result", gettext(HINT))
         body = QWidget()
         both, left = QHBoxLayout(body), QVBoxLayout()
         form = QFormLayout()

@@ -23,7 +23,7 @@ class CacheBox(QWidget):
         self._folder: Path | None = None
         self.place = widgets.label("", wrap=True, name="settings_cache")
         self.size = widgets.label("", "muted", name="settings_cache_size")
-        self.message_label = widgets.label("", "error", wrap=True, name="settings_cache_said")
+        self.message_label = widgets.label("", "error", wrap=True, name="settings_cache_message")
         self.choose = widgets.button(
             gettext("Choose…"), "settings_cache_choose",
             tip=gettext(

@@ -94,7 +94,7 @@ class ExportDialog(QDialog):
         )
         self.epoch.setToolTip(gettext("Date of the survey as a decimal year"))
         self._preset_datum()
-        self.message_label = widgets.label("", "muted", wrap=True, name="export_said")
+        self.message_label = widgets.label("", "muted", wrap=True, name="export_message")
         self.form = QComboBox()
         self.form.setObjectName("export_form")
         self.folder = QLineEdit(str(project.folder / "export"))

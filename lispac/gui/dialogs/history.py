@@ -99,7 +99,7 @@ class HistoryDialog(StudyDialog):
 
 def _system_name(system: CalibratedSystem) -> str:
     """Names of vessel, scanner and INS/GNSS."""
-    return gettext("unnamed system") if system == CalibratedSystem() else system.in_words
+    return gettext("unnamed system") if system == CalibratedSystem() else system.full_name
 
 
 def _columns() -> list[Column]:

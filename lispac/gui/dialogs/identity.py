@@ -61,7 +61,7 @@ class IdentityDialog(QDialog):
                 gettext(LABELS[name]), self._row_with_button(field) if name == "dates" else field
             )
         layout.addLayout(form)
-        self.message_label = widgets.label("", "error", wrap=True, name="identity_said")
+        self.message_label = widgets.label("", "error", wrap=True, name="identity_message")
         layout.addWidget(self.message_label)
         self.keep = widgets.button(gettext("OK"), "identity_keep", primary=True)
         self.keep.setDefault(True)

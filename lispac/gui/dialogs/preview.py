@@ -41,7 +41,7 @@ class PreviewDialog(QDialog):
         self.area.setWidget(desk)
         self.area.installEventFilter(self)
         self.place = widgets.label("", "muted", name="preview_place")
-        self.message_label = widgets.label("", "muted", name="preview_said")
+        self.message_label = widgets.label("", "muted", name="preview_message")
         keep = widgets.button(
             gettext("Save as PDF…"), "preview_save", icon="content-save", primary=True
         )

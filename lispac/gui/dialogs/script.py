@@ -49,7 +49,7 @@ class ScriptDialog(QDialog):
         self.text.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self.text.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         layout.addWidget(self.text, 1)
-        self.message_label = widgets.label("", "muted", name="script_said")
+        self.message_label = widgets.label("", "muted", name="script_message")
         copy = widgets.button(gettext("Copy"), "script_copy", tip=gettext("Copy the script"))
         copy.clicked.connect(self._copy)
         keep = widgets.button(gettext("Save…"), "script_save", icon="content-save", primary=True)

@@ -84,7 +84,7 @@ class SeedDialog(QDialog):
         for field in self.fields:
             self._form.addRow(" ", field)
         layout.addLayout(self._form)
-        self.message_label = widgets.label("", "muted", wrap=True, name="seed_said")
+        self.message_label = widgets.label("", "muted", wrap=True, name="seed_message")
         self.message_label.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
         self.message_label.setAlignment(Qt.AlignmentFlag.AlignTop)
         layout.addWidget(self.message_label)

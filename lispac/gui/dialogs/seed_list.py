@@ -33,9 +33,9 @@ from lispac.workflow.project.coordinates import distances_from_trajectory
 ROLES: dict[Role, str] = {"target": N_("Target"), "validation": N_("Validation plane")}
 READ_HEADS = (
     N_("Name"), N_("Role"), N_("North (m)"), N_("West (m)"), N_("Up (m)"),
-    N_("Distance from trajectory (m)"), N_("Remark"),
+    N_("Distance from trajectory (m)"), N_("Note"),
 )  # fmt: skip
-FOUND_HEADS = (N_("Name"), N_("Role"), N_("Lines"), N_("Points"), N_("Remark"))
+FOUND_HEADS = (N_("Name"), N_("Role"), N_("Lines"), N_("Points"), N_("Note"))
 Right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -85,7 +85,7 @@ class SeedListDialog(QDialog):
         self.table = _create_table("seed_list_table", gettext("Seeds of the list"), READ_HEADS)
         self.table.itemChanged.connect(lambda _item: self._show_count())
         layout.addWidget(self.table, 1)
-        self.message_label = widgets.label("", "muted", wrap=True, name="list_said")
+        self.message_label = widgets.label("", "muted", wrap=True, name="list_message")
         layout.addWidget(self.message_label)
         self.pick_button = widgets.button("", "pick_list", primary=True)
         self.pick_button.setDefault(True)

@@ -84,7 +84,7 @@ class SensorEditor(QDialog):
             states = {state.name: state for state in figures.states}
             self.parts = [_PosStateFields(each, states.get(each), form) for each in STATES]
         layout.addLayout(form)
-        self.message_label = widgets.label("", "error", wrap=True, name="sensor_editor_said")
+        self.message_label = widgets.label("", "error", wrap=True, name="sensor_editor_message")
         layout.addWidget(self.message_label)
         self.keep = widgets.button(gettext("OK"), "sensor_keep", primary=True)
         self.keep.setDefault(True)

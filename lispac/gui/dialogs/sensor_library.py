@@ -88,7 +88,7 @@ class SensorLibraryPage(QWidget):
         for k, mode in enumerate((tight, tight, wide)):
             header.setSectionResizeMode(k, mode)
         layout.addWidget(self.table, 1)
-        self.message_label = widgets.label("", "error", wrap=True, name="sensor_said")
+        self.message_label = widgets.label("", "error", wrap=True, name="sensor_message")
         layout.addWidget(self.message_label)
         layout.addLayout(self._buttons())
         self.table.itemSelectionChanged.connect(self._enable_controls)

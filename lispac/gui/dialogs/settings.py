@@ -138,7 +138,7 @@ class SettingsDialog(QDialog):
             gettext("Unit of lengths in the window. Files, reports and scripts remain metric."),
         )  # fmt: skip
         self.theme_box = widgets.ChoiceBox(
-            "settings_looks", [gettext(each) for each in THEMES.values()],
+            "settings_theme", [gettext(each) for each in THEMES.values()],
             gettext(
                 "Light or dark colours of the window. The line colours of all themes suit "
                 "colour-blind users."

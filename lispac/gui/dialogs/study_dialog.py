@@ -56,7 +56,7 @@ class StudyDialog(QDialog):
         self.body: QVBoxLayout = widgets.vertical_layout(self, 16)
         self.body.addWidget(widgets.label(introduction, wrap=True))
         self.body.addWidget(table, 1)
-        self.message_label = widgets.label("", wrap=True, name=f"{name}_said")
+        self.message_label = widgets.label("", wrap=True, name=f"{name}_message")
         self.body.addWidget(self.message_label)
         self.canvas: QWidget | None = None
         self.copy_numbers = widgets.button(

@@ -88,7 +88,7 @@ def sighting_columns() -> tuple[Column, ...]:
             gettext("Estimated attitude error and its prior σ (3D lengths)"),
             base="m°",
         ),
-        Column(gettext("Remark"), gettext("Finding that should be checked"), True),
+        Column(gettext("Note"), gettext("Finding that should be checked"), True),
     )
 
 
@@ -122,7 +122,7 @@ def target_columns() -> tuple[Column, ...]:
             gettext("Outliers"),
             gettext("Number of points with a test value beyond {limit:x.2}", limit=CRITICAL_VALUE),
         ),
-        Column(gettext("Remark"), gettext("Finding that should be checked"), True),
+        Column(gettext("Note"), gettext("Finding that should be checked"), True),
     )
 
 
@@ -181,7 +181,7 @@ def parameter_columns() -> tuple[Column, ...]:
             ),
         ),
         Column(
-            gettext("Remark"),
+            gettext("Note"),
             gettext("Significance of the parameter, or reason why it has no value"),
             True,
         ),

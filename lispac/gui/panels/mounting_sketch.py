@@ -301,7 +301,7 @@ class MountingView(QWidget):
         super().__init__()
         self.sketch = MountingSketch()
         self.text_label = widgets.label("", "muted", wrap=True, name=f"{prefix}_words")
-        self.file_warnings = widgets.label("", "warning", wrap=True, name=f"{prefix}_doubts")
+        self.file_warnings = widgets.label("", "warning", wrap=True, name=f"{prefix}_file_warnings")
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)

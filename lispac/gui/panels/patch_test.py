@@ -88,7 +88,7 @@ class PatchTestPanel(QWidget):
         self.text_label = widgets.label(gettext(EMPTY), "muted", wrap=True, name="patch_text")
         self.text_label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.text_label.setContentsMargins(24, 0, 24, 0)
-        self.message_label = widgets.label("", wrap=True, name="patch_said")
+        self.message_label = widgets.label("", wrap=True, name="patch_message")
         self.message_label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._buttons()
         self._inside = inside = QWidget()

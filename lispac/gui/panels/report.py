@@ -54,7 +54,7 @@ class ReportPanel(QWidget):
         )  # fmt: skip
         layout.addWidget(self.details)
         layout.addLayout(self._create_choice_form())
-        self.template_error = widgets.label("", "error", wrap=True, name="report_said")
+        self.template_error = widgets.label("", "error", wrap=True, name="report_message")
         layout.addWidget(self.template_error)
         self.report = widgets.button(
             gettext("Export report…"), "export_report", icon="file-document-outline", primary=True,

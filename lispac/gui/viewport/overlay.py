@@ -232,7 +232,7 @@ class Overlay(QWidget):
     def _paint_help(self, painter: QPainter) -> None:
         font = _scaled_font(self.font(), 0.9)
         painter.setFont(font)
-        # Between the axes and the scale bar, left out where the window is too narrow for it; a hint
+        # Between the axes and the scale bar, omitted where the window is too narrow for it; a hint
         # is written above, where nothing else is.
         left, right = MARGIN + 100.0, self.width() - MARGIN - 180.0
         if self.hint:

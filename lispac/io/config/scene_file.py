@@ -20,7 +20,7 @@ from lispac.simulation.scene import (
     tilted_rectangle,
     upright_rectangle,
 )
-from lispac.simulation.vessel_motion import StraightPass
+from lispac.simulation.vessel_motion import SailedLine
 
 KINDS = ("board", "wall", "box", "cylinder", "sphere", "mesh")
 ROLES = ("target", "validation")
@@ -41,7 +41,7 @@ class SceneFile:
     scene : Scene
     targets, validation : tuple of str
         Names of surfaces.
-    passes : tuple of StraightPass
+    lines : tuple of SailedLine
         Courses to be sailed, or none where a recorded trajectory is replayed.
     stretches : tuple of TrajectoryStretch
         What of a recorded trajectory becomes lines.
@@ -58,7 +58,7 @@ class SceneFile:
     scene: Scene
     targets: tuple[str, ...]
     validation: tuple[str, ...]
-    passes: tuple[StraightPass, ...]
+    lines: tuple[SailedLine, ...]
     stretches: tuple[TrajectoryStretch, ...]
     trajectory: Path | None
     pulses_per_second: float | None
@@ -84,11 +84,11 @@ def read_scene(path: Path) -> SceneFile:
             surfaces += _read_surfaces(each, name, is_target=role is not None)
         if not surfaces:
             raise table.refuse("surfaces", "scene.no_surfaces")
-        passes, stretches = _read_lines(table)
+        lines, stretches = _read_lines(table)
         trajectory = table.text("trajectory", None)
         return SceneFile(
             table.text("title"), table.text("vessel"), table.text("scanner"), _read_origin(table),
-            Scene.of(surfaces), tuple(roles["target"]), tuple(roles["validation"]), passes,
+            Scene.of(surfaces), tuple(roles["target"]), tuple(roles["validation"]), lines,
             stretches, None if trajectory is None else Path(path).parent / trajectory,
             table.number("pulses_per_second", None, over=0, high=1e7),
         )  # fmt: skip
@@ -162,9 +162,9 @@ def _read_board(table: TomlTable, name: str, reflectance: float) -> Rectangle:
     )  # fmt: skip
 
 
-def _read_lines(table: TomlTable) -> tuple[tuple[StraightPass, ...], tuple[TrajectoryStretch, ...]]:
+def _read_lines(table: TomlTable) -> tuple[tuple[SailedLine, ...], tuple[TrajectoryStretch, ...]]:
     """Passes or stretches: a line with ``start_s`` is one of a recorded trajectory."""
-    passes: list[StraightPass] = []
+    lines: list[SailedLine] = []
     stretches: list[TrajectoryStretch] = []
     with table.table("pattern") as pattern:
         about = pattern.numbers("about_m", 2, (0.0, 0.0))
@@ -183,17 +183,17 @@ def _read_lines(table: TomlTable) -> tuple[tuple[StraightPass, ...], tuple[Traje
         if off in (0, 180):
             raise line.refuse("bearing_deg", "scene.bearing_along_heading")
         to = np.radians(bearing)
-        passes.append(
-            StraightPass(
+        lines.append(
+            SailedLine(
                 float(np.radians(heading)),
                 (float(about[0] - distance * np.cos(to)), float(about[1] + distance * np.sin(to))),
                 line.number("run_in_m", low=0), line.number("run_out_m", low=0), off < 180,
             )
         )  # fmt: skip
-    if passes and stretches:
+    if lines and stretches:
         raise table.refuse("lines", "scene.mixed_lines")
-    if not passes and not stretches:
+    if not lines and not stretches:
         raise table.refuse("lines", "scene.no_lines")
-    if any(each.run_in + each.run_out < 1 for each in passes):
+    if any(each.run_in + each.run_out < 1 for each in lines):
         raise table.refuse("lines", "scene.line_too_short")
-    return tuple(passes), tuple(stretches)
+    return tuple(lines), tuple(stretches)

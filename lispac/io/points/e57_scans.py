@@ -159,7 +159,7 @@ def _read_scan(node: Any, path: Path, timed: bool) -> Scan:
 
 
 def _scan_pose(node: Any, path: Path) -> tuple[Array, Array]:
-    """Rotation matrix and translation from the scan to the file; a part left out is zero.
+    """Rotation matrix and translation from the scan to the file; a missing part is zero.
 
     Raises
     ------

@@ -22,7 +22,7 @@ from lispac.io.points.point_reader_common import (
 from lispac.language import gettext_lazy
 from lispac.messages import error
 from lispac.progress import Progress, no_progress
-from lispac.survey.line_source import RESTART
+from lispac.survey.line_source import TIME_ROLLOVER
 from lispac.survey.scanner_frame_recovery import require_scanner_frame
 from lispac.survey.time_rollover import PERIODS, find_rollover, resolve_rollover
 
@@ -57,9 +57,8 @@ class LineTimes:
         Whether the end of the file was examined.
     place : ndarray of shape (3,), frame and unit of the file
         Coordinates of one point, as the file has them.
-    restart : str
-        Where the times start again, as given or found (`lispac.survey.time_rollover`); empty where
-        they do not.
+    rollover : str
+        Time rollover, as given or found (`lispac.survey.time_rollover`); empty where there is none.
     """
 
     sample: Array
@@ -69,7 +68,7 @@ class LineTimes:
     whole: bool
     reached_end: bool
     place: Array
-    restart: str = ""
+    rollover: str = ""
 
 
 def read_line_times(
@@ -83,7 +82,7 @@ def read_line_times(
         Where the file cannot be read with these options, or holds no points in the scanner frame
         that it is read in.
     """
-    given = str(choice.get(RESTART, ""))
+    given = str(choice.get(TIME_ROLLOVER, ""))
     resolved = format.resolved(choice)
     scanner = resolved[FRAME.name] == SCANNER
     if format.key == "las" and (count := point_count(path)) > READ_WHOLE:
@@ -97,17 +96,17 @@ def read_line_times(
 
 
 def _resolve_rollover(line_times: LineTimes, given: str) -> LineTimes:
-    restart = given or find_rollover(
+    rollover = given or find_rollover(
         np.append(line_times.sample, [line_times.start, line_times.end])
     )
-    if restart not in PERIODS:
+    if rollover not in PERIODS:
         return line_times
-    # Earliest and latest lie on the two sides of the start, and the sample may have missed one.
+    # Earliest and latest lie on the two sides of the rollover; the sample may have missed one.
     ends = np.append(line_times.sample, [line_times.start, line_times.end])
-    counted = resolve_rollover(ends, restart)
+    resolved = resolve_rollover(ends, rollover)
     return replace(
-        line_times, sample=counted[:-2], start=float(counted.min()), end=float(counted.max()),
-        restart=restart,
+        line_times, sample=resolved[:-2], start=float(resolved.min()), end=float(resolved.max()),
+        rollover=rollover,
     )  # fmt: skip
 
 

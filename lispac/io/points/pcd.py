@@ -71,7 +71,7 @@ def preview_file(path: Path, choice: Choice) -> FilePreview:
 def read(path: Path, choice: Choice) -> Iterator[PointChunk]:
     """Read in chunks; other fields keep their names and types.
 
-    A point of which all three coordinates are NaN is no return, as PCL defines it, and left out.
+    A point whose three coordinates are NaN is no return, as PCL defines it, and is excluded.
 
     Raises
     ------

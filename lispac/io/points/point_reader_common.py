@@ -18,10 +18,10 @@ from lispac.language import N_
 from lispac.messages import Action, Message, error, note, warning
 from lispac.survey.crs import UNITS, CoordinateSystem, coordinate_system
 from lispac.survey.known_time_base import base_message
-from lispac.survey.line_source import RESTART
+from lispac.survey.line_source import TIME_ROLLOVER
 from lispac.survey.point_screening import LARGEST, LARGEST_TIME
 from lispac.survey.time_base import KEYS, base_of_key, plausible_bases
-from lispac.survey.time_rollover import KEYS as KEYS_OF_RESTART
+from lispac.survey.time_rollover import KEYS as ROLLOVER_KEYS
 
 Array = NDArray[np.float64]
 
@@ -66,9 +66,9 @@ EPOCH = FormatOption(
     "epoch", N_("Date of the survey as a decimal year, where the datums move against each other.")
 )
 TIME_BASE = FormatOption("time_base", N_("Time base. Empty: as in the file."), ("", *KEYS))
-TIMES_RESTART = FormatOption(
-    RESTART, N_("Where the times of the line restart at zero. Empty: detected from the times."),
-    ("", *KEYS_OF_RESTART),
+ROLLOVER = FormatOption(
+    TIME_ROLLOVER, N_("Moment of the time rollover. Empty: detected from the times."),
+    ("", *ROLLOVER_KEYS),
 )  # fmt: skip
 WITHHELD = FormatOption(
     "withheld", N_("Points with the withheld flag: exclude or use them."), ("exclude", "keep"),
@@ -86,7 +86,7 @@ ONLY = FormatOption(
 )
 MAX_RANGE = FormatOption("max_range", N_("Largest range of the scanner in metres. Empty: 10000."))
 PLACE = (
-    FRAME, UNIT, CRS, HEIGHT, HEIGHT_UNIT, DATUM, EPOCH, TIME_BASE, TIMES_RESTART, WITHHELD,
+    FRAME, UNIT, CRS, HEIGHT, HEIGHT_UNIT, DATUM, EPOCH, TIME_BASE, ROLLOVER, WITHHELD,
     EXCLUDE_CLASSES, ONLY, MAX_RANGE,
 )  # fmt: skip
 """Options of every reader: where the points are, when, and which of them are used."""

@@ -3,13 +3,13 @@
 from collections.abc import Callable
 from typing import Any
 
-from lispac.former_names import renamed_keys
+from lispac.former_names import renamed_keys, renamed_reading
 from lispac.messages import error
 from lispac.untrusted_values import InvalidContentError
 
 Content = dict[str, Any]
 
-SCHEMA_VERSION = 10
+SCHEMA_VERSION = 11
 
 
 def upgrade_content(content: Content) -> Content:
@@ -190,6 +190,12 @@ def _upgrade_from_9(content: Content) -> Content:
     return renamed_keys(content, _NAMES_FROM_9) | {"schema_version": 10}
 
 
+def _upgrade_from_10(content: Content) -> Content:
+    """Upgrade to version 11, whose reading options have the standard terms."""
+    lines = [line | {"reading": renamed_reading(line["reading"])} for line in content["lines"]]
+    return content | {"schema_version": 11, "lines": lines}
+
+
 _UPGRADES: dict[int, Callable[[Content], Content]] = {
     1: _upgrade_from_1,
     2: _upgrade_from_2,
@@ -200,4 +206,5 @@ _UPGRADES: dict[int, Callable[[Content], Content]] = {
     7: _upgrade_from_7,
     8: _upgrade_from_8,
     9: _upgrade_from_9,
+    10: _upgrade_from_10,
 }

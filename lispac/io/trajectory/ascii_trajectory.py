@@ -458,7 +458,7 @@ SAMPLE_ROWS = 60
 def _rows_with_position(
     path: Path, tokens: Sequence[str], data: list[list[str]], choice: Choice
 ) -> list[list[str]]:
-    """Rows with a position; rows of zeros before the first fix are left out."""
+    """Rows with a position; rows of zeros before the first fix are excluded."""
     places = [k for k, token in enumerate(tokens) if role_of(token) in POSITION]
     if len(places) < len(POSITION):
         return data

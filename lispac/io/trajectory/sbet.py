@@ -253,7 +253,7 @@ def read_smrmsg(path: Path) -> TrajectoryAccuracy:
     if not is_smrmsg(head) and is_smrmsg(head.byteswap()):
         raise InputError(error("sbet.big_endian_accuracy", file=str(path)))
     records = read_records(path, 10, "smrmsg")
-    # Where the trajectory counts on through midnight or the end of the week, so does this.
+    # Times continue through midnight or the end of the week as in the trajectory.
     time, _ = unroll_times(records[:, 0])
     require_increasing(time, path, "smrmsg")
     position, attitude = records[:, 1:4], np.radians(records[:, 7:10] / 60)

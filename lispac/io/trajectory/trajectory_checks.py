@@ -75,7 +75,7 @@ def require_attitude(
 ) -> None:
     """Refuse angles, in radians, that cannot be.
 
-    A heading may count on over full turns; then it starts near a full circle and changes no faster
+    A heading may continue over full turns; then it starts near a full circle and changes no faster
     than a carrier turns.
 
     Parameters

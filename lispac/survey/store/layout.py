@@ -22,7 +22,7 @@ from zlib import crc32
 import numpy as np
 
 from lispac.errors import ProjectError, system_reason
-from lispac.former_names import renamed_keys
+from lispac.former_names import renamed_keys, renamed_reading
 from lispac.messages import Message, error
 from lispac.untrusted_values import json_values
 
@@ -246,6 +246,10 @@ def read_manifest(folder: Path) -> Manifest | None:
                 import_again_message(error("store.manifest_checksum", file=str(path)))
             )
         store = renamed_keys(store, NAMES_FROM_2)
+        made_with = store.get("made_with", {})
+        if "reading" in made_with:
+            reading = renamed_reading(made_with["reading"])
+            store = store | {"made_with": made_with | {"reading": reading}}
         manifest = Manifest(
             **{
                 **store,

@@ -93,8 +93,8 @@ def write_store(
     place : callable
         Puts points into the local frame for the order in space.
     findings : callable
-        Gives, once the file is read, what was assumptions, in words, and the audit of its
-        points, as plain values.
+        Gives, once the file is read, the assumptions of the reader and the audit of the points, as
+        plain values.
     beside : callable
         Puts into the folder of the columns what is to be kept besides them.
 

@@ -191,7 +191,7 @@ class StoredLine:
         return ProjectError(import_again_message(error("store.values", line=self.name)))
 
     def indices_in_file(self, rows: NDArray[Any]) -> NDArray[np.int64]:
-        """Places of ``rows``, both (n,), in the original file, which has skipped points too."""
+        """Places of ``rows``, both (n,), in the original file, which also has excluded points."""
         numbers = self.numbers(rows)
         if "before" in self._columns:
             numbers += self._own("before")[rows]

@@ -45,7 +45,7 @@ class CalibratedSystem:
         return cls(*(getattr(project.identity, name) for name in SYSTEM))
 
     @property
-    def in_words(self) -> str:
+    def full_name(self) -> str:
         """Vessel, scanner and INS/GNSS with their serial numbers."""
         parts = [
             self.vessel,

@@ -1,7 +1,7 @@
 """A file to be imported: its format, its options and its content.
 
-An entry is an immutable value. `examine_file` and `reexamine_file` return a new one; they read the
-file, so they run in the worker thread.
+An `InputFile` is an immutable value. `examine_file` and `reexamine_file` return a new one; they
+read the file, so they run in the worker thread.
 """
 
 from collections.abc import Mapping
@@ -189,117 +189,128 @@ def examine_file(
         key=lambda check: (-check.confidence, ending not in check.format.endings, bool(check.error))
     )
     first = found[0]
-    entry = InputFile(path, tuple(found), first.format.kind, first.format)
+    input_file = InputFile(path, tuple(found), first.format.kind, first.format)
     if first.confidence <= POSSIBLE and ending not in first.format.endings:
         unlikely = note(
             "import.unlikely_format", file=printable(path.name), format=first.format.name
         )
-        return replace(entry, role=None, format=None, error=unlikely, pending=False)
+        return replace(input_file, role=None, format=None, error=unlikely, pending=False)
     for check in found:
         columns = (mappings or {}).get(layout_key(check), "")
         if columns and not has_column_names(check):
-            entry = replace(
-                entry, role=check.format.kind, format=check.format, remembered=True,
+            input_file = replace(
+                input_file, role=check.format.kind, format=check.format, remembered=True,
                 given_options={"columns": columns},
             )  # fmt: skip
             break
-    return reexamine_file(entry, progress=progress)
+    return reexamine_file(input_file, progress=progress)
 
 
-def examine_project_file(entry: InputFile, *, progress: Progress = no_progress) -> InputFile:
+def examine_project_file(input_file: InputFile, *, progress: Progress = no_progress) -> InputFile:
     """Examine a file of an open project for the first time, with the project's options."""
-    progress(0.0, gettext_lazy("Examining {file}", file=entry.path.name))
-    assert entry.role is not None
-    assert entry.project_reading is not None
+    progress(0.0, gettext_lazy("Examining {file}", file=input_file.path.name))
+    assert input_file.role is not None
+    assert input_file.project_reading is not None
     try:
-        found = check_file(entry.path, (entry.role,))
+        found = check_file(input_file.path, (input_file.role,))
     except LispacError as refused:
-        return replace(entry, error=message_with_file_name(refused, entry.path), pending=False)
-    format = format_of(entry.project_reading.format or USUAL[entry.role])
-    given = dict(entry.project_reading.options)
+        return replace(
+            input_file, error=message_with_file_name(refused, input_file.path), pending=False
+        )
+    format = format_of(input_file.project_reading.format or USUAL[input_file.role])
+    given = dict(input_file.project_reading.options)
     return reexamine_file(
-        replace(entry, checks=tuple(found), format=format, given_options=given or None),
+        replace(input_file, checks=tuple(found), format=format, given_options=given or None),
         progress=progress,
     )
 
 
-def reexamine_file(entry: InputFile, *, progress: Progress = no_progress) -> InputFile:
-    """Examine a file with the present role, format and options of its entry.
+def reexamine_file(input_file: InputFile, *, progress: Progress = no_progress) -> InputFile:
+    """Examine a file with the present role, format and options.
 
     Raises
     ------
     Cancelled
         If the user cancels.
     """
-    entry = replace(entry, pending=False, error=None, content=None, place=None)
-    if entry.role is None or entry.format is None:
-        return entry
-    if entry.finding is None or not entry.given_options:
-        entry = _with_preview(entry, {})
-    assert entry.format is not None
-    missing = missing_columns(entry.format, entry.columns)
+    input_file = replace(input_file, pending=False, error=None, content=None, place=None)
+    if input_file.role is None or input_file.format is None:
+        return input_file
+    if input_file.finding is None or not input_file.given_options:
+        input_file = _with_preview(input_file, {})
+    assert input_file.format is not None
+    missing = missing_columns(input_file.format, input_file.columns)
     if missing:
-        file = printable(entry.path.name)
-        return replace(entry, error=error(COLUMNS_NOT_CHOSEN, file=file, columns=missing))
-    if entry.given_options:
-        entry = _with_preview(entry, dict(entry.given_options))
-    if entry.error or entry.finding is None:
-        return entry
-    progress(0.1, gettext_lazy("Reading {file}", file=entry.path.name))
+        file = printable(input_file.path.name)
+        return replace(input_file, error=error(COLUMNS_NOT_CHOSEN, file=file, columns=missing))
+    if input_file.given_options:
+        input_file = _with_preview(input_file, dict(input_file.given_options))
+    if input_file.error or input_file.finding is None:
+        return input_file
+    progress(0.1, gettext_lazy("Reading {file}", file=input_file.path.name))
     try:
-        return _with_content(entry, progress)
+        return _with_content(input_file, progress)
     except Cancelled:
         raise
     except LispacError as refused:
-        return replace(entry, error=message_with_file_name(refused, entry.path))
+        return replace(input_file, error=message_with_file_name(refused, input_file.path))
 
 
 COLUMNS_NOT_CHOSEN = "import.columns_not_chosen"
 """Code of the error that the user has to choose what columns are."""
 
 
-def _with_preview(entry: InputFile, given: dict[str, str]) -> InputFile:
-    assert entry.format is not None
-    known = next((check for check in entry.checks if check.format is entry.format), None)
+def _with_preview(input_file: InputFile, given: dict[str, str]) -> InputFile:
+    assert input_file.format is not None
+    known = next((check for check in input_file.checks if check.format is input_file.format), None)
     if not given and known is not None:
         # Columns shown again as found are those of the first check.
-        return replace(entry, finding=known.finding, error=known.error)
+        return replace(input_file, finding=known.finding, error=known.error)
     try:
-        return replace(entry, finding=preview_with_options(entry.path, entry.format, given))
-    except LispacError as refused:
-        kept = entry.finding or (None if known is None else known.finding)
-        return replace(entry, finding=kept, error=message_with_file_name(refused, entry.path))
-
-
-def _with_content(entry: InputFile, progress: Progress) -> InputFile:
-    assert entry.format is not None
-    if entry.role == "points":
-        reading = sub_progress(progress, 0.1, 0.5)
-        times = read_line_times(entry.path, entry.format, entry.options, progress=reading)
-        place = entry.place
-        if entry.is_georeferenced:
-            # A line's times do not hang on its coordinate system, so they are read either way.
-            place = _line_location(entry, times)
-        found = audit_file(
-            entry.path, entry.format, entry.options, progress=sub_progress(progress, 0.5, 1.0)
+        return replace(
+            input_file, finding=preview_with_options(input_file.path, input_file.format, given)
         )
-        finding = entry.finding
+    except LispacError as refused:
+        kept = input_file.finding or (None if known is None else known.finding)
+        return replace(
+            input_file, finding=kept, error=message_with_file_name(refused, input_file.path)
+        )
+
+
+def _with_content(input_file: InputFile, progress: Progress) -> InputFile:
+    assert input_file.format is not None
+    if input_file.role == "points":
+        reading = sub_progress(progress, 0.1, 0.5)
+        times = read_line_times(
+            input_file.path, input_file.format, input_file.options, progress=reading
+        )
+        place = input_file.place
+        if input_file.is_georeferenced:
+            # A line's times do not hang on its coordinate system, so they are read either way.
+            place = _line_location(input_file, times)
+        found = audit_file(
+            input_file.path,
+            input_file.format,
+            input_file.options,
+            progress=sub_progress(progress, 0.5, 1.0),
+        )
+        finding = input_file.finding
         if finding is not None:
             messages = tuple(dict.fromkeys((*finding.messages, *found.messages)))
             finding = replace(finding, messages=messages)
-        return replace(entry, content=times, place=place, finding=finding, audit=found.audit)
-    content = entry.format.read(entry.path, entry.options)
+        return replace(input_file, content=times, place=place, finding=finding, audit=found.audit)
+    content = input_file.format.read(input_file.path, input_file.options)
     assert isinstance(content, Trajectory | TrajectoryAccuracy)
     if isinstance(content, Trajectory):
         content = content.with_positions_only()
-        if content.messages and entry.finding is not None:
-            messages = tuple(dict.fromkeys((*entry.finding.messages, *content.messages)))
-            entry = replace(entry, finding=replace(entry.finding, messages=messages))
-    return replace(entry, content=content)
+        if content.messages and input_file.finding is not None:
+            messages = tuple(dict.fromkeys((*input_file.finding.messages, *content.messages)))
+            input_file = replace(input_file, finding=replace(input_file.finding, messages=messages))
+    return replace(input_file, content=content)
 
 
-def _line_location(entry: InputFile, times: LineTimes) -> LineLocation:
-    options, file = entry.options, printable(entry.path.name)
+def _line_location(input_file: InputFile, times: LineTimes) -> LineLocation:
+    options, file = input_file.options, printable(input_file.path.name)
     try:
         epoch = options.get("epoch", "").strip()
         system = coordinate_system(

@@ -20,7 +20,7 @@ from lispac.survey.known_time_base import (
     matches_of_known_bases,
     time_base_error,
 )
-from lispac.survey.line_source import RESTART, printable
+from lispac.survey.line_source import TIME_ROLLOVER, printable
 from lispac.survey.time_base import TimeBase, TimeMatch, equally_good_matches
 from lispac.survey.time_quality import TrajectoryCoverage, accuracy_coverage_warning
 from lispac.survey.time_rollover import NONE, rollover_note
@@ -58,7 +58,7 @@ OF_A_FILE = {
 
 LEAVE_OUT = Action("leave_out")
 CLEAR_TIME_BASE = Action("clear_time_base", {"name": "time_base", "value": ""})
-IGNORE_ROLLOVER = Action("ignore_rollover", {"name": RESTART, "value": NONE})
+IGNORE_ROLLOVER = Action("ignore_rollover", {"name": TIME_ROLLOVER, "value": NONE})
 
 SYSTEM_ERRORS = {
     "trajectory.no_system", "trajectory.grid_heading", "trajectory.outside_system",
@@ -78,16 +78,16 @@ def option_to_choose(action: Action) -> str:
     return str(action.params["name"]) if action.code in CHOOSING_OPTIONS else ""
 
 
-def already_in_project(entry: InputFile, lines: Mapping[Path, str]) -> tuple[Message, ...]:
+def already_in_project(input_file: InputFile, lines: Mapping[Path, str]) -> tuple[Message, ...]:
     """The error that a file is a line of the open project; ``lines`` are names by path."""
-    name = lines.get(entry.path)
-    if name is None or entry.role != "points":
+    name = lines.get(input_file.path)
+    if name is None or input_file.role != "points":
         return ()
-    file = printable(entry.path.name)
+    file = printable(input_file.path.name)
     return (error("import.already_in_project", file=file, line=name, actions=(LEAVE_OUT,)),)
 
 
-def without_changes(entry: InputFile, messages: tuple[Message, ...]) -> tuple[Message, ...]:
+def without_changes(input_file: InputFile, messages: tuple[Message, ...]) -> tuple[Message, ...]:
     """Messages without the actions that would change the open project lines are added to."""
     return tuple(
         replace(
@@ -95,7 +95,7 @@ def without_changes(entry: InputFile, messages: tuple[Message, ...]) -> tuple[Me
             actions=tuple(
                 action
                 for action in message.actions
-                if entry.project_reading is None and action.code != BRIDGE_GAPS
+                if input_file.project_reading is None and action.code != BRIDGE_GAPS
             ),
         )
         for message in messages
@@ -103,7 +103,7 @@ def without_changes(entry: InputFile, messages: tuple[Message, ...]) -> tuple[Me
 
 
 def file_messages(
-    entry: InputFile,
+    input_file: InputFile,
     trajectory: InputFile | None,
     trajectories: int,
     accuracies: int,
@@ -119,24 +119,24 @@ def file_messages(
         Files of these roles.
     longest_gap : float, seconds
     """
-    if entry.pending:
+    if input_file.pending:
         return ()
-    if entry.role is None:
-        return (as_note(entry.error),) if entry.error else ()
-    messages = _own_messages(entry, longest_gap)
-    file, actions = printable(entry.path.name), (LEAVE_OUT,)
-    if entry.role == "trajectory":
+    if input_file.role is None:
+        return (as_note(input_file.error),) if input_file.error else ()
+    messages = _own_messages(input_file, longest_gap)
+    file, actions = printable(input_file.path.name), (LEAVE_OUT,)
+    if input_file.role == "trajectory":
         if trajectories > 1:
             messages.append(error("import.several_trajectories", file=file, actions=actions))
-    elif entry.role == "accuracy":
+    elif input_file.role == "accuracy":
         if accuracies > 1:
             messages.append(error("import.several_accuracies", file=file, actions=actions))
-        messages += _accuracy_time_messages(entry, trajectory)
+        messages += _accuracy_time_messages(input_file, trajectory)
     elif trajectory is not None and isinstance(trajectory.content, Trajectory):
         base = trajectory_time_base(trajectory)
-        messages += time_messages(entry, trajectory.content, longest_gap, base)
-        messages += _location_messages(entry, trajectory.content)
-    return sort_by_level(with_possible_actions(entry, messages))
+        messages += time_messages(input_file, trajectory.content, longest_gap, base)
+        messages += _location_messages(input_file, trajectory.content)
+    return sort_by_level(with_possible_actions(input_file, messages))
 
 
 def as_note(message: Message) -> Message:
@@ -144,64 +144,68 @@ def as_note(message: Message) -> Message:
     return replace(message, level=Level.NOTE)
 
 
-def with_possible_actions(entry: InputFile, messages: Iterable[Message]) -> tuple[Message, ...]:
+def with_possible_actions(
+    input_file: InputFile, messages: Iterable[Message]
+) -> tuple[Message, ...]:
     """The messages with those of their actions that the file has an option for."""
     return tuple(
-        replace(message, actions=tuple(a for a in message.actions if _is_possible(entry, a)))
+        replace(message, actions=tuple(a for a in message.actions if _is_possible(input_file, a)))
         for message in messages
     )
 
 
-def _is_possible(entry: InputFile, action: Action) -> bool:
+def _is_possible(input_file: InputFile, action: Action) -> bool:
     if action.code not in OF_A_FILE:
         return False
     if action.code not in SETTING_OPTIONS | CHOOSING_OPTIONS:
         return True
-    options, name = entry.options, str(action.params["name"])
+    options, name = input_file.options, str(action.params["name"])
     return name in options and options[name] != action.params.get("value")
 
 
-def _own_messages(entry: InputFile, longest_gap: float) -> list[Message]:
+def _own_messages(input_file: InputFile, longest_gap: float) -> list[Message]:
     """Messages about a single file, independent of the others."""
-    file = printable(entry.path.name)
+    file = printable(input_file.path.name)
     messages: list[Message] = []
-    if entry.error:
-        about_system = entry.error.code in SYSTEM_ERRORS
+    if input_file.error:
+        about_system = input_file.error.code in SYSTEM_ERRORS
         actions = (CHOOSE_SYSTEM, LEAVE_OUT) if about_system else (LEAVE_OUT,)
-        messages.append(replace(entry.error, actions=(*entry.error.actions, *actions)))
-    elif entry.place is not None and entry.place.error:
-        messages.append(replace(entry.place.error, actions=(CHOOSE_SYSTEM, LEAVE_OUT)))
-    if entry.remembered and entry.finding is not None:
+        messages.append(replace(input_file.error, actions=(*input_file.error.actions, *actions)))
+    elif input_file.place is not None and input_file.place.error:
+        messages.append(replace(input_file.place.error, actions=(CHOOSE_SYSTEM, LEAVE_OUT)))
+    if input_file.remembered and input_file.finding is not None:
         actions = (Action("detect_columns"),)
         messages.append(note("import.columns_remembered", file=file, actions=actions))
-    if entry.finding is not None:
+    if input_file.finding is not None:
         messages += [
-            each for each in entry.finding.file_warnings if not _is_superseded(entry, each)
+            each
+            for each in input_file.finding.file_warnings
+            if not _is_superseded(input_file, each)
         ]
         messages += [
             message
-            for message in entry.finding.messages
-            if not (entry.split_by and _is_resolved_by_split(message, entry.split_by))
+            for message in input_file.finding.messages
+            if not (input_file.split_by and _is_resolved_by_split(message, input_file.split_by))
         ]
-    if entry.split_by:
-        parts = entry.parts(LineSource(printable(entry.path.stem), entry.path))
+    if input_file.split_by:
+        parts = input_file.parts(LineSource(printable(input_file.path.stem), input_file.path))
         names, actions = tuple(each.name for each in parts), (Action("keep_one_line"),)
         messages.append(note("file.split", count=len(parts), lines=names, actions=actions))
-    if isinstance(entry.content, Trajectory):
-        messages += gap_warnings(entry.content.time, longest_gap, file)
-    if isinstance(entry.content, LineTimes) and not entry.content.reached_end:
-        messages.append(note("import.first_times", file=file, count=len(entry.content.sample)))
+    if isinstance(input_file.content, Trajectory):
+        messages += gap_warnings(input_file.content.time, longest_gap, file)
+    if isinstance(input_file.content, LineTimes) and not input_file.content.reached_end:
+        messages.append(note("import.first_times", file=file, count=len(input_file.content.sample)))
     return messages
 
 
-def _is_superseded(entry: InputFile, reported: Message) -> bool:
+def _is_superseded(input_file: InputFile, reported: Message) -> bool:
     """True if another message about the file says the same on a better basis."""
-    if reported.code == GAPS and isinstance(entry.content, Trajectory):
+    if reported.code == GAPS and isinstance(input_file.content, Trajectory):
         return True  # the reader does not know which gaps are to be bridged
-    if entry.error is None:
+    if input_file.error is None:
         return False
-    is_same = (reported.code, reported.params) == (entry.error.code, entry.error.params)
-    is_about_columns = entry.error.code in ABOUT_COLUMNS | {COLUMNS_NOT_CHOSEN}
+    is_same = (reported.code, reported.params) == (input_file.error.code, input_file.error.params)
+    is_about_columns = input_file.error.code in ABOUT_COLUMNS | {COLUMNS_NOT_CHOSEN}
     return is_same or (is_about_columns and reported.code in ABOUT_COLUMNS)
 
 
@@ -210,13 +214,13 @@ def _is_resolved_by_split(message: Message, by: str) -> bool:
     return any(each.code == "split_line" and each.params["by"] == by for each in message.actions)
 
 
-def _accuracy_time_messages(entry: InputFile, trajectory: InputFile | None) -> list[Message]:
+def _accuracy_time_messages(input_file: InputFile, trajectory: InputFile | None) -> list[Message]:
     if trajectory is None or not isinstance(trajectory.content, Trajectory):
         return []
-    if not isinstance(entry.content, TrajectoryAccuracy):
+    if not isinstance(input_file.content, TrajectoryAccuracy):
         return []
-    file = printable(entry.path.name)
-    own, track = entry.content.time, trajectory.content.time
+    file = printable(input_file.path.name)
+    own, track = input_file.content.time, trajectory.content.time
     if own[-1] < track[0] or own[0] > track[-1]:
         return [
             error(
@@ -229,31 +233,31 @@ def _accuracy_time_messages(entry: InputFile, trajectory: InputFile | None) -> l
 
 
 def time_messages(
-    entry: InputFile, track: Trajectory, longest_gap: float, known: KnownTimeBase
+    input_file: InputFile, track: Trajectory, longest_gap: float, known: KnownTimeBase
 ) -> list[Message]:
     """Messages on how the trajectory covers a line; ``known`` is the trajectory's time base."""
-    times, covered = entry.content, line_coverage(entry, track, longest_gap)
+    times, covered = input_file.content, line_coverage(input_file, track, longest_gap)
     if covered is None or not isinstance(times, LineTimes):
         return []
-    file = printable(entry.path.name)
-    own, base = line_time_base(entry), known.base
+    file = printable(input_file.path.name)
+    own, base = line_time_base(input_file), known.base
     if wrong := time_base_error(times.sample, own, file):
         return [replace(wrong, actions=(CLEAR_TIME_BASE, LEAVE_OUT))]
-    if entry.follows:
-        messages = _given_base_notes(entry, times, track, own, known)
+    if input_file.follows:
+        messages = _given_base_notes(input_file, times, track, own, known)
     else:
-        messages = _shift_messages(entry, times, track, base)
-    if times.restart:
-        restart = rollover_note(times.sample, times.restart, file)
-        messages.append(replace(restart, actions=(IGNORE_ROLLOVER,)))
+        messages = _shift_messages(input_file, times, track, base)
+    if times.rollover:
+        rollover = rollover_note(times.sample, times.rollover, file)
+        messages.append(replace(rollover, actions=(IGNORE_ROLLOVER,)))
     if covered.usable == covered.count:
         return messages
     if covered.usable == 0 and covered.outside:
-        return [*messages, *_outside_errors(entry, times, track, base)]
+        return [*messages, *_outside_errors(input_file, times, track, base)]
     messages += _coverage_warnings(
         covered, file, longest_gap, whole=len(times.sample) == times.count
     )
-    if better := proposed_shift(entry, track, longest_gap, base):
+    if better := proposed_shift(input_file, track, longest_gap, base):
         messages.append(
             warning(
                 "import.shift_offered", file=file, shift=better.shift, share=better.share,
@@ -264,7 +268,7 @@ def time_messages(
 
 
 def _given_base_notes(
-    entry: InputFile,
+    input_file: InputFile,
     times: LineTimes,
     track: Trajectory,
     line_base: KnownTimeBase,
@@ -272,26 +276,26 @@ def _given_base_notes(
 ) -> list[Message]:
     """Notes on the shift that follows from the time bases given."""
     found = matches_of_known_bases(times.sample, track.time, line_base, other)
-    if not found or not entry.shift:
+    if not found or not input_file.shift:
         return []
-    first, *others = known_base_notes(found, line_base, other, printable(entry.path.name))
+    first, *others = known_base_notes(found, line_base, other, printable(input_file.path.name))
     actions = (CLEAR_TIME_BASE,) if line_base.is_given else ()
     return [replace(first, actions=actions), *others]
 
 
 def _shift_messages(
-    entry: InputFile, times: LineTimes, track: Trajectory, base: TimeBase | None
+    input_file: InputFile, times: LineTimes, track: Trajectory, base: TimeBase | None
 ) -> list[Message]:
     """The time shift in use; a warning where another one fits as well."""
-    if not entry.shift:
+    if not input_file.shift:
         return []
-    file, undo = printable(entry.path.name), Action("clear_shift")
+    file, undo = printable(input_file.path.name), Action("clear_shift")
     found = matching_shifts(times, track, base)
     rivals = [] if not found else [
         match for match in (found[0], *equally_good_matches(found)[:2])
-        if abs(match.shift - entry.shift) > 1e-6
+        if abs(match.shift - input_file.shift) > 1e-6
     ]  # fmt: skip
-    messages = [note("import.shifted", file=file, shift=entry.shift, actions=(undo,))]
+    messages = [note("import.shifted", file=file, shift=input_file.shift, actions=(undo,))]
     if rivals:
         actions = (*map(_shift_action, rivals), undo)
         messages = [replace(messages[0], actions=()), _other_shifts_warning(file, rivals, actions)]
@@ -341,14 +345,14 @@ def _coverage_warnings(
 
 
 def _outside_errors(
-    entry: InputFile, times: LineTimes, track: Trajectory, base: TimeBase | None
+    input_file: InputFile, times: LineTimes, track: Trajectory, base: TimeBase | None
 ) -> list[Message]:
     """The error that no point of a line lies within the trajectory."""
-    file = printable(entry.path.name)
-    start, end = float(times.start + entry.shift), float(times.end + entry.shift)
+    file = printable(input_file.path.name)
+    start, end = float(times.start + input_file.shift), float(times.end + input_file.shift)
     first, last = float(track.time[0]), float(track.time[-1])
     found = matching_shifts(times, track, base)
-    if found and found[0].share >= SHARE_NEEDED and abs(found[0].shift - entry.shift) > 1e-9:
+    if found and found[0].share >= SHARE_NEEDED and abs(found[0].shift - input_file.shift) > 1e-9:
         best, rivals = found[0], equally_good_matches(found)[:2]
         actions = (*map(_shift_action, (best, *rivals)), LEAVE_OUT)
         span: dict[str, Value] = {
@@ -376,8 +380,8 @@ def _outside_errors(
     ]  # fmt: skip
 
 
-def _location_messages(entry: InputFile, track: Trajectory) -> list[Message]:
-    place = entry.place
+def _location_messages(input_file: InputFile, track: Trajectory) -> list[Message]:
+    place = input_file.place
     if place is None or place.error:
         return []
     points = geodetic_to_ecef(np.array([place.latitude]), np.array([place.longitude]), np.zeros(1))
@@ -387,7 +391,7 @@ def _location_messages(entry: InputFile, track: Trajectory) -> list[Message]:
         return []
     return [
         error(
-            "import.far_from_trajectory", file=printable(entry.path.name), system=place.system,
+            "import.far_from_trajectory", file=printable(input_file.path.name), system=place.system,
             distance=distance, actions=(CHOOSE_SYSTEM, LEAVE_OUT),
         )
     ]  # fmt: skip

@@ -89,118 +89,118 @@ class InputFiles:
 
     Attributes
     ----------
-    entries : tuple of InputFile
+    files : tuple of InputFile
         In the order in which they came.
     longest_gap : float, seconds
     into : Project or None
         That lines are added to, where it is no new one that is made.
     """
 
-    entries: tuple[InputFile, ...] = ()
+    files: tuple[InputFile, ...] = ()
     longest_gap: float = LONGEST_GAP
     into: Project | None = None
 
     @classmethod
     def of_project(cls, project: Project) -> "InputFiles":
         """Input files for an open project, which has a trajectory and accuracies already."""
-        entries = [
+        files = [
             InputFile(
                 project.trajectory, role="trajectory", project_reading=project.trajectory_reading
             )
         ]
         if project.accuracy is not None:
-            entries.append(
+            files.append(
                 InputFile(
                     project.accuracy, role="accuracy", project_reading=project.accuracy_reading
                 )
             )
-        return cls(tuple(entries), project.settings.longest_gap, project)
+        return cls(tuple(files), project.settings.longest_gap, project)
 
     # -- edits -------------------------------------------------------------------------------
 
     def with_files(self, paths: Iterable[Path]) -> "InputFiles":
         """Add files that are not in the list yet, without examining them."""
-        known = {entry.path for entry in self.entries}
+        known = {file.path for file in self.files}
         new = tuple(InputFile(path) for path in paths if path not in known)
-        return replace(self, entries=self.entries + new)
+        return replace(self, files=self.files + new)
 
     def without_file(self, path: Path) -> "InputFiles":
         """Remove a file from the list, unless an open project has it."""
-        kept = tuple(e for e in self.entries if e.path != path or e.project_reading is not None)
-        return replace(self, entries=kept)
+        kept = tuple(e for e in self.files if e.path != path or e.project_reading is not None)
+        return replace(self, files=kept)
 
-    def with_entry(self, entry: InputFile) -> "InputFiles":
-        """Replace the entry of the same file."""
-        entries = tuple(entry if e.path == entry.path else e for e in self.entries)
-        return replace(self, entries=with_time_base_shifts(entries))
+    def with_changed_file(self, file: InputFile) -> "InputFiles":
+        """Replace a file by its changed state."""
+        files = tuple(file if e.path == file.path else e for e in self.files)
+        return replace(self, files=with_time_base_shifts(files))
 
     def with_role(self, path: Path, role: Kind | None) -> "InputFiles":
         """Give a file another role, in the most likely format of it; requires a new examination."""
-        entry = self.entry(path)
-        if role == entry.role or entry.project_reading is not None:
+        file = self.file(path)
+        if role == file.role or file.project_reading is not None:
             return self
         changed = replace(
-            entry, role=role, given_options=None, finding=None, remembered=False, shift=0.0
+            file, role=role, given_options=None, finding=None, remembered=False, shift=0.0
         )
         changed = replace(changed, format=next(iter(changed.formats), None))
-        return self.with_entry(replace(changed, pending=role is not None, content=None))
+        return self.with_changed_file(replace(changed, pending=role is not None, content=None))
 
     def with_format(self, path: Path, key: str) -> "InputFiles":
         """Read a file in another format; requires a new examination."""
-        entry = self.entry(path)
-        chosen = next(format for format in entry.formats if format.key == key)
-        return self.with_entry(
+        file = self.file(path)
+        chosen = next(format for format in file.formats if format.key == key)
+        return self.with_changed_file(
             replace(
-                entry, format=chosen, given_options=None, finding=None, pending=True,
+                file, format=chosen, given_options=None, finding=None, pending=True,
                 remembered=False,
             )
         )  # fmt: skip
 
     def with_option(self, path: Path, name: str, value: str) -> "InputFiles":
         """Give an option; requires a new examination."""
-        entry = self.entry(path)
-        given = dict(entry.given_options or {}) | {name: value}
-        return self.with_entry(replace(entry, given_options=given, pending=True))
+        file = self.file(path)
+        given = dict(file.given_options or {}) | {name: value}
+        return self.with_changed_file(replace(file, given_options=given, pending=True))
 
     def with_column(self, path: Path, column: int, meaning: str) -> "InputFiles":
         """Give the meaning of a column; requires a new examination."""
-        entry = self.entry(path)
-        tokens = with_meaning(entry.columns, column, meaning)
+        file = self.file(path)
+        tokens = with_meaning(file.columns, column, meaning)
         changed = self.with_option(path, "columns", " ".join(tokens))
-        return changed.with_entry(replace(changed.entry(path), remembered=False))
+        return changed.with_changed_file(replace(changed.file(path), remembered=False))
 
     def with_action(self, path: Path, action: Action) -> "InputFiles":
         """Apply an action of a message; a file whose options change has to be read again.
 
         Actions by which the user chooses a value change nothing here.
         """
-        params, entry = action.params, self.entry(path)
+        params, file = action.params, self.file(path)
         if action.code in SETTING_OPTIONS:
             return self.with_option(path, str(params["name"]), str(params["value"]))
         match action.code:
             case code if code == BRIDGE_GAPS:
                 return replace(self, longest_gap=_require_number(params["gap"]))
             case "shift_times":
-                return self.with_entry(replace(entry, shift=_require_number(params["shift"])))
+                return self.with_changed_file(replace(file, shift=_require_number(params["shift"])))
             case "clear_shift":
-                return self.with_entry(replace(entry, shift=0.0))
+                return self.with_changed_file(replace(file, shift=0.0))
             case "leave_out":
                 return self.with_role(path, None)
             case "split_line":
-                return self.with_entry(replace(entry, split_by=str(params["by"])))
+                return self.with_changed_file(replace(file, split_by=str(params["by"])))
             case "keep_one_line":
-                return self.with_entry(replace(entry, split_by=""))
+                return self.with_changed_file(replace(file, split_by=""))
             case "detect_columns":
-                given = {k: v for k, v in (entry.given_options or {}).items() if k != "columns"}
-                changed = replace(entry, given_options=given, remembered=False, finding=None)
-                return self.with_entry(replace(changed, pending=True))
+                given = {k: v for k, v in (file.given_options or {}).items() if k != "columns"}
+                changed = replace(file, given_options=given, remembered=False, finding=None)
+                return self.with_changed_file(replace(changed, pending=True))
         return self
 
     def with_shift_for_all(self) -> "InputFiles":
         """Apply the best time shift to every line that lies outside the trajectory."""
         changed = self
-        for entry, shift in self.proposed_shifts:
-            changed = changed.with_entry(replace(entry, shift=shift))
+        for file, shift in self.proposed_shifts:
+            changed = changed.with_changed_file(replace(file, shift=shift))
         return changed
 
     def with_resolved_role(self, path: Path) -> "InputFiles":
@@ -208,11 +208,11 @@ class InputFiles:
 
         Text that may be a trajectory is a line beside one that certainly is.
         """
-        entry = self.entry(path)
+        file = self.file(path)
         surest = {
             e.path: e.checks[0].confidence for e in self.files_of_role("trajectory") if e.checks
         }
-        if entry.role != "trajectory" or "points" not in entry.roles or len(surest) < 2:
+        if file.role != "trajectory" or "points" not in file.roles or len(surest) < 2:
             return self
         if surest[path] <= POSSIBLE and max(surest.values()) > POSSIBLE:
             return self.with_role(path, "points")
@@ -220,41 +220,41 @@ class InputFiles:
 
     # -- what there is -----------------------------------------------------------------------
 
-    def entry(self, path: Path) -> InputFile:
-        """The entry of a file."""
-        return next(entry for entry in self.entries if entry.path == path)
+    def file(self, path: Path) -> InputFile:
+        """The file with a path."""
+        return next(file for file in self.files if file.path == path)
 
     def files_of_role(self, role: Kind) -> tuple[InputFile, ...]:
         """Files that have a role, in their order."""
-        return tuple(entry for entry in self.entries if entry.role == role)
+        return tuple(file for file in self.files if file.role == role)
 
     @property
     def trajectory(self) -> InputFile | None:
-        """The trajectory's entry, the first where there are several."""
+        """The trajectory, the first where there are several."""
         return next(iter(self.files_of_role("trajectory")), None)
 
     @property
     def accuracy(self) -> InputFile | None:
-        """The accuracy's entry."""
+        """The accuracy of the trajectory."""
         return next(iter(self.files_of_role("accuracy")), None)
 
     @property
     def lines(self) -> tuple[InputFile, ...]:
-        """Entries of lines."""
+        """Files of lines."""
         return self.files_of_role("points")
 
     @property
     def trajectory_content(self) -> Trajectory | None:
         """Trajectory read from its file; None before."""
-        entry = self.trajectory
-        content = None if entry is None else entry.content
+        file = self.trajectory
+        content = None if file is None else file.content
         return content if isinstance(content, Trajectory) else None
 
     @property
     def accuracy_content(self) -> TrajectoryAccuracy | None:
         """Accuracies read from their file; None before."""
-        entry = self.accuracy
-        content = None if entry is None else entry.content
+        file = self.accuracy
+        content = None if file is None else file.content
         return content if isinstance(content, TrajectoryAccuracy) else None
 
     @property
@@ -275,62 +275,61 @@ class InputFiles:
     @cached_property
     def names(self) -> dict[Path, str]:
         """A name for each line: its file's, with the folder's in front where two are alike."""
-        stems = [printable(entry.path.stem) for entry in self.lines]
+        stems = [printable(file.path.stem) for file in self.lines]
         stems += [line.name for line in self._project_lines]
         return {
-            entry.path: (
-                printable(entry.path.stem)
-                if stems.count(printable(entry.path.stem)) == 1
-                else printable(f"{entry.path.parent.name}_{entry.path.stem}")
+            file.path: (
+                printable(file.path.stem)
+                if stems.count(printable(file.path.stem)) == 1
+                else printable(f"{file.path.parent.name}_{file.path.stem}")
             )
-            for entry in self.lines
+            for file in self.lines
         }
 
     @property
     def _project_lines(self) -> tuple[LineSource, ...]:
         return () if self.into is None else self.into.lines
 
-    def coverage(self, entry: InputFile) -> TrajectoryCoverage | None:
+    def coverage(self, file: InputFile) -> TrajectoryCoverage | None:
         """Coverage of a line by the trajectory; None before both are read."""
         return (
             None
             if self.trajectory_content is None
-            else line_coverage(entry, self.trajectory_content, self.longest_gap)
+            else line_coverage(file, self.trajectory_content, self.longest_gap)
         )
 
     @cached_property
     def _messages(self) -> dict[Path, tuple[Message, ...]]:
         counts = len(self.files_of_role("trajectory")), len(self.files_of_role("accuracy"))
         found = {
-            entry.path: file_messages(entry, self.trajectory, *counts, self.longest_gap)
-            for entry in self.entries
+            file.path: file_messages(file, self.trajectory, *counts, self.longest_gap)
+            for file in self.files
         }
         if self.into is None:
             return found
         known = {line.path: line.name for line in self.into.lines}
         return {
-            entry.path: already_in_project(entry, known)
-            or without_changes(entry, found[entry.path])
-            for entry in self.entries
+            file.path: already_in_project(file, known) or without_changes(file, found[file.path])
+            for file in self.files
         }
 
-    def messages(self, entry: InputFile) -> tuple[Message, ...]:
+    def messages(self, file: InputFile) -> tuple[Message, ...]:
         """All messages about a file, errors first."""
-        return self._messages[entry.path]
+        return self._messages[file.path]
 
-    def time_messages(self, entry: InputFile) -> tuple[Message, ...]:
+    def time_messages(self, file: InputFile) -> tuple[Message, ...]:
         """Messages about the times of a line and those of the trajectory."""
-        if self.trajectory_content is None or entry.role != "points":
+        if self.trajectory_content is None or file.role != "points":
             return ()
-        return tuple(time_messages(entry, self.trajectory_content, self.longest_gap, self._base))
+        return tuple(time_messages(file, self.trajectory_content, self.longest_gap, self._base))
 
-    def state_of_file(self, entry: InputFile) -> State:
+    def state_of_file(self, file: InputFile) -> State:
         """State of a file in the import."""
-        if entry.pending:
+        if file.pending:
             return "pending"
-        if entry.role is None:
+        if file.role is None:
             return "out"
-        levels = {message.level for message in self.messages(entry)}
+        levels = {message.level for message in self.messages(file)}
         return (
             "error" if Level.ERROR in levels else "warning" if Level.WARNING in levels else "fine"
         )
@@ -342,10 +341,10 @@ class InputFiles:
         if track is None:
             return ()
         found = []
-        for entry in self.lines:
-            best = proposed_shift(entry, track, self.longest_gap, self._base.base)
+        for file in self.lines:
+            best = proposed_shift(file, track, self.longest_gap, self._base.base)
             if best is not None:
-                found.append((entry, best.shift))
+                found.append((file, best.shift))
         return tuple(found)
 
     # -- the end -----------------------------------------------------------------------------
@@ -356,11 +355,11 @@ class InputFiles:
 
     def files_problem_text(self) -> str:
         """Problem of the files, in the language in use; empty if there is none."""
-        if not self.entries:
+        if not self.files:
             return gettext("Add the files of the survey: drop them here, or press Add files.")
-        if any(entry.pending for entry in self.entries):
+        if any(file.pending for file in self.files):
             return gettext("The files are being examined.")
-        wrong = [entry for entry in self.entries if self.state_of_file(entry) == "error"]
+        wrong = [file for file in self.files if self.state_of_file(file) == "error"]
         if wrong:
             first = message_text(self.messages(wrong[0])[0])
             if len(wrong) == 1:
@@ -401,19 +400,17 @@ class InputFiles:
         """The lines, for the project."""
         return tuple(
             line
-            for entry in self.lines
-            for line in entry.parts(
-                LineSource(self.names[entry.path], entry.path, (), entry.reading)
-            )
+            for file in self.lines
+            for line in file.parts(LineSource(self.names[file.path], file.path, (), file.reading))
         )
 
     @property
     def column_mappings(self) -> dict[str, str]:
         """Chosen columns by the layout of their files, for later imports."""
         return {
-            entry.layout: " ".join(entry.columns)
-            for entry in self.entries
-            if entry.role is not None and "columns" in (entry.given_options or {}) and entry.layout
+            file.layout: " ".join(file.columns)
+            for file in self.files
+            if file.role is not None and "columns" in (file.given_options or {}) and file.layout
         }
 
 
@@ -441,7 +438,7 @@ def _require_number(value: object) -> float:
 
 def proposed_folder(input_files: InputFiles) -> Path | None:
     """A folder for the project beside the data, where that can be written and is free."""
-    used = [entry for entry in (input_files.trajectory, *input_files.lines) if entry is not None]
+    used = [file for file in (input_files.trajectory, *input_files.lines) if file is not None]
     if not used:
         return None
     data = used[0].path.parent

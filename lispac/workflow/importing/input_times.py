@@ -18,63 +18,61 @@ SHARE_NEEDED = 0.5
 """Share of a line's points that a shift must bring inside to be proposed."""
 
 
-def line_time_base(entry: InputFile) -> KnownTimeBase:
+def line_time_base(file: InputFile) -> KnownTimeBase:
     """Known time base of a line."""
-    given = (entry.given_options or {}).get("time_base", "")
-    found = "" if entry.finding is None else str(entry.finding.choice.get("time_base", ""))
+    given = (file.given_options or {}).get("time_base", "")
+    found = "" if file.finding is None else str(file.finding.choice.get("time_base", ""))
     key = given or found
     return KnownTimeBase(base_of_key(key) if key else None, bool(given))
 
 
-def trajectory_time_base(entry: InputFile | None) -> KnownTimeBase:
+def trajectory_time_base(file: InputFile | None) -> KnownTimeBase:
     """Known time base of a trajectory."""
-    key = "" if entry is None else entry.options.get("time", "")
-    if entry is None or not key:
+    key = "" if file is None else file.options.get("time", "")
+    if file is None or not key:
         return KnownTimeBase()
-    given = bool((entry.given_options or {}).get("time", ""))
-    if entry.project_reading is not None:
+    given = bool((file.given_options or {}).get("time", ""))
+    if file.project_reading is not None:
         # A project keeps what was found beside what was given.
-        check = next((check for check in entry.checks if check.format is entry.format), None)
+        check = next((check for check in file.checks if check.format is file.format), None)
         found = check.finding.choice if check is not None and check.finding is not None else {}
         given = given and key != found.get("time", key)
-    suggested = not given and entry.format is not None and has_suggested_time_base(entry.format)
+    suggested = not given and file.format is not None and has_suggested_time_base(file.format)
     return KnownTimeBase(base_of_key(key), given, suggested)
 
 
-def with_time_base_shifts(entries: tuple[InputFile, ...]) -> tuple[InputFile, ...]:
+def with_time_base_shifts(files: tuple[InputFile, ...]) -> tuple[InputFile, ...]:
     """Apply the shifts that follow from given time bases, and remove those that do not.
 
     As `shift_lines_to_trajectory` does it when the project is made.
     """
-    trajectory = next((entry for entry in entries if entry.role == "trajectory"), None)
+    trajectory = next((file for file in files if file.role == "trajectory"), None)
     if trajectory is None or not isinstance(trajectory.content, Trajectory):
-        return entries
+        return files
     other, track = trajectory_time_base(trajectory), trajectory.content.time
     resolved = []
-    for entry in entries:
-        if entry.role == "points" and isinstance(entry.content, LineTimes):
-            found = matches_of_known_bases(
-                entry.content.sample, track, line_time_base(entry), other
-            )
+    for file in files:
+        if file.role == "points" and isinstance(file.content, LineTimes):
+            found = matches_of_known_bases(file.content.sample, track, line_time_base(file), other)
             if found:
-                entry = replace(entry, shift=found[0].shift, follows=True)
-            elif entry.follows:
-                entry = replace(entry, shift=0.0, follows=False)
-        resolved.append(entry)
+                file = replace(file, shift=found[0].shift, follows=True)
+            elif file.follows:
+                file = replace(file, shift=0.0, follows=False)
+        resolved.append(file)
     return tuple(resolved)
 
 
 def line_coverage(
-    entry: InputFile, trajectory: Trajectory, longest_gap: float
+    file: InputFile, trajectory: Trajectory, longest_gap: float
 ) -> TrajectoryCoverage | None:
     """Coverage by the trajectory of the examined points of a line, with its shift applied."""
-    if not isinstance(entry.content, LineTimes):
+    if not isinstance(file.content, LineTimes):
         return None
-    return assess_coverage(entry.content.sample + entry.shift, trajectory.time, longest_gap)
+    return assess_coverage(file.content.sample + file.shift, trajectory.time, longest_gap)
 
 
 def proposed_shift(
-    entry: InputFile, track: Trajectory, longest_gap: float, base: TimeBase | None
+    file: InputFile, track: Trajectory, longest_gap: float, base: TimeBase | None
 ) -> TimeMatch | None:
     """Time shift to propose for a line: if no point lies inside, or clearly more would.
 
@@ -85,17 +83,17 @@ def proposed_shift(
     base : TimeBase or None
         The trajectory's.
     """
-    covered = line_coverage(entry, track, longest_gap)
-    if entry.follows or covered is None or not isinstance(entry.content, LineTimes):
+    covered = line_coverage(file, track, longest_gap)
+    if file.follows or covered is None or not isinstance(file.content, LineTimes):
         return None
     if not covered.outside:
         return None
-    found = matching_shifts(entry.content, track, base)
+    found = matching_shifts(file.content, track, base)
     if covered.usable:
         best = clearly_better_match(found, 1 - covered.share_outside)
     else:
         best = found[0] if found else None
-    if best is None or best.share < SHARE_NEEDED or abs(best.shift - entry.shift) < 1e-9:
+    if best is None or best.share < SHARE_NEEDED or abs(best.shift - file.shift) < 1e-9:
         return None
     return best
 

@@ -9,7 +9,7 @@ from lispac.io.format_types import Choice, FileFormat, PointChunk
 from lispac.io.points.line_times import read_line_times
 from lispac.messages import Message
 from lispac.project import LineSource
-from lispac.survey.line_source import RESTART, printable
+from lispac.survey.line_source import TIME_ROLLOVER, printable
 from lispac.survey.time_rollover import NONE, PERIODS, rollover_note
 from lispac.workflow.importing.file_reading import format_of_line
 
@@ -38,18 +38,18 @@ def resolve_time_rollovers(
     notes: list[Message] = []
     for line in lines:
         resolved.append(line)
-        if line.reading.restart == NONE:
+        if line.reading.time_rollover == NONE:
             continue
         format, choice, _ = format_of_line(line)
-        if not line.reading.restart and not _is_near_rollover(format, choice, line):
+        if not line.reading.time_rollover and not _is_near_rollover(format, choice, line):
             continue
-        choice = {**choice, RESTART: line.reading.restart}
+        choice = {**choice, TIME_ROLLOVER: line.reading.time_rollover}
         times = read_line_times(line.path, format, choice)
-        if not times.restart:
+        if not times.rollover:
             continue
-        options = dict(line.reading.options) | {RESTART: times.restart}
+        options = dict(line.reading.options) | {TIME_ROLLOVER: times.rollover}
         resolved[-1] = replace(line, reading=replace(line.reading, options=tuple(options.items())))
-        notes.append(rollover_note(times.sample, times.restart, printable(line.path.name)))
+        notes.append(rollover_note(times.sample, times.rollover, printable(line.path.name)))
     return tuple(resolved), tuple(notes)
 
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from lispac.messages import Level, Message, Value, note
 from lispac.project import LineSource, Reading
 from lispac.survey.known_time_base import MIN_SHARE_GAIN, base_message, shift_note
-from lispac.survey.line_source import RESTART, printable
+from lispac.survey.line_source import TIME_ROLLOVER, printable
 from lispac.survey.time_base import (
     TimeBase,
     base_of_key,
@@ -89,17 +89,23 @@ def shift_gain_note(line: LineSource, times: Array, track: Array) -> Message | N
     if not len(times):
         return None
     reading, file = line.reading, printable(line.path.name)
-    if not reading.restart and (found := find_rollover(reading.to_file_time(times))):
+    if not reading.time_rollover and (found := find_rollover(reading.to_file_time(times))):
         return note(
-            "import.restart_found", file=file, place=PLACES[found], option=f"{RESTART}={found}"
+            "import.restart_found",
+            file=file,
+            place=PLACES[found],
+            option=f"{TIME_ROLLOVER}={found}",
         )
     inside = (times >= track[0]) & (times <= track[-1])
-    if reading.restart in PERIODS:  # the trajectory may have been sorted instead of counted on
+    if reading.time_rollover in PERIODS:  # the times of the trajectory may have been sorted instead
         written = reading.to_file_time(times) + reading.time_shift
         share = float(((written >= track[0]) & (written <= track[-1])).mean())
         if share >= float(inside.mean()) + MIN_SHARE_GAIN:
             return note(
-                "import.restart_not_needed", file=file, share=share, option=f"{RESTART}={NONE}"
+                "import.restart_not_needed",
+                file=file,
+                share=share,
+                option=f"{TIME_ROLLOVER}={NONE}",
             )
     if reading.time_shift:
         return None

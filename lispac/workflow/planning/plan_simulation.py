@@ -15,7 +15,7 @@ from lispac.simulation.closed_form_survey import Ball, Board
 from lispac.simulation.motion_source import SailedTrajectory
 from lispac.simulation.scene import Rectangle, Scene, Sphere
 from lispac.simulation.simulated_survey import SurveySetup
-from lispac.simulation.vessel_motion import StraightPass
+from lispac.simulation.vessel_motion import SailedLine
 from lispac.untrusted_values import InvalidContentError, toml_values
 from lispac.workflow.planning.simulated_setup import SimulatedSetup, setup_file
 
@@ -80,7 +80,7 @@ def simulation_of_plan(
         Scene.of([_target_surface(target) for target in plan.targets]),
         tuple(target.name for target in plan.targets),
         (),
-        SailedTrajectory(_plan_passes(plan, carried), 0.0),
+        SailedTrajectory(_sailed_lines(plan, carried), 0.0),
         plan.system.pos,
         scanner,
         replace(carried.errors, **(errors or {})).mounting(lever),
@@ -98,8 +98,8 @@ def _target_surface(target: Board | Ball) -> Rectangle | Sphere:
     )
 
 
-def _plan_passes(plan: Plan, carried: Vessel) -> tuple[StraightPass, ...]:
-    passes = []
+def _sailed_lines(plan: Plan, carried: Vessel) -> tuple[SailedLine, ...]:
+    lines = []
     for line, course, (start, stop) in zip(
         plan.lines, plan.courses, plan.straight_extents, strict=True
     ):
@@ -111,7 +111,7 @@ def _plan_passes(plan: Plan, carried: Vessel) -> tuple[StraightPass, ...]:
             speed_abeam=line.speed,
             transit=max(plan.interval - sailing, SHORTEST_TURN),
         )
-        passes.append(
-            StraightPass(course.heading, course.abeam, before, after, line.starboard, handling)
+        lines.append(
+            SailedLine(course.heading, course.abeam, before, after, line.starboard, handling)
         )
-    return tuple(passes)
+    return tuple(lines)

@@ -137,13 +137,13 @@ def _origin_and_voyage(
 ) -> tuple[tuple[float, float, float], MotionSource]:
     recorded = trajectory or described.trajectory
     if recorded is None:
-        if not described.passes:
+        if not described.lines:
             raise InputError(error("simulate.no_trajectory", file=str(file)))
         if described.origin is None:
             raise InputError(error("simulate.no_origin", file=str(file)))
-        passes = tuple(replace(each, handling=carried.handling) for each in described.passes)
-        takes = sum(each.times[1] - each.times[0] for each in passes)
-        takes += len(passes) * carried.handling.transit + 2 * carried.handling.wait
+        lines = tuple(replace(each, handling=carried.handling) for each in described.lines)
+        takes = sum(each.times[1] - each.times[0] for each in lines)
+        takes += len(lines) * carried.handling.transit + 2 * carried.handling.wait
         if takes > MAX_DURATION:
             raise InputError(
                 error(
@@ -154,7 +154,7 @@ def _origin_and_voyage(
                     limit=MAX_DURATION,
                 )
             )
-        return described.origin, SailedTrajectory(passes, carried.pos_height)
+        return described.origin, SailedTrajectory(lines, carried.pos_height)
     if not described.stretches:
         raise InputError(
             error("simulate.lines_by_heading", file=str(file), trajectory=str(recorded))

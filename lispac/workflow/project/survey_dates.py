@@ -9,7 +9,7 @@ from lispac.errors import LispacError
 from lispac.io.formats import format_of
 from lispac.io.points.line_times import read_line_times
 from lispac.project import LineSource, Project
-from lispac.survey.line_source import RESTART
+from lispac.survey.line_source import TIME_ROLLOVER
 from lispac.survey.time_base import GPS_EPOCH, TimeBase, leap_seconds_at_gps, to_gps
 from lispac.survey.time_rollover import NONE
 from lispac.workflow.importing.file_reading import USUAL, format_of_line
@@ -42,8 +42,8 @@ def _line_days(project: Project, line: LineSource, survey: Survey | None) -> set
     """First and last day of a line; empty if its time base is not known."""
     format, choice, _ = format_of_line(line)
     if survey is None:
-        restart = {RESTART: line.reading.restart or NONE}
-        times = read_line_times(line.path, format, {**choice, **restart}).sample
+        rollover = {TIME_ROLLOVER: line.reading.time_rollover or NONE}
+        times = read_line_times(line.path, format, {**choice, **rollover}).sample
         moved = line.reading.to_trajectory_time(times)
     else:
         scan = survey.scans[line.name]

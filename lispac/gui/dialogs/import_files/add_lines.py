@@ -33,7 +33,7 @@ class AddLinesDialog(ImportDialog):
         return self.input_files.sources()
 
     def _problem_text(self) -> str:
-        if self.input_files.entries and not self.input_files.lines and not self.work.busy:
+        if self.input_files.files and not self.input_files.lines and not self.work.busy:
             return gettext(
                 "No lines have been added yet. Drop the scan files of the lines here, or press "
                 "Add files."

@@ -168,7 +168,7 @@ class ImportDialog(QDialog):
             gettext("Stop"), "import_stop", tip=gettext("Stop reading files")
         )
         self.again = widgets.button(
-            gettext("Read again"), "import_look_again",
+            gettext("Read again"), "import_read_again",
             tip=gettext("Read the files that were skipped when reading was stopped"),
         )  # fmt: skip
         for each in (self.add_files, self.add_folder, self.remove):
@@ -265,7 +265,7 @@ class ImportDialog(QDialog):
 
     def _show(self) -> None:
         input_files = self.input_files
-        self._stack.setCurrentIndex(1 if input_files.entries or self.work.busy else 0)
+        self._stack.setCurrentIndex(1 if input_files.files or self.work.busy else 0)
         self.table.show_files(input_files)
         self._show_selected()
         self.quality.show_files(input_files)
@@ -290,10 +290,10 @@ class ImportDialog(QDialog):
 
     def _show_selected(self) -> None:
         current = self.table.current
-        entry = next((e for e in self.input_files.entries if e.path == current), None)
-        self.file_page.show_entry(self.input_files, entry)
+        file = next((e for e in self.input_files.files if e.path == current), None)
+        self.file_page.show_file(self.input_files, file)
         self.timeline.show_files(self.input_files, current)
-        self.remove.setEnabled(entry is not None and entry.project_reading is None)
+        self.remove.setEnabled(file is not None and file.project_reading is None)
 
     def _show_progress(self) -> None:
         busy = self.work.busy
@@ -307,9 +307,9 @@ class ImportDialog(QDialog):
 
     def _show_reason(self) -> None:
         problem = self._problem_text()
-        waiting = any(entry.pending for entry in self.input_files.entries)
+        waiting = any(file.pending for file in self.input_files.files)
         self.reason.setText(problem or self._hint())
-        wrong = bool(problem) and bool(self.input_files.entries) and not waiting
+        wrong = bool(problem) and bool(self.input_files.files) and not waiting
         self.reason.setProperty("role", "error" if wrong else "muted")
         self.reason.style().polish(self.reason)
         self.ok.setEnabled(not problem)
@@ -364,8 +364,8 @@ class ImportDialog(QDialog):
             self._folder_typed(name)
 
     def _start_folder(self) -> str:
-        entries = self.input_files.entries
-        return str(entries[-1].path.parent) if entries else ""
+        files = self.input_files.files
+        return str(files[-1].path.parent) if files else ""
 
     def _folder_typed(self, text: str) -> None:
         self._own_folder = bool(text.strip())
@@ -394,7 +394,7 @@ class ImportDialog(QDialog):
     def reject(self) -> None:
         """Ask before files are discarded, on Escape or when the dialogue is closed."""
         if all(
-            entry.project_reading is not None for entry in self.input_files.entries
+            file.project_reading is not None for file in self.input_files.files
         ) or Questions.confirm_leave(self):
             self._discard()
 

@@ -97,21 +97,21 @@ class FilePage(QWidget):
         body.setAutoFillBackground(False)
         return area
 
-    def show_entry(self, input_files: InputFiles, entry: InputFile | None) -> None:
+    def show_file(self, input_files: InputFiles, file: InputFile | None) -> None:
         """Show a file; None if no file is selected."""
-        self._stack.setCurrentIndex(0 if entry is None else 1)
-        if entry is None:
+        self._stack.setCurrentIndex(0 if file is None else 1)
+        if file is None:
             return
-        fine = "" if entry.pending or entry.role is None else gettext("No problems found.")
-        self.messages.show_messages(input_files.messages(entry), fine)
-        self.options.show_entry(entry)
+        fine = "" if file.pending or file.role is None else gettext("No problems found.")
+        self.messages.show_messages(input_files.messages(file), fine)
+        self.options.show_file(file)
         for changing in (self.options, self.preview):
-            changing.setEnabled(entry.project_reading is None)
+            changing.setEnabled(file.project_reading is None)
         self._options_head.setVisible(bool(self.options.fields))
-        self._show_facts(entry)
-        self.preview.show_entry(entry)
+        self._show_facts(file)
+        self.preview.show_file(file)
         mapped = bool(self.preview.combos)
-        rows = entry.finding is not None and len(entry.finding.rows) > 1
+        rows = file.finding is not None and len(file.finding.rows) > 1
         self.preview_head.setVisible(rows)
         self.preview.setVisible(rows)
         self.preview_head.setText(
@@ -120,15 +120,15 @@ class FilePage(QWidget):
             else gettext("First rows")
         )
 
-    def _show_facts(self, entry: InputFile) -> None:
-        finding = entry.finding
-        if self._facts_of == (entry.path, finding):
+    def _show_facts(self, file: InputFile) -> None:
+        finding = file.finding
+        if self._facts_of == (file.path, finding):
             return
-        self._facts_of = (entry.path, finding)
+        self._facts_of = (file.path, finding)
         while self.facts.rowCount():
             self.facts.removeRow(0)
         assumed = () if finding is None else finding.assumptions
-        self._add_fact(gettext("Folder"), str(entry.path.parent))
+        self._add_fact(gettext("Folder"), str(file.path.parent))
         for name, fact in ({} if finding is None else finding.facts).items():
             self._add_fact(file_texts.fact_name(name), fact_text(fact))
         self.assumptions.setText("\n".join(map(message_text, assumed)))

@@ -42,24 +42,24 @@ class FilePreview(QTableWidget):
         self._shown: tuple[object, ...] = ()
         self.combos: list[widgets.ChoiceBox] = []
 
-    def show_entry(self, entry: InputFile) -> None:
+    def show_file(self, file: InputFile) -> None:
         """Show the first rows of a file."""
-        rows = () if entry.finding is None else entry.finding.rows
+        rows = () if file.finding is None else file.finding.rows
         columns = min(max((len(row) for row in rows), default=0), MAX_COLUMNS)
-        mapped = entry.format is not None and entry.role is not None and has_columns(entry.format)
-        which = (entry.path, entry.format, rows, mapped)
+        mapped = file.format is not None and file.role is not None and has_columns(file.format)
+        which = (file.path, file.format, rows, mapped)
         if which != self._shown:
             self._shown = which
-            self._build(entry, rows, columns, mapped)
+            self._build(file, rows, columns, mapped)
         for k, combo in enumerate(self.combos):
-            chosen = entry.columns[k] if k < len(entry.columns) else PASSED_OVER
+            chosen = file.columns[k] if k < len(file.columns) else PASSED_OVER
             combo.blockSignals(True)
             if combo.findData(chosen) < 0:
                 combo.addItem(chosen, chosen)
             combo.setCurrentIndex(combo.findData(chosen))
             combo.blockSignals(False)
 
-    def _build(self, entry: InputFile, rows, columns: int, mapped: bool) -> None:
+    def _build(self, file: InputFile, rows, columns: int, mapped: bool) -> None:
         self.clear()
         self.combos = []
         first = 1 if mapped else 0
@@ -68,13 +68,13 @@ class FilePreview(QTableWidget):
         names = list(rows[0][:columns]) if rows else []
         if mapped:
             heads = [gettext("Column {number:n}", number=k + 1) for k in range(columns)]
-        elif entry.format is not None and entry.format.key in NAMED_FORMATS:
+        elif file.format is not None and file.format.key in NAMED_FORMATS:
             heads = names
         else:
             heads = list(map(gettext, names))
         self.setHorizontalHeaderLabels(heads + [""] * (columns - len(heads)))
         for k in range(columns if mapped else 0):
-            self._add_combo(entry, k)
+            self._add_combo(file, k)
         for row, cells in enumerate(rows[1:]):
             for column, text in enumerate(cells[:columns]):
                 item = QTableWidgetItem(text)
@@ -88,11 +88,11 @@ class FilePreview(QTableWidget):
             width = self.columnWidth(k) + 10
             self.setColumnWidth(k, max(width, MIN_MAPPED_WIDTH) if mapped else width)
 
-    def _add_combo(self, entry: InputFile, column: int) -> None:
-        assert entry.format is not None
+    def _add_combo(self, file: InputFile, column: int) -> None:
+        assert file.format is not None
         combo = widgets.ChoiceBox(f"column_{column + 1}", [""], gettext("Meaning of this column"))
         combo.clear()
-        for meaning in possible_meanings(entry.format):
+        for meaning in possible_meanings(file.format):
             combo.addItem(gettext(meaning_label(meaning)), meaning)
         combo.setAccessibleName(gettext("Meaning of column {number:n}", number=column + 1))
         combo.setItemData(0, QColor(theme.MUTED), Qt.ItemDataRole.ForegroundRole)

@@ -92,29 +92,29 @@ class FileTable(QTableWidget):
 
     def show_files(self, input_files: InputFiles) -> None:
         """Show the files; rows that exist already keep their widgets and the focus."""
-        self._update_rows([entry.path for entry in input_files.entries])
-        colours = theme.line_colours([str(entry.path) for entry in input_files.lines])
-        for row, entry in enumerate(input_files.entries):
+        self._update_rows([file.path for file in input_files.files])
+        colours = theme.line_colours([str(file.path) for file in input_files.lines])
+        for row, file in enumerate(input_files.files):
             name = self.item(row, FILE)
-            colour = colours.get(str(entry.path))
+            colour = colours.get(str(file.path))
             name.setIcon(theme.swatch(colour) if colour else _transparent_icon())
-            self._fill_role(row, entry)
-            self._fill_format(row, entry)
+            self._fill_role(row, file)
+            self._fill_format(row, file)
             for column, text in (
-                (COUNT, file_texts.count_text(entry)),
-                (SPAN, file_texts.time_span_text(entry)),
-                (FRAME, file_texts.frame_text(entry)),
+                (COUNT, file_texts.count_text(file)),
+                (SPAN, file_texts.time_span_text(file)),
+                (FRAME, file_texts.frame_text(file)),
             ):
                 self.item(row, column).setText(text)
                 self.item(row, column).setToolTip(widgets.plain_tip(text))
-            state, colour = file_texts.state_text(input_files, entry)
+            state, colour = file_texts.state_text(input_files, file)
             item = self.item(row, STATE)
             item.setText(state)
             item.setForeground(QColor(colour))
-            item.setIcon(file_texts.state_icon(input_files, entry))
-            tip = "\n".join(map(message_text, input_files.messages(entry))) or state
+            item.setIcon(file_texts.state_icon(input_files, file))
+            tip = "\n".join(map(message_text, input_files.messages(file))) or state
             item.setToolTip(widgets.plain_tip(tip))
-            out = input_files.state_of_file(entry) == "out"
+            out = input_files.state_of_file(file) == "out"
             for column in (FILE, COUNT, SPAN, FRAME):
                 self.item(row, column).setForeground(QColor(theme.MUTED if out else theme.TEXT))
         if self.current is None and self._paths:
@@ -145,25 +145,25 @@ class FileTable(QTableWidget):
                 item.setFont(theme.tabular_font(self.font()))
             self.setItem(row, column, item)
 
-    def _fill_role(self, row: int, entry: InputFile) -> None:
-        roles: tuple[Kind | None, ...] = (*entry.roles, None)
-        if entry.project_reading is not None:
-            roles = (entry.role,)
+    def _fill_role(self, row: int, file: InputFile) -> None:
+        roles: tuple[Kind | None, ...] = (*file.roles, None)
+        if file.project_reading is not None:
+            roles = (file.role,)
         items = [(gettext(file_texts.ROLES[role]), role) for role in roles]
-        self._fill_choice(row, ROLE, entry, items, entry.role, self.role_chosen)
+        self._fill_choice(row, ROLE, file, items, file.role, self.role_chosen)
 
-    def _fill_format(self, row: int, entry: InputFile) -> None:
-        formats = entry.formats if entry.project_reading is None else (entry.format,)
+    def _fill_format(self, row: int, file: InputFile) -> None:
+        formats = file.formats if file.project_reading is None else (file.format,)
         items: list[tuple[str, object]] = [
             (message_text(each.name), each.key) for each in formats if each
         ]
-        chosen = entry.format.key if entry.format is not None and items else None
+        chosen = file.format.key if file.format is not None and items else None
         items = items or [(file_texts.NO_VALUE, None)]
-        self._fill_choice(row, FORMAT, entry, items, chosen, self.format_chosen)
+        self._fill_choice(row, FORMAT, file, items, chosen, self.format_chosen)
 
-    def _fill_choice(self, row: int, column: int, entry: InputFile, items, chosen, signal) -> None:
+    def _fill_choice(self, row: int, column: int, file: InputFile, items, chosen, signal) -> None:
         """Show a list where there are several items, otherwise plain text."""
-        path, item = entry.path, self.item(row, column)
+        path, item = file.path, self.item(row, column)
         text = next((text for text, data in items if data == chosen), items[0][0])
         item.setToolTip(widgets.plain_tip(text))
         combo = self.cellWidget(row, column)

@@ -42,12 +42,12 @@ _OPTIONS = {
     "origin": N_("Origin"),
     "pitch": N_("Pitch"),
     "position": N_("Unit of latitude and longitude"),
-    "restart": N_("Time rollover (midnight or week)"),
     "roll": N_("Roll"),
     "separator": N_("Column separator"),
     "time": N_("Time"),
     "time_base": N_("Time base"),
     "time_field": N_("Time field"),
+    "time_rollover": N_("Time rollover (midnight or week)"),
     "time_from": N_("Time origin"),
     "time_unit": N_("Time unit"),
     "trajectory_datum": N_("Trajectory datum"),
@@ -107,13 +107,13 @@ _FACTS = {
 }
 """Labels of the facts about a file."""
 _AUTOMATIC = {
-    "restart": N_("automatic"),
+    "time_rollover": N_("automatic"),
     "grid_unit": N_("same as the coordinate system"),
     "heights": N_("same as the coordinate system"),
 }
 """Empty values of options that do not come from the file."""
 _OF_OPTION = {
-    ("restart", "none"): N_("none"),
+    ("time_rollover", "none"): N_("none"),
     ("frame", "scanner"): N_("Scanner"),
     ("axes", "unknown"): N_("unknown"),
     ("header", "auto"): N_("automatic"),
@@ -181,20 +181,20 @@ _VALUES = {
 NO_VALUE = "–"
 
 
-def count_text(entry: InputFile) -> str:
+def count_text(file: InputFile) -> str:
     """Text of the number of points or states of a file."""
-    content = entry.content
+    content = file.content
     if isinstance(content, LineTimes) and content.count is not None:
         return number(content.count)
     if isinstance(content, Trajectory | TrajectoryAccuracy):
         return number(len(content.time))
-    facts = {} if entry.finding is None else entry.finding.facts
+    facts = {} if file.finding is None else file.finding.facts
     return next((fact_text(facts[name]) for name in _COUNTS if name in facts), NO_VALUE)
 
 
-def time_span_text(entry: InputFile) -> str:
+def time_span_text(file: InputFile) -> str:
     """Text of the first and last time of a file."""
-    content = entry.content
+    content = file.content
     if isinstance(content, LineTimes):
         return f"{number(content.start, 1)} – {number(content.end, 1)}"
     if isinstance(content, Trajectory | TrajectoryAccuracy):
@@ -202,25 +202,25 @@ def time_span_text(entry: InputFile) -> str:
     return NO_VALUE
 
 
-def frame_text(entry: InputFile) -> str:
+def frame_text(file: InputFile) -> str:
     """Text of the frame of the coordinates of a file."""
-    if entry.role == "points":
-        if not entry.is_georeferenced:
+    if file.role == "points":
+        if not file.is_georeferenced:
             return gettext("Scanner")
-        place = entry.place
+        place = file.place
         return (
             place.system
             if place is not None and place.system
             else gettext("Coordinate system not given")
         )
-    if entry.role == "trajectory":
-        return entry.options.get("crs") or gettext("Latitude, longitude")
-    return gettext("North, east, down") if entry.role == "accuracy" else NO_VALUE
+    if file.role == "trajectory":
+        return file.options.get("crs") or gettext("Latitude, longitude")
+    return gettext("North, east, down") if file.role == "accuracy" else NO_VALUE
 
 
-def state_text(input_files: InputFiles, entry: InputFile) -> tuple[str, str]:
+def state_text(input_files: InputFiles, file: InputFile) -> tuple[str, str]:
     """Text and colour of the state of a file."""
-    match input_files.state_of_file(entry):
+    match input_files.state_of_file(file):
         case "pending":
             return gettext("Waiting to be read"), theme.MUTED
         case "fine":
@@ -228,22 +228,20 @@ def state_text(input_files: InputFiles, entry: InputFile) -> tuple[str, str]:
         case "error":
             return gettext("Error"), theme.ERROR
         case "warning":
-            warnings = sum(
-                message.level is Level.WARNING for message in input_files.messages(entry)
-            )
+            warnings = sum(message.level is Level.WARNING for message in input_files.messages(file))
             text = gettext(Plural("{count:n} warning", "{count:n} warnings"), count=warnings)
             return text, theme.WARNING
-    is_unknown = not entry.checks and not entry.pending
+    is_unknown = not file.checks and not file.pending
     return gettext("Unknown") if is_unknown else gettext("Not imported"), theme.MUTED
 
 
-def state_icon(input_files: InputFiles, entry: InputFile) -> QIcon:
+def state_icon(input_files: InputFiles, file: InputFile) -> QIcon:
     """Icon of the state of a file."""
     name = {
         "pending": "timer-sand", "fine": "check-circle-outline", "warning": "alert-outline",
         "error": "close-octagon-outline", "out": "minus-circle-outline",
-    }[input_files.state_of_file(entry)]  # fmt: skip
-    return theme.icon(name, state_text(input_files, entry)[1])
+    }[input_files.state_of_file(file)]  # fmt: skip
+    return theme.icon(name, state_text(input_files, file)[1])
 
 
 def option_name(name: str) -> str:

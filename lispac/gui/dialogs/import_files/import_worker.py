@@ -23,7 +23,7 @@ from lispac.workflow.importing.input_file import (
 from lispac.workflow.importing.input_files import InputFiles, collect_files, find_project
 
 STOPPED_CODE = "import.stopped"
-"""Code of the entries that were not read because the user stopped the reading."""
+"""Code of the files that were not read because the user stopped the reading."""
 
 
 class ImportWorker(QObject):
@@ -73,11 +73,13 @@ class ImportWorker(QObject):
     def edit(self, input_files: InputFiles) -> None:
         """Replace the import, and read the files that are pending."""
         self.input_files = input_files
-        here = {entry.path for entry in input_files.entries}
-        self._queued = {path: entry for path, entry in self._queued.items() if path in here}
-        for entry in input_files.entries:
-            if entry.pending and self._queued.get(entry.path) is not entry:
-                self._examine_file(entry)
+        here = {input_file.path for input_file in input_files.files}
+        self._queued = {
+            path: input_file for path, input_file in self._queued.items() if path in here
+        }
+        for input_file in input_files.files:
+            if input_file.pending and self._queued.get(input_file.path) is not input_file:
+                self._examine_file(input_file)
         self.changed.emit()
 
     def stop(self) -> None:
@@ -85,24 +87,24 @@ class ImportWorker(QObject):
         self.runner.cancel()
         self._queued = {}
         self._done = 0
-        entries = tuple(
+        files = tuple(
             replace(e, pending=False, error=_stopped_error(e)) if e.pending else e
-            for e in self.input_files.entries
+            for e in self.input_files.files
         )
-        self.input_files = replace(self.input_files, entries=entries)
+        self.input_files = replace(self.input_files, files=files)
         self.changed.emit()
 
     @property
     def was_stopped(self) -> bool:
         """Whether some files were not read because the user stopped the reading."""
-        return any(_was_stopped(entry) for entry in self.input_files.entries)
+        return any(_was_stopped(input_file) for input_file in self.input_files.files)
 
     def read_skipped(self) -> None:
         """Read the files that were skipped when the reading was stopped."""
-        entries = tuple(
-            replace(e, pending=True) if _was_stopped(e) else e for e in self.input_files.entries
+        files = tuple(
+            replace(e, pending=True) if _was_stopped(e) else e for e in self.input_files.files
         )
-        self.edit(replace(self.input_files, entries=entries))
+        self.edit(replace(self.input_files, files=files))
 
     @property
     def busy(self) -> bool:
@@ -115,7 +117,7 @@ class ImportWorker(QObject):
         task = self.runner.current
         if task is None:
             return ""
-        total = self._done + sum(entry.pending for entry in self.input_files.entries)
+        total = self._done + sum(input_file.pending for input_file in self.input_files.files)
         step = str(task.step or task.title)
         if total <= 1:
             return step
@@ -127,53 +129,55 @@ class ImportWorker(QObject):
     def fraction(self) -> float:
         """Share of the work that is done, from 0 to 1."""
         task = self.runner.current
-        total = self._done + sum(entry.pending for entry in self.input_files.entries)
+        total = self._done + sum(input_file.pending for input_file in self.input_files.files)
         return (self._done + (0.0 if task is None else task.fraction)) / max(total, 1)
 
     def close(self) -> None:
         """Stop the worker and wait for its end."""
         self.runner.close()
 
-    def _examine_file(self, entry: InputFile) -> None:
-        self._queued[entry.path] = entry
+    def _examine_file(self, input_file: InputFile) -> None:
+        self._queued[input_file.path] = input_file
         mappings = self._mappings
 
         def work(progress: Progress) -> InputFile:
             try:
-                if entry.project_reading is not None:
-                    return examine_project_file(entry, progress=progress)
-                if not entry.checks:
-                    return examine_file(entry.path, mappings, progress=progress)
-                return reexamine_file(entry, progress=progress)
+                if input_file.project_reading is not None:
+                    return examine_project_file(input_file, progress=progress)
+                if not input_file.checks:
+                    return examine_file(input_file.path, mappings, progress=progress)
+                return reexamine_file(input_file, progress=progress)
             except Cancelled:
                 raise
             except Exception as failure:  # whatever one file does, the others are examined
-                return replace(entry, pending=False, error=_examination_error(entry, failure))
+                return replace(
+                    input_file, pending=False, error=_examination_error(input_file, failure)
+                )
 
         def done(result: InputFile) -> None:
-            if self._queued.get(entry.path) is not entry:
+            if self._queued.get(input_file.path) is not input_file:
                 return
-            del self._queued[entry.path]
+            del self._queued[input_file.path]
             self._done = self._done + 1 if self._queued else 0
-            self.edit(self.input_files.with_entry(result).with_resolved_role(result.path))
+            self.edit(self.input_files.with_changed_file(result).with_resolved_role(result.path))
 
-        title = gettext("Reading {file}", file=entry.path.name)
-        self.runner.run(title, work, done, key=str(entry.path))
-
-
-def _stopped_error(entry: InputFile) -> Message:
-    return error(STOPPED_CODE, file=printable(entry.path.name))
+        title = gettext("Reading {file}", file=input_file.path.name)
+        self.runner.run(title, work, done, key=str(input_file.path))
 
 
-def _was_stopped(entry: InputFile) -> bool:
-    return entry.error is not None and entry.error.code == STOPPED_CODE
+def _stopped_error(input_file: InputFile) -> Message:
+    return error(STOPPED_CODE, file=printable(input_file.path.name))
 
 
-def _examination_error(entry: InputFile, failure: Exception) -> Message:
+def _was_stopped(input_file: InputFile) -> bool:
+    return input_file.error is not None and input_file.error.code == STOPPED_CODE
+
+
+def _examination_error(input_file: InputFile, failure: Exception) -> Message:
     """Error of a file that cannot be examined."""
     if isinstance(failure, LispacError):
-        return message_with_file_name(failure, entry.path)
-    file, (sentence, details) = printable(entry.path.name), error_text_and_details(failure)
+        return message_with_file_name(failure, input_file.path)
+    file, (sentence, details) = printable(input_file.path.name), error_text_and_details(failure)
     if not details:
         return error("file.refused", file=file, reason=sentence)
     kind = type(failure).__name__

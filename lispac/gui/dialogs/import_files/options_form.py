@@ -34,14 +34,14 @@ class OptionsForm(QWidget):
         self._labels: dict[str, QLabel] = {}
         self.system = widgets.label("", "muted", wrap=True, name="import_system")
 
-    def show_entry(self, entry: InputFile) -> None:
+    def show_file(self, file: InputFile) -> None:
         """Show the options of a file."""
-        options = _visible_options(entry)
-        which = (entry.path, entry.format, tuple(option.name for option in options))
+        options = _visible_options(file)
+        which = (file.path, file.format, tuple(option.name for option in options))
         if which != self._shown:
             self._shown = which
             self._build(options)
-        resolved, given = entry.options, entry.given_options or {}
+        resolved, given = file.options, file.given_options or {}
         for option in options:
             field = self.fields[option.name]
             field.blockSignals(True)
@@ -60,7 +60,7 @@ class OptionsForm(QWidget):
                 else gettext("The value was detected in the file or is the default.")
             )
             field.setToolTip(widgets.plain_tip(f"{gettext(option.meaning)}\n{origin}"))
-        self._show_system(entry)
+        self._show_system(file)
 
     def focus_option(self, name: str) -> None:
         """Set the focus to the field of an option."""
@@ -107,10 +107,10 @@ class OptionsForm(QWidget):
             line.setModified(False)
             self.option_edited.emit(name, line.text().strip())
 
-    def _show_system(self, entry: InputFile) -> None:
+    def _show_system(self, file: InputFile) -> None:
         if "crs" not in self.fields:
             return
-        place = entry.place
+        place = file.place
         if place is None:
             self.system.setText("")
             self.system.setVisible(False)
@@ -125,10 +125,10 @@ class OptionsForm(QWidget):
         self.system.style().polish(self.system)
 
 
-def _visible_options(entry: InputFile) -> tuple[FormatOption, ...]:
-    if entry.format is None or entry.role is None:
+def _visible_options(file: InputFile) -> tuple[FormatOption, ...]:
+    if file.format is None or file.role is None:
         return ()
     hidden = {"columns"}
-    if entry.role == "points":
-        hidden |= set(_SCANNER if entry.is_georeferenced else _GEOREFERENCED)
-    return tuple(option for option in entry.format.options if option.name not in hidden)
+    if file.role == "points":
+        hidden |= set(_SCANNER if file.is_georeferenced else _GEOREFERENCED)
+    return tuple(option for option in file.format.options if option.name not in hidden)

@@ -53,8 +53,8 @@ class TimelineBar:
 def timeline_bars(input_files: InputFiles) -> tuple[TimelineBar, ...]:
     """Bars of a timeline, the trajectory first."""
     bars = []
-    track, entry = input_files.trajectory_content, input_files.trajectory
-    if track is not None and entry is not None:
+    track, file = input_files.trajectory_content, input_files.trajectory
+    if track is not None and file is not None:
         time = track.time
         wide = np.flatnonzero(np.diff(time) > input_files.longest_gap)
         gaps = tuple((float(time[k]), float(time[k + 1])) for k in wide)
@@ -63,7 +63,7 @@ def timeline_bars(input_files: InputFiles) -> tuple[TimelineBar, ...]:
             if gaps
             else gettext("no gaps in time")
         )
-        bars.append(TimelineBar(entry.path, gettext("Trajectory"), theme.MUTED, float(time[0]),
+        bars.append(TimelineBar(file.path, gettext("Trajectory"), theme.MUTED, float(time[0]),
                         float(time[-1]), gaps, text, True, False))  # fmt: skip
     colours = theme.line_colours([str(line.path) for line in input_files.lines])
     for line in input_files.lines:
