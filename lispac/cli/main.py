@@ -67,9 +67,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"lispac: {error}", file=sys.stderr)
         return 2
     except LispacError as error:
-        print(f"lispac: {error}", file=sys.stderr)
-        if hint := option_hint(error.message):
-            print(f"    {hint}", file=sys.stderr)
+        hint = option_hint(error.message)
+        print(f"lispac: {error}{hint and f' ({hint})'}", file=sys.stderr)
         return 1
     except (KeyboardInterrupt, Cancelled):
         print("lispac: interrupted.", file=sys.stderr)
