@@ -39,6 +39,7 @@ from tests.report_sample import sample_project
 ROOT = Path(__file__).resolve().parents[1]
 SAMPLES = {
     "": "L1", "n": 3, "names": ("L1", "L2"), "choices": ("L1", "L2"), "sentences": ("L1.", "L2."),
+    "title": "Line",
 }  # fmt: skip
 """A value for each format specification; 0.25 for those of a quantity."""
 SAME_IN_ALL = [
@@ -272,3 +273,10 @@ def test_no_text_of_window_and_command_line_names_an_option() -> None:
     refused = error("project.refused", reason=error("adjustment.parallel_planes"))
     assert option_hint(refused) == "--accept-single-orientation"
     assert option_hint(note("history.no_date", project="May")) == "lispac identity May --dates"
+
+
+def test_a_title_in_a_message_is_translated_with_it() -> None:
+    wrong = error("window.name_length", field="Name", longest=24)
+    assert message_text(wrong).startswith("Name: ")
+    with in_language("fr"):
+        assert message_text(wrong).startswith("Nom : ")
