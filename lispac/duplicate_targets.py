@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +17,7 @@ from lispac.adjustment.cause_warnings import SAME_ON_LINES, point_displacement
 from lispac.adjustment.message_parts import mounting_value_name
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.adjustment.warnings import result_warnings
-from lispac.messages import Level, Message, Value, note, shortened_list, warning
+from lispac.messages import Level, Message, error, note, shortened_list, warning
 from lispac.picked_targets import PickedSighting, Target
 from lispac.project import Project, ProposalPrediction
 from lispac.warning_causes import RESULT, Cause
@@ -232,12 +233,13 @@ def data_warnings(project: Project) -> tuple[Message, ...]:
         if not lines:
             found.append(replace(first, subject=first.subject or RESULT))
             continue
-        params: dict[str, Value] = {"reason": first, "lines": lines}
+        params: dict[str, Any] = {"reason": first, "lines": lines}
         effects = [point_displacement(each) for each in (first, *others)]
         known = [each for each in effects if each is not None]
         if len(known) == len(effects):
             params["effect"] = max(known)
-        found.append(Message(SAME_ON_LINES, first.level, params, first.subject or RESULT))
+        make = error if first.level is Level.ERROR else warning
+        found.append(make(SAME_ON_LINES, subject=first.subject or RESULT, **params))
     return tuple(found)
 
 

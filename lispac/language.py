@@ -13,6 +13,7 @@ Placeholders of a text are named and may have a format specification ``unit[.dig
   itself is part of the text.
 - ``names``: names joined by commas and "and"; ``choices``: joined by "or"; ``sentences``: one
   after the other
+- ``title``: the English title of a field, which is translated
 - no specification: a name, or another message, as it is
 """
 
@@ -221,6 +222,8 @@ class TextFormatter(Formatter):
             return join_names([str(each) for each in names], choice=format_spec == "choices")
         if format_spec == "sentences":
             return " ".join(map(str, value))
+        if format_spec == "title":
+            return gettext(str(value))
         if format_spec == "n":
             return number(int(value), 0)
         bare = format_spec.removesuffix("+")

@@ -5,14 +5,12 @@
 needed.
 """
 
-import ast
 import os
 import re
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import cast
 
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -49,7 +47,7 @@ from lispac.message_texts.occasions import OCCASIONS
 from lispac.survey.conventions.systems import STATUS_WORDS, SYSTEMS
 from tests.french_catalogue import FRENCH
 from tests.manual_samples import assumed, samples
-from tests.message_calls import calls
+from tests.message_calls import is_part, message_levels
 
 WORDS = {
     "en": ("Field", "Unit, range, choices", "What it is", "{} to {}", "Option", "Choices", "usual"),
@@ -328,16 +326,13 @@ def _programs(language: str) -> str:
 
 def _messages(language: str) -> str:
     """Every message code by its topic, with its levels and its texts, placeholders in brackets."""
-    levels: dict[str, set[str]] = {}
-    for _, call in calls():
-        code = cast(ast.Constant, call.args[0]).value
-        levels.setdefault(code, set()).add(cast(ast.Name, call.func).id)
+    levels = message_levels()
     parts = []
     for topic in TOPICS:
         rows = [
             (
                 f"`{code}`",
-                ", ".join(sorted(levels.get(code, ()))),
+                "part" if is_part(code) else ", ".join(sorted(levels[code])),
                 gettext(OCCASIONS[code.partition(".")[0]]),
                 *_shown(template),
             )

@@ -11,6 +11,7 @@ import catalogues
 import numpy as np
 import pytest
 
+from lispac.cli.option_hints import OPTIONS, option_hint
 from lispac.duplicate_targets import data_warnings
 from lispac.errors import InputError
 from lispac.io.project.project_file import FILE_NAME, read_project, write_project
@@ -32,12 +33,13 @@ from lispac.messages import (
     warning,
 )
 from lispac.warning_causes import Cause
-from tests.message_calls import calls
+from tests.message_calls import calls, is_part, message_levels
 from tests.report_sample import sample_project
 
 ROOT = Path(__file__).resolve().parents[1]
 SAMPLES = {
     "": "L1", "n": 3, "names": ("L1", "L2"), "choices": ("L1", "L2"), "sentences": ("L1.", "L2."),
+    "title": "Line",
 }  # fmt: skip
 """A value for each format specification; 0.25 for those of a quantity."""
 SAME_IN_ALL = [
@@ -253,3 +255,28 @@ def test_numbers_of_numpy_become_those_of_python() -> None:
     assert made.params == {"line": "L1", "count": 3, "classes": [7], "share": 0.5}
     assert [type(value) for value in made.params.values()] == [str, int, list, float]
     assert decode_value(json.loads(json.dumps(encode_value(made))), Message).params["count"] == 3
+
+
+def test_the_level_of_every_code_is_known() -> None:
+    """The manual's table of messages has it; parts of other messages need none."""
+    levels = message_levels()
+    assert [code for code in TEXTS if not is_part(code) and not levels[code]] == []
+    assert levels["quality.rough"] == {"note"}  # by way of a variable
+    assert levels["patch_test.no_roll"] == {"error"}  # of a table
+    assert levels["audit.several_scanners"] == {"warning"}  # of a formatted string
+
+
+def test_no_text_of_window_and_command_line_names_an_option() -> None:
+    """The command line adds the options itself."""
+    assert OPTIONS.keys() <= TEXTS.keys()
+    assert [code for code in OPTIONS if " --" in str(TEXTS[code])] == []
+    refused = error("project.refused", reason=error("adjustment.parallel_planes"))
+    assert option_hint(refused) == "--accept-single-orientation"
+    assert option_hint(note("history.no_date", project="May")) == "lispac identity May --dates"
+
+
+def test_a_title_in_a_message_is_translated_with_it() -> None:
+    wrong = error("window.name_length", field="Name", longest=24)
+    assert message_text(wrong).startswith("Name: ")
+    with in_language("fr"):
+        assert message_text(wrong).startswith("Nom : ")

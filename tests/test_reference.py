@@ -92,3 +92,8 @@ def test_every_public_name_of_the_core_is_there(tmp_path: Path) -> None:
         page.name for page in tmp_path.glob("*.html") if "~lispac." in page.read_text("utf-8")
     ]
     assert unread == []
+
+
+def test_every_section_of_the_reference_has_modules() -> None:
+    rooms = {pages._room_of(name.removesuffix(".py").replace("/", ".")) for name in trees()}
+    assert pages.ROOMS.keys() <= rooms

@@ -14,6 +14,7 @@ from lispac import caches
 from lispac.cli.argument_types import without_exponents
 from lispac.cli.console import UsageError
 from lispac.cli.former_options import with_new_names
+from lispac.cli.option_hints import option_hint
 from lispac.cli.parser import build_parser
 from lispac.errors import Cancelled, LispacError
 from lispac.message_texts import message_text
@@ -66,7 +67,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"lispac: {error}", file=sys.stderr)
         return 2
     except LispacError as error:
-        print(f"lispac: {error}", file=sys.stderr)
+        hint = option_hint(error.message)
+        print(f"lispac: {error}{hint and f' ({hint})'}", file=sys.stderr)
         return 1
     except (KeyboardInterrupt, Cancelled):
         print("lispac: interrupted.", file=sys.stderr)

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from typing import Any, TextIO
 
 from lispac.adjustment.display_text import to_plain_text
+from lispac.cli.option_hints import option_hint
 from lispac.message_texts import action_text, message_text
 from lispac.messages import Action, Message, plain_params
 
@@ -14,6 +15,8 @@ def print_messages(messages: Iterable[Message], file: TextIO | None = None) -> N
     file = file or sys.stderr
     for message in messages:
         print(f"{message.level}: {to_plain_text(message_text(message))}", file=file)
+        if option := option_hint(message):
+            print(f"    {option}", file=file)
         for action in message.actions:
             print(f"    {_action_text(action)}", file=file)
 

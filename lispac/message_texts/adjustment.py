@@ -90,14 +90,12 @@ TEXTS: Mapping[str, Template] = {
     "adjustment.only_plane": N_(
         "The plane {target} is the only target, so the angles are separated only by the different "
         "headings of the lines. Add a target with a different orientation, or a sphere. If there "
-        "is none, accept a single orientation under Advanced (--accept-single-orientation on the "
-        "command line)."
+        "is none, tick Accept a single orientation."
     ),
     "adjustment.parallel_planes": N_(
         "All targets are planes of the same orientation, so the angles are separated only by the "
         "different headings of the lines. Add a target with a different orientation, or a sphere. "
-        "If there is none, accept a single orientation under Advanced (--accept-single-orientation "
-        "on the command line)."
+        "If there is none, tick Accept a single orientation."
     ),
     # -- iterations --------------------------------------------------------------------------------
     "adjustment.not_converged": N_(

@@ -173,8 +173,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.strays_full_weight": N_(
         "{count:n} of {points:n} points are outliers; about {expected:n} are expected by chance. "
-        "Most of them are on {target}, line {line} ({here:n} of {sighting_points:n}). They have "
-        "full weight. Choose a robust loss function."
+        "Most of them are on {target}, line {line} ({here:n} of {sighting_points:n}), with full "
+        "weight. Choose a robust loss function."
     ),
     "adjustment.strays_reduced_weight": N_(
         "{count:n} of {points:n} points are outliers; about {expected:n} are expected by chance. "
@@ -196,23 +196,23 @@ TEXTS: Mapping[str, Template] = {
     ),
     "adjustment.noise": Plural(
         "The residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
-        "surface. They correspond to {factor:x.1} times the given noise. The surface is rough or "
-        "curved, or the given LiDAR sigma is too small. The standard deviations of the angles are "
-        "computed with the larger noise.",
+        "surface ({factor:x.1} times the given noise). The surface is rough or curved, or the "
+        "given LiDAR sigma is too small. The standard deviations of the angles are computed with "
+        "the larger noise.",
         "The residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
-        "surface. They correspond to up to {factor:x.1} times the given noise. The surfaces are "
-        "rough or curved, or the given LiDAR sigma is too small. The standard deviations of the "
-        "angles are computed with the larger noise.",
+        "surface (up to {factor:x.1} times the given noise). The surfaces are rough or curved, or "
+        "the given LiDAR sigma is too small. The standard deviations of the angles are computed "
+        "with the larger noise.",
     ),
     "adjustment.not_flat": Plural(
         "The residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
-        "surface. They correspond to {factor:x.1} times the given noise. The target is probably "
-        "not flat, and with so few lines its effect cannot be detected: the errors of the angles "
-        "may exceed their standard deviations. Add lines, or use flat targets.",
+        "surface ({factor:x.1} times the given noise). The target is probably not flat, and with "
+        "so few lines its effect cannot be detected: the errors of the angles may exceed their "
+        "standard deviations. Add lines, or use flat targets.",
         "The residuals on {targets:names} are larger than the LiDAR noise or correlated over the "
-        "surface. They correspond to up to {factor:x.1} times the given noise. The targets are "
-        "probably not flat, and with so few lines their effect cannot be detected: the errors of "
-        "the angles may exceed their standard deviations. Add lines, or use flat targets.",
+        "surface (up to {factor:x.1} times the given noise). The targets are probably not flat, "
+        "and with so few lines their effect cannot be detected: the errors of the angles may "
+        "exceed their standard deviations. Add lines, or use flat targets.",
     ),
     "adjustment.radii_differ": N_(
         "The radius of sphere {target} differs between lines, from {smallest:mm.1} to "
@@ -278,7 +278,7 @@ TEXTS: Mapping[str, Template] = {
         "(see the warning about it). Correct the data first."
     ),
     "adjustment.known_cause_or_others": N_(
-        "The residuals do not agree with the error model. The imported data explain this: {cause} "
+        "The residuals do not agree with the error model because of the imported data: {cause} "
         "(see the warning about it). Other possible causes: {causes:names}. Correct the data first."
     ),
     "adjustment.line_boresight": N_(

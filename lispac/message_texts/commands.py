@@ -96,14 +96,18 @@ TEXTS: Mapping[str, Template] = {
     "window.disk_full": N_(
         "{file}: the picture cannot be written because the disk is full. Free some disk space."
     ),
-    "window.no_numbers": N_("{field}: the field is empty. Enter at least one number in {unit}."),
-    "window.not_a_number": N_("{field}: “{text}” is not a number. Correct it."),
-    "window.not_a_number_in": N_("{field}: “{text}” is not a number. Enter a number in {unit}."),
+    "window.no_numbers": N_(
+        "{field:title}: the field is empty. Enter at least one number in {unit}."
+    ),
+    "window.not_a_number": N_("{field:title}: “{text}” is not a number. Correct it."),
+    "window.not_a_number_in": N_(
+        "{field:title}: “{text}” is not a number. Enter a number in {unit}."
+    ),
     "window.out_of_range": N_(
-        "{field}: {text} {unit} is out of range. Enter a value from {low} to {high} {unit}."
+        "{field:title}: {text} {unit} is out of range. Enter a value from {low} to {high} {unit}."
     ),
     "window.name_length": N_(
-        "{field}: a name must have 1 to {longest:n} characters. Change the name."
+        "{field:title}: a name must have 1 to {longest:n} characters. Change the name."
     ),
     "window.lidar_axes_incomplete": N_(
         "The standard deviations of the LiDAR along X, Y and Z are incomplete. Fill in every field."

@@ -96,8 +96,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "recovery.time_offset": N_(
         "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm. They agree if {value:s} s are added to the times. The angles will be "
-        "wrong. Check the time base of the line."
+        "{misfit:mm} mm, so the angles will be wrong. They agree if {value:s} s are added to the "
+        "times. Check the time base of the line."
     ),
     "recovery.lever_arm_x": N_(
         "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
@@ -116,18 +116,18 @@ TEXTS: Mapping[str, Template] = {
     ),
     "recovery.roll_sign": N_(
         "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm. They agree with the opposite sign of roll. The angles will be wrong. "
+        "{misfit:mm} mm, so the angles will be wrong. They agree with the opposite sign of roll. "
         "Check the signs of the trajectory."
     ),
     "recovery.pitch_sign": N_(
         "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm. They agree with the opposite sign of pitch. The angles will be wrong. "
+        "{misfit:mm} mm, so the angles will be wrong. They agree with the opposite sign of pitch. "
         "Check the signs of the trajectory."
     ),
     "recovery.roll_pitch_signs": N_(
         "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
-        "{misfit:mm} mm. They agree with the opposite signs of roll and pitch. The angles will be "
-        "wrong. Check the signs of the trajectory."
+        "{misfit:mm} mm, so the angles will be wrong. They agree with the opposite signs of roll "
+        "and pitch. Check the signs of the trajectory."
     ),
     "recovery.several_causes": N_(
         "{line}: the scanner points recovered from the cloud deviate from the scanner beams by "
@@ -161,9 +161,9 @@ TEXTS: Mapping[str, Template] = {
         "points count twice, so the standard deviations are too small. Exclude {smaller}."
     ),
     "audit.same_time": N_(
-        "{line} and {other} overlap in time by {seconds:n} s. If they come from one scanner, one "
-        "is a copy of the other, and the standard deviations are too small. If they come from two "
-        "scanners, they have different boresight angles. Exclude one of the two lines."
+        "{line} and {other} overlap in time by {seconds:n} s. Either one is a copy of the other, "
+        "so the standard deviations are too small, or they come from two scanners with different "
+        "boresight angles. Exclude one of the two lines."
     ),
     "text.unit_overridden": N_(
         "{file}: the titles of the columns {stated:names} specify a unit, but the option {option} "

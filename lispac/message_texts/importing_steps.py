@@ -283,8 +283,7 @@ TEXTS: Mapping[str, Template] = {
         "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "
         "{start:s.1} to {end:s.1} s). If the points are in {points} and the trajectory in "
         "{trajectory}, add {shift:s.3+} s to the times: {share:percent.1} % of the points then lie "
-        "within it. According to the times, {shifts:choices} is also possible. Give the time base "
-        "of the points."
+        "within it ({shifts:choices} is also possible). Give the time base of the points."
     ),
     "import.nowhere_on_trajectory": N_(
         "{file}: no point lies within the trajectory (line {first:s.1} to {last:s.1} s, trajectory "

@@ -72,7 +72,7 @@ TEXTS: Mapping[str, Template] = {
     # -- plan_survey ---------------------------------------------------------------------------
     "plan_survey.process_ended": N_(
         "A process of this calculation was terminated by the system, perhaps for lack of memory. "
-        "Close other programs or use fewer processes (--workers), and start again."
+        "Close other programs or use fewer processes, and start again."
     ),
     "plan_survey.one_orientation": N_(
         "All targets have the same orientation, which the adjustment does not accept. Add a target "

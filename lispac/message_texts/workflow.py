@@ -233,13 +233,10 @@ TEXTS: Mapping[str, Template] = {
         "{difference}."
     ),
     "history.no_result": N_("{project} has no estimated boresight."),
-    "history.no_date": N_(
-        "{project} has no survey date. Enter it with lispac identity {project} --dates, or under "
-        "Details for the report."
-    ),
+    "history.no_date": N_("{project} has no survey date. Enter it in the details for the report."),
     "history.no_day": N_(
         "{project}: its survey dates ({dates}) contain no complete date such as 2026-03-04. Enter "
-        "one with lispac identity {project} --dates, or under Details for the report."
+        "one in the details for the report."
     ),
     # -- repeat --------------------------------------------------------------------------------
     "repeat.given_twice": N_("{folder}: this project was given twice. Give each project once."),

@@ -2,11 +2,12 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.messages import Action, Level, Message, Value
+from lispac.messages import Action, Level, Message, Value, note, warning
 from lispac.survey.line_audit import (
     POINTS_PER_TIME,
     LineAudit,
@@ -179,25 +180,27 @@ def _time_resolution_warning(
 def _excluded_point_notes(name: str, audit: LineAudit) -> Iterator[Message]:
     subject = Cause.of_line(name)
 
-    def excluded(code: str, count: int, *actions: Action, level: Level = Level.NOTE) -> Message:
-        params: dict[str, Value] = {"line": name, "count": count, "share": count / audit.read}
-        return Message(f"audit.{code}", level, params, subject, actions)
+    def excluded(count: int) -> dict[str, Any]:
+        return {"line": name, "count": count, "share": count / audit.read}
 
     if audit.not_finite:
-        yield excluded("not_finite", audit.not_finite)
+        yield note("audit.not_finite", subject=subject, **excluded(audit.not_finite))
     if audit.no_range:
-        yield excluded("no_range", audit.no_range)
+        yield note("audit.no_range", subject=subject, **excluded(audit.no_range))
     if audit.too_far:
         many = audit.too_far > FAR_POINT_SHARE * audit.read
-        yield excluded("too_far", audit.too_far, level=Level.WARNING if many else Level.NOTE)
+        params = excluded(audit.too_far)
+        yield (warning if many else note)("audit.too_far", subject=subject, **params)
     if audit.duplicates:
-        yield excluded("duplicates", audit.duplicates)
+        yield note("audit.duplicates", subject=subject, **excluded(audit.duplicates))
     if audit.withheld:
-        yield excluded("withheld", audit.withheld, _set_option_action("withheld", "keep"))
+        keep = _set_option_action("withheld", "keep")
+        params = excluded(audit.withheld)
+        yield note("audit.withheld", subject=subject, actions=[keep], **params)
     if audit.of_classes:
-        yield excluded("of_classes", audit.of_classes)
+        yield note("audit.of_classes", subject=subject, **excluded(audit.of_classes))
     if audit.not_selected:
-        yield excluded("not_selected", audit.not_selected)
+        yield note("audit.not_selected", subject=subject, **excluded(audit.not_selected))
 
 
 def _noise_class_warning(name: str, audit: LineAudit) -> Iterator[Message]:

@@ -29,7 +29,6 @@ ROOMS = {
     "survey": "Survey",
     "geometry": "Geometry",
     "message_texts": "Texts of messages",
-    "reverse_translation": "Translation of finished texts",
     "scripting": "Scripting",
     "cli": "Command line",
     "others": "Of all rooms",

@@ -200,7 +200,7 @@ class LimitsForm(QWidget):
         if text == filled:
             return values
         decimal = QLocale().decimalPoint()
-        return parse_numbers(text, gettext(label), unit, low, high, decimal)
+        return parse_numbers(text, label, unit, low, high, decimal)
 
     def _fill_fields(self, site: Site) -> None:
         for field, value in (

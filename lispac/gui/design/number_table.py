@@ -81,7 +81,7 @@ class TableColumn:
         text = text.strip()
         if self.is_text:
             if not text or len(text) > 24:
-                raise InputError(error("window.name_length", field=gettext(self.title), longest=24))
+                raise InputError(error("window.name_length", field=self.title, longest=24))
             return text
         if self.choices:
             return text
@@ -92,16 +92,15 @@ class TableColumn:
         except ValueError:
             typed = math.nan
         if not math.isfinite(typed):
-            field = gettext(self.title)
             raise InputError(
-                error("window.not_a_number_in", field=field, text=text, unit=self.sign)
+                error("window.not_a_number_in", field=self.title, text=text, unit=self.sign)
             )
         value = typed if self.base is None else typed / units.shown_unit(self.base).factor
         value = units.snap_to_limits(value, self.base, self.low, self.high)
         if not self.low <= value <= self.high:
             raise InputError(
                 error(
-                    "window.out_of_range", field=gettext(self.title),
+                    "window.out_of_range", field=self.title,
                     text=units.localised(f"{typed:g}"),
                     low=units.localised(self.limit(self.low)),
                     high=units.localised(self.limit(self.high)), unit=self.sign,

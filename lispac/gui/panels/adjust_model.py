@@ -144,7 +144,7 @@ class ModelSettings(QWidget):
         )
         self.components.toggled.connect(self.changed)
         form.addRow(self.components)
-        self.one_facing = QCheckBox(gettext("Accept targets that all face one way"))
+        self.one_facing = QCheckBox(gettext("Accept a single orientation"))
         self.one_facing.setObjectName("accept_single_orientation")
         self.one_facing.setToolTip(
             gettext(
