@@ -236,10 +236,10 @@ CASES = [
     ("line_jumped", False, _line_gone, "All targets are displaced on line L3"),
     ("strays_full_weight", False, _sighting(outliers=60), "60 of"),
     ("noise", False, _noise(1.0, 2.4), "on T2 are larger than the LiDAR noise or correlated over "
-     "the surface. They correspond to 2.4 times the given noise. The surface"),
+     "the surface (2.4 times the given noise). The surface"),
     ("noise", False, _noise(2.2, 2.4), "on T2 and T1 are larger than the LiDAR noise or correlated "
-     "over the surface. They correspond to up to 2.4 times the given noise."),
-    ("not_flat", True, _not_flat, "correspond to 2.4 times the given noise. The target is "
+     "over the surface (up to 2.4 times the given noise)."),
+    ("not_flat", True, _not_flat, "(2.4 times the given noise). The target is "
      "probably"),
     ("another_surface", False, _noise(41.0, 1.0), "The points of target T1 deviate from its "
      "surface by 41.0 times the LiDAR noise"),

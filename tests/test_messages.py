@@ -279,4 +279,4 @@ def test_a_title_in_a_message_is_translated_with_it() -> None:
     wrong = error("window.name_length", field="Name", longest=24)
     assert message_text(wrong).startswith("Name: ")
     with in_language("fr"):
-        assert message_text(wrong).startswith("Nom : ")
+        assert message_text(wrong).startswith("Nom\xa0: ")
