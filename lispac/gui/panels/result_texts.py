@@ -122,7 +122,8 @@ def chi_square_text(result: AdjustmentResult) -> str:
         title, colour = gettext("failed"), theme.WARNING
         interval = N_("{value} not in [{lower}, {upper}]")
     values = gettext(interval, value=statistic, lower=lower, upper=upper)
-    return f'<b style="color:{colour}">{title}</b>: {values}'
+    bold = f'<b style="color:{colour}">{title}</b>'
+    return gettext("{name}: {text}", name=bold, text=values)
 
 
 def parameters_html(result: AdjustmentResult) -> str:
@@ -133,7 +134,8 @@ def parameters_html(result: AdjustmentResult) -> str:
         title = escape(gettext(kind.title))
         if estimate.value is None or estimate.sigma is None:
             reason = "" if estimate.reason is None else escape(message_text(estimate.reason))
-            rows.append(f"<tr><td colspan='2'>{title}: {reason}</td></tr>")
+            text = gettext("{name}: {text}", name=title, text=reason)
+            rows.append(f"<tr><td colspan='2'>{text}</td></tr>")
             continue
         prior = gettext("prior {value}", value=_parameter_text(kind, estimate.prior))
         significance = escape(gettext(SIGNIFICANCE[estimate.significant]))
