@@ -267,7 +267,7 @@ def test_file_cut_while_it_is_read(
         las.x, las.y, las.z = xyz.T
         las.gps_time = time
         las.write(path)
-    for module in ("ply", "las_chunks"):
+    for module in ("points.ply", "las.las_chunks"):
         monkeypatch.setattr(f"lispac.io.{module}.CHUNK", 10_000)
     chunks = FORMATS[files.VALID[name][0]].read(path, {})
     next(chunks)
