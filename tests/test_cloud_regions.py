@@ -37,7 +37,7 @@ def clouds(tmp_path: Path) -> dict[str, Cloud]:
     line.xyz = line.xyz.astype(np.float32).astype(float)
     scan = Scan(line.xyz, line.time, line.extra["intensity"].astype(float))
     where = Georeferencer.of(TRACK, PRIOR)
-    recipe = replace(RECIPE, georeferenced_with={"mounting": PRIOR.values.tolist()})
+    recipe = replace(RECIPE, placed_with={"mounting": PRIOR.values.tolist()})
     write_store(tmp_path, recipe, line.pieces(1500), where)
     return {
         "memory": CloudInMemory.of(scan, TRACK, PRIOR),

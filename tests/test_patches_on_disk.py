@@ -49,7 +49,7 @@ def test_a_line_on_disk_has_the_points_of_the_same_line_in_memory(tmp_path: Path
     scans = {name: _scan(seed) for name, seed in (("L1", 1), ("L2", 2))}
     memory = {n: CloudInMemory.of(scan, TRACK, MOUNTING) for n, scan in scans.items()}
     where, disk = Georeferencer.of(TRACK, MOUNTING), {}
-    recipe = replace(RECIPE, georeferenced_with={"mounting": MOUNTING.values.tolist()})
+    recipe = replace(RECIPE, placed_with={"mounting": MOUNTING.values.tolist()})
     for name, scan in scans.items():
         source = Line(len(scan), xyz=scan.points_lidar).pieces(1500)
         write_store(tmp_path / name, recipe, source, where)

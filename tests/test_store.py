@@ -1,5 +1,6 @@
 """The store for big lines: what goes in comes out, a region is found, damage is noticed."""
 
+import json
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -307,17 +308,33 @@ def test_checksums_are_joined(first: bytes, second: bytes) -> None:
     assert joined == crc32(first + second)
 
 
+def test_the_names_in_a_manifest_are_those_of_version_3(tmp_path: Path) -> None:
+    """A renamed field needs another version, and `layout` the former name, or stores are lost."""
+    write_store(tmp_path, RECIPE, LINE.pieces(1000), place)
+    content = json.loads((tmp_path / "store.json").read_text())
+    store = content["store"]
+    assert content["version"] == 3
+    assert set(store) == {
+        "assumptions", "attributes", "audit", "columns", "excluded_points", "fingerprint",
+        "first_time", "folder", "high", "last_time", "line", "low", "made_with", "original",
+        "placed_with", "points", "reach", "side",
+    }  # fmt: skip
+    column = {"checksum", "count", "dtype", "file", "modified", "name", "shape", "size", "value"}
+    assert [set(each) for each in store["columns"]] == [column] * len(store["columns"])
+    assert set(store["original"]) == {"fingerprint", "modified", "path", "size"}
+
+
 def test_recipe_and_original_are_kept(tmp_path: Path) -> None:
-    georeferenced_with = {"mounting": [0.1] * 9}
+    placed_with = {"mounting": [0.1] * 9}
     recipe = ImportRecipe(
-        "L1", SourceFile("/a/b.las", 1, 2, "c"), {"reading": [1, "x"]}, georeferenced_with
+        "L1", SourceFile("/a/b.las", 1, 2, "c"), {"reading": {"options": [["x", "1"]]}}, placed_with
     )
     write_store(
         tmp_path, recipe, LINE.pieces(1000), place, lambda: (("read as it is",), {"read": 3})
     )
     manifest = open_store(tmp_path, "L1").manifest
     assert (manifest.original, manifest.made_with) == (recipe.original, recipe.made_with)
-    assert manifest.georeferenced_with == recipe.georeferenced_with
+    assert manifest.placed_with == recipe.placed_with
     assert manifest.assumptions == ("read as it is",)
     assert manifest.audit == {"read": 3}
     assert manifest.excluded_points == LINE.index[-1] + 1 - len(LINE)

@@ -279,7 +279,7 @@ def test_folder_that_cannot_be_made(tmp_path: Path) -> None:
     "given",
     [
         {"folder": ".."}, {"folder": "columns-abc"}, {"folder": "columns-\u00b2"},
-        {"georeferenced_with": {"mounting": [[[]]]}}, {"georeferenced_with": {"mounting": [0.0]}},
+        {"placed_with": {"mounting": [[[]]]}}, {"placed_with": {"mounting": [0.0]}},
         {"first_time": -1e308, "last_time": 1e308}, {"reach": 1e300}, {"reach": -1.0},
     ],
 )  # fmt: skip

@@ -279,7 +279,7 @@ class CloudOnDisk:
 
     @cached_property
     def _largest_move(self) -> float:
-        then = Mounting.of_values(np.array(self.stored.manifest.georeferenced_with["mounting"]))
+        then = Mounting.of_values(np.array(self.stored.manifest.placed_with["mounting"]))
         return self.place.largest_displacement(then, self.stored.manifest.reach)
 
     @cached_property

@@ -176,7 +176,7 @@ class Manifest:
     made_with : mapping
         All that the content follows from besides the file: how it was read, the trajectory, and
         the mounting where it went into the vectors.
-    georeferenced_with : mapping
+    placed_with : mapping
         What the order in space follows from: the mounting.
     assumptions : tuple of mapping
         Messages about what the reader takes for granted, as plain values; texts in a store of an
@@ -201,7 +201,7 @@ class Manifest:
     fingerprint: str
     original: SourceFile
     made_with: Mapping[str, Any] = field(default_factory=dict)
-    georeferenced_with: Mapping[str, Any] = field(default_factory=dict)
+    placed_with: Mapping[str, Any] = field(default_factory=dict)
     assumptions: tuple[Mapping[str, Any] | str, ...] = ()
     audit: Mapping[str, Any] = field(default_factory=dict)
 
@@ -303,22 +303,22 @@ def _require_valid_manifest(manifest: Manifest, path: Path) -> None:
         and COLUMNS_NAME.fullmatch(manifest.folder) is not None
         and 0 <= manifest.reach <= LARGEST_REACH
         and max(abs(manifest.first_time), abs(manifest.last_time)) <= LARGEST_TIME
-        and _has_mounting_values(manifest.georeferenced_with)
+        and _has_mounting_values(manifest.placed_with)
         and {column.name for column in manifest.columns} >= OWN_FILES
         and all(isinstance(each, dict | str) for each in manifest.assumptions)
         and isinstance(manifest.made_with, dict)
-        and isinstance(manifest.georeferenced_with, dict)
+        and isinstance(manifest.placed_with, dict)
         and isinstance(manifest.audit, dict)
     )
     if not sound:
         raise DamagedStore(import_again_message(values))
 
 
-def _has_mounting_values(georeferenced_with: Any) -> bool:
+def _has_mounting_values(placed_with: Any) -> bool:
     """Whether it holds the nine values of a mounting, as numbers, or nothing."""
-    if not isinstance(georeferenced_with, dict):
+    if not isinstance(placed_with, dict):
         return False
-    values = georeferenced_with.get("mounting", [0.0] * 9)
+    values = placed_with.get("mounting", [0.0] * 9)
     return (
         isinstance(values, list)
         and len(values) == 9

@@ -62,14 +62,14 @@ class ImportRecipe:
         Name of the line.
     original : SourceFile
         The file.
-    made_with, georeferenced_with : dict of plain values
+    made_with, placed_with : dict of plain values
         See `Manifest`.
     """
 
     line: str
     original: SourceFile
     made_with: dict[str, Any]
-    georeferenced_with: dict[str, Any]
+    placed_with: dict[str, Any]
 
 
 def write_store(
@@ -203,7 +203,7 @@ def _build_manifest(
         fingerprint=spool.running.fingerprint,
         original=recipe.original,
         made_with=recipe.made_with,
-        georeferenced_with=recipe.georeferenced_with,
+        placed_with=recipe.placed_with,
         assumptions=end.assumptions,
         audit=end.audit,
     )
