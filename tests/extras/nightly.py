@@ -33,7 +33,7 @@ LEAST = 95.0
 ROOMS = {
     "geometry": (
         "frames", "planes", "rotations", "spheres", "conventions", "convention_rules",
-        "repeatability", "crs", "hidden", "normal_distance", "cloud_distance", "sections",
+        "repeatability", "crs", "occlusion", "normal_distance", "cloud_distance", "sections",
         "spheres_adjusted", "sphere_finder", "vessel_adjustment", "georeferencing", "finder",
         "growing", "geodesy_edges", "distance_edges", "reference_places", "target_edges",
     ),
