@@ -8,14 +8,14 @@ import tomllib
 import pytest
 
 from tests.extras import nightly
-from tests.extras.nightly import CHECKOUT, COMPILED, ROOMS, answered, drawn, noticed_afresh
+from tests.extras.nightly import CHECKOUT, COMPILED, PACKAGES, answered, drawn, noticed_afresh
 from tests.extras.quick import SLOW
 
 
 def test_what_it_names_is_there() -> None:
-    assert all((CHECKOUT / "lispac" / room).is_dir() for room in ROOMS)
+    assert all((CHECKOUT / "lispac" / package).is_dir() for package in PACKAGES)
     assert all((CHECKOUT / module).is_file() for module in COMPILED)
-    for tests in ROOMS.values():
+    for tests in PACKAGES.values():
         assert [each for each in tests if not (CHECKOUT / f"tests/test_{each}.py").is_file()] == []
 
 

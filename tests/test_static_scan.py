@@ -62,7 +62,7 @@ def test_text(tmp_path: Path, head: str, order: str, separator: str) -> None:
         ("# nothing\n", "no row of coordinates"),
         ("1 2\n3 4\n", "row 1: three coordinates are needed"),
         ("1,5 2,5 3,5\n2,5 3,5 4,5\n", "decimal points"),
-        ("1 2 3\n4 5\n", "cannot be read as static scan text"),
+        ("1 2 3\n4 5\n", "cannot be read as static scan"),
         ("1 2 3\n4 5 inf\n", "a coordinate of point 2 is not a usable number"),
     ],
 )

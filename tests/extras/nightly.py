@@ -30,7 +30,7 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 PYTEST = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider"]
 LEAST = 95.0
 """Percent of the core's branches that the tests take."""
-ROOMS = {
+PACKAGES = {
     "geometry": (
         "frames", "planes", "rotations", "spheres", "conventions", "convention_rules",
         "repeatability", "crs", "occlusion", "normal_distance", "cloud_distance", "sections",
@@ -38,23 +38,23 @@ ROOMS = {
         "growing", "geodesy_edges", "distance_edges", "reference_places", "target_edges",
     ),
     "adjustment": (
-        "adjustment", "averaging", "doubts", "error_budget", "invariance", "observability",
-        "omitted", "parameters", "prediction", "reliability", "robustness", "shown",
+        "adjustment", "averaging", "consistent_warnings", "error_budget", "invariance",
+        "observability", "omitted", "parameters", "prediction", "reliability", "robustness", "shown",
         "spheres_adjusted", "standards", "variance_factor", "vessel_adjustment", "design_effect",
-        "pos_error_knots", "shape_tangents", "adjustment_edges", "doubles", "line_shifts",
-        "plan_words", "warnings", "displaced",
+        "pos_error_knots", "shape_tangents", "adjustment_edges", "duplicate_targets", "line_shifts",
+        "plan_warnings", "warnings", "displaced",
     ),
     "survey": (
         "blocks", "cidco_states", "cloud", "cloud_regions", "clouds", "convention_present",
-        "convention_rules", "convention_typed", "convention_words", "conventions", "crs",
-        "crs_operation", "frame_stated", "geodesy_edges", "georeferencing", "georeferencing_map",
-        "growing", "kept_header", "left_out", "lever_arm", "lines_cut", "offers",
-        "patches_on_disk", "points_clock", "reading", "recovery", "scanners", "store",
-        "store_damage", "store_parts", "time_base", "time_restart", "time_stated",
-        "trajectory_quality", "trajectory_remarks",
+        "convention_rules", "convention_typed", "convention_texts", "conventions", "crs",
+        "crs_operation", "given_frame", "geodesy_edges", "georeferencing", "georeferencing_map",
+        "growing", "kept_header", "trajectory_coverage", "lever_arm", "lines_cut",
+        "suggested_shifts", "patches_on_disk", "points_clock", "reading", "recovery", "scanners", "store",
+        "store_damage", "store_parts", "time_base", "time_rollover", "given_time_base",
+        "trajectory_quality", "trajectory_values",
     ),
 }  # fmt: skip
-"""Rooms whose code is changed to see which test notices, and the tests that are quick enough."""
+"""Packages whose code is changed to see which test notices, and the tests that are quick enough."""
 COMPILED = ("lispac/geometry/nearest_neighbours.py", "lispac/survey/kernels.py")
 """Modules of machine code: a change would be compiled anew in every run."""
 LEFT_ALONE = (r"^\s*raise ", r"dtype=")
@@ -139,7 +139,7 @@ def mutation_whole(folder: Path, log: Log) -> str:
 def _mutation(folder: Path, log: Log, most: int | None) -> str:
     answers = tomllib.loads(ANSWERED.read_text(encoding="utf-8"))
     told, open_ = [], []
-    for room, tests in ROOMS.items():
+    for room, tests in PACKAGES.items():
         place = folder / f"mutation-{room}"
         shutil.rmtree(place, ignore_errors=True)
         run(["git", "clone", "-q", str(CHECKOUT), str(place)], log)
