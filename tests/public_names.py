@@ -67,8 +67,8 @@ def trees() -> dict[str, ast.Module]:
     }
 
 
-def public(room: str) -> Iterator[Name]:
-    """Public names of a room, methods and properties with them."""
+def public(package: str) -> Iterator[Name]:
+    """Public names of a package, methods and properties with them."""
 
     def below(module: str, parent: str, nodes: list[ast.stmt]) -> Iterator[Name]:
         for node in nodes:
@@ -80,5 +80,5 @@ def public(room: str) -> Iterator[Name]:
                     yield from below(module, f"{name}.", node.body)
 
     for module, tree in trees().items():
-        if module.split("/")[1] == room:
+        if module.split("/")[1] == package:
             yield from below(module, "", tree.body)

@@ -162,7 +162,7 @@ def lacks(found: Name) -> Iterator[str]:
         yield f"{found.where}: frame of what it returns"
 
 
-ROOMS = sorted({path.relative_to(CORE).parts[0] for path in modules()} - {"__init__.py"})
+PACKAGES = sorted({path.relative_to(CORE).parts[0] for path in modules()} - {"__init__.py"})
 
 
 @cache
@@ -182,23 +182,25 @@ def names() -> set[str]:
 def test_docstrings_send_to_what_is_there() -> None:
     sent = [
         (name.where, to)
-        for room in ROOMS
-        for name in public(room)
+        for package in PACKAGES
+        for name in public(package)
         for to in ELSEWHERE.findall(ast.get_docstring(name.node) or "")
     ]
     assert len(sent) > 50
     assert [each for each in sent if each[1].rpartition(".")[2] not in names()] == []
 
 
-@pytest.mark.parametrize("room", ROOMS)
-def test_shapes_units_and_frames_are_documented(room: str) -> None:
-    assert [words for name in public(room) for words in lacks(name)] == []
+@pytest.mark.parametrize("package", PACKAGES)
+def test_shapes_units_and_frames_are_documented(package: str) -> None:
+    assert [words for name in public(package) for words in lacks(name)] == []
 
 
-@pytest.mark.parametrize("room", ROOMS)
-def test_errors_in_raises_sections_exist(room: str) -> None:
+@pytest.mark.parametrize("package", PACKAGES)
+def test_errors_in_raises_sections_exist(package: str) -> None:
     said = {
-        (name.where, error) for name in public(room) for error in name.docstring.entries("Raises")
+        (name.where, error)
+        for name in public(package)
+        for error in name.docstring.entries("Raises")
     }
     assert {each for each in said if each[1].rpartition(".")[2] not in names()} == set()
 
@@ -246,17 +248,17 @@ OWN = {
 or anybody's (a rotation about an axis, a mean with its sigma)."""
 
 
-@pytest.mark.parametrize("room", OWN)
-def test_modules_that_compute_name_their_sources(room: str) -> None:
+@pytest.mark.parametrize("package", OWN)
+def test_modules_that_compute_name_their_sources(package: str) -> None:
     without = set()
     for module, tree in trees().items():
         documented = (ast.Module, ast.FunctionDef, ast.ClassDef)
         said = [ast.get_docstring(x) or "" for x in ast.walk(tree) if isinstance(x, documented)]
         source = (CORE.parent / module).read_text(encoding="utf-8")
-        own = module.split("/")[1] == room and MATHEMATICS.search(source)
+        own = module.split("/")[1] == package and MATHEMATICS.search(source)
         if own and not SOURCE.search("\n".join(said)):
             without.add(Path(module).stem)
-    assert without == OWN[room]
+    assert without == OWN[package]
 
 
 SAID = '''

@@ -20,8 +20,8 @@ def below(dotted: str) -> set[str]:
     """Public names of a module as the reference has them."""
     path = f"{dotted.replace('.', '/')}"
     module = f"{path}.py" if f"{path}.py" in trees() else f"{path}/__init__.py"
-    room = module.split("/")[1]
-    found = (name for name in public(room) if name.module == module)
+    package = module.split("/")[1]
+    found = (name for name in public(package) if name.module == module)
     return {resolving.documented_as(f"{dotted}.{name.name}") for name in found}
 
 
@@ -95,5 +95,5 @@ def test_every_public_name_of_the_core_is_there(tmp_path: Path) -> None:
 
 
 def test_every_section_of_the_reference_has_modules() -> None:
-    rooms = {pages._room_of(name.removesuffix(".py").replace("/", ".")) for name in trees()}
-    assert pages.ROOMS.keys() <= rooms
+    packages = {pages.package_of(name.removesuffix(".py").replace("/", ".")) for name in trees()}
+    assert pages.PACKAGES.keys() <= packages

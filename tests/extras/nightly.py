@@ -39,18 +39,18 @@ PACKAGES = {
     ),
     "adjustment": (
         "adjustment", "averaging", "consistent_warnings", "error_budget", "invariance",
-        "observability", "omitted", "parameters", "prediction", "reliability", "robustness", "shown",
-        "spheres_adjusted", "standards", "variance_factor", "vessel_adjustment", "design_effect",
-        "pos_error_knots", "shape_tangents", "adjustment_edges", "duplicate_targets", "line_shifts",
-        "plan_warnings", "warnings", "displaced",
+        "observability", "omitted", "parameters", "prediction", "reliability", "robustness",
+        "shown", "spheres_adjusted", "standards", "variance_factor", "vessel_adjustment",
+        "design_effect", "pos_error_knots", "shape_tangents", "adjustment_edges",
+        "duplicate_targets", "line_shifts", "plan_warnings", "warnings", "displaced",
     ),
     "survey": (
         "blocks", "cidco_states", "cloud", "cloud_regions", "clouds", "convention_present",
         "convention_rules", "convention_typed", "convention_texts", "conventions", "crs",
         "crs_operation", "given_frame", "geodesy_edges", "georeferencing", "georeferencing_map",
         "growing", "kept_header", "trajectory_coverage", "lever_arm", "lines_cut",
-        "suggested_shifts", "patches_on_disk", "points_clock", "reading", "recovery", "scanners", "store",
-        "store_damage", "store_parts", "time_base", "time_rollover", "given_time_base",
+        "suggested_shifts", "patches_on_disk", "points_clock", "reading", "recovery", "scanners",
+        "store", "store_damage", "store_parts", "time_base", "time_rollover", "given_time_base",
         "trajectory_quality", "trajectory_values",
     ),
 }  # fmt: skip
@@ -139,11 +139,11 @@ def mutation_whole(folder: Path, log: Log) -> str:
 def _mutation(folder: Path, log: Log, most: int | None) -> str:
     answers = tomllib.loads(ANSWERED.read_text(encoding="utf-8"))
     told, open_ = [], []
-    for room, tests in PACKAGES.items():
-        place = folder / f"mutation-{room}"
+    for package, tests in PACKAGES.items():
+        place = folder / f"mutation-{package}"
         shutil.rmtree(place, ignore_errors=True)
         run(["git", "clone", "-q", str(CHECKOUT), str(place)], log)
-        (place / "setup.cfg").write_text(_settings(room, tests), encoding="utf-8")
+        (place / "setup.cfg").write_text(_settings(package, tests), encoding="utf-8")
         mutmut = [sys.executable, "-m", "mutmut"]
         # Makes the changes and sees which tests reach them; none has this name
         _run_all([*mutmut, "run", "none"], place, log)
@@ -152,7 +152,7 @@ def _mutation(folder: Path, log: Log, most: int | None) -> str:
         found = _results(mutmut, place)
         counts = Counter(found.values())
         if not counts["killed"]:
-            raise Failed(f"{room}: mutmut did not come to an end; see {log}")
+            raise Failed(f"{package}: mutmut did not come to an end; see {log}")
         left = [name for name, what in found.items() if what == "survived"]
         unanswered = [each for each in left if not answered(
             _output([*mutmut, "show", each], place), answers)]  # fmt: skip
@@ -161,7 +161,7 @@ def _mutation(folder: Path, log: Log, most: int | None) -> str:
         unanswered = [each for each in unanswered if each not in noticed]
         tried = sum(counts[what] for what in ("killed", "survived", "timeout", "suspicious"))
         told.append(
-            f"{room}: {len(left)} of {tried} survived, {len(unanswered)} of them not answered, "
+            f"{package}: {len(left)} of {tried} survived, {len(unanswered)} of them not answered, "
             f"{counts['no tests']} reached by no quick test"
         )
         open_ += unanswered
@@ -258,9 +258,9 @@ def _files(tests: Sequence[str]) -> list[str]:
     return [f"tests/test_{each}.py" for each in tests]
 
 
-def _settings(room: str, tests: Sequence[str]) -> str:
+def _settings(package: str, tests: Sequence[str]) -> str:
     lists = {
-        "only_mutate": [f"lispac/{room}/*"],
+        "only_mutate": [f"lispac/{package}/*"],
         "do_not_mutate": COMPILED,
         "do_not_mutate_patterns": LEFT_ALONE,
         "also_copy": ["tests/", "resources/", "installer/", "pyproject.toml", "README.md"],

@@ -15,7 +15,7 @@ HERE = Path(__file__).resolve().parent
 CHECKOUT = HERE.parents[1]
 MANUAL = CHECKOUT / "resources" / "manual" / "en"
 DEVELOPERS = CHECKOUT / "resources" / "developers"
-ROOMS = {
+PACKAGES = {
     "workflow": "Use cases",
     "io": "Files",
     "report": "Report",
@@ -31,7 +31,7 @@ ROOMS = {
     "message_texts": "Texts of messages",
     "scripting": "Scripting",
     "cli": "Command line",
-    "others": "Of all rooms",
+    "others": "Used by all packages",
 }
 """Folders of the core, and the modules beside them; the window has no place here."""
 
@@ -41,7 +41,7 @@ def build(folder: Path, *, whole: bool = True) -> str:
 
     Parameters
     ----------
-    whole : the rooms too, not only what scripts use
+    whole : the packages too, not only what scripts use
     """
     with tempfile.TemporaryDirectory(prefix="lispac-") as scratch:
         write(Path(scratch, "sources"), whole=whole)
@@ -70,9 +70,11 @@ def write(sources: Path, *, whole: bool = True) -> None:
     if whole:
         modules = [name.removesuffix(".py").replace("/", ".") for name in trees()]
         modules = [name for name in modules if name not in ("lispac.__init__", "lispac.__main__")]
-        for room in ROOMS:
-            _write_room(sources, room, [name for name in modules if _room_of(name) == room])
-        listed += _list_of("Rooms", list(ROOMS))
+        for package in PACKAGES:
+            _write_package(
+                sources, package, [name for name in modules if package_of(name) == package]
+            )
+        listed += _list_of("Packages", list(PACKAGES))
     with (sources / "index.rst").open("a", encoding="utf-8") as index:
         index.write("\n".join(listed))
 
@@ -95,21 +97,21 @@ def _copy_developer_pages(folder: Path) -> None:
             file.write("\n".join(["", "```{toctree}", ":hidden:", ":glob:", *pages, "```", ""]))
 
 
-def _room_of(module: str) -> str:
+def package_of(module: str) -> str:
     parts = module.split(".")
     return parts[1] if len(parts) > 2 else "others"
 
 
-def _write_room(sources: Path, room: str, modules: list[str]) -> None:
-    """Write the page of a room and those of its modules."""
-    package = f"lispac.{room}"
+def _write_package(sources: Path, package: str, modules: list[str]) -> None:
+    """Write the page of a package and those of its modules."""
+    dotted = f"lispac.{package}"
     pages = {name.removesuffix(".__init__"): name for name in modules}
-    lines = _titled(ROOMS[room])
-    if pages.pop(package, ""):
-        lines += [f".. automodule:: {package}", "   :members:", ""]
+    lines = _titled(PACKAGES[package])
+    if pages.pop(dotted, ""):
+        lines += [f".. automodule:: {dotted}", "   :members:", ""]
     lines += [f"- :doc:`{_short(name)} <{name}>`: {_summary(pages[name])}" for name in pages]
     lines += _list_of("", list(pages), hidden=True)
-    (sources / f"{room}.rst").write_text("\n".join(lines), encoding="utf-8")
+    (sources / f"{package}.rst").write_text("\n".join(lines), encoding="utf-8")
     for name in pages:
         at_scripts = [full for full in script_names() if full.rpartition(".")[0] == name]
         hidden = ", ".join(full.rpartition(".")[2] for full in at_scripts)
