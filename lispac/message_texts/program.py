@@ -1,4 +1,4 @@
-"""Texts of messages about the program itself: its folders, other computers."""
+"""Texts of messages about the program: its folders, and work on a cluster of computers."""
 
 from collections.abc import Mapping
 

@@ -59,7 +59,7 @@ class LineDifference:
     normal: Array
 
     def facing(self, facing: Facing) -> "LineDifference":
-        """Its places that face one way."""
+        """Differences on surfaces of one orientation."""
         up = np.abs(self.normal[:, 2])
         own = {
             "all": np.ones(len(up), dtype=bool),
