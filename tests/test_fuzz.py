@@ -605,7 +605,7 @@ def test_only_own_errors(tmp_path: Path, name: str) -> None:
 
 
 @pytest.mark.long
-@pytest.mark.timeout(3600)
+@pytest.mark.timeout(600)
 @pytest.mark.usefixtures("small")
 @pytest.mark.parametrize("name", SUBJECTS)
 def test_only_own_errors_at_length(tmp_path: Path, name: str) -> None:
