@@ -90,12 +90,12 @@ TEXTS: Mapping[str, Template] = {
     "adjustment.only_plane": N_(
         "The plane {target} is the only target, so the angles are separated only by the different "
         "headings of the lines. Add a target with a different orientation, or a sphere. If there "
-        "is none, tick Accept a single orientation."
+        "is none, tick Accept a single orientation under Advanced."
     ),
     "adjustment.parallel_planes": N_(
         "All targets are planes of the same orientation, so the angles are separated only by the "
         "different headings of the lines. Add a target with a different orientation, or a sphere. "
-        "If there is none, tick Accept a single orientation."
+        "If there is none, tick Accept a single orientation under Advanced."
     ),
     # -- iterations --------------------------------------------------------------------------------
     "adjustment.not_converged": N_(

@@ -330,6 +330,7 @@ def test_a_single_board_is_refused_until_that_is_accepted(
     assert "The plane T1 is the only target" in refusal.text()
     model = driver.window.adjust.model
     assert f"tick {model.one_facing.text()}" in refusal.text()
+    assert f"under {driver.window.adjust.advanced.head.text()}" in refusal.text()
     unfold(driver, driver.window.adjust.advanced)
     click(driver, model.one_facing)
     assert (
