@@ -20,9 +20,9 @@ from lispac.adjustment.result import (
 )
 from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.messages import error, note
+from lispac.present.trajectory import LineTrajectorySummary
 from lispac.project import LineSource, PickedSighting, Project, Settings, Target
 from lispac.report.content import ReportContent, report_content
-from lispac.report.trajectory_values import LineTrajectorySummary
 from lispac.survey.georeferencing import Mounting
 from lispac.validation.comparison_results import (
     DistanceStatistics,

@@ -1,7 +1,7 @@
 """Lines against a static scan or surveyed points: known shifts and known POS errors come back."""
 
 import json
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import cast
 
@@ -15,13 +15,14 @@ from lispac.geometry.frames import LocalFrame
 from lispac.io.project.project_file import FILE_NAME, read_project, write_project
 from lispac.message_texts import english_text
 from lispac.messages import Message, error, note, warning
+from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.json_values import json_values
 from lispac.project import Project
 from lispac.report.absolute_figure import reference_distance_figure
-from lispac.report.absolute_values import AbsoluteCheckValues
 from lispac.report.document import report_document
 from lispac.report.document_blocks import Table
 from lispac.report.figures import svg_of
-from lispac.report.json_report import english_values, json_text
+from lispac.report.json_report import json_text
 from lispac.simulation.port_scene import ORIGIN
 from lispac.simulation.simulated_survey import SimulatedSurvey, port_survey
 from lispac.survey.crs import coordinate_system
@@ -379,7 +380,7 @@ def test_the_command(
     found = answer(capsys, "check", project.folder, "--reference", path)
     check = read_project(project.folder).absolute
     assert check is not None
-    assert found == json.loads(json.dumps(asdict(english_values(AbsoluteCheckValues.of(check)))))
+    assert found == json.loads(json.dumps(json_values(AbsoluteCheckValues.of(check))))
     code, out, err = run(capsys, "check", project.folder, "--reference", path)
     assert code == 0
     assert english_text(note("assumed.local_frame")) in err

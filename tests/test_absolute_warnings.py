@@ -8,7 +8,7 @@ import pytest
 
 from lispac.message_texts import message_text
 from lispac.messages import Level
-from lispac.report.absolute_values import AbsoluteCheckValues
+from lispac.present.absolute import AbsoluteCheckValues
 from lispac.report.document import undrawn_document
 from lispac.report.document_blocks import Paragraph
 from lispac.report.options import ReportOptions

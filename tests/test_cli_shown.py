@@ -19,7 +19,7 @@ from lispac.io.text.plane_file import write_plane_file
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, as_message, note
 from lispac.picked_targets import Target
-from lispac.report.budget_values import BeamErrors, ErrorBudgetValues, ErrorSource, PointError
+from lispac.present.error_budget import BeamErrors, ErrorBudgetValues, ErrorSource, PointError
 from lispac.simulation.thesis_site import MARINE
 from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
 from lispac.survey.georeferencing import Mounting
@@ -71,10 +71,10 @@ def test_planes_that_were_not_compared_are_reported_with_the_reason(
     )
     print_validation(project, {"V1": 0.0123})
     rows = capsys.readouterr().out.splitlines()
-    assert rows[0].split()[-6:] == ["with", "truth", "mm,", "line", "to", "line"]
-    one, two = (row.split() for row in rows[1:3])
+    assert rows[1].split()[-2:] == ["with", "truth"]
+    one, two = (row.split() for row in rows[2:4])
     assert (one[0], one[-1]) == ("V1", "12.3")
-    assert (two[0], len(two)) == ("V2", len(one) - 1), "no truth is known of it"
+    assert (two[0], two[-1]) == ("V2", "-"), "no truth is known of it"
     assert "not compared: V4: seen on one line." in rows
 
 

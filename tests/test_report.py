@@ -88,10 +88,11 @@ def _page(text: str) -> _Words:
 def _shown_numbers(data: dict) -> list[str]:
     """Every number of a JSON report that a reader needs, as a document writes it."""
     numbers = []
-    for angle in data["angles"]:
-        numbers += [f"{angle['prior_deg']:+.4f}", f"{angle['estimated_deg']:+.4f}"]
-        numbers += [f"{angle['sigma_deg']:.4f}", f"{angle['interval95_deg']:.4f}"]
     adjustment = data["adjustment"]
+    for key in ("prior_boresight_deg", "boresight_deg"):
+        numbers += [f"{value:+.4f}" for value in adjustment[key].values()]
+    for key in ("sigma_deg", "interval95_deg"):
+        numbers += [f"{value:.4f}" for value in adjustment[key].values()]
     numbers += [f"{value:+.3f}" for row in adjustment["correlation"] for value in row]
     numbers += [f"{adjustment['variance_factor']:.4f}", f"{adjustment['points']:,}"]
     test = adjustment["chi_square"]
@@ -111,19 +112,21 @@ def _shown_numbers(data: dict) -> list[str]:
         numbers += [f"{extra[key]:+.4f}" for key in ("prior", "value")]
         numbers += [f"{extra['sigma']:.4f}", f"{extra['significance']:+.1f}"]
     without = adjustment["observability"]["sigma_without_line_deg"]
-    numbers += [f"{v:.4f}" for sigma in without.values() for v in sigma or ()]
-    for sighting in adjustment["reliability"]:
-        numbers += [f"{1000 * sighting['shift_m']:+.1f}", f"{sighting['w']:+.1f}"]
+    numbers += [f"{v:.4f}" for sigma in without.values() for v in (sigma or {}).values()]
+    for sighting in adjustment["sightings"]:
+        numbers += [f"{1000 * sighting['shift_m']:+.1f}", f"{sighting['w']:+.2f}"]
         numbers += [f"{1000 * sighting['detectable_m']:.1f}", f"{sighting['redundancy']:.2f}"]
-        numbers += [f"{v:+.4f}" for v in sighting["effect_deg"] + sighting["pos_error_deg"]]
-        numbers += [f"{1000 * v:+.1f}" for v in sighting["pos_error_m"]]
+        numbers += [f"{v:+.4f}" for v in sighting["effect_deg"].values()]
+        numbers += [f"{v:+.4f}" for v in sighting["pos_error"]["error_deg"]]
+        numbers += [f"{1000 * v:+.1f}" for v in sighting["pos_error"]["error_m"]]
     checks = data["cross_checks"]
-    numbers += [f"{v:.4f}" for v in checks["sigma_deg"] + checks["spread_lines_deg"]]
+    for key in ("sigma_deg", "spread_lines_deg"):
+        numbers += [f"{v:.4f}" for v in checks[key].values()]
     # The first half is the second with the other sign.
     parts = [part for part in checks["parts"] if (part["kind"], part["part"]) != ("half", "first")]
     for part in parts:
-        numbers += [f"{v:+.4f}" for v in part["difference_deg"] or ()]
-        numbers += [f"{v:+.1f}" for v in part["significance"] or ()]
+        numbers += [f"{v:+.4f}" for v in (part["difference_deg"] or {}).values()]
+        numbers += [f"{v:+.1f}" for v in (part["significance"] or {}).values()]
     for plane in data["validation"]:
         for state in (plane["before"], plane["after"]):
             keys = ("mean", "median", "rms", "p68", "p95", "p99", "robust_sigma")
@@ -136,7 +139,9 @@ def _shown_numbers(data: dict) -> list[str]:
                 numbers.append(f"{found['n']:,}")
                 if pair["reciprocal"]:
                     numbers += _signed_numbers(state["signed"], state["planes"])
-    return numbers + [f"{file['size_bytes']:,}" for file in data["files"]]
+    numbers += [f"{file['size_bytes']:,}" for file in data["files"]]
+    # A zero has no minus sign.
+    return [n if float(n.replace(",", "")) else n.replace("-", "+") for n in numbers]
 
 
 def _signed_numbers(places: dict, planes: dict) -> list[str]:
@@ -154,9 +159,9 @@ def _signed_numbers(places: dict, planes: dict) -> list[str]:
 
 def test_angles_uncertainty_and_effect(content: ReportContent) -> None:
     roll, pitch, yaw = content.angles
-    assert roll.estimated_deg == pytest.approx(0.43951)
-    assert pitch.sigma_deg == pytest.approx(0.0291)
-    assert yaw.interval95_deg == pytest.approx(1.96 * 0.0376)
+    assert roll.estimated == pytest.approx(0.43951)
+    assert pitch.sigma == pytest.approx(0.0291)
+    assert yaw.interval95 == pytest.approx(1.96 * 0.0376)
     assert content.adjustment is not None
     effects = {effect.angle: effect.displacement_m for effect in content.adjustment.effects}
     assert effects["roll"] == pytest.approx([d * np.radians(0.0163) for d in (10, 50, 100)])
@@ -230,7 +235,7 @@ def test_targets_seen_on_few_lines(project: Project) -> None:
 
 def test_truth_of_a_simulated_survey(project: Project) -> None:
     content = sample_content(replace(project, truth_deg=(0.44, -1.87, 0.6)))
-    assert content.angles[0].error_deg == pytest.approx(0.43951 - 0.44)
+    assert content.angles[0].error == pytest.approx(0.43951 - 0.44)
     assert {"report.simulated", "report.truth_outside"} <= _codes(content)
     outside = next(c for c in content.warnings if c.code == "report.truth_outside")
     assert note("quantity.yaw") in outside.params["angles"]
@@ -241,9 +246,9 @@ def test_json_holds_full_precision(content: ReportContent, tmp_path: Path) -> No
     path = tmp_path / "report.json"
     write_json(content, path)
     data = json.loads(path.read_text(encoding="utf-8"))
-    assert data["schema_version"] == 4
-    assert data["angles"][1]["estimated_deg"] == content.angles[1].estimated_deg
+    assert data["schema_version"] == 5
     assert content.adjustment is not None
+    assert data["adjustment"]["boresight_deg"]["pitch"] == content.adjustment.boresight_deg.pitch
     assert data["adjustment"]["rms_after_m"] == content.adjustment.rms_after_m
     assert data["validation"][2]["after"]["p95_m"] == content.validation[2].after.p95_m
 
@@ -277,9 +282,9 @@ def test_tables_hold_the_numbers_of_the_json(content: ReportContent, tmp_path: P
     assert len(names) > 10
     boresight = tables["02-boresight.csv"]
     assert boresight[0][:3] == ["Angle", "Prior (deg)", "Estimated (deg)"]
-    for row, angle in zip(boresight[1:], data["angles"], strict=True):
-        assert float(row[2]) == pytest.approx(angle["estimated_deg"], abs=5e-5)
-        assert float(row[4]) == pytest.approx(angle["interval95_deg"], abs=5e-5)
+    for row, name in zip(boresight[1:], ("roll", "pitch", "yaw"), strict=True):
+        assert float(row[2]) == pytest.approx(data["adjustment"]["boresight_deg"][name], abs=5e-5)
+        assert float(row[4]) == pytest.approx(data["adjustment"]["interval95_deg"][name], abs=5e-5)
     (pairs,) = (rows for name, rows in tables.items() if "every-pair-of-lines" in name)
     listed = [pair for plane in data["validation"] for pair in plane["pairs"]]
     for row, pair in zip(pairs[1:], listed, strict=True):

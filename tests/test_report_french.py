@@ -20,8 +20,9 @@ from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.alternative_methods import METHODS, AlternativeResult
 from lispac.language import in_language
 from lispac.messages import error, note
+from lispac.present.error_budget import ErrorBudgetValues
+from lispac.present.text_format import with_minus_signs
 from lispac.project import Project
-from lispac.report.budget_values import ErrorBudgetValues
 from lispac.report.content import ReportContent, report_content
 from lispac.report.csv_tables import write_tables
 from lispac.report.document import drawn_document, report_document, undrawn_document
@@ -29,7 +30,6 @@ from lispac.report.document_blocks import Bullets, Paragraph, SignatureLines, Ta
 from lispac.report.html import html_text
 from lispac.report.options import USUAL, ReportOptions
 from lispac.report.pdf import write_pdf
-from lispac.report.text_format import with_minus_signs
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.targets.occlusion import ObservedExtent
 from lispac.targets.sighting_quality import SightingQuality

@@ -282,7 +282,7 @@ def test_thesis_mode_has_no_reliability(tmp_path: Path) -> None:
     )
     assert "not repeated with subsets" in _words(document, "Cross-checks")
     data = json.loads(json_text(content))
-    assert data["adjustment"]["reliability"] == []
+    assert {each["status"] for each in data["adjustment"]["sightings"]} == {"not tested"}
     assert data["cross_checks"] is None
     assert data["settings"]["surface_sigma_m"] is None
     write_pdf(content, tmp_path / "thesis.pdf", {})
@@ -303,11 +303,11 @@ def test_pos_error_figure_marks_what_lies_beyond_the_prior(
     error = np.array([0.03, 0, 0, 0, 0, 0])
     checks = changed(reliability=(replace(first, pos_error=error), *rest)).adjustment
     assert checks is not None
-    (figure,) = figures.pos_error_figures_of(checks.reliability)
+    (figure,) = figures.pos_error_figures_of(checks.sightings)
     assert [axes.get_title() for axes in figure.axes] == list(figures.POS_COMPONENTS)
     red = [line for line in figure.axes[0].lines if line.get_color() == "#bb2222"]
     assert [list(np.asarray(line.get_xdata())) for line in red] == [[pytest.approx(30.0)]]
-    assert len(figures.pos_error_figures_of(checks.reliability * 5)) == 3
+    assert len(figures.pos_error_figures_of(checks.sightings * 5)) == 3
 
 
 def test_a_large_sigma_is_serious_and_its_cause_named(project: Project, changed: Changed) -> None:

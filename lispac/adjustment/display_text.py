@@ -22,7 +22,7 @@ class ParameterDisplay:
 
     title: str
     factor: float
-    unit: str
+    unit: Literal["m", "deg", "ms"]
     decimals: int
 
 
@@ -85,7 +85,15 @@ def join_names(names: Sequence[str]) -> str:
     return f"{', '.join(head)} and {last}" if head else last
 
 
-ASCII_CHARACTERS = {"\u2212": "-", "\u00a0": " ", "\u00b1": "+/-", "\u00b2": "2", "\u00b0": " deg"}
+ASCII_CHARACTERS = {
+    "\u2212": "-",
+    "\u2013": "-",
+    "\u03c3": "sigma",
+    "\u00a0": " ",
+    "\u00b1": "+/-",
+    "\u00b2": "2",
+    "\u00b0": " deg",
+}
 
 
 def to_plain_text(text: str) -> str:

@@ -1,13 +1,12 @@
 """``lispac budget``: effect of every source of error on a point at a distance."""
 
 from argparse import Namespace
-from dataclasses import asdict
 
 from lispac.adjustment.error_budget import DISTANCES
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.message_texts import message_text
-from lispac.report.budget_values import ErrorBudgetValues
-from lispac.report.json_report import english_values
+from lispac.present.error_budget import ErrorBudgetValues
+from lispac.present.json_values import json_values
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.project.projects import open_project
 from lispac.workflow.project.survey import load_survey
@@ -24,7 +23,7 @@ def budget(arguments: Namespace) -> None:
         )
     )
     if arguments.json:
-        print_json(asdict(english_values(found)))
+        print_json(json_values(found))
         return
     heads = "".join(f"{f'at {distance:g} m':>30s}" for distance in found.distances_m)
     columns = "".join(f"{name:>10s}" for name in ("horiz.", "vertical", "across"))

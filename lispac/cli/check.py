@@ -2,13 +2,12 @@
 
 import math
 from argparse import Namespace
-from dataclasses import asdict
 
 from lispac.cli.console import ConsoleProgress, opened_project, print_json
 from lispac.cli.messages import print_messages
 from lispac.message_texts import message_text
-from lispac.report.absolute_values import AbsoluteCheckValues, ReferenceDistances
-from lispac.report.json_report import english_values
+from lispac.present.absolute import AbsoluteCheckValues, ReferenceDistances
+from lispac.present.json_values import json_values
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.project.projects import save_project
 from lispac.workflow.project.survey import load_survey
@@ -29,7 +28,7 @@ def check(arguments: Namespace) -> None:
     found = AbsoluteCheckValues.of(project.absolute)
     print_messages(notes)
     if arguments.json:
-        print_json(asdict(english_values(found)))
+        print_json(json_values(found))
         return
     heads = "".join(
         f"{f'mean {state}':>12s}{'95 %':>9s}{f'RMS {state}':>11s}" for state in ("before", "after")

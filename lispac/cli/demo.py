@@ -30,8 +30,9 @@ def demo(arguments: Namespace) -> None:
                     | {"report": str(report), "project": str(project.folder)})  # fmt: skip
     else:
         assert project.result is not None
-        print_result(project.result, project.cross_checks, project_warnings(project))
-        print("truth      " + "".join(f"{angle:+12.4f}" for angle in truth_deg))
+        print_result(
+            project.result, project.cross_checks, project_warnings(project), truth_deg=truth_deg
+        )
         print_validation(project, true)
         print(f"project    {project.folder}")
         print(f"report     {report}")

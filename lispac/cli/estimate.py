@@ -8,33 +8,25 @@ from typing import Any
 import numpy as np
 
 from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.display_text import (
-    OUTPUT_UNITS,
-    QUANTITIES,
-    number_with_noun,
-    to_plain_text,
-    variance_component_finding,
-)
-from lispac.adjustment.parameters import OPTIONAL_NAMES, Parameter, ParameterEstimate
-from lispac.adjustment.result import (
-    ANGLES,
-    AdjustmentResult,
-    ContradictedParameter,
-    CrossChecks,
-    PossibleCause,
-    SightingReliability,
-    VarianceComponent,
-)
+from lispac.adjustment.display_text import OUTPUT_UNITS, number_with_noun, to_plain_text
+from lispac.adjustment.parameters import OPTIONAL_NAMES, Parameter
+from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.solver import adjust
 from lispac.adjustment.warnings import result_warnings
-from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json, print_table
 from lispac.cli.estimate_options import noise_and_offset_settings
-from lispac.cli.sighting_qualities import print_weak_sightings, quality_list
+from lispac.cli.sighting_qualities import print_weak_sightings
 from lispac.cli.warnings_json import warnings_as_json
 from lispac.duplicate_targets import project_warnings
 from lispac.io.text.plane_file import read_plane_files
-from lispac.message_texts import english_text, message_text
+from lispac.message_texts import message_text
 from lispac.messages import Message
+from lispac.present.adjustment import adjustment_values, angle_values, boresight_table
+from lispac.present.angles import SIGMAS, angles
+from lispac.present.cross_checks import cross_check_values, spread_rows
+from lispac.present.json_values import json_values
+from lispac.present.parameters import PARAMETERS, VARIANCE_COMPONENTS
+from lispac.present.sighting_quality import quality_list
 from lispac.progress import sub_progress
 from lispac.project import Project, Settings, require_prior_sigma
 from lispac.survey.conventions.mounting_texts import orientation_text
@@ -43,15 +35,6 @@ from lispac.workflow.calibration import estimation as calibration
 from lispac.workflow.calibration.sighting_assessment import sighting_qualities
 from lispac.workflow.project import projects
 from lispac.workflow.project.survey import load_survey
-
-LABEL = 29
-"""Characters before the numbers."""
-SIGNIFICANCE = {
-    True: "significant",
-    False: "not significant",
-    None: "not tested: with uncorrelated POS errors the sigmas are too small",
-}
-"""Whether the change of a value is significant; None where it is not tested."""
 
 
 def estimate(arguments: Namespace) -> None:
@@ -91,7 +74,7 @@ def estimate(arguments: Namespace) -> None:
             found = sighting_qualities(project, survey, progress=sub_progress(progress, 0.9, 1.0))
         projects.save_project(project)
     if arguments.json:
-        print_json(project_result_values(project) | {"qualities": quality_list(found)})
+        print_json(project_result_values(project) | {"qualities": json_values(quality_list(found))})
     else:
         assert project.result is not None
         print_result(project.result, project.cross_checks, project_warnings(project))
@@ -185,16 +168,6 @@ def _estimate_planes(arguments: Namespace) -> tuple[AdjustmentResult, CrossCheck
         )
 
 
-def _values_by_angle(values: Iterable[float] | None) -> dict[str, float] | None:
-    if values is None:
-        return None
-    return {name: float(value) for name, value in zip(ANGLES, values, strict=True)}
-
-
-def _degrees_by_angle(values: Any) -> dict[str, float] | None:
-    return None if values is None else _values_by_angle(np.degrees(values))
-
-
 def project_result_values(project: Project) -> dict[str, Any]:
     """Result of a project as plain values, in degrees and metres."""
     assert project.result is not None
@@ -205,172 +178,40 @@ def project_result_values(project: Project) -> dict[str, Any]:
 def result_values(
     result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> dict[str, Any]:
-    """Result of an adjustment as plain values, in degrees and metres."""
-    chi_square, seen = result.chi_square, result.observability
-    return {
-        "boresight_deg": _degrees_by_angle(result.angles),
-        "rotation_body_lidar": result.mounting.rotation_body_lidar.tolist(),
-        "sigma_about": "body axes" if result.mounting.axes is not None else "roll, pitch, yaw",
-        "sigma_deg": _degrees_by_angle(result.sigma),
-        "correlation": result.correlation.tolist(),
-        "variance_factor": result.variance_factor,
-        "chi_square": {
-            "statistic": chi_square.statistic,
-            "lower": chi_square.lower,
-            "upper": chi_square.upper,
-            "passed": chi_square.passed,
-        },
-        "iterations": result.iterations,
-        "points": result.points,
-        "excluded_outliers": result.excluded_outliers,
-        "sightings": len(result.sightings),
-        "planes": len(result.targets),
-        "elapsed_s": result.elapsed,
-        "pos_errors": result.model.pos_errors,
-        "loss": result.model.loss,
-        "surface_sigma_m": result.surface,
-        "offset_sigma_m": result.offset,
-        "noise_factor": result.noise_factors,
-        "prior_boresight_deg": _degrees_by_angle(result.prior_angles),
-        "joint_plane_rms_m": {"before": result.rms_before, "after": result.rms_after},
-        "parameters": {p.name: _parameter_values(p) for p in result.parameters},
-        "observability": seen
-        and {
-            "condition": seen.condition,
-            "direction_sigma_deg": np.degrees(seen.eigenvalues**-0.5).tolist(),
-            "messages": [english_text(each) for each in seen.messages],
-        },
-        "reliability": [_reliability_values(item) for item in result.reliability],
-        "contradictions": [_contradiction_values(found) for found in result.contradictions],
-        "causes": [[_cause_values(each) for each in group] for group in result.causes or ()],
-        "rejected_sightings": [f"{s.target} on {s.line}" for s in result.rejected_sightings],
-        "components": {
-            c.name: {
-                "factor": c.factor,
-                "lower": c.lower,
-                "upper": c.upper,
-                "applied": c.applied,
-            }
-            for c in result.components
-        },
-        "cross_checks": checks and _cross_check_values(checks),
+    """Result of an adjustment as plain values: the keys of the JSON report."""
+    values: dict[str, Any] = json_values(adjustment_values(result))
+    return values | {
+        "cross_checks": None if checks is None else json_values(cross_check_values(checks)),
         "warnings": warnings_as_json(result_warnings(result, checks, also)),
     }
 
 
-def _parameter_values(estimate: ParameterEstimate) -> dict[str, Any]:
-    factor, unit = OUTPUT_UNITS[estimate.name]
-
-    def shown(value: float | None) -> float | None:
-        return None if value is None else factor * value
-
-    return {
-        "unit": unit,
-        "prior": shown(estimate.prior),
-        "prior_sigma": shown(estimate.prior_sigma),
-        "value": shown(estimate.value),
-        "sigma": shown(estimate.sigma),
-        "significance": estimate.significance,
-        "significant": estimate.significant,
-        "reason": "" if estimate.reason is None else english_text(estimate.reason),
-    }
-
-
-def _contradiction_values(parameter: ContradictedParameter) -> dict[str, Any]:
-    factor, unit = OUTPUT_UNITS[parameter.name]
-    return {
-        "name": parameter.name,
-        "unit": unit,
-        "change": factor * parameter.change,
-        "sigma": factor * parameter.sigma,
-        "w": parameter.w,
-        "angle_change_deg": _degrees_by_angle(parameter.angle_change),
-        "surface_sigma_m": parameter.surface_sigma,
-    }
-
-
-def _cause_values(cause: PossibleCause) -> dict[str, Any]:
-    factor, unit = OUTPUT_UNITS.get(cause.kind, (1.0, "m"))
-    if cause.kind == "line_time":
-        factor, unit = OUTPUT_UNITS["latency"]
-    elif cause.kind == "line_boresight":
-        factor, unit = float(np.degrees(1.0)), "deg"
-    return {
-        "kind": cause.kind,
-        "target": cause.target or None,
-        "line": cause.line or None,
-        "unit": unit,
-        "size": (factor * cause.size).tolist(),
-        "sigma": (factor * cause.sigma).tolist(),
-        "angle_change_deg": _degrees_by_angle(cause.angle_change),
-        "effect_m": cause.effect,
-        "evidence": cause.evidence,
-    }
-
-
-def _reliability_values(item: SightingReliability) -> dict[str, Any]:
-    return {
-        "target": item.sighting.target,
-        "line": item.sighting.line,
-        "shift_m": item.shift,
-        "w": item.w,
-        "detectable_m": item.detectable,
-        "effect_deg": _degrees_by_angle(item.effect),
-        "redundancy": item.redundancy,
-        "outliers": item.outliers,
-        "largest_w": item.largest_w,
-        "largest_w_time_s": item.largest_at,
-        "rejected": item.rejected,
-    }
-
-
-def _cross_check_values(checks: CrossChecks) -> dict[str, Any]:
-    return {
-        "spread_lines_deg": _degrees_by_angle(checks.spread_lines),
-        "spread_targets_deg": _degrees_by_angle(checks.spread_targets),
-        "parts": [
-            {
-                "kind": part.kind,
-                "part": part.part,
-                "boresight_deg": _degrees_by_angle(part.boresight),
-                "difference_deg": _degrees_by_angle(part.difference),
-                "significance": _values_by_angle(part.significance),
-                "disagrees": part.disagrees,
-                "reason": "" if part.reason is None else english_text(part.reason),
-            }
-            for part in checks.parts
-        ],
-    }
-
-
 def print_result(
-    result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
+    result: AdjustmentResult,
+    checks: CrossChecks | None,
+    also: Sequence[Message] = (),
+    *,
+    truth_deg: Sequence[float] | None = None,
 ) -> None:
-    """Print the result of an adjustment as text."""
+    """Print the result of an adjustment as text, of a simulated survey beside the truth."""
+    values = adjustment_values(result)
     chi_square = result.chi_square
     size = "large" if chi_square.statistic < chi_square.lower else "small"
     verdict = "passed" if chi_square.passed else f"failed, the given sigmas are too {size}"
-    print(f"{'degrees':{LABEL}s}" + "".join(f"{name:>12s}" for name in ANGLES))
-    rows = {
-        "prior": np.degrees(result.prior_angles),
-        "boresight": np.degrees(result.angles),
-        "sigma": np.degrees(result.sigma),
-        "95 %": 1.96 * np.degrees(result.sigma),
-    }
-    if checks is not None:
-        for name, spread in (
-            ("Spread, one line omitted", checks.spread_lines),
-            ("Spread, one target omitted", checks.spread_targets),
-        ):  # fmt: skip
-            if spread is not None:
-                rows[name] = np.degrees(spread)
-    for name, values in rows.items():
-        sign = "+" if name in ("prior", "boresight") else ""
-        print(f"{name:{LABEL}s}" + "".join(f"{value:{sign}12.4f}" for value in values))
+    true = None if truth_deg is None else angles(truth_deg)
+    print_table(
+        boresight_table(calibrated=True, simulated=true is not None),
+        angle_values(values.prior_boresight_deg, values, true),
+    )
     if result.mounting.axes is not None:
         print_steep_rotation(result)
-    for estimate in result.parameters:
-        print(_parameter_line(estimate))
+    if checks is not None:
+        print_table(SIGMAS, spread_rows(cross_check_values(checks)))
+    if values.parameters:
+        print_table(PARAMETERS, values.parameters)
+    for parameter in values.parameters:
+        if parameter.reason:
+            print(to_plain_text(message_text(parameter.reason)))
     outliers = (
         f" ({number_with_noun(result.excluded_outliers, 'outlier')} excluded)"
         if result.excluded_outliers
@@ -391,8 +232,8 @@ def print_result(
         f"RMS distance from the target surfaces {result.rms_before * 1000:.1f} mm before, "
         f"{result.rms_after * 1000:.1f} mm after"
     )
-    for component in result.components:
-        print(_component_line(component))
+    if values.components:
+        print_table(VARIANCE_COMPONENTS, values.components)
     for each in result.observability.messages if result.observability else ():
         print(to_plain_text(message_text(each)))
     found = result_warnings(result, checks, also)
@@ -421,24 +262,4 @@ def _error_model_text(result: AdjustmentResult) -> str:
     return (
         f"correlated over {model.position_time:g} s (position) and {model.attitude_time:g} s "
         f"(attitude), loss {model.loss}"
-    )
-
-
-def _parameter_line(estimate: ParameterEstimate) -> str:
-    shown = QUANTITIES[estimate.name]
-    factor, places = shown.factor, f".{shown.decimals}f"
-    if estimate.value is None or estimate.sigma is None:
-        return "" if estimate.reason is None else to_plain_text(message_text(estimate.reason))
-    return (
-        f"{shown.title} {factor * estimate.value:+{places}} {shown.unit}, "
-        f"sigma {factor * estimate.sigma:{places}}, prior {factor * estimate.prior:+{places}}: "
-        f"{SIGNIFICANCE[estimate.significant]}"
-    )
-
-
-def _component_line(component: VarianceComponent) -> str:
-    return (
-        f"{component.name} sigmas multiplied by {component.factor:.2f} (95 % interval "
-        f"{component.lower:.2f} to {component.upper:.2f}), "
-        f"{message_text(variance_component_finding(component))}"
     )

@@ -9,10 +9,11 @@ import numpy as np
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
 from lispac.cli.messages import print_messages
 from lispac.cli.pick_list import pick_list
-from lispac.cli.sighting_qualities import quality_values
 from lispac.duplicate_targets import find_overlap, overlap_warning
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message, note
+from lispac.present.json_values import json_values
+from lispac.present.sighting_quality import sighting_quality_values
 from lispac.project import Project, Target
 from lispac.targets.expected_target import ExpectedTarget
 from lispac.targets.finder_settings import FinderChoices
@@ -142,7 +143,7 @@ def target_values(
         s.line: {
             "points": len(s.indices),
             "rms_m": s.rms,
-            "quality": quality_values(qualities[s.line]),
+            "quality": json_values(sighting_quality_values(target.name, s.line, qualities[s.line])),
         }
         for s in target.sightings
     }

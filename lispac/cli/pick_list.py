@@ -6,8 +6,9 @@ from typing import Any
 
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import print_messages
-from lispac.cli.sighting_qualities import quality_values
 from lispac.message_texts import english_text, message_text
+from lispac.present.json_values import json_values
+from lispac.present.sighting_quality import sighting_quality_values
 from lispac.project import Project
 from lispac.survey.crs import CoordinateSystem
 from lispac.workflow.calibration.seed_lists import (
@@ -73,7 +74,7 @@ def _outcome_values(project: Project, survey: Survey, outcome: SeedOutcome) -> d
         s.line: {
             "points": len(s.indices),
             "rms_m": s.rms,
-            "quality": quality_values(judged[s.line]),
+            "quality": json_values(sighting_quality_values(target.name, s.line, judged[s.line])),
         }
         for s in target.sightings
     }

@@ -2,13 +2,16 @@
 
 from argparse import Namespace
 from collections.abc import Mapping
+from dataclasses import replace
 
 from lispac.adjustment.display_text import to_plain_text
-from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
+from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json, print_table
 from lispac.cli.warnings_json import warnings_as_json
 from lispac.duplicate_targets import project_warnings
-from lispac.io.value_conversion import encode_value
 from lispac.message_texts import english_text, message_text
+from lispac.present.json_values import json_values
+from lispac.present.tables import PLAIN_MILLIMETRES, Column
+from lispac.present.validation import PLANE_DISTANCES, ValidationPlane
 from lispac.project import Project
 from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel
 from lispac.workflow.checking.validation import validate as validated
@@ -44,7 +47,9 @@ def validate(arguments: Namespace) -> None:
     if arguments.json:
         print_json(
             {
-                "planes": [encode_value(comparison) for comparison in project.validation],
+                "validation": [
+                    json_values(ValidationPlane.of(each)) for each in project.validation
+                ],
                 "rms_truth_m": true,
                 "not_compared": {
                     name: english_text(why) for name, why in project.not_compared.items()
@@ -65,15 +70,13 @@ def rms_with_truth(project: Project, survey: Survey) -> dict[str, float]:
 
 def print_validation(project: Project, true: Mapping[str, float]) -> None:
     """The distances between the lines on each plane, one row a plane."""
-    last = f"{'with truth':>14s}" if true else ""
-    heads = f"{'points':>10s}{'RMS before':>14s}{'RMS after':>14s}{last}"
-    print(f"{'validation':12s}{heads}  mm, line to line")
-    for each in project.validation:
-        values = [each.before.rms, each.after.rms]
-        if each.name in true:
-            values.append(true[each.name])
-        figures = "".join(f"{1000 * value:14.1f}" for value in values)
-        print(f"{each.name:12s}{each.after.n:10,}{figures}")
+    table = PLANE_DISTANCES
+    if true:
+        with_truth = Column[ValidationPlane](
+            lambda plane: true.get(plane.name), "RMS with truth", PLAIN_MILLIMETRES
+        )
+        table = replace(table, columns=(*table.columns, with_truth))
+    print_table(table, [ValidationPlane.of(each) for each in project.validation])
     for reason in project.not_compared.values():
         print(f"not compared: {message_text(reason)}")
     for message in project_warnings(project):

@@ -13,10 +13,10 @@ from lispac.installation_paths import home_folder
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
+from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.error_budget import ErrorBudgetValues
 from lispac.progress import Progress, sub_progress
 from lispac.project import Project
-from lispac.report.absolute_values import AbsoluteCheckValues
-from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.thesis_site import SITES
 from lispac.simulation.visibility_study import VisibilityStudy, study_visibility
 from lispac.workflow.checking.absolute_check import check_absolute

@@ -3,18 +3,8 @@
 from collections.abc import Sequence
 
 from lispac.language import N_, gettext
-from lispac.report.absolute_values import AbsoluteCheckValues, ReferenceDistances, SurveyedPoint
-from lispac.report.document_blocks import (
-    Block,
-    Bullets,
-    Column,
-    Paragraph,
-    Table,
-    UndrawnPictures,
-    as_rows,
-)
-from lispac.report.report_values import ReportContent
-from lispac.report.text_format import (
+from lispac.present.absolute import AbsoluteCheckValues, ReferenceDistances, SurveyedPoint
+from lispac.present.text_format import (
     fixed_number,
     format_known,
     grouped_number,
@@ -25,6 +15,16 @@ from lispac.report.text_format import (
     shortest_number,
     signed_number,
 )
+from lispac.report.document_blocks import (
+    Block,
+    Bullets,
+    Column,
+    Paragraph,
+    Table,
+    UndrawnPictures,
+    as_rows,
+)
+from lispac.report.report_values import ReportContent
 from lispac.validation.absolute_check import ALL_LINES
 
 LOCAL = "the local frame"

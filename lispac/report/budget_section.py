@@ -2,9 +2,9 @@
 
 from lispac.language import gettext
 from lispac.message_texts import message_text
-from lispac.report.budget_values import BeamErrors, ErrorBudgetValues, ErrorSource
+from lispac.present.error_budget import BeamErrors, ErrorBudgetValues, ErrorSource
+from lispac.present.text_format import UNKNOWN, centimetres, shortest_number
 from lispac.report.document_blocks import Block, Bullets, Column, Paragraph, Table, as_rows
-from lispac.report.text_format import UNKNOWN, centimetres, shortest_number
 
 
 def budget_blocks(budget: ErrorBudgetValues) -> list[Block]:

@@ -12,8 +12,13 @@ from lispac.design.plan import Line, Plan
 from lispac.design.prediction import predict
 from lispac.design.site import Wall, clearance_from_wall
 from lispac.language import N_, Plural, gettext
+from lispac.present.text_format import (
+    fixed_number,
+    localised_number,
+    shortest_number,
+    signed_number,
+)
 from lispac.report.figures import AFTER, BEFORE, GRID, INK, SMALL, TEXT, LocalisedFormatter
-from lispac.report.text_format import fixed_number, localised_number, shortest_number, signed_number
 from lispac.simulation.closed_form_survey import Ball, Board
 
 Array = NDArray[np.float64]

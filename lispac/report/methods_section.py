@@ -4,10 +4,10 @@ from collections.abc import Mapping
 
 from lispac.adjustment.result import ANGLES
 from lispac.language import N_, gettext
-from lispac.report.alternative_method_values import MethodValues
+from lispac.present.methods import MethodValues
+from lispac.present.text_format import angle_text, fixed_number, sentence_text, signed_number, title
 from lispac.report.document_blocks import Block, Bullets, Column, Paragraph, Table, as_rows
 from lispac.report.report_values import ReportContent
-from lispac.report.text_format import angle_text, fixed_number, sentence_text, signed_number, title
 
 METHODS: Mapping[str, str] = {
     "targets": N_("Targets"),

@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from lispac.language import N_, gettext
+from lispac.present.text_format import fixed_number, title
 from lispac.report.figures import INK, LINE_COLOURS, SMALL, TEXT, blank_figure, style_axes
-from lispac.report.text_format import fixed_number, title
 from lispac.simulation.thesis_site import HEADINGS_DEG, SIZES
 from lispac.simulation.visibility_study import THRESHOLD, VisibilityStudy
 

@@ -6,8 +6,8 @@ import numpy as np
 
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
+from lispac.present.text_format import fixed_number
 from lispac.report.document_blocks import Column, Table, as_rows
-from lispac.report.text_format import fixed_number
 from lispac.report.visibility_figures import CRITERIA, systematic_error_label
 from lispac.simulation.thesis_comparison import (
     ALL_ERRORS,

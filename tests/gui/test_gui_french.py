@@ -29,8 +29,8 @@ from lispac.gui.studies import SITES
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.project.project_file import write_project
 from lispac.language import gettext
+from lispac.present.error_budget import ErrorBudgetValues
 from lispac.project import Project
-from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.visibility_study import study_visibility
 from lispac.workflow.checking.budget import error_budget_of
 from lispac.workflow.checking.validation import validate

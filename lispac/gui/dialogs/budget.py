@@ -8,7 +8,7 @@ from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.report.budget_values import ErrorBudgetValues
+from lispac.present.error_budget import ErrorBudgetValues
 
 COMPONENT_COLUMNS = (
     (

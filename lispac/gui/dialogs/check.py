@@ -20,12 +20,12 @@ from lispac.gui.panels import widgets
 from lispac.gui.panels.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
-from lispac.project import Project
-from lispac.report.absolute_values import (
+from lispac.present.absolute import (
     AbsoluteCheckValues,
     LineReferenceDistances,
     ReferenceDistances,
 )
+from lispac.project import Project
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.workflow.checking.absolute_check import DEFAULT_SIGMA, SEARCH_DISTANCE
 from lispac.workflow.output.output_crs import LOCAL

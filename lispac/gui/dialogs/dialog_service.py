@@ -36,9 +36,9 @@ from lispac.identity import Identity
 from lispac.language import N_, gettext
 from lispac.messages import Message
 from lispac.method_comparison import MethodResult
+from lispac.present.absolute import AbsoluteCheckValues
+from lispac.present.error_budget import ErrorBudgetValues
 from lispac.project import LineSource, Project, Target, Triple
-from lispac.report.absolute_values import AbsoluteCheckValues
-from lispac.report.budget_values import ErrorBudgetValues
 from lispac.simulation.visibility_study import VisibilityStudy
 from lispac.survey.trajectory import LocalTrajectory
 from lispac.targets.finder_settings import FinderChoices

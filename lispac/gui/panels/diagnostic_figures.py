@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 from lispac.adjustment.result import ANGLES, AdjustmentResult
 from lispac.gui import theme, units
 from lispac.gui.panels.adjust_parameters import KINDS
-from lispac.gui.panels.diagnostics_rows import ANGLE_TITLES
 from lispac.language import N_, gettext
+from lispac.present.angles import ANGLE_TITLES
 
 MARKERS = ("o", "s", "^")
 """One for each angle, so that colours are not needed to distinguish them."""

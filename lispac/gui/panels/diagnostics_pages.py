@@ -1,7 +1,7 @@
 """The pages of the diagnostics; each is filled when it becomes visible."""
 
-from collections.abc import Callable, Sequence
 from html import escape
+from typing import Any
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
@@ -16,13 +16,19 @@ from PySide6.QtWidgets import (
 
 from lispac.adjustment.result import AdjustmentResult
 from lispac.gui import theme
-from lispac.gui.panels import diagnostics_rows as rows
 from lispac.gui.panels import widgets
-from lispac.gui.panels.diagnostics_table import Column, DiagnosticsTable, Row
+from lispac.gui.panels.diagnostics_table import DiagnosticsTable, Row
+from lispac.gui.panels.result_tables import spread_text, window_columns, window_rows
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
+from lispac.present.cross_checks import WINDOW_SUBSETS, cross_check_values, subset_rows
+from lispac.present.parameters import WINDOW_PARAMETERS, angle_parameters, parameter_values
+from lispac.present.sightings import SIGHTINGS, sighting_values
+from lispac.present.tables import Table
+from lispac.present.targets import TARGETS, target_values
 from lispac.project import Project
 
+ROW_HINT = N_("Double-click or press Enter to show the points of this row in the view")
 NOT_COMPUTED = N_("Not computed. Press Estimate to compute it.")
 NOT_WITH_CLASSICAL = N_(
     "Not available with uncorrelated POS errors. Choose “POS errors correlated in time” in "
@@ -196,19 +202,22 @@ class TablePage(DiagnosticsPage):
     """Page with one table."""
 
     name = ""
-    columns: Callable[[], Sequence[Column]]
-    content_of: Callable[[AdjustmentResult], list[Row]]
+    results: Table[Any]
 
     def __init__(self) -> None:
         super().__init__()
-        self.table = DiagnosticsTable(self.name, gettext(self.title), type(self).columns())
+        self.table = DiagnosticsTable(self.name, gettext(self.title), window_columns(self.results))
         layout = QVBoxLayout(self.content)
         layout.setContentsMargins(4, 4, 4, 4)
         layout.addWidget(self.table)
 
     def fill(self, project: Project, result: AdjustmentResult) -> None:
         """Fill the table."""
-        self.table.show_rows(type(self).content_of(result))
+        self.table.show_rows(self.rows_of(result))
+
+    def rows_of(self, result: AdjustmentResult) -> list[Row]:
+        """Rows of the table; each page overrides this."""
+        raise TypeError(f"{type(self).__name__} has no rows")
 
     def select(self, target: str, line: str) -> None:
         """Select the row of a sighting."""
@@ -219,23 +228,35 @@ class SightingsPage(TablePage):
     """Page with residuals and tests of every sighting."""
 
     title, name = N_("Sightings"), "diagnostics_sightings_table"
-    columns = staticmethod(rows.sighting_columns)
-    content_of = staticmethod(rows.sighting_rows)
+    results = SIGHTINGS
     empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the residuals and tests of each "
         "sighting."
     )
+
+    def rows_of(self, result: AdjustmentResult) -> list[Row]:
+        """A row for each sighting."""
+        return window_rows(
+            self.results, sighting_values(result), key=lambda row: (row.target, row.line),
+            marked=lambda row: row.is_marked, tip=lambda row: gettext(ROW_HINT),
+        )  # fmt: skip
 
 
 class TargetsPage(TablePage):
     """Page with residuals of every target."""
 
     title, name = N_("Targets"), "diagnostics_targets_table"
-    columns = staticmethod(rows.target_columns)
-    content_of = staticmethod(rows.target_rows)
+    results = TARGETS
     empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see the residuals of each target."
     )
+
+    def rows_of(self, result: AdjustmentResult) -> list[Row]:
+        """A row for each target."""
+        return window_rows(
+            self.results, target_values(result), key=lambda row: (row.target, ""),
+            marked=lambda row: bool(row.rejected_lines), tip=lambda row: gettext(ROW_HINT),
+        )  # fmt: skip
 
     def select(self, target: str, line: str) -> None:
         """Select the row of a target."""
@@ -246,16 +267,23 @@ class ParametersPage(TablePage):
     """Page with every estimated value, its prior and its significance."""
 
     title, name = N_("Parameters"), "diagnostics_parameters_table"
-    columns = staticmethod(rows.parameter_columns)
-    content_of = staticmethod(rows.parameter_rows)
+    results = WINDOW_PARAMETERS
     empty_text = N_(
         "Nothing estimated yet. Press Estimate in step 3 to see each estimated value with its "
         "prior and its significance."
     )
 
+    def rows_of(self, result: AdjustmentResult) -> list[Row]:
+        """A row for each angle and for each other parameter."""
+        return window_rows(
+            self.results, [*angle_parameters(result), *parameter_values(result)],
+            marked=lambda row: row.value is None,
+            tip=lambda row: message_text(row.reason) if row.reason else "",
+        )  # fmt: skip
+
 
 class CrossChecksPage(DiagnosticsPage):
-    """Page with the results from parts of the data."""
+    """Page with the results from subsets of the data."""
 
     title = N_("Cross-checks")
     empty_text = N_(
@@ -266,7 +294,7 @@ class CrossChecksPage(DiagnosticsPage):
     def __init__(self) -> None:
         super().__init__()
         self.table = DiagnosticsTable(
-            "diagnostics_checks_table", gettext(self.title), rows.check_columns()
+            "diagnostics_checks_table", gettext(self.title), window_columns(WINDOW_SUBSETS)
         )
         self.spread = widgets.label("", name="cross_check_spread", rich=True)
         self.spread.setToolTip(
@@ -297,8 +325,14 @@ class CrossChecksPage(DiagnosticsPage):
     def fill(self, project: Project, result: AdjustmentResult) -> None:
         """Fill the table, and show the spread."""
         assert project.cross_checks is not None
-        self.table.show_rows(rows.check_rows(project.cross_checks))
-        self.spread.setText(rows.spread_text(project.cross_checks))
+        checks = cross_check_values(project.cross_checks)
+        self.table.show_rows(
+            window_rows(
+                WINDOW_SUBSETS, subset_rows(checks), marked=lambda row: row.subset.disagrees,
+                tip=lambda row: message_text(row.subset.reason) if row.subset.reason else "",
+            )
+        )  # fmt: skip
+        self.spread.setText(spread_text(checks))
 
 
 PAGES: tuple[type[DiagnosticsPage], ...] = (

@@ -1,9 +1,8 @@
 """Texts about a result besides its angles: other parameters and the goodness of fit."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from html import escape
 
-from lispac.adjustment.display_text import variance_component_finding
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
 from lispac.adjustment.warnings import MAX_FLAT_SIGMA, result_warnings
 from lispac.gui import theme, units
@@ -12,7 +11,13 @@ from lispac.gui.panels.adjust_parameters import KINDS, MountingParameter
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.report.settings_section import COMPONENTS
+from lispac.present.parameters import (
+    COMPONENTS,
+    component_values,
+    interval_text,
+    parameter_values,
+    significance_text,
+)
 
 MIN_ROUGHNESS = 5e-5
 """Metres: a smaller surface sigma is shown as 0.0 mm."""
@@ -83,14 +88,6 @@ SMALL_RESIDUALS = (
 )
 
 
-SIGNIFICANCE: Mapping[bool | None, str] = {
-    True: N_("significant"),
-    False: N_("not significant"),
-    None: N_("not tested: with uncorrelated POS errors the standard deviations are too small"),
-}
-"""Whether the change of a value is significant; None where it is not tested."""
-
-
 def fit_verdict(
     result: AdjustmentResult, checks: CrossChecks | None, also: Sequence[Message] = ()
 ) -> str:
@@ -129,7 +126,7 @@ def chi_square_text(result: AdjustmentResult) -> str:
 def parameters_html(result: AdjustmentResult) -> str:
     """Parameters estimated besides the boresight, as rich text; empty if there are none."""
     rows = []
-    for estimate in result.parameters:
+    for estimate, values in zip(result.parameters, parameter_values(result), strict=True):
         kind = KINDS[estimate.name]
         title = escape(gettext(kind.title))
         if estimate.value is None or estimate.sigma is None:
@@ -138,7 +135,7 @@ def parameters_html(result: AdjustmentResult) -> str:
             rows.append(f"<tr><td colspan='2'>{text}</td></tr>")
             continue
         prior = gettext("prior {value}", value=_parameter_text(kind, estimate.prior))
-        significance = escape(gettext(SIGNIFICANCE[estimate.significant]))
+        significance = escape(significance_text(values))
         rows.append(
             f"<tr><td>{title}</td><td align='right' style='padding-left:14px'>"
             f"<b>{_parameter_text(kind, estimate.value)}</b> ± "
@@ -157,9 +154,9 @@ def variance_component_texts(result: AdjustmentResult) -> tuple[str, ...]:
     """The variance components: factor, interval and finding of each."""
     return tuple(
         gettext(
-            "{errors}: factor {factor:x.2} (95 %: {lower:x.2} to {upper:x.2}), {finding}",
-            errors=gettext(COMPONENTS[each.name]), factor=each.factor, lower=each.lower,
-            upper=each.upper, finding=message_text(variance_component_finding(each)),
+            "{errors}: factor {factor:x.2} (95 %: {interval}), {finding}",
+            errors=gettext(COMPONENTS[each.name]), factor=each.factor,
+            interval=interval_text(each), finding=message_text(each.text),
         )
-        for each in result.components
+        for each in component_values(result)
     )  # fmt: skip

@@ -3,10 +3,21 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import degrees, sqrt
+from typing import Any
 
 import numpy as np
 
+from lispac.language import N_
 from lispac.messages import Message
+from lispac.present.tables import (
+    COUNT,
+    MILLIMETRES,
+    PERCENT,
+    PLAIN_MILLIMETRES,
+    Column,
+    Format,
+    Table,
+)
 from lispac.validation.comparison_results import (
     DistanceStatistics,
     PairComparison,
@@ -179,6 +190,15 @@ class DistanceMapValues:
 
 
 @dataclass(frozen=True)
+class LocalModelValues:
+    """Local surface to which distances are measured; its size is the one or the other."""
+
+    kind: str
+    neighbours: int | None
+    radius_m: float | None
+
+
+@dataclass(frozen=True)
 class ValidationPlane:
     """Distances between the lines on one validation plane, with their histogram.
 
@@ -188,6 +208,7 @@ class ValidationPlane:
     name: str
     pooled_from: str
     measured_to: Message
+    model: LocalModelValues
     before: DistanceValues
     after: DistanceValues
     pairs: tuple[PairValues, ...]
@@ -206,6 +227,7 @@ class ValidationPlane:
             name=plane.name,
             pooled_from=plane.pooled_from,
             measured_to=plane.model.name,
+            model=LocalModelValues(plane.model.kind, plane.model.neighbours, plane.model.radius),
             before=DistanceValues.of(plane.before),
             after=DistanceValues.of(plane.after),
             pairs=tuple(map(PairValues.of, plane.pairs)),
@@ -264,3 +286,155 @@ def _swath_difference(name: str, pairs: Sequence[_Measured]) -> SwathDifference:
     before, after = [b for b, _ in pairs], [a for _, a in pairs]
     places = sum(each.n for each in after)
     return SwathDifference(name, len(pairs), places, pooled(before), pooled(after))
+
+
+# -- tables ----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class PooledDistances:
+    """Statistics of the distances on a plane, before or after the calibration."""
+
+    plane: str
+    state: str
+    distances: DistanceValues
+
+
+@dataclass(frozen=True)
+class PairOnPlane:
+    """Two lines on a plane."""
+
+    plane: ValidationPlane
+    pair: PairValues
+
+    @property
+    def lines(self) -> str:
+        """Names of the two lines."""
+        return f"{self.pair.line_a} / {self.pair.line_b}"
+
+
+def pooled_rows(planes: Sequence[ValidationPlane]) -> list[PooledDistances]:
+    """Two rows for each plane."""
+    return [
+        PooledDistances(plane.name, state, getattr(plane, state))
+        for plane in planes
+        for state in ("before", "after")
+    ]
+
+
+def pair_rows(planes: Sequence[ValidationPlane]) -> list[PairOnPlane]:
+    """All pairs of lines on all planes."""
+    return [PairOnPlane(plane, pair) for plane in planes for pair in plane.pairs]
+
+
+def pairs_that_show_the_boresight(planes: Sequence[ValidationPlane]) -> list[PairOnPlane]:
+    """Reciprocal pairs; of a plane without any, all."""
+    return [
+        each
+        for each in pair_rows(planes)
+        if each.pair.reciprocal or each.plane.pooled_from == "all pairs"
+    ]
+
+
+ROTATION = Format("deg", 3)
+STATES = {"before": N_("before"), "after": N_("after")}
+POOLED_DISTANCES = Table[PooledDistances](
+    N_("Distances between lines on each plane (mm)"),
+    (
+        Column("plane", N_("Plane")),
+        Column("state", N_("State"), texts=STATES),
+        Column("distances.n", N_("Points"), COUNT),
+        Column("distances.mean_m", N_("Mean"), PLAIN_MILLIMETRES),
+        Column("distances.median_m", N_("Median"), PLAIN_MILLIMETRES),
+        Column("distances.rms_m", N_("RMS"), PLAIN_MILLIMETRES),
+        Column("distances.p68_m", N_("68 %"), PLAIN_MILLIMETRES),
+        Column("distances.p95_m", N_("95 %"), PLAIN_MILLIMETRES),
+        Column("distances.p99_m", N_("99 %"), PLAIN_MILLIMETRES),
+        Column("distances.robust_sigma_m", N_("Robust\nsigma"), PLAIN_MILLIMETRES),
+        Column("distances.outliers", N_("Outliers"), COUNT),
+    ),
+)
+
+
+def distance_columns(before: str, after: str) -> tuple[Column[Any], ...]:
+    """Points, median, RMS and 95 % of distances, at these paths before and after."""
+    return (
+        Column(f"{before}.n", N_("Points"), COUNT),
+        Column(f"{before}.median_m", N_("Median\nbefore"), PLAIN_MILLIMETRES),
+        Column(f"{after}.median_m", N_("Median\nafter"), PLAIN_MILLIMETRES),
+        Column(f"{before}.rms_m", N_("RMS\nbefore"), PLAIN_MILLIMETRES),
+        Column(f"{after}.rms_m", N_("RMS\nafter"), PLAIN_MILLIMETRES),
+        Column(f"{before}.p95_m", N_("95 %\nbefore"), PLAIN_MILLIMETRES),
+        Column(f"{after}.p95_m", N_("95 %\nafter"), PLAIN_MILLIMETRES),
+    )
+
+
+PLANE_DISTANCES = Table[ValidationPlane](
+    N_("Validation: distances between lines on planes not used in the adjustment (mm)"),
+    (Column("name", N_("Plane")), *distance_columns("before", "after")),
+)
+PAIR_DISTANCES = Table[PairOnPlane](
+    N_("Distances for every pair of lines (mm)"),
+    (
+        Column("plane.name", N_("Plane")),
+        Column("lines", N_("Lines")),
+        Column("pair.reciprocal", N_("Reciprocal"), texts={True: N_("yes"), False: N_("no")}),
+        *distance_columns("pair.before.distances", "pair.after.distances"),
+    ),
+)
+PAIR_PLACES = Table[PairOnPlane](
+    N_("Signed distances along the normal, reciprocal pairs (mm)"),
+    (
+        Column("plane.name", N_("Plane")),
+        Column("lines", N_("Lines")),
+        Column("pair.after.signed.places", N_("Compared\nplaces"), COUNT),
+        Column("pair.before.signed.median_m", N_("Median\nbefore"), PLAIN_MILLIMETRES.signed),
+        Column(
+            "pair.before.signed.interval95_m", N_("95 % interval\nof a place\nbefore"),
+            PLAIN_MILLIMETRES.half_interval,
+        ),
+        Column(
+            "pair.before.signed.significant_share", N_("Significant\nplaces\nbefore"), PERCENT,
+            has_unit_in_cells=True,
+        ),
+        Column("pair.after.signed.median_m", N_("Median\nafter"), PLAIN_MILLIMETRES.signed),
+        Column(
+            "pair.after.signed.interval95_m", N_("95 % interval\nof a place\nafter"),
+            PLAIN_MILLIMETRES.half_interval,
+        ),
+        Column(
+            "pair.after.signed.significant_share", N_("Significant\nplaces\nafter"), PERCENT,
+            has_unit_in_cells=True,
+        ),
+    ),
+)  # fmt: skip
+PAIR_PLANES = Table[PairOnPlane](
+    N_("Comparison of the planes fitted to two lines, reciprocal pairs"),
+    (
+        Column("plane.name", N_("Plane")),
+        Column("lines", N_("Lines")),
+        *(
+            Column(
+                f"pair.{state}.planes.{value}_{unit}", title, form.signed,
+                half_interval=f"pair.{state}.planes.{value}_interval95_{unit}",
+            )
+            for state, titles in (
+                ("before", (
+                    N_("Offset\nbefore"), N_("Rotation, horiz.\naxis before"),
+                    N_("Rotation, vert.\naxis before"),
+                )),
+                ("after", (
+                    N_("Offset\nafter"), N_("Rotation, horiz.\naxis after"),
+                    N_("Rotation, vert.\naxis after"),
+                )),
+            )
+            for (value, unit, form), title in zip(
+                (
+                    ("offset", "m", MILLIMETRES), ("rotation_horizontal_axis", "deg", ROTATION),
+                    ("rotation_slope_axis", "deg", ROTATION),
+                ),
+                titles, strict=True,
+            )
+        ),
+    ),
+)  # fmt: skip

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from lispac.messages import Message
-from lispac.report.validation_values import DistanceValues, SignedDistances
+from lispac.present.validation import DistanceValues, SignedDistances
 from lispac.validation.absolute_check import AbsoluteCheck, AbsoluteState, LineCheck, SigmaSources
 from lispac.validation.absolute_messages import absolute_check_messages
 

@@ -9,7 +9,6 @@ from lispac.adjustment.message_parts import mounting_value_name as quantity_name
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Message
-from lispac.report.report_values import CrossCheckPart, CrossCheckValues
 
 UNKNOWN = "\u2013"
 MINUS = "\u2212"
@@ -162,33 +161,19 @@ def origin_text(origin: Sequence[float] | None) -> str:
     )
 
 
-def named_cross_check_parts(checks: CrossCheckValues) -> list[tuple[str, CrossCheckPart]]:
-    """Cross-checked parts with their names; two halves that are compared with each other once."""
-    named = [(_part_name(part), part) for part in checks.parts if part.kind != "half"]
-    halves = [part for part in checks.parts if part.kind == "half"]
-    if halves and all(half.boresight_deg is not None for half in halves):
-        return [*named, (gettext("Second minus first half"), halves[1])]
-    names = {
-        "first": gettext("First half of the lines only"),
-        "second": gettext("Second half of the lines only"),
-    }
-    return [*named, *((names[half.part], half) for half in halves)]
-
-
-def _part_name(part: CrossCheckPart) -> str:
-    if part.kind == "line":
-        return gettext("Without line {name}", name=part.part)
-    return gettext("Without target {name}", name=part.part)
-
-
 def quantity_text(name: str, value: float, *, sign: bool = False) -> str:
     """A value of the mounting, in metres, degrees or seconds, with the unit it is shown in."""
     shown, (shown_factor, _) = QUANTITIES[name], OUTPUT_UNITS[name]
     number = fixed_number(shown.factor / shown_factor * value, shown.decimals, sign=sign)
+    return with_unit(number, shown.unit)
+
+
+def with_unit(number: str, unit: str) -> str:
+    """A number with its unit."""
     # French writes the sign of degrees without a space before it.
-    if shown.unit == "deg":
+    if unit == "deg":
         return gettext("{number}\u00a0deg", number=number)
-    return f"{number}\u00a0{shown.unit}"
+    return f"{number}\u00a0{unit}"
 
 
 def time_text(stamp: str) -> str:

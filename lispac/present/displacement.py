@@ -5,18 +5,38 @@ point at distance d in direction u by d (w x u).
 """
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.report.report_values import DisplacementByAngle, S44Contribution
 
 EFFECT_DISTANCES_M = (10.0, 50.0, 100.0)
 
 ONE_95 = 1.96
 TWO_95 = 2.45
 """Standard deviations that make 95 % of a quantity in one and in two dimensions (IHO S-44)."""
+
+
+@dataclass(frozen=True)
+class DisplacementByAngle:
+    """Displacement of a point caused by one sigma of an angle, or of all in the worst direction."""
+
+    angle: str
+    displacement_m: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class S44Contribution:
+    """Contribution of the boresight to the uncertainty of a point, for the worst beam.
+
+    Horizontal (THU) and vertical (TVU), at 95 % as IHO S-44 has it, for a level vessel.
+    """
+
+    distance_m: float
+    thu95_m: float
+    tvu95_m: float
 
 
 def angle_displacements(result: AdjustmentResult) -> tuple[DisplacementByAngle, ...]:
