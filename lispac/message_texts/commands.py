@@ -88,7 +88,7 @@ TEXTS: Mapping[str, Template] = {
         "window. Save the project to keep your changes."
     ),
     "window.not_saved": N_(
-        "The project was not saved. {reason} Use File > Save as… to save to another folder."
+        "The project was not saved: {reason} Use File > Save as… to save to another folder."
     ),
     "window.picture_not_written": N_(
         "{file}: the picture cannot be written. Choose another folder."

@@ -39,11 +39,11 @@ TEXTS: Mapping[str, Template] = {
         "started with {expected}. Install the same version on all computers."
     ),
     "cluster.worker_lost_repeatedly": Plural(
-        "{address}: one calculation terminated its worker {times:n} times. The worker has too "
-        "little memory or was stopped by another program. Start the campaign with fewer processes.",
-        "{address}: the same {count:n} calculations terminated their worker {times:n} times. The "
-        "worker has too little memory or was stopped by another program. Start the campaign with "
-        "fewer processes.",
+        "{address}: one calculation terminated its worker {times:n} times, for lack of memory or "
+        "because another program stopped it. Start the campaign with fewer processes.",
+        "{address}: the same {count:n} calculations terminated their worker {times:n} times, for "
+        "lack of memory or because another program stopped it. Start the campaign with fewer "
+        "processes.",
     ),
     "cluster.no_workers_left": N_(
         "{address}: all workers have stopped. Start them and the campaign again."

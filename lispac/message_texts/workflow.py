@@ -72,11 +72,11 @@ TEXTS: Mapping[str, Template] = {
     ),
     "reference.large_sigma": Plural(
         "Point {name} has a standard deviation of {sigma:m} m, but more than {limit:m} m is rare "
-        "for surveyed points. The list is read in metres. If the values are in millimetres, "
-        "correct the list.",
+        "for surveyed points. If the values are in millimetres, correct the list, which is read in "
+        "metres.",
         "{count:n} points have standard deviations above {limit:m} m, which is rare for surveyed "
-        "points; {name} has {sigma:m} m. The list is read in metres. If the values are in "
-        "millimetres, correct the list.",
+        "points; {name} has {sigma:m} m. If the values are in millimetres, correct the list, which "
+        "is read in metres.",
     ),
     "reference.plane_off": N_(
         "A point of plane {plane} lies {distance:mm.1} mm from the plane fitted to all of its "
@@ -225,7 +225,7 @@ TEXTS: Mapping[str, Template] = {
     ),
     "history.first": N_("{name} is the first calibration of the series."),
     "history.moved": N_(
-        "{name} differs significantly from the earlier calibrations, most in {difference}. The "
+        "{name} differs significantly from the earlier calibrations, most in {difference}: the "
         "mounting has moved, or one of the calibrations is wrong. A new series begins with {name}."
     ),
     "history.within_limits": N_(
