@@ -246,7 +246,7 @@ def damaged(kind: str, raw: Path, folder: Path) -> tuple[Path, Path]:
 @pytest.mark.parametrize(
     ("kind", "said"),
     [
-        ("truncated trajectory", "The file is truncated"),
+        ("truncated trajectory", "so the file is truncated"),
         ("empty trajectory", "trajectory.sbet: this SBET file is empty"),
         ("nan in trajectory", "record 8 contains NaN"),
         ("no gps_time", "point format 0 has no GPS time"),

@@ -202,9 +202,9 @@ def _not_flat(project: Project) -> Project:
 
 
 CASES = [
-    ("contradicted_lever_x", True, _contradicted, "The data do not agree with the given lever arm "
-     "X. The best-fitting value is smaller by 0.0951 m (+/- 0.0041 m, test value w = -23.2), which "
-     "would change pitch by -"),
+    ("contradicted_lever_x", True, _contradicted, "The given lever arm X disagrees with the data: "
+     "the best-fitting value, smaller by 0.0951 m (+/- 0.0041 m, test value w = -23.2), would "
+     "change pitch by -"),
     ("surfaces_differ", False, _bent, "differ between lines by 7.1 mm (1 sigma)"),
     ("surfaces_displaced", False, _displaced, "displaced by 7.1 mm and tilted by 0.0 mm"),
     ("large_sigma", True, _wide, "(1 sigma): roll 0.49 deg. Add targets"),
@@ -218,8 +218,8 @@ CASES = [
     ("target_cut", False, _cut(0.34), "34 % of the points of T1"),
     ("target_parts", False, _cut(0.0), "may not be flat: T1"),
     ("radii_differ", True, _radii(""), "from 170.0 to 300.0 mm, and no single error explains it"),
-    ("radii_pitch_sign", True, _radii("pitch_sign"), "opposite sign of pitch the radii agree"),
-    ("radii_parameter", True, _radii("latency", -0.02), "agree (latency smaller by 20.00 ms)"),
+    ("radii_pitch_sign", True, _radii("pitch_sign"), "but agrees with the opposite sign of pitch"),
+    ("radii_parameter", True, _radii("latency", -0.02), "parameter (latency smaller by 20.00 ms)"),
     ("radii_parameter", True, _radii("range_offset", 0.02), "range offset larger by 0.0200 m"),
     ("shorter_times", False, _shorter, "(position 300 s, attitude 600 s)"),
     ("sigmas_raised", False, _raised, "were increased: pitch from 0.0291 to 0.0728"),
@@ -235,12 +235,11 @@ CASES = [
      "L1 (displaced by 20.0 mm, test value w = +5.5)."),
     ("line_jumped", False, _line_gone, "All targets are displaced on line L3"),
     ("strays_full_weight", False, _sighting(outliers=60), "60 of"),
-    ("noise", False, _noise(1.0, 2.4), "on T2 are larger than the LiDAR noise or correlated over "
-     "the surface (2.4 times the given noise). The surface"),
-    ("noise", False, _noise(2.2, 2.4), "on T2 and T1 are larger than the LiDAR noise or correlated "
-     "over the surface (up to 2.4 times the given noise)."),
-    ("not_flat", True, _not_flat, "(2.4 times the given noise). The target is "
-     "probably"),
+    ("noise", False, _noise(1.0, 2.4), "on T2 indicate 2.4 times the given LiDAR noise: the "
+     "surface"),
+    ("noise", False, _noise(2.2, 2.4), "on T2 and T1 indicate up to 2.4 times the given LiDAR "
+     "noise: the surfaces"),
+    ("not_flat", True, _not_flat, "is probably not flat (residuals 2.4 times the given noise)"),
     ("another_surface", False, _noise(41.0, 1.0), "The points of target T1 deviate from its "
      "surface by 41.0 times the LiDAR noise"),
     ("one_facing", True, _facing(2), "All targets are nearly parallel"),

@@ -99,11 +99,11 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Project:
 @pytest.mark.parametrize(
     ("second", "code", "serious", "words"),
     [
-        (AGAIN, "counted_twice", True, "T2 with T6 (89 % on L1). These points count twice, "
-         "so the standard deviations of the angles are too small. Exclude one of the two."),
+        (AGAIN, "counted_twice", True, "T2 with T6 (89 % on L1). These points count twice and "
+         "make the standard deviations of the angles too small, so exclude one of the two."),
         (replace(AGAIN, role="validation"), "no_independent_check", False,
          "A validation plane has points in common with a target: T6 with T2 (89 % on L1). It "
-         "does not check the angles independently. Exclude one of the two."),
+         "does not check the angles independently, so exclude one of the two."),
     ],
 )  # fmt: skip
 def test_a_result_with_shared_points_has_a_warning_everywhere(
@@ -162,7 +162,7 @@ def test_at_the_command_line(
     assert "note: T3 is the surface of T2 already: " in err, "T3 is replaced, and T2 still there"
     words = ["pick", folder, "--name", "V1", "--role", "validation", "--seed", x, y, z, "--json"]
     code, out, err = run(capsys, *words)
-    assert "a validation plane on a target checks nothing" in err
+    assert "so the validation plane is no independent check" in err
     assert json.loads(out)["same_points_as"]["share_of_the_smaller"] > 0.9
     code, out, _ = run(capsys, "estimate", folder, "--no-cross-checks")
     assert code == 0

@@ -3,6 +3,7 @@
 import ast
 import json
 import pickle
+import re
 from pathlib import Path
 from string import Formatter
 from typing import cast
@@ -112,6 +113,32 @@ def test_every_message_can_be_shown_in_every_language(language: str) -> None:
 def text_of_english(template: Template) -> str:
     with in_language("en"):
         return format_text(template, sample_params(template))
+
+
+def sentences(text: str) -> list[str]:
+    """Sentences of an English text; a placeholder in the place of a sentence counts as one."""
+    ended = re.sub(r"((?:^|[.!?:] ){\w+(?::sentences)?})(?= [A-Z]| {action})", r"\1.", text)
+    return re.split(r"(?<=[.!?])[\")]?\s+(?=[A-Z{\d])", ended)
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("Up to 0.5 m (TIME, ..., X). Save as… {name} is kept.", 2),
+        ("Not saved: {reason}", 1), ("{file}: {reason} Copy it.", 2),
+        ("{x}: no. {reason} {action}", 3), ("{reasons:sentences} See.", 2),
+    ],
+)  # fmt: skip
+def test_sentences_are_counted(text: str, count: int) -> None:
+    assert len(sentences(text)) == count
+
+
+def test_a_text_has_at_most_two_sentences() -> None:
+    forms = {
+        code: [text] if isinstance(text, str) else [text.singular, text.plural]
+        for code, text in TEXTS.items()
+    }
+    assert [code for code, texts in forms.items() if max(map(len, map(sentences, texts))) > 2] == []
 
 
 def test_no_code_is_in_two_topics() -> None:

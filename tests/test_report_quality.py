@@ -212,7 +212,7 @@ def test_more_outliers_than_chance_explains(project: Project, changed: Changed) 
     many = (*reliability[:-1], replace(reliability[-1], outliers=60))
     text = _warning(changed(reliability=many), "adjustment.strays_full_weight")
     assert text.startswith("60 of")
-    assert "Most of them are on T2, line L6" in text
+    assert "most of them on T2, line L6" in text
     assert "Choose a robust loss" in text  # the sample has none
 
 

@@ -64,8 +64,8 @@ def test_a_list_gives_what_single_picks_give(
     code, out, err = run(capsys, "pick", folder, "--seeds", path)
     assert code == 1
     assert err.splitlines()[-1] == (
-        f"lispac: {path}: no target was found at 1 of the 4 seeds: Lost (row 6). The table gives "
-        "the reason. The targets found at the other seeds are saved."
+        f"lispac: {path}: no target was found at 1 of the 4 seeds (reason in the table): Lost (row "
+        "6). The targets found at the other seeds are saved."
     )
     assert "note: Columns identified by their names: name, north, west and up." in err
     table = {line.split()[1]: line for line in out.splitlines() if line[:4].strip().isdigit()}

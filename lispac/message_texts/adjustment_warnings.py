@@ -18,16 +18,16 @@ _MOUNTING = ("lever_x", "lever_y", "lever_z", "range_offset", "scan_angle_offset
 TEXTS: Mapping[str, Template] = {
     # -- targets and files -------------------------------------------------------------------
     "targets.counted_twice": Plural(
-        "Targets have points in common, which count twice and make the standard deviations of the "
-        "angles too small: {pairs:names}. Exclude one of the two.",
-        "Targets have points in common, which count twice and make the standard deviations of the "
-        "angles too small: {pairs:names}. Exclude one target of each pair.",
+        "Targets have points in common: {pairs:names}. These points count twice and make the "
+        "standard deviations of the angles too small, so exclude one of the two.",
+        "Targets have points in common: {pairs:names}. These points count twice and make the "
+        "standard deviations of the angles too small, so exclude one target of each pair.",
     ),
     "targets.no_independent_check": Plural(
-        "A validation plane has points in common with a target, so it is no independent check: "
-        "{pairs:names}. Exclude one of the two.",
-        "Validation planes have points in common with targets, so they are no independent check: "
-        "{pairs:names}. Exclude one of each pair.",
+        "A validation plane has points in common with a target: {pairs:names}. It does not check "
+        "the angles independently, so exclude one of the two.",
+        "Validation planes have points in common with targets: {pairs:names}. They do not check "
+        "the angles independently, so exclude one of each pair.",
     ),
     "targets.single_line_targets": N_(
         "Targets observed on one line only are excluded: {sightings:names}. Set seeds for them on "

@@ -92,13 +92,13 @@ TEXTS: Mapping[str, Template] = {
     ),
     "file.time_order_record": N_(
         "{file}: the times do not increase at {kind} record {record:n} ({before:s.6} s, then "
-        "{after:s.6} s); of {total:n} times, {repeated:n} are repeated and {backward:n} decrease. "
-        "Sort the file or export it again."
+        "{after:s.6} s), with {repeated:n} repeated and {backward:n} decreasing times among "
+        "{total:n}. Sort the file or export it again."
     ),
     "file.time_order_row": N_(
-        "{file}: the times do not increase at row {row:n} ({before:s.6} s, then {after:s.6} s); of "
-        "{total:n} times, {repeated:n} are repeated and {backward:n} decrease. Sort the file or "
-        "export it again."
+        "{file}: the times do not increase at row {row:n} ({before:s.6} s, then {after:s.6} s), "
+        "with {repeated:n} repeated and {backward:n} decreasing times among {total:n}. Sort the "
+        "file or export it again."
     ),
     # -- points of any format ----------------------------------------------------------------
     "file.no_points": N_("{file}: this file contains no points. Exclude it from the survey."),
