@@ -208,7 +208,7 @@ CASES = [
     ("surfaces_differ", False, _bent, "differ between lines by 7.1 mm (1 sigma)"),
     ("surfaces_displaced", False, _displaced, "displaced by 7.1 mm and tilted by 0.0 mm"),
     ("large_sigma", True, _wide, "(1 sigma): roll 0.49 deg. Add targets"),
-    ("large_sigma_unseen", True, _unseen, "do not determine: scan-angle offset. Give"),
+    ("large_sigma_unseen", True, _unseen, "given values: scan-angle offset. Give"),
     ("line_unchecked", True, _unchecked("line", lines=2), "any one of the lines L1 and L2 the"),
     ("target_unchecked", True, _unchecked("target", of_target=True), "Without target T1"),
     ("targets_clustered", True, _unchecked("clustered", size=0.031), "over only 3 % of"),

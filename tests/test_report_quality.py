@@ -163,7 +163,7 @@ def test_extra_parameters(project: Project, changed: Changed) -> None:
     assert "The estimated change of the latency (+1.10 ms) is not significant." in _warning(
         content, "report.parameter_not_significant"
     )
-    assert "not estimated. The given value is used. Do not" in _warning(
+    assert "not estimated: The given value is used. Turn off" in _warning(
         content, "report.parameter_not_seen"
     )
     rows = _tables(report_document(content, {}))[
@@ -410,14 +410,14 @@ def test_page_one_counts_sightings_that_are_not_good(project: Project) -> None:
     assert "report.sightings" not in {caution.code for caution in fine.warnings}
     some = (first.name, one, oblique[0]), (first.name, two, oblique[1]), (first.name, three, good)
     said = _warning(content(*some), "report.sightings")
-    assert said.startswith("3 sightings are used, including 0 poor and 2 doubtful ones.")
+    assert said.startswith("3 sightings are used, including 0 poor and 2 doubtful ones (")
     assert f"{first.name} on {two}: The angle between the beams and" in said
     worse = content(*some, (second.name, one, rough))
     said = _warning(worse, "report.sightings")
-    assert "4 sightings are used, including 1 poor and 2 doubtful ones." in said
+    assert "4 sightings are used, including 1 poor and 2 doubtful ones (" in said
     assert (
         f"{second.name} on {one}: The sighting has only 7 points. The surface is curved, by 4.0 "
-        "mm over its extent. See" in said
+        "mm over its extent." in said
     )
     french = report_document(worse, {}, ReportOptions(language="fr")).notes
     assert any("4 observations sont utilisées" in t and "que 7 points" in t for t in french)
