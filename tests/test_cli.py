@@ -250,7 +250,7 @@ def damaged(kind: str, raw: Path, folder: Path) -> tuple[Path, Path]:
         ("empty trajectory", "trajectory.sbet: this SBET file is empty"),
         ("nan in trajectory", "record 8 contains NaN"),
         ("no gps_time", "point format 0 has no GPS time"),
-        ("outside the trajectory", "no point lies within the trajectory"),
+        ("outside the trajectory", "and no other known time base fits"),
         ("empty line", "this file contains no points"),
         ("missing column", "line.txt: no row contains four or more numbers"),
     ],
