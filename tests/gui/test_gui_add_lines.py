@@ -168,7 +168,7 @@ def test_a_line_that_cannot_be_read_leaves_project_and_folder_as_they_are(
     kept.write_text("mine")
     late = shifted(shorter.lines[1].path, tmp_path / "late.laz", 90_000.0)
     before = sorted(shorter.folder.rglob("*"))
-    with pytest.raises(InputError, match="after the trajectory .* ends"):
+    with pytest.raises(InputError, match=r"after the trajectory .* ends"):
         with_lines_added(shorter, [LineSource("late", late)])
     with pytest.raises(InputError) as raised:
         with_lines_added(shorter, [LineSource(shorter.lines[0].name, late)])
