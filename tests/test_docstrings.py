@@ -221,7 +221,7 @@ OWN = {
     "survey": {
         "axes",
         "correction",
-        "present_settings",
+        "mounting_replacement",
         "scanner_frame_recovery",
         "scanner_frame_recovery_check",
         "row_runs",

@@ -227,7 +227,7 @@ def test_cross_checks_that_disagree(project: Project) -> None:
     assert rows[-3][-1] == "no result"
     words = _words(report_document(sample_content(project), {}), "Cross-checks")
     assert "Without target T1: All targets are planes of the same orientation" in words
-    assert "The spread with one target omitted requires at least three targets" in words
+    assert "The jackknife standard deviation with one target omitted at a time requires" in words
     sigma = np.array([-0.2, 4.1, 1.0])
     odd = replace(checks.parts[1], significance=sigma, difference=np.radians([0.0, 0.0512, 0.0]))
     wide = replace(checks, parts=(checks.parts[0], odd, *checks.parts[2:]))
@@ -360,7 +360,7 @@ def test_accepting_one_facing_is_shown_where_it_is_on(project: Project) -> None:
         )
         content = sample_content(other)
         shown = dict(_tables(report_document(content, {}))["System and points"].rows)  # type: ignore[arg-type]
-        assert ("Targets that all face the same way" in shown) == accepted
+        assert ("Targets of a single orientation" in shown) == accepted
         assert json.loads(json_text(content))["settings"]["accept_single_orientation"] == accepted
 
 

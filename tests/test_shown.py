@@ -111,7 +111,7 @@ def test_the_spread_has_one_name_and_the_halves_are_reported_once(
     checks = replace(checks, parts=odd)
     print_result(result, checks)
     printed = capsys.readouterr().out
-    assert "\nSpread, one line omitted " in printed
+    assert "\nJackknife, one line omitted " in printed
     assert printed.count("half") == 1
     assert "second minus first half of the data (roll " in printed
     assert "Spread,<br>one line omitted" in spread_text(checks)
@@ -121,7 +121,7 @@ def test_the_spread_has_one_name_and_the_halves_are_reported_once(
     tables = [
         b for s in report_document(content, {}).sections for b in s.blocks if b.kind == "table"
     ]
-    assert any("Spread, one line omitted" in row[0] for t in tables for row in t.rows)
+    assert any("Jackknife, one line omitted" in row[0] for t in tables for row in t.rows)
 
 
 def test_halves_are_compared_only_where_both_have_an_answer(sample: Sample) -> None:

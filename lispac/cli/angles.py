@@ -22,10 +22,10 @@ from lispac.survey.conventions.conversion import (
 )
 from lispac.survey.conventions.matrix_input import angle_product_of_matrix, matrix_of_text
 from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
-from lispac.survey.conventions.present_settings import (
-    PresentSettings,
-    present_settings_of_matrix,
-    replace_settings,
+from lispac.survey.conventions.mounting_replacement import (
+    CurrentMountingInSystem,
+    current_mounting_of_matrix,
+    replace_mounting,
 )
 from lispac.survey.conventions.systems import convention_of_key
 from lispac.workflow.project.projects import open_project
@@ -49,7 +49,7 @@ def angles(arguments: Namespace) -> None:
     current = _current_settings(arguments, target)
     if current is None and arguments.current_applied:
         raise UsageError("angles: --current-applied requires --current or --current-matrix.")
-    new = replace_settings(
+    new = replace_mounting(
         target, conversion_input.mounting, conversion_input.covariance, current,
         applied=arguments.current_applied, has_lever_arm=conversion_input.has_lever_arm,
     )  # fmt: skip
@@ -130,7 +130,9 @@ def _read_matrix(path: Path) -> tuple[Array, Array | None]:
     return matrix_of_text(path.read_text(encoding="utf-8", errors="replace"), path.name)
 
 
-def _current_settings(arguments: Namespace, target: ConventionSetup) -> PresentSettings | None:
+def _current_settings(
+    arguments: Namespace, target: ConventionSetup
+) -> CurrentMountingInSystem | None:
     """Current settings of the system given by --to.
 
     Raises
@@ -141,10 +143,10 @@ def _current_settings(arguments: Namespace, target: ConventionSetup) -> PresentS
     if arguments.current_matrix is None:
         if arguments.current is None:
             return None
-        return PresentSettings(np.radians(arguments.current))
+        return CurrentMountingInSystem(np.radians(arguments.current))
     if arguments.current is not None:
         raise UsageError("angles: give only one of --current and --current-matrix.")
     words = arguments.current_matrix
     if len(words) == 1:
-        return present_settings_of_matrix(target, *_read_matrix(Path(words[0])))
-    return present_settings_of_matrix(target, *matrix_of_text(" ".join(words), "--current-matrix"))
+        return current_mounting_of_matrix(target, *_read_matrix(Path(words[0])))
+    return current_mounting_of_matrix(target, *matrix_of_text(" ".join(words), "--current-matrix"))

@@ -23,7 +23,7 @@ from lispac.survey.conventions.mounting_texts import (
     offsets_note,
     orientation_text,
 )
-from lispac.survey.conventions.present_settings import ReplacementSettings
+from lispac.survey.conventions.mounting_replacement import MountingReplacement
 from lispac.survey.conventions.systems import DIRECTION_WORDS, STATUS_WORDS, SYSTEMS, Status
 from lispac.survey.georeferencing import Mounting
 
@@ -62,7 +62,7 @@ class ConversionInput:
 
 
 def print_conversion(
-    conversion_input: ConversionInput, new: ReplacementSettings, *, matrices: bool
+    conversion_input: ConversionInput, new: MountingReplacement, *, matrices: bool
 ) -> None:
     """Print the given angles, and the angles to enter in the other program."""
     convention = new.in_system.setup.convention
@@ -158,7 +158,7 @@ def _print_input(conversion_input: ConversionInput) -> None:
         _print_labelled("", message_text(offsets))
 
 
-def _print_converted(conversion_input: ConversionInput, new: ReplacementSettings) -> None:
+def _print_converted(conversion_input: ConversionInput, new: MountingReplacement) -> None:
     mounting, correction = new.in_system, new.correction
     setup = mounting.setup
     convention = setup.convention
@@ -181,12 +181,12 @@ def _print_converted(conversion_input: ConversionInput, new: ReplacementSettings
     _print_lever_arm(new)
 
 
-def _print_lever_arm(new: ReplacementSettings) -> None:
+def _print_lever_arm(new: MountingReplacement) -> None:
     if not new.has_lever_arm:
         return
     axes = new.in_system.setup.axes
-    if new.present is not None and new.present.lever_arm is not None:
-        _print_labelled("lever arm", f"now {_lever_arm_text(axes, new.present.lever_arm)}")
+    if new.current is not None and new.current.lever_arm is not None:
+        _print_labelled("lever arm", f"now {_lever_arm_text(axes, new.current.lever_arm)}")
         _print_labelled("", f"new {_lever_arm_text(axes, new.in_system.lever_arm)}")
     else:
         _print_labelled("lever arm", _lever_arm_text(axes, new.in_system.lever_arm))
@@ -236,7 +236,7 @@ def _print_correction(correction: BoresightCorrection, label: str, decimals: int
         )
 
 
-def _print_matrices(new: ReplacementSettings) -> None:
+def _print_matrices(new: MountingReplacement) -> None:
     mounting, correction = new.in_system, new.correction
     setup = mounting.setup
     print()
@@ -247,16 +247,16 @@ def _print_matrices(new: ReplacementSettings) -> None:
         _print_matrix(mounting.rotation)
     if correction is not None:
         _print_labelled("current", "3x3")
-        _print_matrix(correction.present)
+        _print_matrix(correction.current_rotation)
         _print_labelled("correction", "3x3, multiplied from the left: new = correction · current")
         _print_matrix(correction.rotation)
         if mounting.angles is None:
             _print_labelled(_NEW[setup.status], "3x3, replaces the current matrix")
             _print_matrix(mounting.rotation)
     lever = "lever arm in metres" if new.has_lever_arm else "no lever arm given, zeros used"
-    if new.present is not None and new.present.transform is not None and new.transform is not None:
+    if new.current is not None and new.current.transform is not None and new.transform is not None:
         _print_labelled("current", "4x4, scanner to body")
-        _print_matrix(new.present.transform)
+        _print_matrix(new.current.transform)
         _print_labelled("correction", "4x4, multiplied from the left: new = correction · current")
         _print_matrix(new.transform)
         lever += "; replaces the current matrix"
@@ -301,7 +301,7 @@ def _mounting_values(mounting: MountingInSystem, has_lever_arm: bool) -> dict[st
 
 
 def conversion_values(
-    conversion_input: ConversionInput, new: ReplacementSettings
+    conversion_input: ConversionInput, new: MountingReplacement
 ) -> dict[str, Any]:
     """Result of the conversion as JSON values."""
     own = convert_to_system(
@@ -322,14 +322,14 @@ def conversion_values(
             "current_deg": _degrees_by_angle(mounting.setup, correction.current),
             "new_deg": _degrees_by_angle(mounting.setup, correction.new),
             "correction_deg": _degrees_by_angle(mounting.setup, correction.correction),
-            "current_matrix": correction.present.tolist(),
+            "current_matrix": correction.current_rotation.tolist(),
             "matrix": correction.rotation.tolist(),
             "side": "left",
             "sum_error_deg": float(np.degrees(correction.sum_error)),
         }
-    if new.present is not None and new.present.transform is not None and new.transform is not None:
+    if new.current is not None and new.current.transform is not None and new.transform is not None:
         content["correction"] |= {
-            "current_transform": new.present.transform.tolist(),
+            "current_transform": new.current.transform.tolist(),
             "transform": new.transform.tolist(),
             "lever_arm": new.lever_arm,
             "lever_arm_text": _optional_text(new.lever_arm_note),

@@ -359,8 +359,8 @@ def print_result(
     }
     if checks is not None:
         for name, spread in (
-            ("Spread, one line omitted", checks.spread_lines),
-            ("Spread, one target omitted", checks.spread_targets),
+            ("Jackknife, one line omitted", checks.spread_lines),
+            ("Jackknife, one target omitted", checks.spread_targets),
         ):  # fmt: skip
             if spread is not None:
                 rows[name] = np.degrees(spread)

@@ -120,7 +120,12 @@ class MonteCarloResult:
                 (gettext("predicted σ (deg)"), np.degrees(self.predicted), 4, False),
                 (gettext("σ of errors / predicted σ"), self.ratio, 2, False),
                 (gettext("σ of this ratio"), self.ratio * self.ratio_sigma, 2, False),
-                (gettext("coverage (%)"), 100.0 * self.interval_coverage, 1, False),
+                (
+                    gettext("coverage of the 95 % intervals (%)"),
+                    100.0 * self.interval_coverage,
+                    1,
+                    False,
+                ),
                 (gettext("mean error (deg)"), np.degrees(self.bias), 4, True),
                 (gettext("σ of mean error"), np.degrees(self.sigma_bias), 4, False),
             )

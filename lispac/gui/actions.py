@@ -55,7 +55,7 @@ _ACTIONS: dict[str, ActionSpec] = {
                     N_("The next Ctrl+click in the view picks an adjustment target")),
     "seed_validation": (N_("Pick a &validation plane"), N_("Validation"), "shield-check-outline",
                         "F7", N_("The next Ctrl+click in the view picks a validation plane")),
-    "seed_at": (N_("Enter seed &coordinates…"), "", "crosshairs-gps", "F3",
+    "seed_coordinates": (N_("Enter seed &coordinates…"), "", "crosshairs-gps", "F3",
                 N_("Enter the coordinates of a seed point in the local frame or in map "
                    "projection, and detect its target")),
     "seed_list": (N_("Read seeds &from a file…"), "", "format-list-bulleted", "Shift+F3",
@@ -158,7 +158,7 @@ _MENUS: dict[str, Menu] = {
     N_("&Targets"): (
         "seed_target",
         "seed_validation",
-        "seed_at",
+        "seed_coordinates",
         "seed_list",
         "",
         "propose",

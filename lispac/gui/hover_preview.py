@@ -27,12 +27,22 @@ MIN_POINTS = 30
 
 
 @dataclass(frozen=True)
-class PreviewSettings:
-    """Settings of the next seed: threshold and radius in metres, and whether for a plane."""
+class HoverPreviewSettings:
+    """Search settings of step 2 that the preview under the mouse uses.
+
+    Attributes
+    ----------
+    threshold : float or None, metres
+        Largest distance of a point from the plane; None for the default.
+    radius : float or None, metres
+        Largest distance of a point from the mouse; None for the default.
+    is_plane : bool
+        Whether planes are picked; spheres have no preview.
+    """
 
     threshold: float | None
     radius: float | None
-    plane: bool
+    is_plane: bool
 
 
 class HoverPreview(QObject):
@@ -49,7 +59,7 @@ class HoverPreview(QObject):
         runner: TaskRunner,
         viewport: Viewport,
         actions: Actions,
-        settings: Callable[[], PreviewSettings],
+        settings: Callable[[], HoverPreviewSettings],
         controller: Controller,
     ) -> None:
         super().__init__(actions)
@@ -89,17 +99,17 @@ class HoverPreview(QObject):
         self.seconds = time.perf_counter() - start
 
     def _preview(self, point: PickedPoint) -> Sketch | None:
-        project, seed_settings = self._document.project, self._settings()
-        if project is None or not seed_settings.plane or self._is_on_candidate(point):
+        project, hover_settings = self._document.project, self._settings()
+        if project is None or not hover_settings.is_plane or self._is_on_candidate(point):
             return None
         usual = FinderSettings()
-        radius = seed_settings.radius or usual.radius
+        radius = hover_settings.radius or usual.radius
         seed = np.array(point.position)
         near = self._viewport.drawn_near(point.line, seed, radius)
         # In one piece: the finder would be compiled anew for every other one, in this thread
         near = np.ascontiguousarray(near[:: -(-len(near) // MAX_POINTS) or 1])
         settings = FinderSettings(
-            threshold=seed_settings.threshold or project.settings.threshold, radius=radius,
+            threshold=hover_settings.threshold or project.settings.threshold, radius=radius,
             min_points=min(MIN_POINTS, usual.min_points),
         )  # fmt: skip
         try:

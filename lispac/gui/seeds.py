@@ -27,7 +27,7 @@ class SeedActions(QObject):
         self._document, self._runner = window.document, window.runner
         self._controller, self._dialogs = window.controller, window.dialogs
         self._targets, self._actions = window.targets, window.actions_
-        window.actions_["seed_at"].triggered.connect(lambda _=False: self.type_seed())
+        window.actions_["seed_coordinates"].triggered.connect(lambda _=False: self.type_seed())
         window.actions_["seed_list"].triggered.connect(lambda _=False: self.list_seeds())
         window.targets.type_seed.clicked.connect(lambda: self.type_seed())
         window.targets.list_seeds.clicked.connect(lambda: self.list_seeds())
@@ -49,7 +49,7 @@ class SeedActions(QObject):
         added = seed_options.line is not None and seed_options.selected is not None
         name = seed_options.selected if added else next_name(project, seed_options.role)
         assert name is not None
-        entered = self._dialogs.seed_at(project, survey.trajectory, seed_options, name)
+        entered = self._dialogs.seed_coordinates(project, survey.trajectory, seed_options, name)
         if entered is not None and self._document.project is project:
             named, place = entered
             self._controller.search_at(place, seed_options, name="" if added else named)
@@ -125,7 +125,7 @@ class SeedActions(QObject):
         ready = self._current_data()[1] is not None
         for button in (self._targets.type_seed, self._targets.list_seeds):
             button.setEnabled(ready)
-        for name in ("seed_at", "seed_list"):
+        for name in ("seed_coordinates", "seed_list"):
             self._actions[name].setEnabled(ready)
 
 

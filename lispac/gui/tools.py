@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 from lispac.gui.before_after_wipe import BeforeAfterWipe
 from lispac.gui.clipping import ClipBoxController
 from lispac.gui.docks import raise_panel
-from lispac.gui.hover_preview import HoverPreview, PreviewSettings
+from lispac.gui.hover_preview import HoverPreview, HoverPreviewSettings
 from lispac.gui.lasso import Lasso
 from lispac.gui.measurements import Measurements
 from lispac.gui.mouse_tool import MouseTool
@@ -65,9 +65,9 @@ class InspectionTools(QObject):
         window.document.opened.connect(self.mouse_tool.end)
         window.document.about_to_open.connect(self.clipping.reset)
 
-    def _preview_settings(self) -> PreviewSettings:
+    def _preview_settings(self) -> HoverPreviewSettings:
         targets = self._window.targets
-        return PreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
+        return HoverPreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
 
     @property
     def panels(self) -> dict[str, tuple[QWidget, Qt.DockWidgetArea]]:

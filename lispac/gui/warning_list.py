@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QScrollArea, QWidget
 
 from lispac.gui.docks import raise_panel
-from lispac.gui.panels.fields import FoldableGroup
+from lispac.gui.panels.foldable_group import FoldableGroup
 from lispac.gui.status import ADJUST, DATA, STEPS, TARGETS
 from lispac.messages import Message
 from lispac.targets.sighting_quality import SightingQuality

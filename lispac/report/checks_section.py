@@ -64,9 +64,9 @@ POS_ERRORS = N_(
 )
 CROSS_CHECKS = N_(
     "The adjustment is repeated with each line omitted in turn, with each target omitted in turn, "
-    "and with each half of the lines in the order of the survey. The spread is the standard "
-    "deviation of the angles computed from the results with one line omitted, or with one target "
-    "omitted (jackknife). It does not depend on the given sigmas."
+    "and with each half of the lines in the order of the survey. The jackknife standard "
+    "deviation of the angles is computed from the scatter of the results with one line omitted at "
+    "a time, or with one target omitted at a time. It does not depend on the given sigmas."
 )
 PARTS = N_(
     "The differences are also given divided by their expected sigma. Above 3, the subset "
@@ -242,8 +242,8 @@ def cross_check_blocks(content: ReportContent) -> list[Block]:
         blocks.append(
             Paragraph(
                 gettext(
-                    "The spread with one line omitted requires at least three lines, and a result "
-                    "with each of them omitted."
+                    "The jackknife standard deviation with one line omitted at a time requires at "
+                    "least three lines, and a result without each of them."
                 )
             )
         )
@@ -251,8 +251,8 @@ def cross_check_blocks(content: ReportContent) -> list[Block]:
         blocks.append(
             Paragraph(
                 gettext(
-                    "The spread with one target omitted requires at least three targets, and a "
-                    "result with each of them omitted."
+                    "The jackknife standard deviation with one target omitted at a time requires at "
+                    "least three targets, and a result without each of them."
                 )
             )
         )
@@ -273,15 +273,12 @@ def cross_check_blocks(content: ReportContent) -> list[Block]:
 def _spread_table(content: ReportContent, checks: CrossCheckValues) -> Table:
     spreads = (
         (gettext("Adjustment"), checks.sigma_deg),
-        (gettext("Spread, one line omitted"), checks.spread_lines_deg),
-        (gettext("Spread, one target omitted"), checks.spread_targets_deg),
+        (gettext("Jackknife, one line omitted"), checks.spread_lines_deg),
+        (gettext("Jackknife, one target omitted"), checks.spread_targets_deg),
     )
     deg = degrees_unit()
     return Table(
-        gettext(
-            "Standard deviations of the angles, from the adjustment and from the scatter of "
-            "the subsets"
-        ),
+        gettext("Standard deviations of the angles, from the adjustment and by the jackknife"),
         (
             Column("", "left"),
             *(Column(title_with_unit(title(a.name), deg)) for a in content.angles),

@@ -106,7 +106,7 @@ def undrawn_document(
         ),
         language=options.language,
         furniture=PageTexts(
-            made=gettext("Made {when} by {program}"),
+            made=gettext("Created {when} with {program}"),
             page=gettext("Page {page} of {pages}"),
             warnings=gettext("Errors and warnings"),
             notes=gettext("Notes"),

@@ -116,7 +116,7 @@ Block = Paragraph | Bullets | Table | Picture | UndrawnPictures | SignatureLines
 class PageTexts:
     """Texts on every page, and titles that belong to no section."""
 
-    made: str = "Made {when} by {program}"
+    made: str = "Created {when} with {program}"
     page: str = "Page {page} of {pages}"
     warnings: str = "Errors and warnings"
     notes: str = "Notes"

@@ -119,7 +119,7 @@ def _system_rows(used: SettingsUsed, adjustment: AdjustmentValues | None) -> lis
             )
         )
     if used.accept_single_orientation:
-        values.append((gettext("Targets that all face the same way"), gettext("accepted")))
+        values.append((gettext("Targets of a single orientation"), gettext("accepted")))
     return [*values, (gettext("Point spacing"), _subsampling_text(used))]
 
 

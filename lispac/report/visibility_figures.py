@@ -44,7 +44,7 @@ class Criterion:
 
 CRITERIA: Mapping[str, Criterion] = {
     "type-one": Criterion(
-        N_("Type I criterion: planarity and position of the board"), N_("Type I criterion"), 3, 1.0,
+        N_("Type I criterion: planarity and position of the board"), N_("Type I criterion (0 to 1)"), 3, 1.0,
         lambda v: v.type_one,
     ),
     "orthogonal-distance": Criterion(
@@ -86,7 +86,7 @@ def visibility_figure(
 ) -> Figure:
     """One criterion of one error: six lines over the inclination of the board.
 
-    Shaded are the inclinations accepted by Type I, dashed is the best of them. The axis covers
+    Shaded are the inclinations accepted by the type I criterion, dashed is the best of them. The axis covers
     the values at these: where beams graze the board, points may lie anywhere.
 
     Parameters

@@ -29,7 +29,7 @@ BEST_TITLES: Mapping[str, str] = {
 """Titles of the tables by the name of the site."""
 VALUES = (
     N_("Error"), N_("Line (deg)"), N_("Inclination (deg)"), N_("Points"), N_("Planarity"),
-    N_("Centroidal distance (m)"), N_("Type I"), N_("Accepted"),
+    N_("Centroidal distance (m)"), N_("Type I criterion (0 to 1)"), N_("Accepted"),
     N_("Signed orthogonal distance (m)"), N_("Angular deviation (deg)"),
 )  # fmt: skip
 COMPARISON = (

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.adjustment.parameters import Parameter
 from lispac.errors import InputError
-from lispac.gui.panels.fields import FoldableGroup
+from lispac.gui.panels.foldable_group import FoldableGroup
 from lispac.gui.panels.results import EMPTY
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting

@@ -21,7 +21,7 @@ from lispac.gui.dialogs.identity import IdentityDialog
 from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
 from lispac.gui.dialogs.import_files.dialog import ImportDialog
 from lispac.gui.dialogs.import_files.file_preview import FilePreview
-from lispac.gui.dialogs.seed_at import SeedDialog
+from lispac.gui.dialogs.seed_coordinates import SeedCoordinatesDialog
 from lispac.gui.dialogs.visibility import VisibilityDialog
 from lispac.gui.language import set_language
 from lispac.gui.settings import AppSettings
@@ -115,7 +115,7 @@ def test_dialogues(french: Driver, demo: Demo, estimated: Project) -> None:
         CheckDialog(estimated, track, window),
         FindAgainDialog(estimated.target("T1"), window),
         IdentityDialog(estimated.identity, str, window),
-        SeedDialog(estimated, track, window.targets.seed_options, "T9", window),
+        SeedCoordinatesDialog(estimated, track, window.targets.seed_options, "T9", window),
         *(
             ExportDialog(what, "estimated", estimated, track, window)
             for what in ("lines", "targets", "planes", "trajectory")

@@ -12,7 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from lispac.gui.language import set_language
 from lispac.gui.main_window import MainWindow
-from lispac.gui.panels.fields import OptionalNumber
+from lispac.gui.panels.optional_number import OptionalNumber
 from lispac.gui.panels.widgets import VerticalScrollArea
 from lispac.gui.session import Session
 from lispac.gui.settings import AppSettings

@@ -22,7 +22,7 @@ from lispac.gui.viewport.frame_times import FrameTimes
 from lispac.identity import NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
-from tests.gui.test_gui_seed_at import hand
+from tests.gui.test_gui_seed_coordinates import hand
 
 REPORT = 4
 

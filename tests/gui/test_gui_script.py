@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QLabel, QPlainTextEdit, QPushButton, QWidget
 
 from lispac.gui.dialogs.script import ScriptDialog
 from tests.gui.support import Control, Driver, Key, Left, press, seed
-from tests.gui.test_gui_seed_at import hand
+from tests.gui.test_gui_seed_coordinates import hand
 from tests.script_runs import run, same_part
 
 Answer = Callable[[QWidget], None]

@@ -28,8 +28,9 @@ LIST_FIELDS = {
                             "smaller values lean back, larger values lean forward")),
     "headings_deg": (N_("Line headings"), "deg", -360.0, 360.0,
                      N_("Line headings to be tried in the search")),
-    "distances": (N_("Line distances"), "m", 1.0, 200.0,
-                  N_("Distances between line and site to be tried in the search")),
+    "distances": (N_("Distances of lines from site"), "m", 1.0, 200.0,
+                  N_("Distances of the lines from the centre of the site to be tried in the "
+                     "search")),
 }  # fmt: skip
 INCLINATIONS_DEG = (90.0, 60.0, 45.0, 120.0, 135.0)
 """Degrees from level, as in the site files that come with the program."""

@@ -44,7 +44,7 @@ LINE_FIELDS = (
         1,
     ),
     TableColumn(
-        "side", N_("Site side"), N_("Side of the vessel that faces the site"), choices=SIDES
+        "side", N_("Side facing site"), N_("Side of the vessel that faces the site"), choices=SIDES
     ),
     TableColumn("speed", N_("Speed"), N_("Speed of the vessel over ground"), "m/s", 0.05, 10.0, 2),
 )

@@ -207,7 +207,7 @@ def _point_count_text(counts, target: str, line: str) -> str:
 def _information_gain_columns() -> tuple[Column, Column, Column]:
     return (
         Column(
-            gettext("Omitted item"),
+            gettext("Omitted target or line"),
             gettext("Target or line omitted from the survey plan"),
             is_text=True,
         ),

@@ -23,7 +23,7 @@ from lispac.gui.dialogs.preview import PreviewDialog
 from lispac.gui.dialogs.proposal import ProposedTargetsDialog
 from lispac.gui.dialogs.questions import Questions
 from lispac.gui.dialogs.script import ScriptDialog
-from lispac.gui.dialogs.seed_at import SeedDialog
+from lispac.gui.dialogs.seed_coordinates import SeedCoordinatesDialog
 from lispac.gui.dialogs.seed_list import SeedListDialog, SeedsFoundDialog
 from lispac.gui.dialogs.sensors_of_plan import PlanSensorsDialog, Sensors
 from lispac.gui.dialogs.settings import SettingsDialog
@@ -305,11 +305,11 @@ class Dialogs(Questions):
         dialog.deleteLater()
         return result
 
-    def seed_at(
+    def seed_coordinates(
         self, project: Project, trajectory: LocalTrajectory, seed_options: SeedOptions, name: str
     ) -> tuple[str, Triple] | None:
         """Name and place of a typed seed; ``name`` is proposed."""
-        dialog = SeedDialog(project, trajectory, seed_options, name, self.parent)
+        dialog = SeedCoordinatesDialog(project, trajectory, seed_options, name, self.parent)
         result = dialog.seed if dialog.exec() == QDialog.DialogCode.Accepted else None
         dialog.deleteLater()
         return result

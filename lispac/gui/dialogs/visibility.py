@@ -33,7 +33,7 @@ COLUMNS = (
         N_("Best inclination in table 3.2 and section 3.9 of Shahraji's thesis"),
     ),
     (
-        N_("Lines showing error (deg)"),
+        N_("Required lines (deg)"),
         N_(
             "Headings of the lines that show the error. Lines joined by / show the same, so one of "
             "them is sufficient."

@@ -20,7 +20,7 @@ from lispac.errors import InputError
 from lispac.gui.panels import widgets
 from lispac.gui.panels.adjust_model import ModelSettings
 from lispac.gui.panels.adjust_parameters import ParameterSwitches
-from lispac.gui.panels.fields import FoldableGroup
+from lispac.gui.panels.foldable_group import FoldableGroup
 from lispac.gui.status import StepStatus
 from lispac.gui.tasks import Task
 from lispac.language import N_, Plural, gettext

@@ -12,7 +12,7 @@ from lispac.adjustment.stochastic_model import PosErrors
 from lispac.errors import InputError
 from lispac.gui import units
 from lispac.gui.panels import widgets
-from lispac.gui.panels.fields import OptionalNumber
+from lispac.gui.panels.optional_number import OptionalNumber
 from lispac.language import N_, gettext
 from lispac.messages import error
 from lispac.project import Settings
@@ -82,8 +82,8 @@ class ModelSettings(QWidget):
         self.attitude_time = self._time_field(
             "attitude_time", gettext("Correlation time of the attitude error of the POS")
         )
-        form.addRow(gettext("Correlation, position"), self.position_time)
-        form.addRow(gettext("Correlation, attitude"), self.attitude_time)
+        form.addRow(gettext("Correlation time, position"), self.position_time)
+        form.addRow(gettext("Correlation time, attitude"), self.attitude_time)
         self.times = _WrappedText(gettext(TIMES), "times_sentence")
         form.addRow(self.times)
         self.surface = self._optional_field(

@@ -32,7 +32,7 @@ from lispac.survey.conventions.axes import Axes
 from lispac.survey.conventions.conversion import ConventionSetup, MountingInSystem
 from lispac.survey.conventions.correction import SUM_MATTERS
 from lispac.survey.conventions.mounting_texts import offsets_note
-from lispac.survey.conventions.present_settings import ReplacementSettings, replace_settings
+from lispac.survey.conventions.mounting_replacement import MountingReplacement, replace_mounting
 from lispac.survey.conventions.systems import (
     LISPAC,
     SCANNER_WORDS,
@@ -209,7 +209,7 @@ class ConventionPanel(QWidget):
         try:
             body_axes = self.imu.axes if convention.open_axes else None
             setup = ConventionSetup(convention, body_axes, self.scanner.currentData())
-            new = replace_settings(
+            new = replace_mounting(
                 setup, inputs.mounting, inputs.covariance, self.current.of(setup),
                 applied=self.current.applied.isChecked(), has_lever_arm=inputs.has_lever_arm,
             )  # fmt: skip
@@ -257,7 +257,7 @@ class ConventionPanel(QWidget):
         self.assumption.setText(f"<b>{title}</b> {setup.assumption}")
         self.assumption.setVisible(setup.assumption is not None)
 
-    def _show_values(self, new: ReplacementSettings) -> None:
+    def _show_values(self, new: MountingReplacement) -> None:
         in_system, correction = new.in_system, new.correction
         setup = in_system.setup
         convention = setup.convention
@@ -301,13 +301,13 @@ class ConventionPanel(QWidget):
         texts = [
             gettext("Lever arm in that program, from the POS centre: {lever_arm}", lever_arm=arm)
         ]
-        if new.present is not None and new.present.lever_arm is not None:
-            present = _lever_arm_text(setup.axes, new.present.lever_arm)
-            texts.append(gettext("Current lever arm: {lever_arm}", lever_arm=present))
+        if new.current is not None and new.current.lever_arm is not None:
+            arm = _lever_arm_text(setup.axes, new.current.lever_arm)
+            texts.append(gettext("Current lever arm: {lever_arm}", lever_arm=arm))
             texts += map(message_text, filter(None, [new.lever_arm_note]))
         self.lever.setText("<br>".join(texts))
 
-    def _show_notes(self, new: ReplacementSettings) -> None:
+    def _show_notes(self, new: MountingReplacement) -> None:
         in_system, correction = new.in_system, new.correction
         signs = str(in_system.setup.signs)
         lines = [f"{signs[:1].upper()}{signs[1:]}."]

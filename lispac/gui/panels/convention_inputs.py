@@ -18,7 +18,10 @@ from lispac.project import Project
 from lispac.survey.conventions.axes import DIRECTIONS, Axes, complete_axes
 from lispac.survey.conventions.conversion import ConventionSetup
 from lispac.survey.conventions.matrix_input import matrix_of_text
-from lispac.survey.conventions.present_settings import PresentSettings, present_settings_of_matrix
+from lispac.survey.conventions.mounting_replacement import (
+    CurrentMountingInSystem,
+    current_mounting_of_matrix,
+)
 from lispac.survey.conventions.systems import Convention
 from lispac.survey.georeferencing import Mounting
 
@@ -191,8 +194,8 @@ class CurrentSettingsInputs(QWidget):
         for field in fields:
             field.valueChanged.connect(self.changed)
 
-    def of(self, setup: ConventionSetup) -> PresentSettings | None:
-        """Present settings; None if they are not to be corrected.
+    def of(self, setup: ConventionSetup) -> CurrentMountingInSystem | None:
+        """Mounting set in the other program; None if it is not to be corrected.
 
         Raises
         ------
@@ -202,8 +205,8 @@ class CurrentSettingsInputs(QWidget):
         if not self.known.isChecked():
             return None
         if not self.as_matrix.isChecked():
-            return PresentSettings(np.radians(self.fields.value()))
-        return present_settings_of_matrix(
+            return CurrentMountingInSystem(np.radians(self.fields.value()))
+        return current_mounting_of_matrix(
             setup, *matrix_of_text(self.matrix.toPlainText(), gettext("Current matrix"))
         )
 

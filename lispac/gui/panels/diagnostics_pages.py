@@ -271,9 +271,9 @@ class CrossChecksPage(DiagnosticsPage):
         self.spread = widgets.label("", name="cross_check_spread", rich=True)
         self.spread.setToolTip(
             gettext(
-                "Standard deviations from the adjustment, and from the spread of the results with "
-                "one line or one target omitted at a time. The spread needs at least three "
-                "results."
+                "Standard deviations from the adjustment, and by the jackknife: from the scatter "
+                "of the results with one line or one target omitted at a time. The jackknife needs "
+                "at least three results."
             )
         )
         self.spread.setAlignment(Qt.AlignmentFlag.AlignTop)

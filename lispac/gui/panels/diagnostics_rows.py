@@ -310,7 +310,7 @@ def check_rows(checks: CrossChecks) -> list[Row]:
 
 
 def spread_text(checks: CrossChecks) -> str:
-    """Spread of the jackknife beside the standard deviations from the adjustment, as rich text."""
+    """Jackknife standard deviations beside those from the adjustment, as rich text."""
 
     def row(title: str, values: Sequence[float] | None) -> str:
         numbers = (
@@ -330,8 +330,8 @@ def spread_text(checks: CrossChecks) -> str:
         )
         + "</tr>"
         + row(gettext("Adjustment"), checks.sigma)
-        + row(_break_at_commas(gettext("Spread, one line omitted")), checks.spread_lines)
-        + row(_break_at_commas(gettext("Spread, one target omitted")), checks.spread_targets)
+        + row(_break_at_commas(gettext("Jackknife, one line omitted")), checks.spread_lines)
+        + row(_break_at_commas(gettext("Jackknife, one target omitted")), checks.spread_targets)
         + "</table>"
     )
 

@@ -21,9 +21,9 @@ RESULT_RANGE_DEG = 0.3
 ANGLE_TITLES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
 _SLIDERS = (N_("Change the roll"), N_("Change the pitch"), N_("Change the yaw"))
 _FIELDS = (
-    N_("Roll of the lines in the pictures"),
-    N_("Pitch of the lines in the pictures"),
-    N_("Yaw of the lines in the pictures"),
+    N_("Boresight roll that is applied to the lines in the pictures"),
+    N_("Boresight pitch that is applied to the lines in the pictures"),
+    N_("Boresight yaw that is applied to the lines in the pictures"),
 )
 _SEARCHES = (
     N_("Find the roll at which the mismatch of the ticked objects is smallest"),

@@ -6,7 +6,7 @@ from math import degrees, radians
 from PySide6.QtWidgets import QFormLayout, QVBoxLayout, QWidget
 
 from lispac.gui.panels import widgets
-from lispac.gui.panels.fields import FoldableGroup
+from lispac.gui.panels.foldable_group import FoldableGroup
 from lispac.language import gettext
 from lispac.targets.finder_settings import USUAL, FinderChoices
 

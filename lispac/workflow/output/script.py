@@ -218,7 +218,7 @@ def _reference_check_steps(
     sigmas = (check.sigma,) if check.kind == "scan" else (DEFAULT_SIGMA, check.sigma)
     path = _find_reference(check, [files.folder, project.folder, project.folder.parent])
     if path is None:
-        step = _check_step(check.reference, sigmas[0], check.search_distance)
+        step = _reference_check_call(check.reference, sigmas[0], check.search_distance)
         return [f"# {row}" for row in step.splitlines()], [
             note("script.no_reference", file=check.reference)
         ]
@@ -230,13 +230,20 @@ def _reference_check_steps(
         except LispacError:
             continue
         if encode_value(again.absolute) == encode_value(check):
-            return [_check_step(files(path), sigma, check.search_distance)], []
-    return [_check_step(files(path), sigmas[0], check.search_distance)], [
+            return [_reference_check_call(files(path), sigma, check.search_distance)], []
+    return [_reference_check_call(files(path), sigmas[0], check.search_distance)], [
         note("script.other_check", file=check.reference, system=check.system)
     ]
 
 
-def _check_step(path: str, sigma: float, reach: float) -> str:
+def _reference_check_call(path: str, sigma: float, reach: float) -> str:
+    """Python call of `project.check` with the options that differ from their defaults.
+
+    Parameters
+    ----------
+    sigma, reach : float, metres
+        Standard deviation of the reference, and search distance.
+    """
     values = {"sigma": (sigma, DEFAULT_SIGMA), "search_distance": (reach, SEARCH_DISTANCE)}
     named = {name: value for name, (value, usual) in values.items() if value != usual}
     return call_text("project.check", path, **named)

@@ -99,7 +99,7 @@ class ImportDialog(QDialog):
     def request(self) -> ImportRequest:
         """The import as filled in."""
         folder = expand_user(Path(self.folder.text().strip()))
-        identity = BLANK.changed(**self.mounting.sensors.titles)
+        identity = BLANK.changed(**self.mounting.sensors.identity_fields)
         return replace(
             self.input_files.request(folder, self.mounting.settings()), identity=identity
         )

@@ -1,4 +1,4 @@
-"""Choice of scanner and INS/GNSS from the library."""
+"""Widget for the choice of scanner and INS/GNSS from the sensor library."""
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
@@ -14,7 +14,10 @@ SOLUTIONS = {"rtk": "RTK", "ppk": "PPK", "degraded": N_("degraded GNSS")}
 
 
 class SensorChoice(QWidget):
-    """Lists of scanners and of INS/GNSS with each solution, and the sources of their values."""
+    """Lists of scanners and of INS/GNSS with each solution, and the sources of their values.
+
+    `scanner_chosen` and `pos_chosen` emit the specifications of the chosen sensor.
+    """
 
     scanner_chosen = Signal(object)
     pos_chosen = Signal(object)
@@ -70,8 +73,8 @@ class SensorChoice(QWidget):
         )  # fmt: skip
 
     @property
-    def titles(self) -> dict[str, str]:
-        """Titles of the chosen sensors, by the fields of the identity."""
+    def identity_fields(self) -> dict[str, str]:
+        """Maker and model of the chosen sensors, by field of `lispac.identity.Identity`."""
         scanner, pos = self._chosen_scanner(), self._pos[self.pos.currentIndex()][1]
         found = {} if scanner is None else {"scanner": scanner.title}
         return found if pos is None else found | {"pos": pos[0].title}

@@ -1,4 +1,4 @@
-"""Present settings given as a 4x4 matrix: the lever arm goes the same way as the rotation.
+"""Current settings of another program given as a 4x4 matrix: the lever arm goes the same way as the rotation.
 
 Points are georeferenced by the formulas of the systems (`tests/test_conventions.py`), which use
 nothing of the converters.
@@ -17,10 +17,10 @@ from lispac.survey.conventions.conversion import (
     convert_to_system,
 )
 from lispac.survey.conventions.correction import add_to_applied_boresight
-from lispac.survey.conventions.present_settings import (
-    ReplacementSettings,
-    present_settings_of_matrix,
-    replace_settings,
+from lispac.survey.conventions.mounting_replacement import (
+    MountingReplacement,
+    current_mounting_of_matrix,
+    replace_mounting,
 )
 from lispac.survey.conventions.systems import SYSTEMS
 from lispac.survey.georeferencing import Mounting
@@ -46,11 +46,11 @@ def moved(points: np.ndarray, matrix: np.ndarray) -> np.ndarray:
 
 def answered(
     setup: ConventionSetup, found: Mounting, *, applied: bool, known: bool
-) -> ReplacementSettings:
+) -> MountingReplacement:
     """Where ``OLD`` is set there now, given as its 4x4 matrix."""
     matrix = convert_to_system(OLD, setup).transform
-    present = present_settings_of_matrix(setup, matrix[:3, :3], matrix[:3, 3])
-    return replace_settings(setup, found, None, present, applied=applied, has_lever_arm=known)
+    current = current_mounting_of_matrix(setup, matrix[:3, :3], matrix[:3, 3])
+    return replace_mounting(setup, found, None, current, applied=applied, has_lever_arm=known)
 
 
 @pytest.fixture
@@ -60,17 +60,17 @@ def points() -> np.ndarray:
 
 @pytest.mark.parametrize("known", [True, False])
 @pytest.mark.parametrize("key", KEYS)
-def test_the_correction_moves_what_lies_by_the_present_matrix_to_where_it_belongs(
+def test_the_correction_moves_what_lies_by_the_current_matrix_to_where_it_belongs(
     key: str, known: bool, points: np.ndarray
 ) -> None:
     setup = setup_of(key)
     new = answered(setup, FOUND, applied=False, known=known)
     wanted = Mounting(FOUND.lever_arm if known else OLD.lever_arm, FOUND.boresight)
-    assert new.present is not None
-    assert new.present.transform is not None
+    assert new.current is not None
+    assert new.current.transform is not None
     assert new.transform is not None
     theirs = points @ setup.permutation.T if setup.scanner_frame == "turned" else points
-    now = moved(theirs, new.present.transform)
+    now = moved(theirs, new.current.transform)
     np.testing.assert_allclose(now @ setup.permutation, in_body(points, OLD), rtol=0, atol=1e-9)
     mended = moved(now, new.transform) @ setup.permutation
     np.testing.assert_allclose(mended, in_body(points, wanted), rtol=0, atol=1e-9)
@@ -80,7 +80,10 @@ def test_the_correction_moves_what_lies_by_the_present_matrix_to_where_it_belong
     assert (new.lever_arm == "taken over") != known
     assert new.correction is not None
     np.testing.assert_allclose(
-        new.correction.rotation @ new.correction.present, new.in_system.rotation, rtol=0, atol=1e-12
+        new.correction.rotation @ new.correction.current_rotation,
+        new.in_system.rotation,
+        rtol=0,
+        atol=1e-12,
     )
     if setup.convention.has_angles:
         again = FORMULAS[key](
@@ -103,7 +106,7 @@ def test_lines_already_turned_and_moved(key: str, exported: np.ndarray, points: 
         in_body(points, new.mounting), in_body(lines, found), rtol=0, atol=1e-9
     )
     assert new.lever_arm == "on top"
-    # Not known, it is the present one turned by what was found
+    # Not known, it is the current one turned by what was found
     unknown = Mounting(np.zeros(3), found.boresight)
     new = answered(setup_of(key), unknown, applied=True, known=False)
     np.testing.assert_allclose(new.mounting.lever_arm, small @ OLD.lever_arm, rtol=0, atol=1e-12)
@@ -114,11 +117,11 @@ def test_lines_already_turned_and_moved(key: str, exported: np.ndarray, points: 
 @pytest.mark.parametrize("applied", [True, False])
 def test_sigmas_are_those_of_the_new_settings(applied: bool) -> None:
     setup, covariance = setup_of("applanix"), np.diag(np.radians([0.01, 0.02, 0.03]) ** 2)
-    present = present_settings_of_matrix(setup, convert_to_system(OLD, setup).rotation, None)
-    new = replace_settings(setup, FOUND, covariance, present, applied=applied, has_lever_arm=True)
+    current = current_mounting_of_matrix(setup, convert_to_system(OLD, setup).rotation, None)
+    new = replace_mounting(setup, FOUND, covariance, current, applied=applied, has_lever_arm=True)
     whole, of_whole = FOUND, covariance
     if applied:
-        whole, of_whole = add_to_applied_boresight(setup, present.values, FOUND, covariance)
+        whole, of_whole = add_to_applied_boresight(setup, current.values, FOUND, covariance)
         assert np.abs(of_whole - covariance).max() > 1e-9
     np.testing.assert_array_equal(new.covariance, of_whole)
     np.testing.assert_array_equal(
@@ -132,16 +135,16 @@ def test_a_matrix_is_that_from_the_scanner_whichever_way_the_angles_go() -> None
     for each in (setup, other):
         stated = convert_to_system(OLD, each)
         assert stated.angles is not None
-        present = present_settings_of_matrix(each, stated.transform[:3, :3], None)
-        found = angles_of_rotation(each.convention, present.values)[0]
+        current = current_mounting_of_matrix(each, stated.transform[:3, :3], None)
+        found = angles_of_rotation(each.convention, current.values)[0]
         np.testing.assert_allclose(found, stated.angles, rtol=0, atol=1e-12)
 
 
 def test_a_3x3_matrix_leaves_the_lever_arm_alone() -> None:
     setup = setup_of("applanix")
-    present = present_settings_of_matrix(setup, np.eye(3), None)
+    current = current_mounting_of_matrix(setup, np.eye(3), None)
     for known, source in ((True, "given"), (False, "none")):
-        new = replace_settings(setup, FOUND, None, present, applied=False, has_lever_arm=known)
+        new = replace_mounting(setup, FOUND, None, current, applied=False, has_lever_arm=known)
         assert new.transform is None
         assert new.lever_arm == source
         assert new.lever_arm_note is None

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QPushButton
 
-from lispac.gui.dialogs.seed_at import SeedDialog
+from lispac.gui.dialogs.seed_coordinates import SeedCoordinatesDialog
 from lispac.survey.crs import coordinate_system
 from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.support import WAIT_MS, Driver, Key, click, open_step, press
@@ -17,9 +17,11 @@ TARGETS = 1
 T1 = demo_seeds()["T1"][1]
 
 
-def hand(driver: Driver, answer: Callable[[SeedDialog], None]) -> list[SeedDialog]:
+def hand(
+    driver: Driver, answer: Callable[[SeedCoordinatesDialog], None]
+) -> list[SeedCoordinatesDialog]:
     """Let a hand answer the next dialogue; a failure there comes out of the test."""
-    seen: list[SeedDialog] = []
+    seen: list[SeedCoordinatesDialog] = []
     until = time.monotonic() + WAIT_MS / 1000
 
     def inspect_window() -> None:
@@ -39,7 +41,7 @@ def hand(driver: Driver, answer: Callable[[SeedDialog], None]) -> list[SeedDialo
     return seen
 
 
-def fill(driver: Driver, dialog: SeedDialog, name: str, text: str) -> None:
+def fill(driver: Driver, dialog: SeedCoordinatesDialog, name: str, text: str) -> None:
     field = dialog.findChild(QLineEdit, name)
     driver.bot.mouseClick(field, Qt.MouseButton.LeftButton)
     field.selectAll()
@@ -47,18 +49,18 @@ def fill(driver: Driver, dialog: SeedDialog, name: str, text: str) -> None:
     driver.bot.keyClicks(field, text)
 
 
-def shown_result(dialog: SeedDialog) -> str:
+def shown_result(dialog: SeedCoordinatesDialog) -> str:
     return dialog.findChild(QLabel, "seed_message").text()
 
 
-def find(dialog: SeedDialog) -> QPushButton:
+def find(dialog: SeedCoordinatesDialog) -> QPushButton:
     return dialog.findChild(QPushButton, "seed_find")
 
 
 def test_typed_by_the_keyboard_alone_and_undone_in_one_step(opened: Driver) -> None:
     before = opened.project
 
-    def answer(dialog: SeedDialog) -> None:
+    def answer(dialog: SeedCoordinatesDialog) -> None:
         assert not find(dialog).isEnabled()
         assert shown_result(dialog) == "Enter North, West and Up."
         assert dialog.focusWidget() is dialog.fields[0]
@@ -90,7 +92,7 @@ def test_mistakes_are_reported_while_typing(picked: Driver) -> None:
     open_step(picked, TARGETS)
     told: list[str] = []
 
-    def answer(dialog: SeedDialog) -> None:
+    def answer(dialog: SeedCoordinatesDialog) -> None:
         def typed(name: str, text: str) -> str:
             fill(picked, dialog, name, text)
             told.append(shown_result(dialog))
@@ -128,7 +130,7 @@ def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
     zone = coordinate_system("EPSG:32619")
     east, north, height = zone.from_local(np.array([T1]), trajectory.frame)[0]
 
-    def answer(dialog: SeedDialog) -> None:
+    def answer(dialog: SeedCoordinatesDialog) -> None:
         box = dialog.findChild(QComboBox, "seed_system")
         box.setFocus()
         opened.bot.keyClick(box, Key.Key_Down)
@@ -169,7 +171,7 @@ def test_for_one_line_it_goes_to_the_selected_target(picked: Driver) -> None:
     picked.window.targets.select("T1")
     picked.window.targets.line_choice.setCurrentText(line)
 
-    def answer(dialog: SeedDialog) -> None:
+    def answer(dialog: SeedCoordinatesDialog) -> None:
         assert dialog.name.text() == "T1"
         assert not dialog.name.isEnabled()
         for k, value in enumerate(T1):
@@ -186,5 +188,5 @@ def test_for_one_line_it_goes_to_the_selected_target(picked: Driver) -> None:
 
 
 def test_nothing_to_seed_without_a_survey(driver: Driver) -> None:
-    assert not driver.window.actions_["seed_at"].isEnabled()
+    assert not driver.window.actions_["seed_coordinates"].isEnabled()
     assert not driver.window.targets.type_seed.isEnabled()

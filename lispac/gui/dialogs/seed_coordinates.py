@@ -49,7 +49,7 @@ ON_ONE_LINE = {
 """The same where the search is on one line."""
 
 
-class SeedDialog(QDialog):
+class SeedCoordinatesDialog(QDialog):
     """Fields for name and coordinates, checked while the user types."""
 
     def __init__(
@@ -62,7 +62,7 @@ class SeedDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("seed_dialog")
-        self.setWindowTitle(dialog_title("seed_at"))
+        self.setWindowTitle(dialog_title("seed_coordinates"))
         self.setMinimumWidth(530)
         self._project, self._trajectory, self._seed_options = project, trajectory, seed_options
         self._place: Triple | None = None

@@ -1,4 +1,4 @@
-"""Present settings of another program, with matrix and lever arm, and their replacement."""
+"""Mounting that is set in another program, and the mounting that replaces it there."""
 
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -34,8 +34,8 @@ _LEVER_ARM_CODES: dict[LeverArm, str] = {
 
 
 @dataclass(frozen=True, eq=False)
-class PresentSettings:
-    """Present settings of a system.
+class CurrentMountingInSystem:
+    """Boresight, and the lever arm if known, that are now set in another program.
 
     Attributes
     ----------
@@ -55,22 +55,22 @@ class PresentSettings:
 
 
 @dataclass(frozen=True, eq=False)
-class ReplacementSettings:
-    """New settings, and the correction from the present ones.
+class MountingReplacement:
+    """New mounting for another program, and the correction from the current one.
 
     Attributes
     ----------
     mounting : of the raw scanner
     covariance : ndarray of shape (3, 3), radians squared, of its boresight; None where unknown
-    present, correction : None where no present settings were given
+    current, correction : None where no current mounting was given
     transform : ndarray of shape (4, 4), or None
-        Correction of the whole matrix, on the left of the present one.
+        Correction of the whole matrix, on the left of the current one.
     """
 
     mounting: Mounting
     covariance: Array | None
     in_system: MountingInSystem
-    present: PresentSettings | None
+    current: CurrentMountingInSystem | None
     correction: BoresightCorrection | None
     transform: Array | None
     lever_arm: LeverArm
@@ -87,10 +87,10 @@ class ReplacementSettings:
         return None if code is None else note(code)
 
 
-def present_settings_of_matrix(
+def current_mounting_of_matrix(
     setup: ConventionSetup, rotation: Array, lever_arm: Array | None
-) -> PresentSettings:
-    """Present settings from the matrix from scanner to body.
+) -> CurrentMountingInSystem:
+    """Current mounting from the matrix from scanner to body.
 
     Parameters
     ----------
@@ -99,22 +99,22 @@ def present_settings_of_matrix(
     """
     values = angle_product_of_matrix(setup, rotation)
     if lever_arm is None:
-        return PresentSettings(values)
+        return CurrentMountingInSystem(values)
     transform = np.eye(4)
     transform[:3, :3], transform[:3, 3] = rotation, lever_arm
-    return PresentSettings(values, transform)
+    return CurrentMountingInSystem(values, transform)
 
 
-def replace_settings(
+def replace_mounting(
     setup: ConventionSetup,
     estimated: Mounting,
     covariance: Array | None,
-    present: PresentSettings | None,
+    current: CurrentMountingInSystem | None,
     *,
     applied: bool,
     has_lever_arm: bool,
-) -> ReplacementSettings:
-    """Compute the settings that replace the present ones.
+) -> MountingReplacement:
+    """Compute the mounting that replaces the current one in another program.
 
     Parameters
     ----------
@@ -122,17 +122,17 @@ def replace_settings(
         Of the lines as they were given to this program.
     covariance : ndarray of shape (3, 3), radians squared, of its boresight
     applied : bool
-        The lines were already turned by the present settings, and moved where these are a 4x4.
+        The lines were already rotated by the current settings, and moved where these are a 4x4.
     has_lever_arm : bool
         Whether the lever arm of ``estimated`` is known; its zeros mean nothing otherwise.
     """
-    mounting, source = estimated, _lever_arm_source(present, applied, has_lever_arm)
-    if present is not None and applied:
+    mounting, source = estimated, _lever_arm_source(current, applied, has_lever_arm)
+    if current is not None and applied:
         mounting, covariance = add_to_applied_boresight(
-            setup, present.values, estimated, covariance
+            setup, current.values, estimated, covariance
         )
-    if present is not None and present.transform is not None:
-        old = setup.permutation.T @ present.transform[:3, 3]
+    if current is not None and current.transform is not None:
+        old = setup.permutation.T @ current.transform[:3, 3]
         if applied:
             # Moved lines lie in the body's axes, or in others along them.
             remainder = estimated.rotation_body_lidar
@@ -142,17 +142,17 @@ def replace_settings(
             mounting = replace(mounting, lever_arm=old)
     new = convert_to_system(mounting, setup, covariance)
     correction = transform = None
-    if present is not None:
-        correction = correct_boresight(setup.convention, present.values, new.rotation)
-        if present.transform is not None:
-            transform = new.transform @ np.linalg.inv(present.transform)
-    return ReplacementSettings(mounting, covariance, new, present, correction, transform, source)
+    if current is not None:
+        correction = correct_boresight(setup.convention, current.values, new.rotation)
+        if current.transform is not None:
+            transform = new.transform @ np.linalg.inv(current.transform)
+    return MountingReplacement(mounting, covariance, new, current, correction, transform, source)
 
 
 def _lever_arm_source(
-    present: PresentSettings | None, applied: bool, has_lever_arm: bool
+    current: CurrentMountingInSystem | None, applied: bool, has_lever_arm: bool
 ) -> LeverArm:
-    if present is None or present.transform is None:
+    if current is None or current.transform is None:
         return "given" if has_lever_arm else "none"
     if applied:
         return "on top" if has_lever_arm else "turned"
