@@ -36,8 +36,8 @@ SIZES = ("1600x1000", "1366x768")
 LOOKS, LANGUAGES = ("light", "dark"), ("en", "fr")
 SETTLING_S = 0.4
 ASKING = (
-    "about", "keys", "seed_coordinates", "find_again", "lines", "targets", "trajectory", "check", "script",
-    "budget", "settings",
+    "about", "keys", "seed_coordinates", "find_again", "lines", "targets", "trajectory", "check",
+    "script", "budget", "settings",
 )  # fmt: skip
 """Actions that end in a dialogue."""
 SURVEYS = 100

@@ -1,4 +1,4 @@
-"""Current settings of another program given as a 4x4 matrix: the lever arm goes the same way as the rotation.
+"""Current settings of another program as a 4x4 matrix: its lever arm is handled as its rotation.
 
 Points are georeferenced by the formulas of the systems (`tests/test_conventions.py`), which use
 nothing of the converters.

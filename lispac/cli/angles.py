@@ -21,12 +21,12 @@ from lispac.survey.conventions.conversion import (
     mounting_of_angles,
 )
 from lispac.survey.conventions.matrix_input import angle_product_of_matrix, matrix_of_text
-from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
 from lispac.survey.conventions.mounting_replacement import (
     CurrentMountingInSystem,
     current_mounting_of_matrix,
     replace_mounting,
 )
+from lispac.survey.conventions.mounting_texts import UNCORRELATED_WARNING
 from lispac.survey.conventions.systems import convention_of_key
 from lispac.workflow.project.projects import open_project
 

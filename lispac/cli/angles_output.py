@@ -17,13 +17,13 @@ from lispac.survey.conventions.conversion import (
     convert_to_system,
 )
 from lispac.survey.conventions.correction import SUM_MATTERS, BoresightCorrection
+from lispac.survey.conventions.mounting_replacement import MountingReplacement
 from lispac.survey.conventions.mounting_texts import (
     CHECK_FIRST,
     lever_arm_text,
     offsets_note,
     orientation_text,
 )
-from lispac.survey.conventions.mounting_replacement import MountingReplacement
 from lispac.survey.conventions.systems import DIRECTION_WORDS, STATUS_WORDS, SYSTEMS, Status
 from lispac.survey.georeferencing import Mounting
 

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING, TypeVar
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QWidget
 
 from lispac.errors import InputError
-from lispac.gui.panels.optional_number import OptionalNumber
 from lispac.gui.panels.number_field import NumberField
+from lispac.gui.panels.optional_number import OptionalNumber
 from lispac.gui.view_actions import COLOUR_ACTIONS
 
 if TYPE_CHECKING:

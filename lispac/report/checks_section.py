@@ -251,8 +251,8 @@ def cross_check_blocks(content: ReportContent) -> list[Block]:
         blocks.append(
             Paragraph(
                 gettext(
-                    "The jackknife standard deviation with one target omitted at a time requires at "
-                    "least three targets, and a result without each of them."
+                    "The jackknife standard deviation with one target omitted at a time requires "
+                    "at least three targets, and a result without each of them."
                 )
             )
         )

@@ -225,8 +225,8 @@ TARGET_HEADS = (
 AT = (0.07, 0.165, 0.29, 0.425, 0.555, 0.67, 0.82)
 """Left ends of the columns, as shares of the width of the page."""
 LINE_HEADS = (
-    N_("line"), N_("heading (deg)"), N_("distance (m)"), N_("side facing site"), N_("clearance (m)"),
-    N_("speed (m/s)"), N_("straight part (m)"),
+    N_("line"), N_("heading (deg)"), N_("distance (m)"), N_("side facing site"),
+    N_("clearance (m)"), N_("speed (m/s)"), N_("straight part (m)"),
 )  # fmt: skip
 
 

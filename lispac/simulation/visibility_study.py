@@ -2,8 +2,9 @@
 
 The rule the thesis applies by eye (3.5.2), made exact: an inclination is kept where the type I
 criterion reaches a threshold on every line, from the upright board outwards; of those kept it is
-best where the lines differ most in both numbers of the type II criterion. Lines that show the same form a group, and a
-configuration takes one line of each: so the eight combinations of table 3.1 come about.
+best where the lines differ most in both numbers of the type II criterion. Lines that show the same
+form a group, and a configuration takes one line of each: so the eight combinations of table 3.1
+come about.
 """
 
 from collections.abc import Sequence
@@ -87,7 +88,7 @@ class VisibilityStudy:
         )
 
     def kept_inclinations(self, error: str) -> tuple[float, ...]:
-        """Inclinations that the type I criterion keeps: next to each other, about the upright board, radians."""
+        """Inclinations that the type I criterion keeps, a run about the upright board, radians."""
         good = (self.type_one[self.site.errors.index(error)] >= THRESHOLD).all(axis=0)
         upright = int(np.argmin(np.abs(self.site.inclinations)))
         if not good[upright]:

@@ -19,8 +19,8 @@ from lispac.gui.language import set_language
 from lispac.gui.measurements import Measurements, distance_text
 from lispac.gui.panels import widgets
 from lispac.gui.panels.distances import histogram_text
-from lispac.gui.panels.optional_number import OptionalNumber
 from lispac.gui.panels.number_field import NumberField
+from lispac.gui.panels.optional_number import OptionalNumber
 from lispac.gui.point_colours import point_shading
 from lispac.gui.residuals import residual_shading
 from lispac.gui.session import Session

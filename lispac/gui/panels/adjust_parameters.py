@@ -9,8 +9,8 @@ from lispac.adjustment.display_text import QUANTITIES
 from lispac.adjustment.parameters import Parameter
 from lispac.gui import theme, units
 from lispac.gui.panels import widgets
-from lispac.gui.panels.optional_number import OptionalNumber
 from lispac.gui.panels.number_field import EQUAL_TOLERANCE
+from lispac.gui.panels.optional_number import OptionalNumber
 from lispac.gui.units import Base
 from lispac.language import N_, Plural, gettext, number
 from lispac.project import Settings
@@ -70,7 +70,8 @@ _LIMITS_AND_TEXTS = {
         N_("Estimate a constant that is added to each range"),
     ),
     "scan_angle_offset": (
-        360.0, N_("Scan-angle offset"), N_("scan-angle offset"), N_("Prior σ of the scan-angle offset"),
+        360.0, N_("Scan-angle offset"), N_("scan-angle offset"),
+        N_("Prior σ of the scan-angle offset"),
         N_("Estimate a rotation of all beams about the X axis of the scanner"),
     ),
     "latency": (

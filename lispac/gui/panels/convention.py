@@ -31,8 +31,8 @@ from lispac.project import Project
 from lispac.survey.conventions.axes import Axes
 from lispac.survey.conventions.conversion import ConventionSetup, MountingInSystem
 from lispac.survey.conventions.correction import SUM_MATTERS
-from lispac.survey.conventions.mounting_texts import offsets_note
 from lispac.survey.conventions.mounting_replacement import MountingReplacement, replace_mounting
+from lispac.survey.conventions.mounting_texts import offsets_note
 from lispac.survey.conventions.systems import (
     LISPAC,
     SCANNER_WORDS,
