@@ -3,6 +3,7 @@
 import ast
 import json
 import pickle
+import re
 from pathlib import Path
 from string import Formatter
 from typing import cast
@@ -266,10 +267,27 @@ def test_the_level_of_every_code_is_known() -> None:
     assert levels["audit.several_scanners"] == {"warning"}  # of a formatted string
 
 
-def test_no_text_of_window_and_command_line_names_an_option() -> None:
+COMMAND_LINE = re.compile(r"(?<![\w-])--\w|\blispac \w|`")
+"""An option or a command in a text."""
+ONLY_OF_COMMANDS = {"cli", "cluster"}
+"""First words of codes whose messages only commands make."""
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_text_of_window_and_command_line_names_an_option(language: str) -> None:
     """The command line adds the options itself."""
+    with in_language(language):
+        naming = {
+            code
+            for code, template in (TEXTS | ACTIONS).items()
+            if COMMAND_LINE.search(format_text(template, sample_params(template)))
+        }
+    assert [code for code in naming if code.partition(".")[0] not in ONLY_OF_COMMANDS] == []
+
+
+def test_the_command_line_adds_options_to_messages() -> None:
     assert OPTIONS.keys() <= TEXTS.keys()
-    assert [code for code in OPTIONS if " --" in str(TEXTS[code])] == []
+    assert [code for code in OPTIONS if COMMAND_LINE.search(str(TEXTS[code]))] == []
     refused = error("project.refused", reason=error("adjustment.parallel_planes"))
     assert option_hint(refused) == "--accept-single-orientation"
     assert option_hint(note("history.no_date", project="May")) == "lispac identity May --dates"

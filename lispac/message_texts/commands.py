@@ -6,6 +6,7 @@ from lispac.language import N_, Plural, Template
 
 TEXTS: Mapping[str, Template] = {
     # -- command line --------------------------------------------------------------------------
+    # Only commands make these messages, so their texts may name options.
     "cli.projects_failed": Plural(
         "{count:n} of {total:n} projects failed: {names:names}. The table gives the reason.",
         "{count:n} of {total:n} projects failed: {names:names}. The table gives the reasons.",

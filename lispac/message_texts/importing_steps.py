@@ -75,8 +75,8 @@ TEXTS: Mapping[str, Template] = {
     ),
     "import.points_without_time": N_(
         "{file}: the points have no times, so the file cannot be used as a line. Export it with "
-        "the time of each point. Without times it can only serve as a reference cloud (Validate > "
-        "Check against a reference…, lispac check)."
+        "the time of each point. Without times it can only serve as a reference in Check "
+        "against a reference."
     ),
     "import.unknown_format": N_(
         "{file}: the format of this file is not recognised. Export it in a format that the "
@@ -86,22 +86,22 @@ TEXTS: Mapping[str, Template] = {
         "{file}: {format} is not a format of a trajectory file. Choose another format."
     ),
     "import.unknown_trajectory_format": N_(
-        "{file}: the file is not recognised as a trajectory file. Run `lispac inspect` to see "
-        "which format it may have, or give its format."
+        "{file}: the file is not recognised as a trajectory file. Check that it is one, or "
+        "choose its format."
     ),
     "import.not_accuracy_format": N_(
         "{file}: {format} is not a format of a trajectory accuracy file. Choose another format."
     ),
     "import.unknown_accuracy_format": N_(
-        "{file}: the file is not recognised as a trajectory accuracy file. Run `lispac inspect` to "
-        "see which format it may have, or give its format."
+        "{file}: the file is not recognised as a trajectory accuracy file. Check that it is "
+        "one, or choose its format."
     ),
     "import.not_line_format": N_(
         "{file}: {format} is not a format of a line file. Choose another format."
     ),
     "import.unknown_line_format": N_(
-        "{file}: the file is not recognised as a line file. Run `lispac inspect` to see which "
-        "format it may have, or give its format."
+        "{file}: the file is not recognised as a line file. Check that it is one, or choose "
+        "its format."
     ),
     "import.origin_too_far": N_(
         "{project}: the origin is {distance:km} km from the trajectory. Give its latitude and "

@@ -151,12 +151,11 @@ TEXTS: Mapping[str, Template] = {
     ),
     "project_files.moved": N_("{file} was moved and is now read from {folder}."),
     "project_files.one_missing": N_(
-        "{file}: this file does not exist. Restore it, or give its new location (run lispac "
-        "locate, or open the project in the window)."
+        "{file}: this file does not exist. Restore it, or give its new location."
     ),
     "project_files.several_missing": N_(
         "{file}: this file does not exist, and {others:names} are missing too. Restore them, or "
-        "give their new location (run lispac locate, or open the project in the window)."
+        "give their new location."
     ),
     # -- history -------------------------------------------------------------------------------
     "repeat.same_lines": N_(
@@ -288,8 +287,7 @@ TEXTS: Mapping[str, Template] = {
     # -- project_files -------------------------------------------------------------------------
     "project_files.many_missing": N_(
         "{file}: this file does not exist, and {count:n} other files are missing too "
-        "({others:names} among them). Restore them, or give their new location (run lispac locate, "
-        "or open the project in the window)."
+        "({others:names} among them). Restore them, or give their new location."
     ),
     "project_files.none_of_many_found": N_(
         "{folder}: none of the {count:n} missing files ({files:names} among them) is in this "
