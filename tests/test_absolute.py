@@ -29,11 +29,11 @@ from lispac.validation.absolute_check import AbsoluteCheck, LineCheck
 from lispac.workflow.checking.absolute_check import check_absolute
 from lispac.workflow.project.survey import Survey
 from tests.absolute_sample import checked, true_offsets, with_truth
-from tests.command_errors import is_refusal
+from tests.command_errors import is_refusal, refused_with
 from tests.report_sample import sample_content, sample_project
 from tests.report_schema import followed
 from tests.static_scans import on_plane, tripod_scan, write_pts
-from tests.test_cli import answer, refused, run
+from tests.test_cli import answer, run
 
 SHIFTS = (0.0, 0.005, 0.020)
 
@@ -386,6 +386,6 @@ def test_the_command(
     for sentence in found["messages"]:
         assert sentence in out
     assert read_project(project.folder).absolute == check
-    assert "none.laz: this static scan file does not exist" in refused(
-        capsys, "check", project.folder, "--reference", tmp_path / "none.laz"
-    )
+    none = tmp_path / "none.laz"
+    words = ("check", project.folder, "--reference", none)
+    refused_with("file.not_found", *words, file=str(none))

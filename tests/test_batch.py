@@ -11,6 +11,8 @@ import pytest
 import lispac
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
+from lispac.message_texts import message_text
+from lispac.messages import error
 from lispac.project import Project
 from lispac.workflow.checking.batch import HEADS, BatchRow, write_table
 from lispac.workflow.planning.demo import demo_seeds
@@ -60,9 +62,8 @@ def test_every_project_has_a_row(
     assert main(["batch", str(projects), *map(str, words)]) == 1
     out, err = capsys.readouterr()
     assert on_disk(projects) == before
-    assert err == (
-        "lispac: 3 of 6 projects failed: broken, moved and unpicked. The table gives the reasons.\n"
-    )
+    failed = error("cli.projects_failed", count=3, total=6, names=("broken", "moved", "unpicked"))
+    assert err == f"lispac: {message_text(failed)}\n"
     rows = table(tmp_path / "table.csv")
     assert len(rows) == 6
     for name, why in (

@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 from lispac.cli.main import main
+from lispac.messages import error, note
 from lispac.project import Project
-from tests.command_errors import codes_of, command_error
+from tests.command_errors import codes_of, command_error, refused_with
 
 
 @pytest.fixture(scope="module")
@@ -148,9 +149,8 @@ def test_one_plane_file_is_refused_unless_accepted(
 ) -> None:
     plane = shared_data / "prototype/a/plane2.txt"
     words = ("estimate", "--planes", plane, "--lever-arm", 0, 0, 0)
-    message = refused(capsys, *words)
-    assert "is the only target, so" in message
-    assert "--accept-single-orientation" in message
+    assert "--accept-single-orientation" in refused(capsys, *words)
+    assert "adjustment.only_plane" in codes_of(command_error(*words))
     numbers = answer(capsys, *words, "--accept-single-orientation", "--no-cross-checks")
     assert "is the only target" in numbers["observability"]["messages"][-1]
 
@@ -190,10 +190,10 @@ def test_wrong_usage(capsys: pytest.CaptureFixture[str], words: list[str]) -> No
 
 
 def test_numbers_with_an_exponent_are_numbers(capsys: pytest.CaptureFixture[str]) -> None:
-    message = refused(
-        capsys, "estimate", "--planes", "none.txt", "--lever-arm", "-1e-3", "-.5E-2", "1e-3"
+    missing = command_error(
+        "estimate", "--planes", "none.txt", "--lever-arm", "-1e-3", "-.5E-2", "1e-3"
     )
-    assert "none.txt: this plane file does not exist" in message
+    assert missing.message == error("file.not_found", file="none.txt", kind=note("file.kind_plane"))
 
 
 def test_a_plane_file_given_twice_is_wrong_usage(capsys: pytest.CaptureFixture[str]) -> None:
@@ -204,7 +204,7 @@ def test_a_plane_file_given_twice_is_wrong_usage(capsys: pytest.CaptureFixture[s
 
 def test_no_project_is_refused(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     for command in ("estimate", "validate"):
-        assert "does not contain a project" in refused(capsys, command, tmp_path / "none")
+        assert command_error(command, tmp_path / "none").code == "project.not_found"
 
 
 def one_line(raw: Path) -> Path:
@@ -272,10 +272,8 @@ def test_text_line_with_named_columns(
     np.savetxt(tmp_path / "line.csv", rows, delimiter=",", fmt="%.7f")
     words = new_words(tmp_path / "project", raw, tmp_path / "line.csv")
     assert answer(capsys, *words, "--columns", "time,x,y,z")["points"] == {"line": 5000}
-    message = refused(
-        capsys, *new_words(tmp_path / "other", raw, tmp_path / "line.csv"), "--columns", "time,x,y"
-    )
-    assert "missing in the given column names: z " in message
+    other = new_words(tmp_path / "other", raw, tmp_path / "line.csv")
+    refused_with("text.columns_missing", *other, "--columns", "time,x,y", missing=("z",))
 
 
 def test_a_refused_pick_leaves_the_project_as_it_was(

@@ -104,7 +104,7 @@ def test_what_a_plan_leaves_open_has_no_number(
 ) -> None:
     plan = one_line(tmp_path / "plan.toml")
     out, _ = printed_by(capsys, "predict", plan)
-    assert "This survey plan does not determine the boresight" in out
+    assert message_text(note("design.undetermined")) in " ".join(out.split())
     assert "sigma      " not in out
     assert "correlation" not in out
     assert "without" in out

@@ -168,7 +168,7 @@ def test_objects_and_pairs_of_a_patch_test_are_those_asked_for(
     assert len(bench.pairs) == 3
     rows = printed_by(capsys, "patchtest", project.folder, *mine)[0].splitlines()
     assert [row.split()[0] for row in rows[5:7]] == ["pole", "edge"]
-    assert "The result is based on 2 objects and 3 lines." in rows
+    assert english_text(note("patch_test.basis", count=2, lines=3)) in rows
 
 
 def test_an_object_that_differs_is_marked(capsys: pytest.CaptureFixture[str]) -> None:
@@ -261,9 +261,8 @@ def test_lines_that_share_nothing_are_noted_by_their_names(
 ) -> None:
     at_hand(quality)
     out, err = printed_by(capsys, "quality", project.folder)
-    assert err == (
-        "note: Lines L1_000 and L4_225 have no flat area in common, so they cannot be compared.\n"
-    )
+    apart = note("validation.no_flat_place", line="L1_000", other="L4_225")
+    assert err == f"note: {english_text(apart)}\n"
     rows = [row.split()[:2] for row in out.splitlines()[2:]]
     compared = {(one, other) for one, other in rows if one != "all"}
     assert compared
@@ -318,7 +317,8 @@ def test_a_line_is_imported_again_where_what_is_kept_of_it_is_damaged(
     manifest.write_text("{")
     out, err = printed_by(capsys, *words)
     assert "points/s" in out
-    assert err.startswith("note: L1_000 was imported again, because ")
+    beginning, _ = english_text(note("import.repeated", line="L1_000", reason="|")).split("|")
+    assert err.startswith(f"note: {beginning}")
     assert "imported already" in printed_by(capsys, *words)[0]
 
 
@@ -348,7 +348,9 @@ def test_a_seed_that_leads_to_nothing_has_a_reason_in_json(
     good, none = json.loads(out)["seeds"]
     assert (good["name"], good["found"], good["reason"]) == ("T1", True, "")
     assert set(good["lines"]) == {"L1_000", "L2_180"}
-    assert good["lines"]["L1_000"]["quality"]["reasons"] == ["The sighting has only 50 points."]
+    assert good["lines"]["L1_000"]["quality"]["reasons"] == [
+        english_text(note("quality.few_points", count=50))
+    ]
     assert none == {
         "row": 2, "name": "AIR", "role": "target", "seed_m": [0.0, -14.4, 60.0], "found": False,
         "reason": english_text(note("finder.not_alike")), "lines": {}, "missing": {},
@@ -379,7 +381,8 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     assert out.splitlines()[1].startswith("targets ")
     notes = dict(row.removeprefix("note: ").split(": ", 1) for row in err.splitlines())
     assert set(notes) == {"natural planes", "targetless", "patch test"}
-    assert "the project has only one line" in notes["targetless"]
+    alone = note("patch_test.single_line", project=project.name)
+    assert english_text(alone) in notes["targetless"]
     assert "no result of" not in err
     _, err = printed_by(capsys, "compare", project.folder)
     assert err.count("no result of") == 3

@@ -143,7 +143,7 @@ def test_many_pairs_are_counted(project: Project) -> None:
     text = message_text(doubt)
     assert "T0 with T1 (100 % on L1), " in text
     assert " and 2 more. These points" in text
-    assert "one target of each pair" in text
+    assert (doubt.code, doubt.params["count"]) == ("targets.counted_twice", 6)
 
 
 @pytest.mark.long

@@ -114,7 +114,7 @@ def test_the_spread_has_one_name_and_the_halves_are_reported_once(
     assert "\nJackknife, one line omitted " in printed
     assert printed.count("half") == 1
     assert "second minus first half of the data (roll " in printed
-    assert "Spread,<br>one line omitted" in spread_text(checks)
+    assert "Jackknife,<br>one line omitted" in spread_text(checks)
     names = [row.cells[0].text for row in check_rows(checks)]
     assert [name for name in names if "half" in name] == ["Second minus first half"]
     content = sample_content(sample_project(tmp_path / "report"))

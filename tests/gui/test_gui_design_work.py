@@ -11,6 +11,7 @@ from lispac.gui.dialogs.sensors_of_plan import PlanSensorsDialog
 from lispac.workflow.planning.sensors import read_library
 from tests.gui.design_support import plan, wait_until_designed
 from tests.gui.support import WAIT_MS, Control, Driver, Key, click
+from tests.message_codes import is_shown
 
 SITE = """
 title = "Pier"
@@ -46,7 +47,8 @@ def test_the_best_plan_is_one_undo_step(driver: Driver, design: DesignWindow, tm
     field.selectAll()
     driver.bot.keyClicks(field, "10, x")
     assert not search.find.isEnabled()
-    assert "“x” is not a number" in search.error_label.text()
+    assert is_shown("window.not_a_number_in", search.error_label.text())
+    assert "“x”" in search.error_label.text()
     field.selectAll()
     driver.bot.keyClicks(field, "10, 15")
     click(driver, search.find)

@@ -185,7 +185,7 @@ def test_what_is_to_be_checked_is_marked_with_text_and_colour(shown: Driver, est
     assert texts(turn_to(shown, "Targets").table, "Note")[0] == f"rejected in {line}"
     table = turn_to(shown, "Cross-checks").table
     assert texts(table, "Agreement") == ["disagrees", "no result"]
-    assert texts(table, "Reason")[1] == "None of the remaining targets is observed on two lines."
+    assert texts(table, "Reason")[1] == message_text(note("cross_check.no_common_target"))
     assert table.item(0, 0).background().color().name() == theme.WARNING_GROUND
     told = shown.window.results.warnings.text()
     assert f"T1 on line {line} (displaced by " in told

@@ -23,6 +23,7 @@ from lispac.identity import NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
 from tests.gui.test_gui_seed_coordinates import hand
+from tests.message_codes import is_shown
 
 REPORT = 4
 
@@ -133,11 +134,11 @@ def test_a_bad_template_is_reported_at_once_and_refused(adjusted: Driver, tmp_pa
     adjusted.dialogs.path = tmp_path / "own.toml"
     adjusted.dialogs.path.write_text("colour = 'red'")
     click(adjusted, panel.findChild(QPushButton, "report_template_choose"))
-    assert "colour is not a key" in panel.template_error.text()
+    assert is_shown("report_template.unknown_key", panel.template_error.text())
     assert panel.template_error.isVisible()
     click(adjusted, panel.report)
     (error,) = adjusted.dialogs.errors
-    assert "colour is not a key" in str(error)
+    assert (error.code, error.message.params["key"]) == ("report_template.unknown_key", "colour")
     assert not adjusted.window.runner.active
 
 

@@ -12,6 +12,7 @@ from lispac.gui.dialogs.seed_coordinates import SeedCoordinatesDialog
 from lispac.survey.crs import coordinate_system
 from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.support import WAIT_MS, Driver, Key, click, open_step, press
+from tests.message_codes import is_shown
 
 TARGETS = 1
 T1 = demo_seeds()["T1"][1]
@@ -99,7 +100,7 @@ def test_mistakes_are_reported_while_typing(picked: Driver) -> None:
             return told[-1]
 
         assert dialog.name.text() == "T3"
-        assert "“abc” is not a number" in typed("seed_coordinate_0", "abc")
+        assert is_shown("window.not_a_number", typed("seed_coordinate_0", "abc"))
         assert dialog.fields[0].property("wrong")
         assert "Enter West and Up." in typed("seed_coordinate_0", "1,15")
         assert not dialog.fields[0].property("wrong")
@@ -111,7 +112,7 @@ def test_mistakes_are_reported_while_typing(picked: Driver) -> None:
         assert "printable" in typed("seed_name", " ")
         assert "slash" in typed("seed_name", "a/b")
         typed("seed_name", "T9")
-        assert "km from the trajectory. Give metres" in typed("seed_coordinate_0", "5041234")
+        assert is_shown("coordinates.too_far_local", typed("seed_coordinate_0", "5041234"))
         assert not find(dialog).isEnabled()
 
     seen = hand(picked, answer)
@@ -149,7 +150,7 @@ def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
         first = dialog.fields[0]
         opened.bot.mouseClick(first, Qt.MouseButton.LeftButton)
         opened.bot.keyClick(first, Key.Key_V, Qt.KeyboardModifier.ControlModifier)
-        assert "Give easting first, then northing" in shown_result(dialog)
+        assert is_shown("coordinates.swapped_projected", shown_result(dialog))
         first.selectAll()
         QApplication.clipboard().setText(f"{east:.4f}\t{north:.4f}\t−0{-height:.4f}")
         opened.bot.keyClick(first, Key.Key_V, Qt.KeyboardModifier.ControlModifier)

@@ -22,6 +22,7 @@ from lispac.project import Settings
 from lispac.workflow.planning.sensors import read_library, store_sensor
 from lispac.workflow.project.projects import new_project
 from tests.gui.support import Driver, Key, Left, in_front, press
+from tests.message_codes import is_shown
 
 OTHERS = Preferences("fr", 5, 3_500_000, "applanix", "zf-9012", "apogee:ppk",
                      theme="dark", scale="turbo")  # fmt: skip
@@ -233,7 +234,7 @@ def test_what_cannot_be_kept_is_reported_while_it_is_typed(qtbot: QtBot, tmp_pat
     qtbot.mouseClick(pos.keep, Left)
     assert "source of the specifications" in pos.message_label.text()
     pos.parts[1].is_specified.setChecked(False)
-    assert "at least one GNSS solution" in pos.message_label.text()
+    assert is_shown("sensor.no_sigmas", pos.message_label.text())
 
 
 def test_a_broken_file_is_named_above_the_buttons(
@@ -308,7 +309,7 @@ def test_a_cache_is_shown_and_emptied_after_a_question(
     (place / "numba" / "kernel").write_bytes(bytes(2_500_000))
     (tmp_path / "file").write_text("")
     page.cache.choose_folder(tmp_path / "file")
-    assert "the cache cannot be written here" in page.cache.message_label.text()
+    assert is_shown("cache.folder_not_writable", page.cache.message_label.text())
     page.cache.choose_folder(tmp_path / "disk")
     assert page.preferences.cache == tmp_path / "disk"
     assert page.cache.place.text() == str(place)
