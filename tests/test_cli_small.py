@@ -383,9 +383,9 @@ def test_methods_that_cannot_be_asked_are_noted_with_the_reason(
     assert set(notes) == {"natural planes", "targetless", "patch test"}
     alone = note("patch_test.single_line", project=project.name)
     assert english_text(alone) in notes["targetless"]
-    assert "no result of" not in err
+    assert "not run yet" not in err
     _, err = printed_by(capsys, "compare", project.folder)
-    assert err.count("no result of") == 3
+    assert err.count("not run yet") == 3
     bare = replace(project, result=None)
     write_project(bare)
     assert "use --compute" in refused(capsys, "compare", project.folder)

@@ -151,7 +151,7 @@ def test_the_command_shows_them_side_by_side(
     code, out, err = run(capsys, "compare", tmp_path / "p")
     assert code == 0
     assert out.count("\n") == 2, "the targets alone"
-    assert err.count("note: no result of ") == 3
+    assert err.count("note: not run yet: ") == 3
     project = project.with_alternative_result(alternative(project, "targetless", (0.3, 0.0, 0.0)))
     write_project(project)
     found = answer(capsys, "compare", tmp_path / "p")

@@ -32,7 +32,7 @@ def budget(arguments: Namespace) -> None:
         print(f"{f'beam {beam.beam}':28s}{heads}")
         print(f"{'1 sigma, cm':28s}{columns * len(found.distances_m)}")
         for each in (*beam.sources, beam.before, beam.after):
-            cells = "not known".rjust(30)
+            cells = "not given".rjust(30)
             if each.at_distance is not None:
                 cells = "".join(
                     f"{100 * e.horizontal_m:10.2f}{100 * e.vertical_m:10.2f}"

@@ -63,7 +63,7 @@ def compare_methods(arguments: Namespace) -> None:
         print(f"note: {method}: {message_text(why)}", file=sys.stderr)
     for method in missing_methods(project):
         if method not in refused:
-            print(f"note: no result of {method} yet ({METHOD_TEXTS[method]})", file=sys.stderr)
+            print(f"note: not run yet: {method} ({METHOD_TEXTS[method]})", file=sys.stderr)
 
 
 def _run_missing_methods(project: Project) -> tuple[Project, dict[str, Message]]:

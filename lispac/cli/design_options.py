@@ -69,7 +69,8 @@ def _add_design(commands: "Commands[argparse.ArgumentParser]") -> None:
     design.add_argument(
         "--for", dest="criterion", choices=CRITERIA, default="largest",
         help="criterion to minimise: the largest sigma (default), the sigma of one angle, or the "
-             "A or D criterion of all angles",
+             "root mean square of the sigmas (A) or the mean radius of their confidence ellipsoid "
+             "(D)",
     )  # fmt: skip
     design.add_argument(
         "--plans", type=whole_number_from(1), default=10_000, metavar="N",
@@ -128,7 +129,7 @@ def _add_worker_options(parser: argparse.ArgumentParser) -> None:
     )
     where.add_argument(
         "--cluster", metavar="ADDRESS",
-        help="run on the workers of this dask scheduler instead: tls://HOST:PORT",
+        help="run on the workers of this Dask scheduler instead of this computer: tls://HOST:PORT",
     )  # fmt: skip
     parser.add_argument(
         "--cluster-tls", nargs=3, type=Path, metavar=("CA", "CERTIFICATE", "KEY"),

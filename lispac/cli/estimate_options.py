@@ -29,37 +29,38 @@ def add_noise_options(parser: argparse.ArgumentParser) -> None:
     )
     noise.add_argument(
         "--lidar-sigma-xyz", type=positive_number, nargs=3, metavar=("X", "Y", "Z"),
-        help="instead: LiDAR noise along each axis of the scanner, 1 sigma (m)",
+        help="instead of --lidar-sigma: LiDAR noise along each axis of the scanner, 1 sigma (m)",
     )  # fmt: skip
     noise.add_argument(
         "--lidar-beam-sigma", type=positive_number, nargs=2, metavar=("RANGE", "ANGLE"),
-        help="instead: LiDAR noise of the range (m) and of the beam direction (deg), 1 sigma",
+        help="instead of --lidar-sigma: LiDAR noise of the range (m) and of the beam direction "
+        "(deg), 1 sigma",
     )  # fmt: skip
     noise.add_argument(
         "--scanner",
         metavar="NAME",
-        help="instead: LiDAR noise of a scanner listed by `lispac sensors`",
+        help="instead of --lidar-sigma: LiDAR noise of a scanner listed by `lispac sensors`",
     )
 
 
 def add_offset_options(parser: argparse.ArgumentParser) -> None:
     """Add the options for the range offset, scan angle offset and latency."""
     for name, unit, text in (
-        ("range-offset", "METRES", "metres added to every range"),
+        ("range-offset", "METRES", "range offset, added to every range (m; default 0)"),
         (
             "scan-angle-offset",
             "DEGREES",
-            "rotation of every beam about the x axis of the scanner, in degrees",
+            "scan-angle offset, rotation of every beam about the x axis of the scanner (deg; "
+            "default 0)",
         ),
         (
             "latency",
             "SECONDS",
-            "seconds added to the time of every point before the trajectory is interpolated",
+            "latency, added to the time of every point before the trajectory is interpolated (s; "
+            "default 0)",
         ),
     ):
-        parser.add_argument(
-            f"--{name}", type=finite_number, metavar=unit, help=f"prior value (default 0): {text}"
-        )
+        parser.add_argument(f"--{name}", type=finite_number, metavar=unit, help=f"prior {text}")
 
 
 def noise_and_offset_settings(arguments: argparse.Namespace) -> Mapping[str, Any]:
@@ -120,8 +121,8 @@ def add_estimate_command(commands: "Commands[argparse.ArgumentParser]") -> None:
         "--surface",
         type=surface_sigma,
         metavar="METRES",
-        help="surface sigma (m): deviation of the points of a sighting from the surface of the "
-        "target (default auto: estimated from the data)",
+        help="surface roughness (m): standard deviation of the offset of a whole sighting from the "
+        "common surface of all lines (default auto: estimated from the data)",
     )
     estimate.add_argument(
         "--loss",

@@ -105,7 +105,7 @@ def _add_inspect(commands: "Commands[argparse.ArgumentParser]") -> None:
         commands, "inspect", "show the format of a file, the assumptions made and any warnings"
     )
     inspect.add_argument(
-        "file", type=Path, metavar="FILE", help="trajectory, trajectory accuracy or points"
+        "file", type=Path, metavar="FILE", help="trajectory, trajectory accuracy or line file"
     )
     inspect.add_argument("--quick", action="store_true", help="read the first points only")
     add_json_option(inspect)
@@ -154,8 +154,8 @@ def _add_new(commands: "Commands[argparse.ArgumentParser]") -> None:
     new.add_argument(
         "--split-by", default="", metavar="ATTRIBUTE",
         help="split each file into lines: one line for each value of an attribute "
-             "(point_source_id, scanner_channel, user_data, ...), or with gap one line for each "
-             "part between pauses",
+             "(point_source_id, scanner_channel, user_data, ...), or, with gap, one line for each "
+             "part between gaps in the times",
     )  # fmt: skip
     add_triple_option(
         new,
@@ -442,8 +442,9 @@ def _add_angles(commands: "Commands[argparse.ArgumentParser]") -> None:
     angles.add_argument(
         "--scanner",
         choices=("turned", "kept", "mounted"),
-        help="scanner axes of the other system: turned like its body axes, kept as in the raw "
-        "points, or mapped to the body axes by a mounting (default: as usual in that system)",
+        help="scanner axes of the other system: turned (named like its body axes), kept (as in the "
+        "raw points), or mounted (mapped to the body axes by --mounting); default: as usual in "
+        "that system",
     )
     for name, text in (
         (

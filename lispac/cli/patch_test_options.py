@@ -23,8 +23,8 @@ def add_patchtest_command(commands: "Commands[argparse.ArgumentParser]") -> None
     patchtest.add_argument(
         "--object", type=split_named_value, nargs="+", action="extend", metavar="NAME=N,W,U,A,L,H",
         help="box around an object (a pole, a pillar, an edge): north, west and up of its centre "
-             "in the local frame, then its size along, to the left and upwards (m); an optional "
-             "seventh number is its clockwise rotation (deg)",
+             "in the local frame (N, W, U), then its size northwards, westwards and upwards (A, L, "
+             "H; m); an optional seventh number rotates the box clockwise (deg)",
     )  # fmt: skip
     patchtest.add_argument(
         "--count", type=whole_number_from(0), metavar="N",
@@ -32,7 +32,8 @@ def add_patchtest_command(commands: "Commands[argparse.ArgumentParser]") -> None
     )  # fmt: skip
     patchtest.add_argument(
         "--pairs", choices=("reciprocal", "crossing", "oblique", "same"), nargs="+",
-        help="kinds of pairs of lines to use (default: all)",
+        help="pairs of lines to use: in opposite directions (reciprocal), about at right angles "
+             "(crossing), at other angles (oblique) or in the same direction (default: all)",
     )  # fmt: skip
     patchtest.add_argument(
         "--lines", nargs="+", metavar="NAME", help="use only pairs of these lines (default: all)"

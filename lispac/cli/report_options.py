@@ -46,7 +46,7 @@ def _add_report(commands: "Commands[argparse.ArgumentParser]") -> None:
     report.add_argument("--page", choices=("a4", "letter"), help="paper size (default a4)")
     report.add_argument(
         "--convention", metavar="SYSTEM",
-        help="also give the boresight in the convention of this program; `lispac angles` lists "
+        help="also give the boresight in the convention of another program; `lispac angles` lists "
              "the programs",
     )  # fmt: skip
     report.add_argument(

@@ -14,7 +14,7 @@ def add_sensors_command(commands: "Commands[argparse.ArgumentParser]") -> None:
     sensors = add_command(
         commands,
         "sensors",
-        "list scanners and INS/GNSS with their sigmas and the sources of these",
+        "list scanners and INS/GNSS with their sigmas and the source of each value",
     )
     add_json_option(sensors)
 

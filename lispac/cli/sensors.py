@@ -30,7 +30,7 @@ def sensors(arguments: Namespace) -> None:
             }
         )
         return
-    print(f"{'scanner, 1 sigma':28s}{'range':>9s}{'direction':>13s}{'beam':>12s}")
+    print(f"{'scanner, 1 sigma':28s}{'range':>9s}{'direction':>13s}{'divergence':>12s}")
     for sensor in found.scanners:
         figures = sensor.figures
         mark = _own_mark(sensor.is_user_defined)
