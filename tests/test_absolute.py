@@ -287,9 +287,9 @@ def test_a_scan_on_the_map_without_time(
             "name,north,west,up,plane\na,1,2,3,P\nb,2,2,3,P\nc,3,2,3,P\n",
             "check.points_in_one_row",
         ),
-        ("p.csv", "name,north,west,up,sigma\na,1,2,3,-1\n", 'deviation is "-1"'),
-        ("p.csv", "a,1,2\n", "three coordinates are needed"),
-        ("p.ply", "ply\n", "cannot be read as a static scan"),
+        ("p.csv", "name,north,west,up,sigma\na,1,2,3,-1\n", "seeds.invalid_sigma"),
+        ("p.csv", "a,1,2\n", "seeds.too_few_numbers"),
+        ("p.ply", "ply\n", "static_scan.other_format"),
         ("p.csv", "a,90000,2,3\n", "coordinates.too_far_local"),
     ],
 )

@@ -16,6 +16,7 @@ from lispac.messages import error
 from lispac.project import Project
 from lispac.workflow.checking.batch import HEADS, BatchRow, write_table
 from lispac.workflow.planning.demo import demo_seeds
+from tests.message_codes import is_shown
 
 TRUTH = (0.27, -1.14, 0.36)
 
@@ -66,13 +67,13 @@ def test_every_project_has_a_row(
     assert err == f"lispac: {message_text(failed)}\n"
     rows = table(tmp_path / "table.csv")
     assert len(rows) == 6
-    for name, why in (
-        ("broken", "damaged"), ("moved", "L3.laz: this file does not exist"),
-        ("unpicked", "there is no target to adjust"),
+    for name, code in (
+        ("broken", "project.damaged"), ("moved", "project_files.one_missing"),
+        ("unpicked", "estimate.no_target"),
     ):  # fmt: skip
         row = rows[str(projects / name)]
         assert row["verdict"] == "refused"
-        assert why in row["messages"]
+        assert is_shown(code, row["messages"])
         assert row["roll_deg"] == row["sigma_0"] == row["rms_after_m"] == ""
         assert f"{name}: " in out
 

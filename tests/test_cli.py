@@ -244,23 +244,25 @@ def damaged(kind: str, raw: Path, folder: Path) -> tuple[Path, Path]:
 
 
 @pytest.mark.parametrize(
-    ("kind", "said"),
+    ("kind", "code"),
     [
-        ("truncated trajectory", "The file is truncated"),
-        ("empty trajectory", "trajectory.sbet: this SBET file is empty"),
-        ("nan in trajectory", "record 8 contains NaN"),
-        ("no gps_time", "point format 0 has no GPS time"),
-        ("outside the trajectory", "no point lies within the trajectory"),
-        ("empty line", "this file contains no points"),
-        ("missing column", "line.txt: no row contains four or more numbers"),
+        ("truncated trajectory", "file.partial_record"),
+        ("empty trajectory", "file.empty"),
+        ("nan in trajectory", "file.record_not_finite"),
+        ("no gps_time", "las.no_gps_time"),
+        ("outside the trajectory", "import.after_trajectory"),
+        ("empty line", "file.no_points"),
+        ("missing column", "text.no_number_rows"),
     ],
 )
 def test_bad_input_is_refused_and_no_project_is_left(
-    capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path, kind: str, said: str
+    capsys: pytest.CaptureFixture[str], raw: Path, tmp_path: Path, kind: str, code: str
 ) -> None:
     folder, line = damaged(kind, raw, tmp_path / "raw")
-    message = refused(capsys, *new_words(tmp_path / "project", folder, line))
-    assert said in message
+    words = new_words(tmp_path / "project", folder, line)
+    failure = command_error(*words)
+    assert code in codes_of(failure)
+    assert str(failure) in refused(capsys, *words)
     assert not (tmp_path / "project").exists()
 
 

@@ -48,16 +48,16 @@ def quality(light: str, *reasons: Message) -> SightingQuality:
 def test_only_what_is_less_than_good_is_listed_the_poor_first(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
+    few, sparse = note("quality.few_points", count=48), note("quality.sparse", share=0.4)
     found = {
         ("T1", "L1"): quality("good"),
-        ("T1", "L2"): quality("doubtful", note("quality.few_points", count=48)),
-        ("T2", "L1"): quality("poor", note("quality.sparse", share=0.4)),
+        ("T1", "L2"): quality("doubtful", few),
+        ("T2", "L1"): quality("poor", sparse),
     }
     print_weak_sightings(found)
     assert capsys.readouterr().out.splitlines() == [
         "", "Sightings of doubtful or poor quality:",
-        "- T2 on L1: Poor. The points cover only 40 % of the area within the outline.",
-        "- T1 on L2: Doubtful. The sighting has only 48 points.",
+        f"- T2 on L1: Poor. {message_text(sparse)}", f"- T1 on L2: Doubtful. {message_text(few)}",
     ]  # fmt: skip
     print_weak_sightings({("T1", "L1"): quality("good")})
     assert capsys.readouterr().out == ""

@@ -139,12 +139,12 @@ def test_variance_components_with_their_intervals(changed: Changed) -> None:
         "LiDAR",
         "0.82",
         "0.78 to 0.87",
-        "applied: smaller than the given value",
+        message_text(note("component.smaller")),
     )
-    assert table.rows[1][2:] == ("0.60 to 2.90", "applied: larger than the given value")
+    assert table.rows[1][2:] == ("0.60 to 2.90", message_text(note("component.larger")))
     assert table.rows[2][2:] == (
         "0.60 to 2.90",
-        "not applied: the given value lies within the interval",
+        message_text(note("component.as_given")),
     )
 
 

@@ -142,7 +142,7 @@ def test_datum_and_epoch_of_the_lines_go_with_a_code(qtbot: QtBot, tmp_path: Pat
     assert (asked.system, asked.trajectory_datum, asked.epoch) == ("", None, None)
     assert not dialog.datum.isEnabled()
     own = dialog.message_label.text()
-    assert is_shown("assumed.datum", own)
+    assert is_shown("assumed.datum_shift", own)
     assert "ITRF2014" in own
     dialog.system.lineEdit().setText(NAD83)
     dialog._check_input()

@@ -140,9 +140,7 @@ def test_on_the_map_and_three_numbers_pasted_at_once(opened: Driver) -> None:
         assert labels == ["Easting (m)", "Northing (m)", "Height (m)"]
         box.lineEdit().selectAll()
         opened.bot.keyClicks(box.lineEdit(), "EPSG:99999")
-        opened.bot.waitUntil(
-            lambda: "does not know this coordinate system" in shown_result(dialog), timeout=WAIT_MS
-        )
+        opened.bot.waitUntil(lambda: is_shown("crs.unknown", shown_result(dialog)), timeout=WAIT_MS)
         box.lineEdit().selectAll()
         opened.bot.keyClicks(box.lineEdit(), "EPSG:32619")
         opened.bot.waitUntil(lambda: "Enter" in shown_result(dialog), timeout=WAIT_MS)
