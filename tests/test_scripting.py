@@ -181,7 +181,7 @@ def test_proposed_targets_are_accepted(quay: lispac.OpenProject) -> None:
         (lambda quay: quay.change(lidar_sigma=-1.0), "settings.zero_lidar_sigma"),
         (lambda quay: quay.rename("T1", ""), "edit.no_name"),
         (lambda quay: quay.estimate(), "estimate.one_line"),
-        (lambda quay: quay.validate(), "estimate.needed"),
+        (lambda quay: quay.validate(), "project.not_estimated"),
         (lambda quay: quay.check("nothing.csv"), "estimate.needed"),
         (lambda quay: quay.report("report.doc"), "report.ending"),
         (lambda quay: quay.export("lines", "map", form="csv"), "script.unknown_export_format"),
