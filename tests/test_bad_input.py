@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from lispac.adjustment.display_text import to_plain_text as console_text
 from lispac.cli import main as command_line
 from lispac.cli.main import main
 from lispac.errors import LispacError
 from lispac.language import in_language
+from lispac.language import to_plain_text as console_text
 from tests.bad_files import REFUSED, WITH_WARNING, Scene
 from tests.bad_places import REMEDIES
 

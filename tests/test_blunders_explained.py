@@ -6,13 +6,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from lispac.adjustment import crosscheck, solver
-from lispac.adjustment.adjustment_problem import FREE_SIGMA
-from lispac.adjustment.blunders import Blunder
-from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.parameters import Parameter
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.diagnostics import crosscheck
+from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.parameters import Parameter
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.solve import sighting_rejection
+from lispac.adjustment.solve.adjustment_problem import FREE_SIGMA
+from lispac.adjustment.solve.blunders import Blunder
 from lispac.errors import RankDeficient
 from lispac.messages import error
 from lispac.progress import no_progress
@@ -87,8 +88,8 @@ def test_values_are_rejected_where_fewer_sightings_remain(
         "_count_rejected_sightings": lambda solution: solution.let_go,
         "Parameter": lambda name: SimpleNamespace(name=name),
     }.items():
-        monkeypatch.setattr(solver, name, stand_in)
-    found = solver._reject_unexplained_sightings(start, [], no_progress)  # type: ignore[arg-type]
+        monkeypatch.setattr(sighting_rejection, name, stand_in)
+    found = sighting_rejection._reject_unexplained_sightings(start, [], no_progress)  # type: ignore[arg-type]
     assert (found is not rejected) == taken
     if taken:  # the values themselves stay as they were stated
         problem = found.linearised.problem
@@ -104,9 +105,11 @@ def test_what_was_restored_is_not_rejected_again(monkeypatch: pytest.MonkeyPatch
         spared.append(set(known))
         return todo.pop() if todo else None
 
-    monkeypatch.setattr(solver, "worst_blunder", worst)
+    monkeypatch.setattr(sighting_rejection, "worst_blunder", worst)
     monkeypatch.setattr(
-        solver, "find_restorable_blunder", lambda _, gone: back.pop() if gone and back else None
+        sighting_rejection,
+        "find_restorable_blunder",
+        lambda _, gone: back.pop() if gone and back else None,
     )
     model = StochasticModel(loss="tukey")
     result = adjust(survey(2, 0.1), PRIOR, model)
@@ -122,7 +125,7 @@ def test_a_part_without_an_answer_says_why(monkeypatch: pytest.MonkeyPatch) -> N
     def refuse(*_given: object, **_more: object) -> None:
         raise RankDeficient(refused)
 
-    monkeypatch.setattr(crosscheck, "adjust", refuse)
+    monkeypatch.setattr(crosscheck, "estimate", refuse)
     parts = cross_checks(points, PRIOR, whole).parts
     assert {part.reason for part in parts} == {refused}
     assert all(part.boresight is None for part in parts)

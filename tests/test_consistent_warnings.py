@@ -8,23 +8,22 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from lispac.adjustment.critical_values import exceedance_limit
-from lispac.adjustment.display_text import to_plain_text
-from lispac.adjustment.excess_scatter import with_raised_sigmas
-from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.diagnostics.excess_scatter import with_raised_sigmas
+from lispac.adjustment.diagnostics.findings import exceedance_limit
+from lispac.adjustment.diagnostics.warnings import RULES, result_warnings
+from lispac.adjustment.model.observations import CommonCoverage
+from lispac.adjustment.model.parameters import ParameterEstimate
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import (
-    CommonCoverage,
     ContradictedParameter,
     RadiusDiscrepancy,
     UncontrolledObservations,
 )
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.warnings import RULES, result_warnings
 from lispac.cli.estimate import print_result, result_values
 from lispac.cli.messages import message_values
 from lispac.gui.panels import result_texts
 from lispac.io.project.project_file import read_project, write_project
-from lispac.language import in_language
+from lispac.language import in_language, to_plain_text
 from lispac.message_texts import message_text
 from lispac.message_texts.former_codes import former_code
 from lispac.messages import Level, Message, note

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.warnings import result_warnings
+from lispac.adjustment.diagnostics.warnings import result_warnings
 from lispac.cli.estimate import print_result, project_result_values
 from lispac.duplicate_targets import (
     duplicate_warnings,

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.error_budget import (
+from lispac.adjustment.diagnostics.error_budget import (
     BEAMS,
     ErrorBudget,
     PointSigma,

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from pyproj import CRS
 
-from lispac.adjustment.observations import Observations
+from lispac.adjustment.model.observations import Observations
 from lispac.cli.main import main
 from lispac.errors import InputError, ProjectError
 from lispac.io.formats import format_of, recognise_formats

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.message_parts import mounting_value_names
+from lispac.adjustment.model.parameters import mounting_value_names
 from lispac.alternative_methods import AlternativeResult, Method
 from lispac.errors import AdjustmentError, ProjectError
 from lispac.io.project.project_file import FILE_NAME, read_project, write_project

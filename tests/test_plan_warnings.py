@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from lispac.adjustment.observability import RankDeficient
+from lispac.adjustment.diagnostics.observability import RankDeficient
 from lispac.design.plan import Line, Plan
 from lispac.design.plan_choices import thesis_plan
 from lispac.design.site import Site, Wall

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 import scipy.stats
 
-from lispac.adjustment.normal_equations import MAX_SURFACES
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import PosErrors, StochasticModel
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.stochastic_model import PosErrors, StochasticModel
+from lispac.adjustment.solve.normal_equations import MAX_SURFACES
 from lispac.cli.campaign import scatter_table
 from lispac.design.plan import Line, Plan, System, line_pattern
 from lispac.design.plan_simulation import simulate_plan

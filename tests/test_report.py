@@ -17,7 +17,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.errors import InputError, LispacError
 from lispac.message_texts import message_text
 from lispac.messages import Level, note

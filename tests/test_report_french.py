@@ -15,8 +15,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
-from lispac.adjustment.error_budget import error_budget
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.diagnostics.error_budget import error_budget
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.alternative_methods import METHODS, AlternativeResult
 from lispac.language import in_language
 from lispac.messages import error, note

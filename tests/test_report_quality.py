@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.model.parameters import ParameterEstimate
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import AdjustmentResult, VarianceComponent
-from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.message_texts import message_text
 from lispac.messages import Level, note
 from lispac.project import Project

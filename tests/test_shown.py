@@ -6,9 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from lispac.adjustment.critical_values import critical_test_value
-from lispac.adjustment.display_text import OUTPUT_UNITS, QUANTITIES, variance_component_finding
-from lispac.adjustment.parameters import ParameterEstimate
+from lispac.adjustment.diagnostics.findings import critical_test_value, variance_component_finding
+from lispac.adjustment.model.parameters import OUTPUT_UNITS, QUANTITIES, ParameterEstimate
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, VarianceComponent
 from lispac.cli.estimate import print_result, result_values
 from lispac.gui.panels import result_texts

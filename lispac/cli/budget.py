@@ -3,7 +3,7 @@
 from argparse import Namespace
 from dataclasses import asdict
 
-from lispac.adjustment.error_budget import DISTANCES
+from lispac.adjustment.diagnostics.error_budget import DISTANCES
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.message_texts import message_text
 from lispac.report.budget_values import ErrorBudgetValues

@@ -7,15 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from lispac.adjustment.crosscheck import cross_checks
-from lispac.adjustment.display_text import (
+from lispac.adjustment.diagnostics.crosscheck import cross_checks
+from lispac.adjustment.diagnostics.findings import variance_component_finding
+from lispac.adjustment.diagnostics.warnings import result_warnings
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.parameters import (
+    OPTIONAL_NAMES,
     OUTPUT_UNITS,
     QUANTITIES,
-    number_with_noun,
-    to_plain_text,
-    variance_component_finding,
+    Parameter,
+    ParameterEstimate,
 )
-from lispac.adjustment.parameters import OPTIONAL_NAMES, Parameter, ParameterEstimate
 from lispac.adjustment.result import (
     ANGLES,
     AdjustmentResult,
@@ -25,14 +27,13 @@ from lispac.adjustment.result import (
     SightingReliability,
     VarianceComponent,
 )
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.warnings import result_warnings
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
 from lispac.cli.estimate_options import noise_and_offset_settings
 from lispac.cli.sighting_qualities import print_weak_sightings, quality_list
 from lispac.cli.warnings_json import warnings_as_json
 from lispac.duplicate_targets import project_warnings
 from lispac.io.text.plane_file import read_plane_files
+from lispac.language import number_with_noun, to_plain_text
 from lispac.message_texts import english_text, message_text
 from lispac.messages import Message
 from lispac.progress import sub_progress

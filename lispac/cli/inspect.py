@@ -6,9 +6,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from lispac.adjustment.display_text import to_plain_text
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.messages import message_values
+from lispac.language import to_plain_text
 from lispac.message_texts import fact_text, message_text
 from lispac.workflow.importing.file_audit import audit_messages
 from lispac.workflow.importing.file_reading import FileCheck, check_file

@@ -4,8 +4,8 @@ import sys
 from collections.abc import Iterable
 from typing import Any, TextIO
 
-from lispac.adjustment.display_text import to_plain_text
 from lispac.cli.option_hints import option_hint
+from lispac.language import to_plain_text
 from lispac.message_texts import action_text, message_text
 from lispac.messages import Action, Message, plain_params
 

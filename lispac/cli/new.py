@@ -8,12 +8,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from lispac.adjustment.display_text import to_plain_text
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.estimate_options import noise_and_offset_settings
 from lispac.cli.messages import message_values, print_messages
 from lispac.cli.sensor_options import pos_sigma_settings, sensor_titles
 from lispac.identity import BLANK
+from lispac.language import to_plain_text
 from lispac.message_texts import message_text
 from lispac.project import LineSource, Reading, Settings
 from lispac.survey.line_source import printable

@@ -5,11 +5,11 @@ from argparse import Namespace
 
 import numpy as np
 
-from lispac.adjustment.display_text import to_plain_text
 from lispac.adjustment.result import ANGLES
 from lispac.cli.console import ConsoleProgress, opened_project, print_json
 from lispac.cli.warnings_json import warnings_as_json
 from lispac.errors import ProjectError
+from lispac.language import to_plain_text
 from lispac.message_texts import english_text, message_text
 from lispac.messages import error
 from lispac.workflow.calibration.proposal_acceptance import with_accepted

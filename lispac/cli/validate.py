@@ -3,11 +3,11 @@
 from argparse import Namespace
 from collections.abc import Mapping
 
-from lispac.adjustment.display_text import to_plain_text
 from lispac.cli.console import ConsoleProgress, UsageError, opened_project, print_json
 from lispac.cli.warnings_json import warnings_as_json
 from lispac.duplicate_targets import project_warnings
 from lispac.io.value_conversion import encode_value
+from lispac.language import to_plain_text
 from lispac.message_texts import english_text, message_text
 from lispac.project import Project
 from lispac.validation.local_models import USUAL_NEIGHBOURS, LocalModel

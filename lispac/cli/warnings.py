@@ -2,9 +2,9 @@
 
 from argparse import Namespace
 
-from lispac.adjustment.display_text import to_plain_text
 from lispac.cli.console import ConsoleProgress, print_json
 from lispac.cli.warnings_json import warnings_as_json
+from lispac.language import to_plain_text
 from lispac.message_texts import message_text
 from lispac.progress import sub_progress
 from lispac.workflow.calibration.sighting_assessment import sighting_qualities

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.blas_threads import single_blas_thread
-from lispac.adjustment.solver import adjust
-from lispac.adjustment.stochastic_model import StochasticModel
+from lispac.adjustment.least_squares import adjust
+from lispac.adjustment.model.stochastic_model import StochasticModel
+from lispac.adjustment.model.threads import single_blas_thread
 from lispac.design.plan import Plan
 from lispac.design.plan_search import Mapper
 from lispac.design.plan_simulation import simulate_plan

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.observations import Observations, Sighting
+from lispac.adjustment.model.observations import Observations, Sighting
 from lispac.design.plan import Plan
 from lispac.design.prediction import MIN_POINTS, UNSEEN, expected_point_count
 from lispac.errors import RankDeficient

@@ -1,6 +1,6 @@
 """The section on the boresight: fit, other estimated values, observability, displacements."""
 
-from lispac.adjustment.parameters import SIGNIFICANT
+from lispac.adjustment.model.parameters import SIGNIFICANT
 from lispac.language import N_, Plural, gettext
 from lispac.report.budget_section import budget_blocks
 from lispac.report.document_blocks import (

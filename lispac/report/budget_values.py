@@ -2,14 +2,19 @@
 
 from dataclasses import dataclass
 
-from lispac.adjustment.error_budget import BeamBudget, ErrorBudget, PointSigma, SourceBudget
+from lispac.adjustment.diagnostics.error_budget import (
+    BeamBudget,
+    ErrorBudget,
+    PointSigma,
+    SourceBudget,
+)
 from lispac.language import LazyText, gettext_lazy
 from lispac.messages import Message
 
 
 @dataclass(frozen=True)
 class PointError:
-    """1 sigma of a point; see `lispac.adjustment.error_budget.PointSigma`."""
+    """1 sigma of a point; see `lispac.adjustment.diagnostics.error_budget.PointSigma`."""
 
     horizontal_m: float
     vertical_m: float

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from lispac.adjustment.reliability import CRITICAL_VALUE
+from lispac.adjustment.diagnostics.reliability import CRITICAL_VALUE
 from lispac.language import N_, gettext
 from lispac.report.document_blocks import (
     Block,

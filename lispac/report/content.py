@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lispac
-from lispac.adjustment.critical_values import critical_test_value
-from lispac.adjustment.error_budget import ErrorBudget
-from lispac.adjustment.observability import have_one_orientation
-from lispac.adjustment.outdated_result import outdated_result_warning
+from lispac.adjustment.diagnostics.error_budget import ErrorBudget
+from lispac.adjustment.diagnostics.findings import critical_test_value
+from lispac.adjustment.diagnostics.warnings import outdated_result_warning
 from lispac.adjustment.result import ANGLES, AdjustmentResult
+from lispac.adjustment.solve.determinability import have_one_orientation
 from lispac.duplicate_targets import all_warnings
 from lispac.language import N_, LazyText, gettext_lazy
 from lispac.messages import Message

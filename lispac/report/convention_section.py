@@ -2,8 +2,7 @@
 
 from collections.abc import Mapping
 
-from lispac.adjustment.display_text import capitalised
-from lispac.language import N_, gettext
+from lispac.language import N_, capitalised, gettext
 from lispac.message_texts import message_text
 from lispac.report.convention_values import ConventionValues, ScannerToBodyMatrix
 from lispac.report.document_blocks import Block, Column, Paragraph, Table, as_rows, facts_table

@@ -6,13 +6,13 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lispac.adjustment.critical_values import critical_test_value
-from lispac.adjustment.display_text import (
-    OUTPUT_UNITS,
+from lispac.adjustment.diagnostics.findings import (
     UNCHECKED_SHIFT,
+    critical_test_value,
     sighting_status,
     variance_component_finding,
 )
+from lispac.adjustment.model.parameters import OUTPUT_UNITS
 from lispac.adjustment.result import (
     AdjustmentResult,
     CrossCheck,

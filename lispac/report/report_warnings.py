@@ -6,8 +6,12 @@ content only. There is one function for each rule.
 
 from collections.abc import Iterator, Sequence
 
-from lispac.adjustment.display_text import OUTPUT_UNITS
-from lispac.adjustment.message_parts import mounting_value_name, mounting_value_names, signed_change
+from lispac.adjustment.model.parameters import (
+    OUTPUT_UNITS,
+    mounting_value_name,
+    mounting_value_names,
+    signed_change,
+)
 from lispac.messages import Message, Value, note, sort_by_level, warning
 from lispac.report.absolute_warnings import absolute_check_warnings
 from lispac.report.report_values import (

@@ -4,8 +4,8 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime
 
-from lispac.adjustment.display_text import OUTPUT_UNITS, QUANTITIES
-from lispac.adjustment.message_parts import mounting_value_name as quantity_name
+from lispac.adjustment.model.parameters import OUTPUT_UNITS, QUANTITIES
+from lispac.adjustment.model.parameters import mounting_value_name as quantity_name
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Message

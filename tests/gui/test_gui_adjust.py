@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QWidget
 
-from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.model.parameters import Parameter
 from lispac.errors import InputError
 from lispac.gui.panels.fields import FoldableGroup
 from lispac.gui.panels.results import EMPTY

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.adjustment.stochastic_model import PosErrors
+from lispac.adjustment.model.stochastic_model import PosErrors
 from lispac.errors import InputError
 from lispac.gui.panels import widgets
 from lispac.gui.panels.adjust_model import ModelSettings

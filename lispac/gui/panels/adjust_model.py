@@ -7,8 +7,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QHBoxLayout, QLabel, QWidget
 
-from lispac.adjustment.robust_loss import LossName
-from lispac.adjustment.stochastic_model import PosErrors
+from lispac.adjustment.model.robust_loss import LossName
+from lispac.adjustment.model.stochastic_model import PosErrors
 from lispac.errors import InputError
 from lispac.gui import units
 from lispac.gui.panels import widgets

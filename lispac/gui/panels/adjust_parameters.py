@@ -5,8 +5,7 @@ from dataclasses import dataclass, replace
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QGridLayout, QLabel, QWidget
 
-from lispac.adjustment.display_text import QUANTITIES
-from lispac.adjustment.parameters import Parameter
+from lispac.adjustment.model.parameters import QUANTITIES, Parameter
 from lispac.gui import theme, units
 from lispac.gui.panels import widgets
 from lispac.gui.panels.fields import OptionalNumber

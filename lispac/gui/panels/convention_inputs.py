@@ -10,10 +10,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.adjustment.display_text import capitalised
 from lispac.gui.panels import widgets
 from lispac.gui.panels.matrix_field import MatrixField
-from lispac.language import N_, gettext
+from lispac.language import N_, capitalised, gettext
 from lispac.project import Project
 from lispac.survey.conventions.axes import DIRECTIONS, Axes, complete_axes
 from lispac.survey.conventions.conversion import ConventionSetup

@@ -7,9 +7,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from lispac.adjustment.display_text import capitalised
 from lispac.gui import theme, units
-from lispac.language import gettext
+from lispac.language import capitalised, gettext
 from lispac.survey.conventions.systems import Convention
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter

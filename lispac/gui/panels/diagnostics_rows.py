@@ -5,17 +5,16 @@ from collections.abc import Sequence
 import numpy as np
 from PySide6.QtCore import QLocale
 
-from lispac.adjustment.critical_values import critical_test_value
-from lispac.adjustment.display_text import sighting_status
-from lispac.adjustment.parameters import SIGNIFICANT, ParameterEstimate
-from lispac.adjustment.reliability import CRITICAL_VALUE
+from lispac.adjustment.diagnostics.findings import critical_test_value, sighting_status
+from lispac.adjustment.diagnostics.reliability import CRITICAL_VALUE
+from lispac.adjustment.diagnostics.sighting_warnings import NOISE_FACTOR_LIMIT
+from lispac.adjustment.model.parameters import SIGNIFICANT, ParameterEstimate
 from lispac.adjustment.result import (
     AdjustmentResult,
     CrossChecks,
     SightingReliability,
     SightingResidual,
 )
-from lispac.adjustment.sighting_warnings import NOISE_FACTOR_LIMIT
 from lispac.gui import units
 from lispac.gui.panels.adjust_parameters import KINDS
 from lispac.gui.panels.diagnostics_table import Cell, Column, Row, number_cell

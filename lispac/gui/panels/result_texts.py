@@ -3,9 +3,9 @@
 from collections.abc import Mapping, Sequence
 from html import escape
 
-from lispac.adjustment.display_text import variance_component_finding
+from lispac.adjustment.diagnostics.findings import variance_component_finding
+from lispac.adjustment.diagnostics.warnings import MAX_FLAT_SIGMA, result_warnings
 from lispac.adjustment.result import AdjustmentResult, CrossChecks
-from lispac.adjustment.warnings import MAX_FLAT_SIGMA, result_warnings
 from lispac.gui import theme, units
 from lispac.gui.panels import quantities
 from lispac.gui.panels.adjust_parameters import KINDS, MountingParameter

@@ -17,10 +17,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.adjustment.outdated_result import outdated_result_warning
+from lispac.adjustment.diagnostics.warnings import (
+    HIGH_CORRELATION,
+    outdated_result_warning,
+    result_warnings,
+)
+from lispac.adjustment.model.stochastic_model import StochasticModel
 from lispac.adjustment.result import ANGLES, AdjustmentResult
-from lispac.adjustment.stochastic_model import StochasticModel
-from lispac.adjustment.warnings import HIGH_CORRELATION, result_warnings
 from lispac.duplicate_targets import project_warnings
 from lispac.gui import theme, units
 from lispac.gui.panels import quantities, result_texts, widgets

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 import lispac
-from lispac.adjustment.message_parts import mounting_value_name
+from lispac.adjustment.model.parameters import mounting_value_name
 from lispac.adjustment.result import ANGLES
 from lispac.errors import LispacError
 from lispac.io.files import atomic_write
