@@ -204,7 +204,7 @@ class _PlanSightings:
             own = [k for k, s in enumerate(self.sightings) if s.target == name]
             if own and target.flatness is not None:
                 flatness = max(target.flatness, FLATTEST)
-                problem = problem.with_sighting_surface_sigma(own, slice(0, 3), flatness)
+                problem = problem.with_sighting_surface_sigma(own, flatness)
         linearised = problem.linearised(problem.start(plan.system.mounting, shapes))
         stands_for = np.array(list(self.points.values())) / observations.counts
         weights = stands_for[problem.groups.sighting]

@@ -112,7 +112,7 @@ def compute_reliability(linearised: LinearisedProblem) -> tuple[SightingReliabil
                 largest_at=float(observations.time[worst]),
                 point_detectable=float(np.median(detectable[own])),
                 weight=float(mean_weight[s]),
-                rejected=bool(not problem.is_sighting_tied[s] or mean_weight[s] < MIN_MEAN_WEIGHT),
+                rejected=bool(problem.rejected_sightings[s] or mean_weight[s] < MIN_MEAN_WEIGHT),
             )
         )
     return tuple(found)

@@ -42,11 +42,15 @@ Array = NDArray[np.float64]
 
 NO_LOSS = Loss("none")
 
+EVERY_DIRECTION, TILTS, OFFSETS = slice(0, 3), slice(0, 2), slice(2, 3)
+"""Directions in which the surface of a sighting departs from its target's shape."""
+
 INITIAL_SURFACE_SIGMA = 0.003
 """Metres: sigma of the form errors before it is estimated."""
 
-FREE_SIGMA = 10.0
-"""Metres: sigma of the form errors of a rejected sighting."""
+REJECTED_SIGMA = 10.0
+"""Metres: sigma of the tilts and the offset of a rejected sighting in the equations, so large that
+the sighting has no influence."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +67,11 @@ class AdjustmentProblem:
     parameters : tuple of Parameter
         Estimated besides the boresight.
     surface_sigma : ndarray of shape (sightings, 3), metres
-        Of the two tilts, at the border, and the offset of each sighting.
+        Of the two tilts, at the border, and the offset of each sighting; `REJECTED_SIGMA` of what
+        is rejected.
+    rejected : ndarray of shape (sightings, 3), bool
+        Which tilts and offsets are rejected: of a shifted sighting the offset, of another surface
+        all three. A sighting whose offset is rejected is a rejected sighting.
     scale : ndarray of shape (targets,)
         Spread of the standardised residuals, the scale of the loss function.
     noise : ndarray of shape (targets,)
@@ -86,6 +94,7 @@ class AdjustmentProblem:
     prior: Mounting
     parameters: tuple[Parameter, ...]
     surface_sigma: Array
+    rejected: NDArray[np.bool_]
     scale: Array
     noise: Array
     blocks: NDArray[np.int64]
@@ -118,9 +127,25 @@ class AdjustmentProblem:
         if model.offset is not None:
             sigma[:, 2] = model.offset
         ones = np.ones(len(observations.targets))
-        blocks = np.zeros(0, dtype=np.int64)
         return cls(
-            ordered, groups, order, model, prior, parameters, sigma, ones, ones, blocks, moments
+            ordered, groups, order, model, prior, parameters, sigma,
+            rejected=np.zeros(sigma.shape, dtype=bool), scale=ones, noise=ones,
+            blocks=np.zeros(0, dtype=np.int64), moments=moments,
+        )  # fmt: skip
+
+    def with_observations(self, observations: Observations) -> "AdjustmentProblem":
+        """Problem of other points of the same sightings, without their blocks."""
+        problem = AdjustmentProblem.of(
+            observations, self.prior, self.model, self.parameters, self.moments
+        )
+        return replace(
+            problem,
+            surface_sigma=self.surface_sigma,
+            rejected=self.rejected,
+            scale=self.scale,
+            noise=self.noise,
+            own_offsets=self.own_offsets,
+            known_noise=self.known_noise,
         )
 
     @cached_property
@@ -148,14 +173,14 @@ class AdjustmentProblem:
         return replace(self, noise=factors, known_noise=True)
 
     @property
-    def is_sighting_tied(self) -> NDArray[np.bool_]:
-        """Whether each sighting is used (not rejected), shape (sightings,)."""
-        return np.asarray(self.surface_sigma[:, 2] < FREE_SIGMA)
+    def rejected_sightings(self) -> NDArray[np.bool_]:
+        """Whether each sighting is rejected, shape (sightings,)."""
+        return self.rejected[:, 2]
 
     @property
     def default_surface_sigmas(self) -> Array:
         """Sigmas of tilts and offset of the sightings that are used, shape (3,), metres."""
-        return np.asarray(self.surface_sigma.min(axis=0))
+        return np.asarray(self.surface_sigma.min(axis=0, where=~self.rejected, initial=np.inf))
 
     @property
     def has_own_offsets(self) -> bool:
@@ -163,23 +188,48 @@ class AdjustmentProblem:
         return self.own_offsets or self.model.offset is not None
 
     def with_surface_sigma(self, sigma: float | Array) -> "AdjustmentProblem":
-        """Problem with another surface sigma, metres; rejected sightings are unchanged.
+        """Problem with another surface sigma, metres, of all that is not rejected.
 
         Parameters
         ----------
         sigma : float or ndarray of shape (3,), metres
             Of tilts and offset alike, or of each.
         """
-        kept = self.surface_sigma >= FREE_SIGMA
-        return replace(self, surface_sigma=np.where(kept, FREE_SIGMA, sigma))
+        return replace(self, surface_sigma=np.where(self.rejected, REJECTED_SIGMA, sigma))
 
     def with_sighting_surface_sigma(
-        self, sightings: Sequence[int], directions: slice, sigma: float | Array
+        self, sightings: Sequence[int], sigma: float | Array
     ) -> "AdjustmentProblem":
-        """Problem with another sigma (metres) of some sightings' tilts (0, 1) or offset (2)."""
+        """Problem with another surface sigma, metres, of some sightings.
+
+        Parameters
+        ----------
+        sigma : float or ndarray of shape (3,), metres
+            Of tilts and offset alike, or of each.
+        """
         changed = self.surface_sigma.copy()
-        changed[list(sightings), directions] = sigma
+        changed[list(sightings)] = sigma
         return replace(self, surface_sigma=changed)
+
+    def with_rejected(
+        self, sightings: Sequence[int], directions: slice = EVERY_DIRECTION
+    ) -> "AdjustmentProblem":
+        """Problem with the tilts (0, 1), the offset (2) or both of some sightings rejected."""
+        return self._with_rejection(sightings, directions, REJECTED_SIGMA, rejected=True)
+
+    def with_restored(
+        self, sightings: Sequence[int], directions: slice = EVERY_DIRECTION
+    ) -> "AdjustmentProblem":
+        """Problem with rejected tilts (0, 1) or offset (2) of sightings used like all others."""
+        usual = self.default_surface_sigmas[directions]
+        return self._with_rejection(sightings, directions, usual, rejected=False)
+
+    def _with_rejection(
+        self, sightings: Sequence[int], directions: slice, sigma: float | Array, *, rejected: bool
+    ) -> "AdjustmentProblem":
+        mask, sigmas = self.rejected.copy(), self.surface_sigma.copy()
+        mask[list(sightings), directions], sigmas[list(sightings), directions] = rejected, sigma
+        return replace(self, rejected=mask, surface_sigma=sigmas)
 
     def start(self, mounting: Mounting, shapes: Array) -> AdjustmentState:
         """Initial linearisation point without effects; ``shapes`` of shape (targets, 4)."""
@@ -204,18 +254,7 @@ class AdjustmentProblem:
         lidar, position, attitude : float
             Factors, so without a unit.
         """
-        observations = self.observations.with_sigmas(lidar, position, attitude)
-        problem = AdjustmentProblem.of(
-            observations, self.prior, self.model, self.parameters, self.moments
-        )
-        return replace(
-            problem,
-            surface_sigma=self.surface_sigma,
-            scale=self.scale,
-            noise=self.noise,
-            own_offsets=self.own_offsets,
-            known_noise=self.known_noise,
-        )
+        return self.with_observations(self.observations.with_sigmas(lidar, position, attitude))
 
     def with_parameters(self, parameters: tuple[Parameter, ...]) -> "AdjustmentProblem":
         """Problem with other values to estimate."""

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lispac.adjustment.solve.adjustment_problem import (
-    FREE_SIGMA,
+    EVERY_DIRECTION,
+    OFFSETS,
     AdjustmentProblem,
     LinearisedProblem,
 )
@@ -63,18 +64,15 @@ class Blunder:
 
     def reject_in(self, problem: AdjustmentProblem) -> AdjustmentProblem:
         """Return the problem with these sightings rejected."""
-        return problem.with_sighting_surface_sigma(
-            self.sightings, self._surface_components, FREE_SIGMA
-        )
+        return problem.with_rejected(self.sightings, self._directions)
 
     def restore_in(self, problem: AdjustmentProblem) -> AdjustmentProblem:
         """Return the problem with these sightings used like all others."""
-        usual = problem.default_surface_sigmas[self._surface_components]
-        return problem.with_sighting_surface_sigma(self.sightings, self._surface_components, usual)
+        return problem.with_restored(self.sightings, self._directions)
 
     @property
-    def _surface_components(self) -> slice:
-        return slice(0, 3) if self.kind == "surface" else slice(2, 3)
+    def _directions(self) -> slice:
+        return EVERY_DIRECTION if self.kind == "surface" else OFFSETS
 
 
 def worst_blunder(linearised: LinearisedProblem, spared: Collection[Blunder]) -> Blunder | None:
@@ -143,16 +141,16 @@ def _reduce_to_shift(linearised: LinearisedProblem, blunder: Blunder) -> Blunder
 
 def _candidate_blunders(problem: AdjustmentProblem) -> Iterator[Blunder]:
     """Sightings and lines whose rejection leaves every target with enough others."""
-    observations, is_tied = problem.observations, problem.is_sighting_tied
+    observations, is_used = problem.observations, ~problem.rejected_sightings
     owners = observations.target_of_sighting
-    counts = np.bincount(owners[is_tied], minlength=len(observations.targets))
-    spare = is_tied & (counts[owners] > MIN_OTHER_SIGHTINGS)
+    counts = np.bincount(owners[is_used], minlength=len(observations.targets))
+    spare = is_used & (counts[owners] > MIN_OTHER_SIGHTINGS)
     for s in np.flatnonzero(spare):
         yield Blunder("shift", (int(s),))
         if not observations.is_sphere[owners[s]]:
             yield Blunder("surface", (int(s),))
     for line in observations.lines:
-        own = [s for s, x in enumerate(observations.sightings) if x.line == line and is_tied[s]]
+        own = [s for s, x in enumerate(observations.sightings) if x.line == line and is_used[s]]
         # For a line with one sighting the shift of that is sufficient.
         if len(own) > 1 and spare[own].all():
             yield Blunder("line", tuple(own))

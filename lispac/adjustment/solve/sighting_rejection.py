@@ -11,7 +11,7 @@ import numpy as np
 
 from lispac.adjustment.model.parameters import Parameter
 from lispac.adjustment.model.stochastic_model import StochasticModel
-from lispac.adjustment.solve.adjustment_problem import FREE_SIGMA, AdjustmentProblem
+from lispac.adjustment.solve.adjustment_problem import AdjustmentProblem
 from lispac.adjustment.solve.blunders import (
     Blunder,
     find_confirmed_blunders,
@@ -101,7 +101,7 @@ def _reject_unexplained_sightings(
     count = _count_rejected_sightings(after)
     if count <= _count_rejected_sightings(solution):
         return after
-    fewest, surfaces = count, None
+    fewest, rejected_then = count, None
     tried: list[tuple[str, ...]] = [()]
     for judged in (solution, after):
         # In the order they were found: what explains most comes first.
@@ -119,11 +119,11 @@ def _reject_unexplained_sightings(
             continue
         if _count_rejected_sightings(explained) + len(names) < fewest:
             fewest = _count_rejected_sightings(explained) + len(names)
-            surfaces = explained.linearised.problem.surface_sigma
-    if surfaces is None:
+            rejected_then = explained.linearised.problem.rejected
+    if rejected_then is None:
         return after
-    surfaces = np.where(surfaces >= FREE_SIGMA, FREE_SIGMA, problem.default_surface_sigmas)
-    problem = replace(problem, surface_sigma=surfaces)
+    usual = problem.default_surface_sigmas
+    problem = replace(problem, rejected=rejected_then).with_surface_sigma(usual)
     return iterate(problem, solution.state, progress, earlier=solution.path)
 
 
@@ -155,4 +155,4 @@ def _reject_blunders(
 
 def _count_rejected_sightings(solution: IterationResult) -> int:
     """Number of rejected sightings."""
-    return int((~solution.linearised.problem.is_sighting_tied).sum())
+    return int(solution.linearised.problem.rejected_sightings.sum())

@@ -283,17 +283,7 @@ def _continue_with_all_points(
 ) -> IterationResult:
     """Continue with all points from the solution of a sample."""
     sample = near.linearised.problem
-    problem = AdjustmentProblem.of(
-        observations, sample.prior, sample.model, sample.parameters, sample.moments
-    )
-    problem = replace(
-        problem,
-        noise=sample.noise,
-        scale=sample.scale,
-        surface_sigma=sample.surface_sigma,
-        own_offsets=sample.own_offsets,
-        known_noise=sample.known_noise,
-    )
+    problem = sample.with_observations(observations)
     if problem.model.correlated and not problem.known_noise:
         sampled, residuals = sample.observations, sample.residuals(near.state)[1]
         mine = None if problem.model.loss == "none" else is_point_on_target(sampled, residuals)

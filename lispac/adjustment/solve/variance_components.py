@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 
 from lispac.adjustment.result import VarianceComponent
 from lispac.adjustment.solve.adjustment_problem import (
-    FREE_SIGMA,
+    EVERY_DIRECTION,
+    OFFSETS,
+    TILTS,
     AdjustmentProblem,
     LinearisedProblem,
 )
@@ -25,15 +27,15 @@ Array = NDArray[np.float64]
 SMALLEST_SURFACE, LARGEST_SURFACE = 1e-5, 0.3  # metres
 
 
-EVERY, TILTS, OFFSETS = slice(0, 3), slice(0, 2), slice(2, 3)
-
 MIN_GAIN = 10.0
 """Gain of twice the log likelihood by a sigma of the offsets' own: by chance once in 1000."""
 REJECTION_GAIN = 5.0
 """Additional gain if sightings were rejected: jumps are a dozen times commoner, exp(5 / 2)."""
 
 
-def most_likely_surface_sigma(linearised: LinearisedProblem, directions: slice = EVERY) -> float:
+def most_likely_surface_sigma(
+    linearised: LinearisedProblem, directions: slice = EVERY_DIRECTION
+) -> float:
     """Most likely sigma of the departures of sightings from their target's shape, metres.
 
     Parameters
@@ -43,9 +45,7 @@ def most_likely_surface_sigma(linearised: LinearisedProblem, directions: slice =
     """
     alike = np.zeros_like(linearised.problem.surface_sigma, dtype=bool)
     alike[:, directions] = True
-    return _maximise_surface_likelihood(
-        linearised, alike & (linearised.problem.surface_sigma < FREE_SIGMA)
-    )[0]
+    return _maximise_surface_likelihood(linearised, alike & ~linearised.problem.rejected)[0]
 
 
 def need_own_offset_sigma(linearised: LinearisedProblem) -> bool:
@@ -56,10 +56,11 @@ def need_own_offset_sigma(linearised: LinearisedProblem) -> bool:
     must be clearly larger than with the rejection, since a single jump is more common, and larger
     than that with the common sigma.
     """
-    every = np.repeat(linearised.problem.surface_sigma[:, :1] < FREE_SIGMA, 3, axis=1)
+    problem = linearised.problem
+    every = np.repeat(~problem.rejected[:, :1], 3, axis=1)
     own = every & (np.arange(3) == 2)
     gain = _maximise_surface_likelihood(linearised, own)[1]
-    least = MIN_GAIN if linearised.problem.is_sighting_tied.all() else MIN_GAIN + REJECTION_GAIN
+    least = MIN_GAIN + REJECTION_GAIN if problem.rejected_sightings.any() else MIN_GAIN
     return gain > least and gain - _maximise_surface_likelihood(linearised, every)[1] > MIN_GAIN
 
 
@@ -265,18 +266,18 @@ class _RestrictedLikelihood:
         self.prior_right = np.zeros(len(self.normal.matrix))
         self.fixed_quadratic = self.surface_quadratic = 0.0
         self.surfaces = np.zeros(len(self.normal.matrix))
-        self.tied = 0
+        self.used = 0
         if problem.layout.surfaces:
             places = np.arange(problem.layout.surfaces[0].start, problem.layout.size)
-            tied = problem.surface_sigma.reshape(-1) < FREE_SIGMA
-            self.surfaces[places] = tied
-            self.tied = int(tied.sum())
+            used = ~problem.rejected.reshape(-1)
+            self.surfaces[places] = used
+            self.used = int(used.sum())
             self.diagonal[places] = problem.surface_sigma.reshape(-1) ** -2.0
             departures = linearised.departures.reshape(-1)
             self.prior_right[places] = -departures * self.diagonal[places]
             squares = departures**2 * self.diagonal[places]
-            self.surface_quadratic = float(squares[tied].sum())
-            self.fixed_quadratic += float(squares[~tied].sum())
+            self.surface_quadratic = float(squares[used].sum())
+            self.fixed_quadratic += float(squares[~used].sum())
         off = linearised.state.mounting.values - problem.prior.values
         for parameter in problem.parameters:
             if parameter.sigma is not None:
@@ -321,4 +322,4 @@ class _RestrictedLikelihood:
         )
         determinants = 2 * np.log(factor[0]).sum() + 2 * np.log(np.diag(lower) / scale).sum()
         counts = np.array([self.points, 3 * self.knots, 3 * self.knots])
-        return float(2 * counts @ log_factors + 2 * self.tied * rough + determinants + quadratic)
+        return float(2 * counts @ log_factors + 2 * self.used * rough + determinants + quadratic)

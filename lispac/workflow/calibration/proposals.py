@@ -436,7 +436,7 @@ def _with_unevenness(linearised: LinearisedProblem, uneven: dict[str, float]) ->
         return linearised
     for k, sighting in enumerate(problem.observations.sightings):
         sigma = np.maximum(problem.surface_sigma[k], uneven[sighting.target])
-        problem = problem.with_sighting_surface_sigma([k], slice(0, 3), sigma)
+        problem = problem.with_sighting_surface_sigma([k], sigma)
     return problem.linearised(linearised.state)
 
 
