@@ -70,6 +70,17 @@ def average_points_in_cells(
             )
             return average_points_in_cells(fewer, mounting, distance, longest=longest)
     order, start = _sort_into_cells(observations, planes, points, distance, longest)
+    return _average_cells(observations, mounting, points, order, start)
+
+
+def _average_cells(
+    observations: Observations,
+    mounting: Mounting,
+    points: Array,
+    order: NDArray[np.intp],
+    start: NDArray[np.intp],
+) -> Observations:
+    """One point a cell, from the points sorted by `_sort_into_cells`."""
     counts = np.diff(np.append(start, len(order)))
 
     def mean(values: Array) -> Array:
