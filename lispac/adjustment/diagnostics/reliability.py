@@ -5,7 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lispac.adjustment.model.condition_equations import MountingArrays, PointArrays, point_pose
+from lispac.adjustment.model.condition_equations import (
+    MountingArrays,
+    PointArrays,
+    point_pose,
+)
 from lispac.adjustment.model.robust_loss import loss_weight
 from lispac.adjustment.model.threads import run_in_chunks
 from lispac.adjustment.result import SightingReliability
@@ -189,7 +193,7 @@ def _point_reliability(
     weighting = WeightArrays.of(PointWeights(linearised.loss, problem.scale, problem.noise))
     run_in_chunks(
         lambda first, last: _point_tests_kernel(
-            first, last, *points, *placing, *effects, *weighting, problem.active, local, found
+            first, last, points, placing, effects, weighting, problem.active, local, found
         ),
         groups.start[1:],
     )
@@ -199,24 +203,20 @@ def _point_reliability(
 
 @kernel()
 def _point_tests_kernel(  # type: ignore[no-untyped-def]
-    first, last, xyz, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
-    sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, start, knot, fraction, outlying, bridge, surface,
-    pos,
-    loss, tuning, tangent, scale, noise, active, local, found,
-):  # fmt: skip
+    first, last, points, placing, effects, weights, active, local, found
+):
+    start, fraction, target = effects.start, effects.fraction, points.target
+    loss, tuning, _, scale, noise = weights
     out, lidar = np.empty(20), np.empty(3)
     width = local.shape[1]
     wide = np.empty((1, width))
     for g in range(first, last):
         for i in range(start[g], start[g + 1]):
             t = target[i]
-            at = point_pose(i, position, turns)
+            pose = point_pose(i, points)
             misclosure, variance = point_misclosure(
-                i, t, sighting[i], g, at, xyz, rate, spheres, sigma_lidar, beam,
-                sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
-                knot, fraction, outlying, bridge, surface, pos, out, lidar,
-            )  # fmt: skip
+                i, g, pose, points, placing, effects, out, lidar
+            )
             write_group_row(i, active, fraction, out, wide, 0)
             explained = 0.0
             for j in range(width):

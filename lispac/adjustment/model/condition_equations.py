@@ -58,7 +58,7 @@ def linearise(observations: Observations, mounting: Mounting, shapes: Array) -> 
     rows, by_lidar = np.empty((len(observations), WIDTH)), np.empty((len(observations), 3))
     points, placing = PointArrays.of(observations, mounting), MountingArrays.of(mounting, shapes)
     run_in_chunks(
-        lambda first, last: _linearise_kernel(first, last, *points, *placing, rows, by_lidar),
+        lambda first, last: _linearise_kernel(first, last, points, placing, rows, by_lidar),
         np.arange(1, len(observations) + 1),
     )
     return Conditions(rows, by_lidar)
@@ -80,7 +80,7 @@ def evaluate_columns(
     points, placing = PointArrays.of(observations, mounting), MountingArrays.of(mounting, shapes)
     run_in_chunks(
         lambda first, last: _evaluate_columns_kernel(
-            first, last, *points, *placing, columns.start, out
+            first, last, points, placing, columns.start, out
         ),
         np.arange(1, len(observations) + 1),
     )
@@ -101,7 +101,9 @@ def misclosures(observations: Observations, mounting: Mounting, shapes: Array) -
 class PointArrays(NamedTuple):
     """Arrays of point data as the kernels take them.
 
-    They take it one by one: indexing a tuple for every point costs more than the arithmetic.
+    A function that is inlined into a kernel takes the arrays that it needs out of the tuple before
+    it branches: Numba counts the references to all arrays of a tuple that is used in a branch, for
+    each point, which costs more than the arithmetic.
     """
 
     xyz: Array  # in the LiDAR frame
@@ -163,8 +165,15 @@ class MountingArrays(NamedTuple):
 
 
 @kernel(inline="always")
-def point_pose(i, position, turns):  # type: ignore[no-untyped-def]
+def lidar_point(i, points):  # type: ignore[no-untyped-def]
+    """LiDAR coordinates of point ``i``."""
+    return points.xyz[i, 0], points.xyz[i, 1], points.xyz[i, 2]
+
+
+@kernel(inline="always")
+def point_pose(i, points):  # type: ignore[no-untyped-def]
     """Position of point ``i`` and cosines and sines of its attitude."""
+    position, turns = points.position, points.turns
     return (
         position[i, 0], position[i, 1], position[i, 2], turns[i, 0], turns[i, 1], turns[i, 2],
         turns[i, 3], turns[i, 4], turns[i, 5],
@@ -173,15 +182,19 @@ def point_pose(i, position, turns):  # type: ignore[no-untyped-def]
 
 @kernel(inline="always")
 def condition_row(  # type: ignore[no-untyped-def]
-    i, t, rx, ry, rz, at, rate, spheres, values, rotation, derivatives, turn, shapes, out, lidar
+    i, xyz, pose, points, placing, out, lidar
 ):
-    """Jacobian row of point ``i`` of target ``t`` with LiDAR coordinates (rx, ry, rz).
+    """Jacobian row of point ``i`` with LiDAR coordinates ``xyz`` and the pose from `point_pose`.
 
     Written to ``out`` (20) and ``lidar`` (3).
     """
-    px, py, pz, cr, sr, cp, sp, ch, sh = at
+    rx, ry, rz = xyz
+    px, py, pz, cr, sr, cp, sp, ch, sh = pose
+    values, rotation, derivatives = placing.values, placing.rotation, placing.derivatives
+    turn, shapes, t, rate = placing.turn, placing.shapes, points.target[i], points.rate
     # Read before anything is written, lest the compiler think that it has changed
-    s0, s1, s2, s3, sphere = shapes[t, 0], shapes[t, 1], shapes[t, 2], shapes[t, 3], spheres[t]
+    s0, s1, s2, s3 = shapes[t, 0], shapes[t, 1], shapes[t, 2], shapes[t, 3]
+    sphere = points.spheres[t]
     distance = np.sqrt(rx * rx + ry * ry + rz * rz)
     stretch = values[6] / distance
     # Turned by the scan-angle offset (about x), then with the range offset
@@ -240,31 +253,21 @@ def condition_row(  # type: ignore[no-untyped-def]
 
 @kernel()
 def _linearise_kernel(  # type: ignore[no-untyped-def]
-    first, last, xyz, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
-    sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, rows, by_lidar,
-):  # fmt: skip
+    first, last, points, placing, rows, by_lidar
+):
     for i in range(first, last):
-        at = point_pose(i, position, turns)
-        condition_row(
-            i, target[i], xyz[i, 0], xyz[i, 1], xyz[i, 2], at, rate, spheres, values, rotation,
-            derivatives, turn, shapes, rows[i], by_lidar[i],
-        )  # fmt: skip
+        at, pose = lidar_point(i, points), point_pose(i, points)
+        condition_row(i, at, pose, points, placing, rows[i], by_lidar[i])
 
 
 @kernel()
 def _evaluate_columns_kernel(  # type: ignore[no-untyped-def]
-    first, last, xyz, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
-    sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, begin, selected,
-):  # fmt: skip
+    first, last, points, placing, begin, selected
+):
     out, lidar = np.empty(20), np.empty(3)
     for i in range(first, last):
-        at = point_pose(i, position, turns)
-        condition_row(
-            i, target[i], xyz[i, 0], xyz[i, 1], xyz[i, 2], at, rate, spheres, values, rotation,
-            derivatives, turn, shapes, out, lidar,
-        )  # fmt: skip
+        at, pose = lidar_point(i, points), point_pose(i, points)
+        condition_row(i, at, pose, points, placing, out, lidar)
         for k in range(selected.shape[1]):
             selected[i, k] = out[begin + k]
 

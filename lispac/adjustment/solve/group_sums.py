@@ -16,6 +16,7 @@ from lispac.adjustment.model.condition_equations import (
     PointArrays,
     adjusted_observation,
     condition_row,
+    lidar_point,
     lidar_variance,
     point_pose,
 )
@@ -158,7 +159,7 @@ def sum_by_group(
     effects, weighting = EffectArrays.of(groups, state), WeightArrays.of(weights)
     run_in_chunks(
         lambda first, last: _accumulate_sums(
-            first, last, *points, *placing, *effects, *weighting, active, sums
+            first, last, points, placing, effects, weighting, active, sums
         ),
         groups.start[1:],
     )
@@ -203,16 +204,17 @@ class WeightArrays(NamedTuple):
 
 @kernel(inline="always")
 def point_misclosure(  # type: ignore[no-untyped-def]
-    i, t, s, g, at, xyz, rate, spheres, sigma_lidar, beam, sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, knot, fraction, outlying, bridge, surface,
-    pos,
-    out, lidar,
-):  # fmt: skip
-    """Misclosure of point ``i`` with the effects applied, and the variance of its noise."""
-    condition_row(
-        i, t, xyz[i, 0], xyz[i, 1], xyz[i, 2], at, rate, spheres, values, rotation, derivatives,
-        turn, shapes, out, lidar,
-    )  # fmt: skip
+    i, g, pose, points, placing, effects, out, lidar
+):
+    """Misclosure of point ``i`` of group ``g`` with the effects applied, and its variance.
+
+    ``out`` and ``lidar`` as in `condition_row`.
+    """
+    condition_row(i, lidar_point(i, points), pose, points, placing, out, lidar)
+    xyz, sigma_lidar, beam = points.xyz, points.sigma_lidar, points.beam_sigmas
+    sigma_position, sigma_attitude = points.sigma_position, points.sigma_attitude
+    s, surface, knot, fraction = points.sighting[i], effects.surface, effects.knot, effects.fraction
+    outlying, bridge, pos = effects.outlying, effects.bridge, effects.pos
     variance = lidar_variance(i, xyz, sigma_lidar, beam, lidar)
     misclosure = out[19]
     for k in range(4):
@@ -255,12 +257,11 @@ BLOCK = 64
 
 @kernel()
 def _accumulate_sums(  # type: ignore[no-untyped-def]
-    first, last, xyz, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
-    sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, start, knot, fraction, outlying, bridge, surface,
-    pos,
-    loss, tuning, tangent, scale, noise, active, sums,
-):  # fmt: skip
+    first, last, points, placing, effects, weights, active, sums
+):
+    start, fraction, target = effects.start, effects.fraction, points.target
+    xyz, sigma_lidar, beam = points.xyz, points.sigma_lidar, points.beam_sigmas
+    loss, tuning, tangent, scale, noise = weights
     out, lidar = np.empty(20), np.empty(3)
     width = sums.shape[1]
     rows, weighted = np.empty((BLOCK, width)), np.empty((BLOCK, width))
@@ -271,22 +272,17 @@ def _accumulate_sums(  # type: ignore[no-untyped-def]
             for place in range(count):
                 i = begin + place
                 t = target[i]
-                at = point_pose(i, position, turns)
+                pose = point_pose(i, points)
                 misclosure, variance = point_misclosure(
-                    i, t, sighting[i], g, at, xyz, rate, spheres, sigma_lidar, beam,
-                    sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
-                    knot, fraction, outlying, bridge, surface, pos, out, lidar,
-                )  # fmt: skip
+                    i, g, pose, points, placing, effects, out, lidar
+                )
                 if len(fraction) > 0:
                     # At the observed point the derivatives share its noise with the misclosure,
                     # which biases what is seen weakly; at the adjusted one they do not (Pope 1972).
-                    x, y, z = adjusted_observation(
+                    at = adjusted_observation(
                         i, xyz, sigma_lidar, beam, lidar, misclosure / variance
                     )
-                    condition_row(
-                        i, t, x, y, z, at, rate, spheres, values, rotation, derivatives, turn,
-                        shapes, out, lidar,
-                    )  # fmt: skip
+                    condition_row(i, at, pose, points, placing, out, lidar)
                 write_group_row(i, active, fraction, out, rows, place)
                 rows[place, width - 1] = misclosure
                 precision = 1 / (variance * noise[t] ** 2)
@@ -320,7 +316,7 @@ def compute_residuals(
     points, effects = PointArrays.of(observations, state.mounting), EffectArrays.of(groups, state)
     placing = MountingArrays.of(state.mounting, state.shapes)
     run_in_chunks(
-        lambda first, last: _residuals_kernel(first, last, *points, *placing, *effects, found),
+        lambda first, last: _residuals_kernel(first, last, points, placing, effects, found),
         groups.start[1:],
     )
     return found
@@ -328,20 +324,15 @@ def compute_residuals(
 
 @kernel()
 def _residuals_kernel(  # type: ignore[no-untyped-def]
-    first, last, xyz, position, turns, rate, target, sighting, spheres, sigma_lidar, beam,
-    sigma_position, sigma_attitude,
-    values, rotation, derivatives, turn, shapes, start, knot, fraction, outlying, bridge, surface,
-    pos,
-    found,
-):  # fmt: skip
+    first, last, points, placing, effects, found
+):
+    start = effects.start
     out, lidar = np.empty(20), np.empty(3)
     for g in range(first, last):
         for i in range(start[g], start[g + 1]):
-            at = point_pose(i, position, turns)
+            pose = point_pose(i, points)
             misclosure, variance = point_misclosure(
-                i, target[i], sighting[i], g, at, xyz, rate, spheres, sigma_lidar, beam,
-                sigma_position, sigma_attitude, values, rotation, derivatives, turn, shapes,
-                knot, fraction, outlying, bridge, surface, pos, out, lidar,
-            )  # fmt: skip
+                i, g, pose, points, placing, effects, out, lidar
+            )
             found[0, i] = out[19]
             found[1, i] = misclosure / np.sqrt(variance)
