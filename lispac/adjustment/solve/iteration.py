@@ -236,5 +236,6 @@ def _adapt_sigmas(
 
 def _remaining_change(change: Array, last: Array) -> Array:
     """Remaining change, extrapolated from the ratio of the last two changes."""
-    rate = np.minimum(change / np.maximum(last, np.finfo(float).tiny), 0.5)
+    with np.errstate(over="ignore"):  # of a large first change
+        rate = np.minimum(change / np.maximum(last, np.finfo(float).tiny), 0.5)
     return np.asarray(change * rate / (1 - rate))
