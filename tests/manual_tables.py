@@ -23,21 +23,21 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui import actions
-from lispac.gui.dialogs.about import keys_text
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.dialogs.settings import SettingsDialog
-from lispac.gui.language import set_language
-from lispac.gui.panels.adjust import AdjustPanel
-from lispac.gui.panels.convention import ConventionPanel
-from lispac.gui.panels.data import DataPanel
-from lispac.gui.panels.histograms import HistogramsPanel
-from lispac.gui.panels.report import ReportPanel
-from lispac.gui.panels.targets import TargetsPanel
-from lispac.gui.panels.validate import ValidatePanel
-from lispac.gui.preferences import Preferences
-from lispac.gui.settings import AppSettings
-from lispac.gui.view_actions import KEYS, Menu
+from lispac.gui.app import actions
+from lispac.gui.app.language import set_language
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.view_actions import KEYS, Menu
+from lispac.gui.features.conventions.convention_panel import ConventionPanel
+from lispac.gui.features.estimate.adjust_panel import AdjustPanel
+from lispac.gui.features.help.about import keys_text
+from lispac.gui.features.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.open_project.data_panel import DataPanel
+from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
+from lispac.gui.features.preferences.preferences import Preferences
+from lispac.gui.features.preferences.settings_dialog import SettingsDialog
+from lispac.gui.features.report.report_panel import ReportPanel
+from lispac.gui.features.validate.histograms_panel import HistogramsPanel
+from lispac.gui.features.validate.validate_panel import ValidatePanel
 from lispac.installation_paths import resource_path
 from lispac.io.format_types import FileFormat, FormatOption
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES

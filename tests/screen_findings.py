@@ -4,10 +4,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from lispac.gui.dialogs.dialog_service import Dialogs
-from lispac.gui.dialogs.sensor_editor import NEW_POS, SensorEditor
-from lispac.gui.language import local_datetime
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.language import local_datetime
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.features.preferences.sensor_editor import NEW_POS, SensorEditor
+from lispac.gui.window.dialogs import Dialogs
 from lispac.identity import Identity
 from lispac.io.project.project_file import write_project
 from lispac.project import Project

@@ -161,7 +161,8 @@ def test_importing_the_package_imports_nothing_heavy() -> None:
 
 def test_window_starts_without_what_it_does_not_need_yet() -> None:
     done = run_python(
-        "import lispac.gui.app, lispac.gui.session, lispac.gui.viewport.lazy_viewport, sys;"
+        "import lispac.gui.window.program, lispac.gui.window.session, sys;"
+        "import lispac.gui.viewport.lazy_viewport;"
         "print(*sys.modules)"
     )
     assert done.returncode == 0, done.stderr

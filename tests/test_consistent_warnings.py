@@ -22,7 +22,7 @@ from lispac.adjustment.stochastic_model import StochasticModel
 from lispac.adjustment.warnings import RULES, result_warnings
 from lispac.cli.estimate import print_result, result_values
 from lispac.cli.messages import message_values
-from lispac.gui.panels import result_texts
+from lispac.gui.features.estimate import result_texts
 from lispac.io.project.project_file import read_project, write_project
 from lispac.language import in_language
 from lispac.message_texts import message_text

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import lispac.gui
-from lispac.gui.actions import _ACTIONS, action_texts, dialog_title
+from lispac.gui.app.actions import _ACTIONS, action_texts, dialog_title
 from lispac.language import LANGUAGES, in_language
 
 OTHERWISE = {"lines", "targets", "trajectory", "add_lines", "section_picture", "design"}

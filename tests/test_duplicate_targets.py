@@ -17,8 +17,8 @@ from lispac.duplicate_targets import (
     find_overlaps,
     overlap_warning,
 )
-from lispac.gui.panels import result_texts
-from lispac.gui.status import step_statuses
+from lispac.gui.features.estimate import result_texts
+from lispac.gui.project.status import step_statuses
 from lispac.message_texts import message_text
 from lispac.project import PickedSighting, Project, Role, Target
 from lispac.workflow.planning.demo import demo_seeds

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from lispac.geometry.planes import fit_plane
-from lispac.gui.panels.sightings_table import quality_text
+from lispac.gui.features.pick_targets.sightings_table import quality_text
 from lispac.message_texts import message_text
 from lispac.project import Project
 from lispac.targets.occlusion import ObservedExtent, compare_observed_extents, does_plane_end_within

@@ -11,16 +11,16 @@ from lispac.adjustment.display_text import OUTPUT_UNITS, QUANTITIES, variance_co
 from lispac.adjustment.parameters import ParameterEstimate
 from lispac.adjustment.result import AdjustmentResult, CrossChecks, VarianceComponent
 from lispac.cli.estimate import print_result, result_values
-from lispac.gui.panels import result_texts
-from lispac.gui.panels.adjust_parameters import KINDS
-from lispac.gui.panels.diagnostics_rows import (
+from lispac.gui.features.estimate import result_texts
+from lispac.gui.features.estimate.adjust_parameters import KINDS
+from lispac.gui.features.estimate.diagnostics_rows import (
     check_rows,
     parameter_rows,
     sighting_columns,
     sighting_rows,
     spread_text,
 )
-from lispac.gui.panels.result_texts import variance_component_texts
+from lispac.gui.features.estimate.result_texts import variance_component_texts
 from lispac.message_texts import english_text
 from lispac.messages import note
 from lispac.report.document import report_document

@@ -10,9 +10,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox, QPushButton
 
 from lispac.errors import InputError, ProjectError
-from lispac.gui.dialogs.dialog_service import Dialogs
-from lispac.gui.dialogs.import_files.add_lines import AddLinesDialog
-from lispac.gui.dialogs.import_files.file_table import FORMAT, ROLE
+from lispac.gui.features.import_survey.add_lines_dialog import AddLinesDialog
+from lispac.gui.features.import_survey.file_table import FORMAT, ROLE
+from lispac.gui.window.dialogs import Dialogs
 from lispac.project import LineSource, Project
 from lispac.workflow.project.projects import open_project, save_project, with_lines_added
 from tests.gui.import_support import drop, shifted

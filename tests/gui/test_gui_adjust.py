@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.adjustment.parameters import Parameter
 from lispac.errors import InputError
-from lispac.gui.panels.fields import FoldableGroup
-from lispac.gui.panels.results import EMPTY
+from lispac.gui.features.estimate.results_panel import EMPTY
+from lispac.gui.widgets.fields import FoldableGroup
 from lispac.project import Project
 from lispac.survey.georeferencing import Mounting
 from tests.gui.support import (

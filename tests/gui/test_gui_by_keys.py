@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDialog, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.dialogs.seed_at import SeedDialog
+from lispac.gui.features.pick_targets.seed_at import SeedDialog
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project

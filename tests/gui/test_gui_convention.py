@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QApplication, QComboBox, QDoubleSpinBox, QTabBar
 from pytestqt.qtbot import QtBot
 from scipy.spatial.transform import Rotation
 
-from lispac.gui import theme
-from lispac.gui.panels.convention import TITLE, ConventionPanel
-from lispac.gui.panels.scanner_axes_view import ScannerAxesView, exaggeration_factor
+from lispac.gui.appearance import theme
+from lispac.gui.features.conventions.convention_panel import TITLE, ConventionPanel
+from lispac.gui.widgets.scanner_axes_view import ScannerAxesView, exaggeration_factor
 from lispac.project import Project
 from lispac.survey.conventions.conversion import ConventionSetup, convert_to_system
 from lispac.survey.conventions.systems import SYSTEMS, convention_of_key

@@ -6,8 +6,8 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEdit
 
 from lispac.design.prediction import predict
-from lispac.gui.design import edits
-from lispac.gui.design.window import DesignWindow
+from lispac.gui.features.design import edits
+from lispac.gui.features.design.window import DesignWindow
 from lispac.gui.viewport.base import PickedPoint
 from lispac.io.config.plan_file import read_plan
 from tests.gui.design_support import (

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QApplication
 
 from lispac.cli.campaign import scatter_table
 from lispac.design.monte_carlo import MonteCarloResult, run_monte_carlo
-from lispac.gui.design import edits
-from lispac.gui.design.window import DesignWindow
+from lispac.gui.features.design import edits
+from lispac.gui.features.design.window import DesignWindow
 from lispac.io.config.plan_file import read_plan
 from lispac.language import gettext_lazy
 from lispac.workflow.planning.plan_comparison import compare_with_plan

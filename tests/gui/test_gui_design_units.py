@@ -6,12 +6,12 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from lispac.errors import InputError
-from lispac.gui import units
-from lispac.gui.design import edits
-from lispac.gui.design.limits_form import LimitsForm, parse_numbers
-from lispac.gui.design.plan_tables import LINE_FIELDS, TARGET_FIELDS, LinesList
-from lispac.gui.design.system import SystemPanel
-from lispac.gui.design.workspace import Workspace
+from lispac.gui.appearance import units
+from lispac.gui.features.design import edits
+from lispac.gui.features.design.limits_form import LimitsForm, parse_numbers
+from lispac.gui.features.design.plan_tables import LINE_FIELDS, TARGET_FIELDS, LinesList
+from lispac.gui.features.design.system import SystemPanel
+from lispac.gui.features.design.workspace import Workspace
 
 FOOT = 0.3048
 """Metres, by definition."""

@@ -5,9 +5,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog
 
-from lispac.gui.design import plan_computations
-from lispac.gui.design.window import DesignWindow
-from lispac.gui.dialogs.sensors_of_plan import PlanSensorsDialog
+from lispac.gui.features.design import plan_computations
+from lispac.gui.features.design.sensors_dialog import PlanSensorsDialog
+from lispac.gui.features.design.window import DesignWindow
 from lispac.workflow.planning.sensors import read_library
 from tests.gui.design_support import plan, wait_until_designed
 from tests.gui.support import WAIT_MS, Control, Driver, Key, click

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QTableWidget
 
 from lispac.adjustment.result import CrossCheck
 from lispac.design.further_line_advice import further_line_advice
-from lispac.gui import theme
-from lispac.gui.panels.diagnostics_pages import PAGES
+from lispac.gui.appearance import theme
+from lispac.gui.features.estimate.diagnostics_pages import PAGES
 from lispac.gui.viewport.base import SELECTED_COLOUR, UNSELECTED_COLOUR
 from lispac.message_texts import message_text
 from lispac.messages import note

@@ -9,8 +9,8 @@ import pytest
 from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.actions import dialog_title
-from lispac.gui.dialogs.export import CONTENTS, DELAY_MS, ExportDialog
+from lispac.gui.app.actions import dialog_title
+from lispac.gui.features.export.export_dialog import CONTENTS, DELAY_MS, ExportDialog
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.output.export_request import ENDINGS, ExportRequest
 from lispac.workflow.output.output_crs import utm_zone

@@ -6,9 +6,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
 
-from lispac.gui import theme, units
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.panels.mounting_sketch import HEIGHT, VIEWS, MountingSketch, length_with_unit
+from lispac.gui.appearance import theme, units
+from lispac.gui.features.import_survey.import_dialog import ImportDialog
+from lispac.gui.widgets.mounting_sketch import HEIGHT, VIEWS, MountingSketch, length_with_unit
 from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses
 from tests.gui.support import Driver, open_step, type_into

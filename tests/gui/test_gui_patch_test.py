@@ -5,8 +5,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QListWidget, QSlider, QStyle, QStyleOptionSlider
 
-from lispac.gui.panels.patch_angles import STEP_DEG
-from lispac.gui.panels.patch_test import EMPTY, PatchTestPanel
+from lispac.gui.features.patch_test.angles import STEP_DEG
+from lispac.gui.features.patch_test.panel import EMPTY, PatchTestPanel
 from tests.gui.support import Control, Driver, Key, Left, click, press, type_into
 
 ROLL, PITCH, YAW = range(3)

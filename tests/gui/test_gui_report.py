@@ -16,9 +16,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui.panels.report import ReportPanel
-from lispac.gui.panels.widgets import ChoiceBox
+from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.viewport.frame_times import FrameTimes
+from lispac.gui.widgets import ChoiceBox
 from lispac.identity import NAMES, Identity
 from lispac.report.options import ReportOptions
 from tests.gui.support import Demo, Driver, Key, Left, click, open_step, type_into
@@ -380,7 +380,7 @@ def test_no_report_is_proposed_into_the_cache(
     """It may be emptied at any time; a project elsewhere keeps its report beside it."""
     folder = adjusted.project.folder
     place = folder.parent if cached else folder / "cache"
-    monkeypatch.setattr("lispac.gui.proposed_folders.usable_cache_folder", lambda: place)
+    monkeypatch.setattr("lispac.gui.app.proposed_folders.usable_cache_folder", lambda: place)
     adjusted.window.actions_["report"].trigger()
     proposed = adjusted.dialogs.proposed
     assert proposed.name == f"{adjusted.project.name}.pdf"

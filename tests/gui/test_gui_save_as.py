@@ -12,7 +12,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QLineEdit
 
 from lispac.errors import InputError, ProjectError
-from lispac.gui.dialogs.dialog_service import Dialogs
+from lispac.gui.window.dialogs import Dialogs
 from lispac.io.project.project_file import write_project
 from lispac.progress import Step, no_progress
 from lispac.project import Project
@@ -177,7 +177,7 @@ def test_no_project_is_proposed_into_the_cache(
     """That of the built-in survey lies there; it is not where one would look for one's own."""
     folder = harbour.project.folder
     place = folder.parent if cached else folder / "cache"
-    monkeypatch.setattr("lispac.gui.proposed_folders.usable_cache_folder", lambda: place)
+    monkeypatch.setattr("lispac.gui.app.proposed_folders.usable_cache_folder", lambda: place)
     asked: list[Path] = []
     harbour.dialogs.folder_to_save_in = asked.append
     press(harbour, Key.Key_S, Control | Shift)

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QPushButton
 
-from lispac.gui.dialogs.seed_at import SeedDialog
+from lispac.gui.features.pick_targets.seed_at import SeedDialog
 from lispac.survey.crs import coordinate_system
 from lispac.workflow.planning.demo import demo_seeds
 from tests.gui.support import WAIT_MS, Driver, Key, click, open_step, press

@@ -8,13 +8,13 @@ from PySide6.QtCore import QLocale, QLockFile, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import theme
-from lispac.gui.dialogs.import_files.dialog import ImportDialog
-from lispac.gui.dialogs.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
-from lispac.gui.dialogs.settings import SettingsDialog
-from lispac.gui.preferences import Preferences
-from lispac.gui.recovery_copies import LOCK_NAME
-from lispac.gui.settings import AppSettings
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.appearance import theme
+from lispac.gui.features.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.preferences.preferences import Preferences
+from lispac.gui.features.preferences.sensor_editor import NEW_POS, NEW_SCANNER, SensorEditor
+from lispac.gui.features.preferences.settings_dialog import SettingsDialog
+from lispac.gui.project.recovery_copies import LOCK_NAME
 from lispac.gui.viewport.decimation import Budget
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.io.config.sensor_file import PosSpecification, ScannerSpecification

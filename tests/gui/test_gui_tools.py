@@ -8,8 +8,8 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from lispac.gui.panels.section import EMPTY
-from lispac.gui.sections import section_box_sketch
+from lispac.gui.features.inspect.section_panel import EMPTY
+from lispac.gui.features.inspect.sections import section_box_sketch
 from lispac.gui.viewport.base import PickedPoint
 from lispac.warning_causes import Cause
 from tests.gui.support import Driver, Key, click, press, seed, type_into, wait_until_idle

@@ -10,12 +10,12 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui import actions
-from lispac.gui.language import set_language
-from lispac.gui.main_window import MainWindow
-from lispac.gui.session import Session
-from lispac.gui.settings import AppSettings
-from lispac.gui.status import STEPS
+from lispac.gui.app import actions
+from lispac.gui.app.language import set_language
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.project.status import STEPS
+from lispac.gui.window.main_window import MainWindow
+from lispac.gui.window.session import Session
 from lispac.language import gettext
 from lispac.workflow.project.projects import open_project
 from tests.french_catalogue import FRENCH
@@ -58,7 +58,7 @@ def test_the_tutorial_leads_to_a_report(
     program: MainWindow, demo_copy: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As for a user, but that the built-in survey is there already, with a third of the points."""
-    monkeypatch.setattr("lispac.gui.controller.demo_folder", lambda: demo_copy)
+    monkeypatch.setattr("lispac.gui.project.controller.demo_folder", lambda: demo_copy)
     language = program.settings.language
     source = page(language, "tutorial")
     looked: list[str] = []

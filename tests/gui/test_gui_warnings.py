@@ -8,9 +8,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 
-from lispac.gui.panels.adjust import AdjustPanel
-from lispac.gui.panels.warnings import NO_PROJECT, NO_WARNINGS, TITLE, WAITING
-from lispac.gui.status import ADJUST, DATA, TARGETS
+from lispac.gui.features.estimate.adjust_panel import AdjustPanel
+from lispac.gui.features.warnings.warnings_panel import NO_PROJECT, NO_WARNINGS, TITLE, WAITING
+from lispac.gui.project.status import ADJUST, DATA, TARGETS
 from lispac.message_texts import message_text
 from lispac.messages import Level, Message, note, warning
 from lispac.project import Project
@@ -276,7 +276,7 @@ def test_nothing_to_warn_of_is_reported(picked: Driver) -> None:
 
 def test_the_window_does_not_wait_for_the_list(adjusted: Driver, monkeypatch) -> None:
     """A second of gathering, and no turn of the event loop that takes anything like it."""
-    from lispac.gui import warning_list
+    from lispac.gui.features.warnings import warning_list
 
     gather = warning_list.warnings_of
 

@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from lispac.gui import sliced_calculation
-from lispac.gui.panels.chart import Chart
-from lispac.gui.sliced_calculation import SlicedCalculation
+from lispac.gui.widgets import sliced_calculation
+from lispac.gui.widgets.chart import Chart
+from lispac.gui.widgets.sliced_calculation import SlicedCalculation
 
 
 @pytest.fixture(autouse=True)

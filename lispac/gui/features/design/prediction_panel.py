@@ -1,0 +1,226 @@
+"""Panel of the predicted precision of the plan."""
+
+from html import escape
+
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
+
+from lispac.adjustment.result import ANGLES
+from lispac.design.plan_search import InformationGain
+from lispac.gui import widgets
+from lispac.gui.appearance import theme, units
+from lispac.gui.features.design import predicted_precision
+from lispac.gui.features.design.background_prediction import BackgroundPrediction, SlowResults
+from lispac.gui.features.design.predicted_precision import PredictedPrecision
+from lispac.gui.features.design.workspace import Workspace
+from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row
+from lispac.language import N_, current_language, gettext, number
+from lispac.message_texts import message_text
+from lispac.workflow.planning.plan_checks import plan_warnings
+
+PLAN_KEYS = ("plan", "thesis")
+TITLES = N_("this plan"), N_("Shahraji's plan")
+ANGLE_NAMES = dict(zip(ANGLES, (N_("roll"), N_("pitch"), N_("yaw")), strict=True))
+PAIRS = (N_("roll–pitch"), N_("roll–yaw"), N_("pitch–yaw"))
+
+
+class PredictionPanel(QScrollArea):
+    """Standard deviations beside those of Shahraji's plan, correlations and information gain."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        super().__init__()
+        self.setObjectName("design_results")
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setMinimumWidth(330)
+        self._work = workspace
+        self.predictor = BackgroundPrediction(workspace, self)
+        self._last = PredictedPrecision(workspace.titled.plan, None, True)
+        body = QWidget()
+        layout = widgets.vertical_layout(body, 12)
+        unit = units.shown_unit("°").sign
+        layout.addWidget(
+            widgets.label(gettext("Predicted standard deviations ({unit})", unit=unit), "heading")
+        )
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(14)
+        grid.setVerticalSpacing(4)
+        for column, title in enumerate(map(gettext, TITLES), start=1):
+            grid.addWidget(widgets.label(title, "muted"), 0, column, Qt.AlignmentFlag.AlignRight)
+        self.sigma: dict[str, QLabel] = {}
+        self.thesis: dict[str, QLabel] = {}
+        for row, angle in enumerate(ANGLES, start=1):
+            named = gettext(ANGLE_NAMES[angle])
+            grid.addWidget(widgets.label(named), row, 0)
+            for column, (labels, size) in enumerate(((self.sigma, 20), (self.thesis, 14)), start=1):
+                shown = widgets.label("", name=f"design_{PLAN_KEYS[column - 1]}_{angle}")
+                font = theme.tabular_font(shown.font(), bold=column == 1)
+                font.setPixelSize(size)
+                shown.setFont(font)
+                # Keeps its width when the first numbers arrive.
+                shown.setMinimumWidth(QFontMetrics(font).horizontalAdvance("0.0000") + 4)
+                shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                shown.setAccessibleName(
+                    gettext(
+                        "Standard deviation of {angle} ({plan}), in {unit}",
+                        angle=named, plan=gettext(TITLES[column - 1]), unit=unit,
+                    )
+                )  # fmt: skip
+                grid.addWidget(shown, row, column, Qt.AlignmentFlag.AlignRight)
+                labels[angle] = shown
+        grid.setColumnStretch(3, 1)
+        layout.addLayout(grid)
+        self.correlation = widgets.label("", "muted", wrap=True, name="design_correlation")
+        self.correlation.setToolTip(
+            gettext(
+                "Correlations between the angles. Two angles cannot be separated if their "
+                "correlation is close to 1 or −1."
+            )
+        )
+        layout.addWidget(self.correlation)
+        self.minutes = widgets.label("", "muted", wrap=True, name="design_minutes")
+        layout.addWidget(self.minutes)
+        self.warnings = widgets.label("", "warning", wrap=True, name="design_warnings")
+        layout.addWidget(self.warnings)
+        self.messages = widgets.label("", "hint", wrap=True, name="design_text")
+        self.messages.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Minimum)
+        layout.addWidget(self.messages)
+        layout.addWidget(widgets.label(gettext("Points per sighting"), "heading"))
+        self.points = widgets.label("", name="design_points", rich=True)
+        self.points.setAccessibleName(gettext("Points per sighting"))
+        self._points_area = QScrollArea()
+        self._points_area.setFrameShape(QFrame.Shape.NoFrame)
+        self._points_area.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._points_area.setWidgetResizable(True)
+        self._points_area.setWidget(self.points)
+        layout.addWidget(self._points_area)
+        layout.addWidget(widgets.label(gettext("Information gain"), "heading"))
+        self.gain_table = DiagnosticsTable(
+            "design_gain",
+            gettext("Information gain of each target and line"),
+            _information_gain_columns(),
+        )
+        self.gain_table.setMinimumHeight(170)
+        layout.addWidget(self.gain_table, 1)
+        self.setWidget(body)
+        self.predictor.predicted.connect(self._show_sigmas)
+        self.predictor.slow_results_ready.connect(self._show_messages)
+        self.predictor.gains_ready.connect(self._show_information_gains)
+        self.predictor.out_of_date.connect(self._mark_out_of_date)
+        workspace.changed.connect(self._show)
+        self._show()
+        self.predictor.start()
+
+    def _show(self) -> None:
+        """Show the values that need no computation."""
+        titled = self._work.titled
+        self.minutes.setText(predicted_precision.time_on_site_text(titled))
+        found = plan_warnings(titled)
+        self.warnings.setText("\n".join(map(message_text, found)))
+        self.warnings.setVisible(bool(found))
+
+    def _mark_out_of_date(self) -> None:
+        """Mark the values of the former plan as out of date."""
+        if self.predictor.is_out_of_date:
+            for label in self.sigma.values():
+                label.setStyleSheet(f"color: {theme.MUTED};")
+        if not self.predictor.messages_current:
+            self.messages.setText(gettext("Computing…"))
+        self.gain_table.show_rows([])
+
+    def _show_sigmas(self, prediction: PredictedPrecision) -> None:
+        """Show standard deviations and correlations, also during a drag."""
+        self._last = prediction
+        for angle, sigma in zip(ANGLES, self._last.sigmas, strict=True):
+            self.sigma[angle].setText(sigma)
+            self.sigma[angle].setStyleSheet(f"color: {theme.ERROR};" if self._last.refused else "")
+        pairs = zip(map(gettext, PAIRS), self._last.correlations, strict=True)
+        separator = ", " if current_language() == "en" else " ; "
+        self.correlation.setText(
+            gettext("Correlations: {pairs}", pairs=separator.join(f"{p} {c}" for p, c in pairs))
+        )
+        self._show_point_counts()
+
+    def _show_point_counts(self) -> None:
+        found, plan = self._last.prediction, self._last.plan
+        counts = {} if found is None else found.points
+        lines = [course.name for course in plan.courses] if plan.targets else []
+        names = [target.name for target in plan.targets]
+        # More targets than lines are rare: lines run down, as in the table of lines.
+        head = "".join(
+            f"<td align='right'>&nbsp;&nbsp;<b>{escape(name)}</b></td>" for name in names
+        )
+        rows = "".join(
+            f"<tr><td>{escape(line)}</td>"
+            + "".join(f"<td align='right'>&nbsp;&nbsp;{_point_count_text(counts, name, line)}</td>"
+                      for name in names)
+            + "</tr>"
+            for line in lines
+        )  # fmt: skip
+        self.points.setText(f"<table><tr><td></td>{head}</tr>{rows}</table>")
+        size = self.points.sizeHint()
+        bar = self._points_area.horizontalScrollBar().sizeHint().height()
+        self._points_area.setFixedHeight(size.height() + bar)
+
+    def _show_messages(self, results: SlowResults) -> None:
+        refused = self._last.refused
+        self.messages.setProperty("role", "warning" if refused else "hint")
+        self.messages.style().unpolish(self.messages)
+        self.messages.style().polish(self.messages)
+        self.messages.setText("\n".join(map(message_text, results.messages)))
+        for angle, sigma in zip(ANGLES, results.thesis.sigmas, strict=True):
+            self.thesis[angle].setText(sigma)
+
+    def _show_information_gains(self, gains: tuple[InformationGain, ...]) -> None:
+        known = self._last.prediction is not None and self._last.prediction.determined
+        largest = float(np.degrees(self._last.prediction.sigma.max())) if known else np.nan
+        rows = []
+        for each in gains:
+            without = float(np.degrees(each.without))
+            times = without / largest if known and np.isfinite(without) else None
+            cells = [
+                Cell(each.name), _sigma_cell(without),
+                Cell("" if times is None else number(times, 2), times),
+            ]  # fmt: skip
+            rows.append(Row(cells))
+        self.gain_table.show_rows(rows)
+
+    def stop(self) -> None:
+        """Stop all computations."""
+        self.predictor.stop()
+
+
+def _sigma_cell(degrees: float) -> Cell:
+    if not np.isfinite(degrees):
+        return Cell(gettext(predicted_precision.UNDETERMINED), degrees)
+    form = predicted_precision.sigma_format(degrees)
+    return Cell(f"{degrees:{form}}", degrees, figure=(form, 1.0))
+
+
+def _point_count_text(counts, target: str, line: str) -> str:
+    found = counts.get((target, line))
+    return number(found, 0) if found is not None else predicted_precision.NO_VALUE
+
+
+def _information_gain_columns() -> tuple[Column, Column, Column]:
+    return (
+        Column(
+            gettext("Omitted item"),
+            gettext("Target or line omitted from the survey plan"),
+            is_text=True,
+        ),
+        Column(
+            gettext("Largest σ (deg)"),
+            gettext("Largest of the three standard deviations if this target or line is omitted"),
+            base="°",
+        ),
+        Column(
+            gettext("Factor"),
+            gettext(
+                "Largest standard deviation if this target or line is omitted, divided by that of "
+                "the whole plan"
+            ),
+        ),
+    )

@@ -1,0 +1,352 @@
+"""Window for survey design: views of the site, tables, predicted precision, long computations."""
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import (
+    QMainWindow,
+    QScrollArea,
+    QSplitter,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from lispac.gui import widgets
+from lispac.gui.app.status_bar import TaskStatusBar
+from lispac.gui.appearance import theme
+from lispac.gui.features.design.angles_table import AnglesTable
+from lispac.gui.features.design.figures_panel import FiguresPanel
+from lispac.gui.features.design.plan_tables import LinesList, TargetsList
+from lispac.gui.features.design.plan_view import PlanView
+from lispac.gui.features.design.prediction_panel import PredictionPanel
+from lispac.gui.features.design.search import SearchPanel
+from lispac.gui.features.design.surveys import SurveysPanel
+from lispac.gui.features.design.system import SystemPanel
+from lispac.gui.features.design.view3d import View3D
+from lispac.gui.features.design.wall_view import WallView
+from lispac.gui.features.design.workspace import Workspace
+from lispac.gui.viewport.base import Viewport
+from lispac.io.config.plan_file import TitledPlan
+from lispac.language import N_, gettext, gettext_lazy
+from lispac.workflow.planning.plan_comparison import PlanComparison
+
+COMPARE = N_(
+    "After the survey, open the project in the main window and the survey plan in this window, "
+    "then press F11 to compare them. Targets are matched by name, lines by heading."
+)
+NOTE_MS = 6000
+Keys = QKeySequence.StandardKey
+
+# name: (text, short text, icon, keys, tip)
+ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
+    "new": (N_("&New survey plan"), N_("New"), "file-outline", Keys.New,
+            N_("Create a survey plan with the targets and lines of Shahraji's thesis")),
+    "open": (N_("&Open survey plan…"), N_("Open"), "folder-open-outline", Keys.Open,
+             N_("Open a survey plan")),
+    "save": (N_("&Save survey plan"), N_("Save"), "content-save-outline", Keys.Save,
+             N_("Save the survey plan")),
+    "save_as": (N_("Save survey plan &as…"), N_("Save as"), "", Keys.SaveAs,
+                N_("Save the survey plan in another file")),
+    "page": (N_("&Field plan…"), N_("Field plan"), "file-document-outline", "Ctrl+E",
+             N_("Save the field plan as PDF: one page with a drawing, the targets and the order "
+                "of the lines")),
+    "close": (N_("&Close"), N_("Close"), "", Keys.Close,
+              N_("Close this window without discarding the survey plan")),
+    "undo": (N_("&Undo"), N_("Undo"), "undo", Keys.Undo, N_("Undo the last edit")),
+    "redo": (N_("&Redo"), N_("Redo"), "redo", ("Ctrl+Y", "Ctrl+Shift+Z"),
+             N_("Redo the edit that was undone")),
+    "add_line": (N_("Add &line"), N_("Add line"), "plus", "Ctrl+L",
+                 N_("Add a line in the direction opposite to the selected line")),
+    "duplicate": (N_("&Duplicate line"), N_("Duplicate"), "content-copy", "Ctrl+D",
+                  N_("Add a copy of the selected line")),
+    "earlier": (N_("Move line &earlier"), N_("Move earlier"), "", "Alt+Up",
+                N_("Move the selected line one position earlier in the survey order")),
+    "later": (N_("Move line la&ter"), N_("Move later"), "", "Alt+Down",
+              N_("Move the selected line one position later in the survey order")),
+    "add_board": (N_("Add &board"), N_("Add board"), "square-outline", "Ctrl+B",
+                  N_("Add a flat target board")),
+    "add_ball": (N_("Add &sphere"), N_("Add sphere"), "circle-outline", "Ctrl+Shift+B",
+                 N_("Add a spherical target")),
+    "fit": (N_("&Fit the 3D view"), N_("Fit view"), "fit-to-page-outline", "Ctrl+0",
+            N_("Show the whole site in the 3D view")),
+    "scenarios": (N_("Sc&enarios"), N_("Scenarios"), "chart-bar", "F9",
+                  N_("Predict the precision while one quantity varies, with correlated and with "
+                     "uncorrelated POS errors")),
+    "surveys": (N_("Simulate &surveys…"), N_("Simulate surveys"), "dice-multiple-outline", "F10",
+                N_("Simulate this survey many times to check the predicted standard deviations")),
+    "compare": (N_("Compare with the &open project"), N_("Compare"), "compare-horizontal", "F11",
+                N_("Compare the standard deviations of the open project with those predicted for "
+                   "the survey plan")),
+    "cancel": (N_("&Cancel the running task"), N_("Cancel"), "close-circle-outline", "Ctrl+.",
+               N_("Cancel the running task; the project stays unchanged")),
+    "keys": (N_("&Mouse and keys"), N_("Mouse and keys"), "keyboard-outline", "F1",
+             N_("Show the mouse and keyboard actions")),
+}  # fmt: skip
+MENUS = {
+    N_("&File"): ("new", "open", "", "save", "save_as", "", "page", "", "close"),
+    N_("&Edit"): (
+        "undo", "redo", "", "add_line", "duplicate", "earlier", "later", "", "add_board",
+        "add_ball",
+    ),
+    N_("&View"): ("fit",),
+    N_("&Tools"): ("scenarios", "surveys", "compare", "", "cancel"),
+    N_("&Help"): ("keys",),
+}  # fmt: skip
+TOOLBAR = (
+    "new", "open", "save", "page", "", "undo", "redo", "", "add_line", "duplicate", "add_board",
+    "add_ball", "", "scenarios",
+)  # fmt: skip
+
+
+class DesignWindow(QMainWindow):
+    """Window with the views of one workspace; closing it keeps the plan.
+
+    Parameters
+    ----------
+    make_viewport : makes the 3D view when it is first shown
+    """
+
+    closed = Signal()
+
+    def __init__(
+        self, workspace: Workspace, make_viewport: Callable[[], Viewport], parent: QWidget
+    ) -> None:
+        super().__init__(parent, Qt.WindowType.Window)
+        self.setObjectName("design_window")
+        self.workspace, self._make_viewport = workspace, make_viewport
+        self.view3d: View3D | None = None
+        self.actions_ = {name: self._create_action(name) for name in ACTIONS}
+        self._build()
+        workspace.changed.connect(self._show)
+        workspace.refused.connect(self.note)
+        for name, slot in {
+            "close": self.close, "undo": workspace.undo, "redo": workspace.redo,
+            "add_line": workspace.add_line, "add_board": workspace.add_target,
+            "duplicate": lambda: workspace.add_line(duplicate=True),
+            "earlier": lambda: workspace.move_line_in_order(True),
+            "later": lambda: workspace.move_line_in_order(False),
+            "add_ball": lambda: workspace.add_target(ball=True), "fit": self.fit,
+            "surveys": self.open_surveys_tab,
+        }.items():  # fmt: skip
+            self.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
+        self._show()
+
+    def sizeHint(self) -> QSize:
+        """Preferred size, in pixels."""
+        return QSize(1480, 920)
+
+    def _build(self) -> None:
+        # From the outside in: with each new parent Qt looks up the style of all that is inside
+        both = QSplitter(Qt.Orientation.Horizontal)
+        self.setCentralWidget(both)
+        left, above = QSplitter(Qt.Orientation.Vertical), QSplitter(Qt.Orientation.Horizontal)
+        both.addWidget(left)
+        left.addWidget(above)
+        work = self.workspace
+        self.plan_view, self.wall_view = PlanView(work), WallView(work)
+        above.addWidget(_single_tab(N_("Plan view"), self.plan_view))
+        self.views = _tab_widget("design_views")
+        above.addWidget(self.views)
+        above.setSizes([500, 500])
+        self._stage, self.pictures = QWidget(), FiguresPanel()
+        QVBoxLayout(self._stage).setContentsMargins(0, 0, 0, 0)
+        _add_tabs(self.views, (
+            (N_("Wall, seen from the water"), self.wall_view), (N_("3D"), self._stage),
+            (N_("Figures"), self.pictures),
+        ))  # fmt: skip
+        self.views.currentChanged.connect(self._on_view_changed)
+        self.tabs = _tab_widget("design_tabs")
+        left.addWidget(self.tabs)
+        left.setStretchFactor(0, 3)
+        left.setStretchFactor(1, 2)
+        left.setSizes([520, 330])
+        self.lines, self.targets = LinesList(work), TargetsList(work)
+        self.system, self.search = SystemPanel(work), SearchPanel(work)
+        self.surveys = SurveysPanel()
+        self.compared = AnglesTable("design_compared", gettext(COMPARE))
+        _add_tabs(self.tabs, (
+            (N_("Lines"), self.lines), (N_("Targets"), self.targets),
+            (N_("POS and scanner"), self.system), (N_("Find the best plan"), self.search),
+            (N_("Simulate surveys"), self.surveys), (N_("Compare"), _scroll_area(self.compared)),
+        ))  # fmt: skip
+        self.results = PredictionPanel(work)
+        both.addWidget(self.results)
+        both.setStretchFactor(0, 1)
+        both.setSizes([1100, 360])
+        for splitter in (above, left, both):
+            splitter.setChildrenCollapsible(False)
+        self.task_bar = TaskStatusBar()
+        self.error_label = widgets.label("", "error", name="design_mistake")
+        self.task_bar.addWidget(self.error_label, 1)
+        self.setStatusBar(self.task_bar)
+        for table in (self.lines.table, self.targets.table):
+            table.input_error.connect(self.error_label.setText)
+        for title, names in MENUS.items():
+            menu = self.menuBar().addMenu(gettext(title))
+            for name in names:
+                menu.addAction(self.actions_[name]) if name else menu.addSeparator()
+        bar = self.addToolBar(gettext("Toolbar"))
+        bar.setObjectName("design_toolbar")
+        bar.setMovable(False)
+        bar.setIconSize(QSize(20, 20))
+        bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+        for name in TOOLBAR:
+            bar.addAction(self.actions_[name]) if name else bar.addSeparator()
+        screen = self.screen().availableGeometry()
+        self.resize(min(1480, screen.width()), min(920, screen.height() - 30))
+
+    def _create_action(self, name: str) -> QAction:
+        text, short, icon, keys, tip = ACTIONS[name]
+        action = QAction(gettext(text), self)
+        action.setObjectName(f"design_{name}")
+        action.setIconText(gettext(short))
+        if icon:
+            action.setIcon(theme.icon(icon))
+        if isinstance(keys, tuple):
+            action.setShortcuts([QKeySequence(key) for key in keys])
+        else:
+            action.setShortcut(QKeySequence(keys))
+        shown = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        action.setToolTip(f"{gettext(tip)} ({shown})" if shown else gettext(tip))
+        action.setStatusTip(gettext(tip))
+        return action
+
+    # -- what is shown -----------------------------------------------------------------------
+
+    def _show(self) -> None:
+        history = self.workspace.history
+        for name, title, edit in (
+            ("undo", N_("&Undo: {edit}"), history.undo_name),
+            ("redo", N_("&Redo: {edit}"), history.redo_name),
+        ):
+            action, (usual, *_) = self.actions_[name], ACTIONS[name]
+            action.setEnabled(edit is not None)
+            action.setText(gettext(usual) if edit is None else gettext(title, edit=str(edit)))
+            action.setIconText(gettext(ACTIONS[name][1]))
+        for table in (self.surveys.result_table, self.compared):
+            table.set_current_plan(self.workspace.titled.plan)
+        design = gettext("Survey design")
+        self.setWindowTitle(f"{self.workspace.titled.title}[*] – {design} – LISPAC")
+        self.setWindowModified(history.is_modified)
+        self.actions_["save"].setEnabled(history.is_modified)
+
+    def show_busy(self, busy: bool) -> None:
+        """Enable or disable the controls while a task runs."""
+        self.search.show_busy(busy)
+        self.surveys.show_busy(busy)
+        for name in ("scenarios", "compare"):
+            self.actions_[name].setEnabled(not busy)
+        self.actions_["cancel"].setEnabled(busy)
+
+    def note(self, text: str) -> None:
+        """Show a text in the status bar for some seconds."""
+        self.task_bar.showMessage(text, NOTE_MS)
+
+    def show_figures(self) -> None:
+        """Bring the tab of the figures to the front, unless something is being dragged."""
+        if self.workspace.is_dragging:
+            self.note(gettext("The figures are ready. Open the tab Figures to see them."))
+        else:
+            self.views.setCurrentWidget(self.pictures)
+
+    def open_surveys_tab(self) -> None:
+        """Bring the tab of the simulated surveys to the front."""
+        self.tabs.setCurrentWidget(self.surveys)
+        self.surveys.surveys.setFocus()
+        self.surveys.surveys.selectAll()
+
+    def show_comparison(self, comparison: PlanComparison, project: str, titled: TitledPlan) -> None:
+        """Show the comparison of a plan with the survey of a project."""
+        head = gettext_lazy(
+            "Standard deviations (deg) of the project {project} compared with the survey plan "
+            "{plan}",
+            project=project, plan=titled.title,
+        )  # fmt: skip
+        self.compared.show_result(head, comparison, titled.plan)
+        self.compared.set_current_plan(self.workspace.titled.plan)
+        self.tabs.setCurrentIndex(self.tabs.count() - 1)
+
+    def fit(self) -> None:
+        """Bring the 3D view to the front and the whole site into view."""
+        if self.views.currentWidget() is self._stage and self.view3d is not None:
+            self.view3d.fit()
+        else:
+            self.views.setCurrentWidget(self._stage)
+
+    def _on_view_changed(self, index: int) -> None:
+        if self.views.widget(index) is not self._stage:
+            return
+        if self.view3d is None:
+            viewport = self._make_viewport()
+            viewport.widget.setMinimumSize(200, 160)
+            self._stage.layout().addWidget(viewport.widget)
+            self.view3d = View3D(self.workspace, viewport)
+            viewport.widget.setToolTip(
+                gettext(
+                    "Ctrl+click a target to select it. To move the selected target, Ctrl+click "
+                    "the wall or drag a handle of the target."
+                )
+            )
+        self.view3d.show()
+        self.view3d.fit()
+
+    # -- one after the other -----------------------------------------------------------------
+
+    def copy_state_from(self, former: "DesignWindow") -> None:
+        """Copy results, size and splitters of another window of the same plan."""
+        self.search.copy_state_from(former.search)
+        self.surveys.copy_state_from(former.surveys)
+        self.compared.copy_state_from(former.compared)
+        self.pictures.copy_state_from(former.pictures)
+        self._show()
+        self.restoreGeometry(former.saveGeometry())
+        # Both are made of the same parts in the same order
+        for kind, take in (
+            (QSplitter, lambda own, other: own.restoreState(other.saveState())),
+            (QTabWidget, lambda own, other: own.setCurrentIndex(other.currentIndex())),
+        ):
+            for own, other in zip(self.findChildren(kind), former.findChildren(kind), strict=True):
+                take(own, other)
+
+    # -- the end -----------------------------------------------------------------------------
+
+    def release(self) -> None:
+        """Stop timers and release the graphics before the program ends."""
+        self.results.stop()
+        if self.view3d is not None:
+            self.view3d.viewport.close()
+        self.close()
+
+    def closeEvent(self, event) -> None:
+        """Emit `closed`."""
+        self.closed.emit()
+        event.accept()
+
+
+def _tab_widget(name: str) -> QTabWidget:
+    tabs = QTabWidget()
+    tabs.setObjectName(name)
+    tabs.setDocumentMode(True)
+    return tabs
+
+
+def _add_tabs(tabs: QTabWidget, pages: Sequence[tuple[str, QWidget]]) -> None:
+    for title, page in pages:
+        tabs.addTab(page, gettext(title))
+
+
+def _scroll_area(page: QWidget) -> QScrollArea:
+    area = QScrollArea()
+    area.setWidgetResizable(True)
+    page.setContentsMargins(12, 12, 12, 12)
+    area.setWidget(page)
+    return area
+
+
+def _single_tab(title: str, view: QWidget) -> QTabWidget:
+    """Tab widget with one page, so that it is aligned with its neighbours."""
+    tabs = _tab_widget(f"{view.objectName()}_tab")
+    _add_tabs(tabs, ((title, view),))
+    return tabs

@@ -1,0 +1,132 @@
+"""Actions on targets besides the click: rate, find again, propose."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from lispac.gui.features.pick_targets.sighting_quality import QualityComputation
+from lispac.language import N_, gettext
+from lispac.progress import Progress
+from lispac.project import Project, Target
+from lispac.workflow.project.survey import Survey
+
+if TYPE_CHECKING:
+    from lispac.gui.window.main_window import MainWindow
+    from lispac.workflow.calibration.proposals import Proposal
+
+
+class TargetActions(QObject):
+    """Controls proposals, repeated searches and the quality of targets."""
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self._document, self._runner = window.document, window.runner
+        self._controller, self._dialogs = window.controller, window.dialogs
+        self._targets, self._actions = window.targets, window.actions_
+        self.quality_computation = QualityComputation(window.document, window.runner, self)
+        self.quality_computation.qualities_changed.connect(window.table.sightings.show_qualities)
+        self.quality_computation.candidate_rated.connect(
+            window.targets.candidate.lights.show_qualities
+        )
+        window.controller.candidate_changed.connect(
+            lambda: self.quality_computation.rate_candidate(window.controller.candidate)
+        )
+        window.controller.accepted.connect(self._select_accepted)
+        self._scene, self._table, self._histograms = window.scene, window.table, window.histograms
+        window.targets.propose_requested.connect(self.propose)
+        window.actions_["propose"].triggered.connect(lambda _=False: self.propose())
+        window.actions_["find_again"].triggered.connect(lambda _=False: self.find_again())
+        for changed in (
+            window.document.changed, window.document.survey_changed, window.runner.changed,
+            window.targets.current_changed,
+        ):  # fmt: skip
+            changed.connect(self._enable_controls)
+        self._enable_controls()
+
+    def _select_accepted(self, name: str) -> None:
+        """Select the accepted target without moving the view."""
+        self._scene.select(name)
+        self._table.select(name)
+        self._histograms.select(name)
+        if self._targets.line is None:  # else the next seed on that line would be its sighting
+            self._targets.select(name)
+
+    def propose(self) -> None:
+        """Detect planes in all lines and propose targets."""
+        project, survey = self._current_data()
+        if project is None or survey is None:
+            return
+
+        def work(progress: Progress) -> "Proposal":
+            from lispac.workflow.calibration.proposal_acceptance import without_picked
+            from lispac.workflow.calibration.proposals import propose_targets
+
+            return without_picked(project, propose_targets(project, survey, progress=progress))
+
+        task = self._runner.run(
+            gettext("Searching for targets to propose"),
+            work,
+            lambda proposal: self._add_proposed_targets(project, proposal),
+            modal=True,
+        )
+        self._controller.cancel_on_edit(task)
+
+    def find_again(self) -> None:
+        """Search for the selected target at its seed with other settings."""
+        project, survey = self._current_data()
+        name = self._targets.current
+        if project is None or survey is None or name is None:
+            return
+        target = project.target(name)
+        settings = self._dialogs.find_again(target)
+        if settings is None:
+            return
+        threshold, radius, choices = settings
+
+        def work(progress: Progress) -> Target:
+            from lispac.workflow.calibration import picking
+
+            found = picking.find_target(
+                project, survey, target.seed, name=target.name, role=target.role,
+                shape=target.shape, sphere_radius=target.sphere_radius, threshold=threshold,
+                radius=radius, expected=target.expected, choices=choices, progress=progress,
+            )  # fmt: skip
+            return _used_as_before(found, target)
+
+        title = gettext("Searching for {target} again", target=name)
+        task = self._runner.run(title, work, self._controller.set_candidate)
+        self._controller.cancel_on_edit(task)
+
+    def _add_proposed_targets(self, project: Project, proposal: "Proposal") -> None:
+        from lispac.workflow.calibration.proposal_acceptance import with_accepted
+
+        if self._document.project is not project:
+            return
+        if not proposal.targets:
+            self._controller.logged.emit(gettext("No other suitable targets were found."))
+            return
+        names = self._dialogs.proposal(proposal)
+        if not names:
+            self._controller.logged.emit(gettext("The proposed targets were rejected."))
+            return
+        edited, accepted = with_accepted(project, proposal, names)
+        self._document.edit(N_("addition of proposed targets"), edited)
+        self._controller.logged.emit(gettext("Accepted {targets:names}", targets=accepted))
+
+    def _current_data(self) -> tuple[Project | None, Survey | None]:
+        current = self._document.survey_is_current and not self._runner.busy
+        return self._document.project, self._document.survey if current else None
+
+    def _enable_controls(self) -> None:
+        ready = self._current_data()[1] is not None
+        self._targets.propose.setEnabled(ready)
+        self._actions["propose"].setEnabled(ready)
+        self._actions["find_again"].setEnabled(ready and self._targets.current is not None)
+
+
+def _used_as_before(target: Target, before: Target) -> Target:
+    """Exclude the sightings that were excluded before."""
+    excluded = {sighting.line for sighting in before.sightings if not sighting.used}
+    sightings = tuple(replace(s, used=s.line not in excluded) for s in target.sightings)
+    return replace(target, used=before.used, sightings=sightings)

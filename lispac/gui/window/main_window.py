@@ -1,0 +1,392 @@
+"""Main window: creates its parts and connects their signals."""
+
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QSize, Qt, QUrl, Signal
+from PySide6.QtGui import QCloseEvent, QDesktopServices, QKeyEvent
+from PySide6.QtWidgets import QMainWindow
+
+from lispac.gui.app import docks
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.log_file import LOG
+from lispac.gui.app.log_file import LOG_NAME as LOG_NAME
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.status_bar import TaskStatusBar
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.app.view_actions import STEP_ACTIONS, THEME_ACTIONS
+from lispac.gui.appearance.theme import without_style_sheet
+from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
+from lispac.gui.features.conventions.convention_panel import ConventionPanel
+from lispac.gui.features.design.controller import SiteDesign
+from lispac.gui.features.estimate.adjust_panel import AdjustPanel
+from lispac.gui.features.estimate.diagnostics_panel import TITLE as DIAGNOSTICS
+from lispac.gui.features.estimate.diagnostics_panel import DiagnosticsPanel
+from lispac.gui.features.estimate.estimation import Estimation
+from lispac.gui.features.estimate.results_panel import ResultsPanel
+from lispac.gui.features.export.script_export import ScriptExport
+from lispac.gui.features.help.manual import Manual
+from lispac.gui.features.help.tour import Tour
+from lispac.gui.features.inspect.section_panel import TITLE as SECTION
+from lispac.gui.features.inspect.view_menu import ViewMenu
+from lispac.gui.features.open_project.data_panel import DataPanel
+from lispac.gui.features.open_project.project_lifecycle import ProjectLifecycle
+from lispac.gui.features.pick_targets.seeds import SeedActions
+from lispac.gui.features.pick_targets.sightings_table import SightingsTable
+from lispac.gui.features.pick_targets.target_actions import TargetActions
+from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
+from lispac.gui.features.preferences.preferences import PreferencesController
+from lispac.gui.features.report.report_export import ReportExport
+from lispac.gui.features.report.report_panel import ReportPanel
+from lispac.gui.features.studies.alternative_methods import AlternativeMethods
+from lispac.gui.features.studies.studies import Studies
+from lispac.gui.features.validate.histograms_panel import HistogramsPanel
+from lispac.gui.features.validate.validate_panel import ValidatePanel
+from lispac.gui.features.warnings.warning_list import WarningList
+from lispac.gui.features.warnings.warnings_panel import TITLE as WARNINGS
+from lispac.gui.features.warnings.warnings_panel import WarningsPanel
+from lispac.gui.project import status
+from lispac.gui.project.computations import Computations
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.recovery_copies import RecoveryCopies
+from lispac.gui.project.scene import Scene
+from lispac.gui.viewport.base import PickedPoint, Viewport
+from lispac.gui.widgets import tab_order
+from lispac.gui.widgets.file_drops import FileDrops
+from lispac.gui.window.central_widget import CentralWidget
+from lispac.gui.window.desktop_notifications import DesktopNotifications
+from lispac.gui.window.dialogs import Dialogs
+from lispac.gui.window.log_panel import LogPanel
+from lispac.gui.window.panel_refresh import PanelRefresh
+from lispac.gui.window.tools import InspectionTools
+from lispac.gui.window.workflow_panel import WorkflowPanel
+from lispac.language import current_language, gettext
+
+Area = Qt.DockWidgetArea
+NOTE_MS = 6000
+TITLE_BAR_HEIGHT = 40
+"""Pixels a window needs for it, at most: they are not in the window's size."""
+
+
+class MainWindow(QMainWindow):
+    """Assembles document, tasks, viewport and panels.
+
+    Parameters
+    ----------
+    viewport : Viewport
+        Belongs to the window from now on.
+    settings, dialogs
+        Others than the user's own, for tests.
+    document : Document, optional
+        Shown at once; it belongs to the window from now on.
+    """
+
+    renewal_requested = Signal()
+    """Another language or theme: a new window replaces this one."""
+
+    def __init__(
+        self,
+        viewport: Viewport,
+        settings: AppSettings | None = None,
+        dialogs: Dialogs | None = None,
+        document: Document | None = None,
+    ) -> None:
+        super().__init__()
+        self.setObjectName("main_window")
+        self.settings = settings or AppSettings()
+        self.dialogs = dialogs or Dialogs()
+        self.dialogs.parent = self
+        self.viewport = viewport
+        self.document = document or Document()
+        self.document.setParent(self)
+        self.runner = TaskRunner(self)
+        self.scene = Scene(self.document, viewport, self)
+        self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
+        self.computations = Computations(self.document, self.runner, self.scene, self.controller)
+        self.estimation = Estimation(self.document, self.runner, self.scene, self.controller)
+        self.lifecycle = ProjectLifecycle(
+            self.document, self.controller, self.computations, self.estimation, self.scene,
+            self.dialogs, self.settings,
+        )  # fmt: skip
+        self.actions_ = Actions(self, self.document.undo_stack)
+        self.actions_["french" if current_language() == "fr" else "english"].setChecked(True)
+        self.actions_[THEME_ACTIONS[self.settings.theme]].setChecked(True)
+        self.view_menu = ViewMenu(
+            viewport, self.scene, self.controller, self.actions_, self.settings
+        )
+        self.tools = InspectionTools(self)
+        with without_style_sheet():
+            self._build()
+        self._connect_panels()
+        self._connect_actions()
+        self._connect_tasks()
+        self.panel_refresh = PanelRefresh(self)
+        self.target_work = TargetActions(self)
+        SeedActions(self)
+        ReportExport(self)
+        Studies(self)
+        AlternativeMethods(self)
+        ScriptExport(self)
+        PreferencesController(self)
+        Manual(self)
+        self.site_design = SiteDesign(self)
+        self.recovery_copies = RecoveryCopies(self)
+        self.warning_list = WarningList(self)
+        self.warning_list.selected.connect(self._select)
+        self.notifications = DesktopNotifications(self, self.runner)
+        self.tour = Tour(self, self.central_widget.card)
+        FileDrops(self).dropped.connect(self.lifecycle.open_dropped)
+        if document is None:
+            self.panel_refresh.refresh()
+        else:
+            document.notify_opened()
+
+    # -- assembly ----------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        self.data, self.targets, self.adjust = DataPanel(), TargetsPanel(), AdjustPanel()
+        self.validate, self.report = ValidatePanel(), ReportPanel()
+        self.workflow = WorkflowPanel(
+            (self.data, self.targets, self.adjust, self.validate, self.report)
+        )
+        self.results, self.log, self.warnings = ResultsPanel(), LogPanel(), WarningsPanel()
+        self.convention = ConventionPanel()
+        self.table, self.histograms = SightingsTable(), HistogramsPanel()
+        self.diagnostics = DiagnosticsPanel()
+        self.central_widget = CentralWidget(self.viewport)
+        self.setCentralWidget(self.central_widget)
+        self.task_bar = TaskStatusBar()
+        self.setStatusBar(self.task_bar)
+        self.addToolBar(self.actions_.fill_toolbar())
+        self.docks = self._create_docks()
+        self._at_first = self.saveState()
+        # A dock behind another counts as visible; only this signal is reliable.
+        self.docks[SECTION].visibilityChanged.connect(self.tools.sections.set_panel_visible)
+        self.actions_.fill_menus(docks.dock_actions(self.docks))
+        screen = self.screen().availableGeometry()
+        self.resize(min(1600, screen.width()), min(1000, screen.height()))
+        kept = self.settings.layout()
+        if kept is None:
+            if screen.height() < self.height() + TITLE_BAR_HEIGHT:
+                self.setWindowState(Qt.WindowState.WindowMaximized)
+            docks.set_initial_sizes(self, self.docks)
+        else:
+            self.restoreGeometry(kept[0])
+            self.restoreState(kept[1])
+
+    def _create_docks(self) -> docks.Docks:
+        left, right, below = (
+            Area.LeftDockWidgetArea, Area.RightDockWidgetArea, Area.BottomDockWidgetArea
+        )  # fmt: skip
+        return docks.create_docks(
+            self,
+            {
+                docks.WORKFLOW: (self.workflow, left),
+                docks.RESULTS: (self.results, right),
+                CONVENTION: (self.convention, right),
+                docks.SIGHTINGS: (self.table, below),
+                DIAGNOSTICS: (self.diagnostics, below),
+                docks.HISTOGRAMS: (self.histograms, below),
+                **self.tools.panels,
+                WARNINGS: (self.warnings, below),
+                docks.LOG: (self.log, below),
+            },
+        )
+
+    def sizeHint(self) -> QSize:
+        """Preferred size, in pixels."""
+        return QSize(1600, 1000)
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        """Move the focus with Tab and Shift+Tab."""
+        return tab_order.focus_next(self, forward)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Press the focused button with Enter."""
+        if not tab_order.press_focused_button(self, event):
+            super().keyPressEvent(event)
+
+    def _connect_panels(self) -> None:
+        data, targets, control = self.data, self.targets, self.controller
+        data.line_shown.connect(self.viewport.set_line_visible)
+        data.settings_edited.connect(control.change_settings)
+        data.new_requested.connect(self.lifecycle.new)
+        data.open_requested.connect(self.lifecycle.open)
+        data.demo_requested.connect(self.lifecycle.demo)
+        targets.accepted.connect(control.accept)
+        targets.rejected.connect(control.reject)
+        targets.renamed.connect(self._rename)
+        targets.removed.connect(control.remove)
+        targets.used_changed.connect(control.use_target)
+        targets.role_changed.connect(
+            lambda role: self.actions_[
+                "seed_validation" if role == "validation" else "seed_target"
+            ].setChecked(True)
+        )
+        targets.selected.connect(lambda name: self._select(name, ""))
+        self.table.sighting_selected.connect(self._select)
+        self.table.sightings.target_use_changed.connect(control.use_target)
+        self.table.sightings.sighting_use_changed.connect(control.use_sighting)
+        self.table.sightings.line_use_changed.connect(control.use_line)
+        self.diagnostics.row_activated.connect(self._select)
+        self.histograms.plane_selected.connect(self.table.select)
+        self.adjust.subsample_changed.connect(self.computations.count)
+        self.adjust.estimate_requested.connect(self.lifecycle.estimate)
+        self.adjust.cancel_requested.connect(self.runner.cancel)
+        self.validate.validate_requested.connect(self.computations.validate)
+        self.validate.shown_changed.connect(self.computations.show)
+        self.validate.model_changed.connect(self.computations.set_surface_model)
+        self.report.lines_requested.connect(self.lifecycle.export)
+        self.central_widget.start.link_clicked.connect(lambda name: self.actions_[name].trigger())
+        self.central_widget.start.project_chosen.connect(self.open_project)
+
+    def _connect_actions(self) -> None:
+        actions = self.actions_
+        for name, slot in {
+            "new": self.lifecycle.new,
+            "open": self.lifecycle.open,
+            "demo": self.lifecycle.demo,
+            "add_lines": self.lifecycle.add_lines,
+            "save": self.controller.save,
+            "save_as": self.lifecycle.save_as,
+            **self.lifecycle.export_actions,
+            "quit": self.close,
+            "seed_target": lambda: self._set_seed_role("target"),
+            "seed_validation": lambda: self._set_seed_role("validation"),
+            "accept": self.controller.accept,
+            "reject": self.controller.reject,
+            "estimate": self.adjust.request_estimate,
+            "validate": self.computations.validate,
+            "cancel": self.runner.cancel,
+            "before": lambda: self.computations.show("prior"),
+            "after": lambda: self.computations.show("estimated"),
+            "toggle": self._toggle_before_after,
+            **{name: partial(self.workflow.go_to, k) for k, name in enumerate(STEP_ACTIONS)},
+            "arrange": lambda: docks.restore_default_layout(self, self.docks, self._at_first),
+            "english": lambda: self._set_language("en"),
+            "french": lambda: self._set_language("fr"),
+            **{name: partial(self._set_theme, choice) for choice, name in THEME_ACTIONS.items()},
+            "keys": self.dialogs.shortcuts,
+            "tour": lambda: self.tour.start(),
+            "log_file": self._open_log_file,
+            "about": self.dialogs.about,
+        }.items():
+            actions[name].triggered.connect(lambda _=False, slot=slot: slot())
+        actions.recent.aboutToShow.connect(self._list_recent)
+
+    def _connect_tasks(self) -> None:
+        self.document.changed.connect(self.task_bar.clearMessage)  # it concerned the former state
+        self.task_bar.cancel_requested.connect(self.runner.cancel)
+        self.runner.failed.connect(self.dialogs.show_error)
+        self.runner.stopped.connect(self._note_cancelled)
+        self.runner.cancelled_too_late.connect(self._note)
+        self.controller.refused.connect(self.dialogs.show_error)
+        self.controller.logged.connect(self._note)
+        self.controller.candidate_changed.connect(self.docks[docks.SIGHTINGS].raise_)
+        self.computations.validated.connect(self.docks[docks.HISTOGRAMS].raise_)
+        self.scene.placement_requested.connect(lambda: self.computations.show("estimated"))
+        self.viewport.signals.seed_clicked.connect(self._on_seed_clicked)
+        self.viewport.signals.missed.connect(
+            lambda: self._note(gettext("No point under the cursor. Ctrl+click on a target."))
+        )
+
+    def _note_cancelled(self, task: str) -> None:
+        self._note(gettext("{task}: cancelled", task=task))
+
+    def _note(self, text: str) -> None:
+        LOG.info(text)
+        self.log.note(text)
+        self.task_bar.showMessage(text, NOTE_MS)
+
+    # -- requests --------------------------------------------------------------------------
+
+    def open_project(self, path: Path) -> None:
+        """Open a project, after asking about changes to the present one."""
+        self.lifecycle.open_project(path)
+
+    def _open_log_file(self) -> None:
+        file = self.settings.folder / LOG_NAME
+        if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(file))):
+            self._note(gettext("No program is set up to open {file}.", file=file))
+
+    def _list_recent(self) -> None:
+        self.lifecycle.list_recent(self.actions_.recent)
+
+    def _set_seed_role(self, role: str) -> None:
+        self.targets.set_role(role)
+        self.workflow.open(status.TARGETS)
+
+    def _on_seed_clicked(self, point: PickedPoint) -> None:
+        self.controller.seed(point, self.targets.seed_options)
+
+    def _select(self, name: str, line: str) -> None:
+        self.scene.focus_on(name, line)
+        self.targets.select(name)
+        self.table.select(name)
+        self.diagnostics.select(name, line)
+        self.histograms.select(name)
+
+    def _rename(self, old: str, new: str) -> None:
+        self.controller.rename(old, new)
+        if new.strip() in self.targets.names:  # still the one that was chosen
+            self._select(new.strip(), "")
+
+    def _set_language(self, language: str) -> None:
+        if language != self.settings.language:
+            self.settings.language = language
+            self.rebuild_window()
+
+    def _set_theme(self, choice: str) -> None:
+        if choice != self.settings.theme:
+            self.settings.theme = choice
+            self.rebuild_window()
+
+    def rebuild_window(self) -> None:
+        """Request a new window with the language and theme of the settings, once no task runs."""
+        for runner in (self.runner, *self.site_design.runners):
+            if runner.busy:
+                self._note(
+                    gettext(
+                        "A task is running. The new language or theme is used when it has ended."
+                    )
+                )
+                runner.idle.connect(self.rebuild_window, Qt.ConnectionType.SingleShotConnection)
+                return
+        self.renewal_requested.emit()
+
+    def _toggle_before_after(self) -> None:
+        self.computations.show("prior" if self.scene.which == "estimated" else "estimated")
+
+    # -- the end -----------------------------------------------------------------------------
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Close the window, unless the user keeps unsaved changes."""
+        if not (self.lifecycle.may_leave() and self.site_design.leave()):
+            event.ignore()
+            return
+        self.save_layout()
+        self.recovery_copies.discard()
+        self.settings.last_project = None
+        self.stop_and_hide()
+        event.accept()
+
+    def save_layout(self) -> None:
+        """Store the layout of window and panels in the settings."""
+        self.settings.save_layout(self.saveGeometry(), self.saveState())
+        self.settings.sync()
+
+    def stop_and_hide(self) -> None:
+        """Hide the window and stop all work without asking.
+
+        Out of sight first: work that was asked to stop may take seconds to hear of it.
+        """
+        docks.hide_floating_docks(self.docks)
+        self.hide()
+        self.site_design.end()
+        self.adjust.stop()
+        self.estimation.stop()
+        self.warning_list.stop()
+        self.runner.close()
+        self.recovery_copies.stop()
+        self.viewport.close()
