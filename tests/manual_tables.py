@@ -30,8 +30,8 @@ from lispac.gui.app.view_actions import KEYS, Menu
 from lispac.gui.features.conventions.convention_panel import ConventionPanel
 from lispac.gui.features.estimate.adjust_panel import AdjustPanel
 from lispac.gui.features.help.about import keys_text
-from lispac.gui.features.import_survey.import_dialog import ImportDialog
 from lispac.gui.features.open_project.data_panel import DataPanel
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
 from lispac.gui.features.preferences.preferences import Preferences
 from lispac.gui.features.preferences.settings_dialog import SettingsDialog

@@ -22,9 +22,9 @@ from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.appearance.units import ANGLES, LENGTHS
 from lispac.gui.features.estimate.diagnostics_panel import TITLE as DIAGNOSTICS
-from lispac.gui.features.import_survey.import_dialog import ImportDialog
 from lispac.gui.features.inspect.clipping_panel import TITLE as CLIPPING
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.project.status import STEPS
 from lispac.gui.viewport.vtk_viewport import VtkViewport
 from lispac.gui.widgets.idle_tasks import IdleTask

@@ -149,7 +149,7 @@ def walk(raw: Path, folder: Path) -> dict[str, str]:
     application = QApplication(sys.argv[:1])
     application.setQuitOnLastWindowClosed(False)
     from lispac.gui.app.garbage_collection import GuiThreadGarbageCollector
-    from lispac.gui.features.import_survey.import_dialog import ImportDialog
+    from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
     from lispac.gui.viewport.base import PickedPoint
     from lispac.gui.window.session import Session
     from lispac.workflow.planning.demo import demo_seeds

@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
 from lispac.gui.features.design.window import DesignWindow
-from lispac.gui.features.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.project.recovery_copies import LOCK_NAME
 from lispac.gui.viewport.recording_viewport import RecordingViewport
 from lispac.gui.window.session import Session

@@ -10,8 +10,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox, QPushButton
 
 from lispac.errors import InputError, ProjectError
-from lispac.gui.features.import_survey.add_lines_dialog import AddLinesDialog
-from lispac.gui.features.import_survey.file_table import FORMAT, ROLE
+from lispac.gui.features.open_project.import_survey.file_table import FORMAT, ROLE
+from lispac.gui.features.open_project.import_survey.import_dialog import AddLinesDialog
 from lispac.gui.window.dialogs import Dialogs
 from lispac.project import LineSource, Project
 from lispac.workflow.project.projects import open_project, save_project, with_lines_added

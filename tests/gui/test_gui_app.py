@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from lispac.gui.features.import_survey.import_dialog import survey_file_filters
+from lispac.gui.features.open_project.import_survey.import_dialog import survey_file_filters
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 
 ASKED = """

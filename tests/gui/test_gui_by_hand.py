@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QPushButto
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.settings import AppSettings
-from lispac.gui.features.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.io.project.project_file import UNSAVED_NAME
 from lispac.workflow.planning.demo import demo_seeds
 from lispac.workflow.project.projects import open_project

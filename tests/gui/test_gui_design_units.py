@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QApplication
 from lispac.errors import InputError
 from lispac.gui.appearance import units
 from lispac.gui.features.design import edits
-from lispac.gui.features.design.limits_form import LimitsForm, parse_numbers
 from lispac.gui.features.design.plan_tables import LINE_FIELDS, TARGET_FIELDS, LinesList
+from lispac.gui.features.design.search import LimitsForm, parse_numbers
 from lispac.gui.features.design.system import SystemPanel
 from lispac.gui.features.design.workspace import Workspace
 

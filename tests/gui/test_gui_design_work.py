@@ -5,8 +5,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog
 
-from lispac.gui.features.design import plan_computations
-from lispac.gui.features.design.sensors_dialog import PlanSensorsDialog
+from lispac.gui.features.design import controller
+from lispac.gui.features.design.system import PlanSensorsDialog
 from lispac.gui.features.design.window import DesignWindow
 from lispac.workflow.planning.sensors import read_library
 from tests.gui.design_support import plan, wait_until_designed
@@ -82,7 +82,7 @@ def test_a_search_can_be_cancelled_and_changes_nothing(
 
 
 def test_scenarios_in_figures(driver: Driver, design: DesignWindow, monkeypatch) -> None:
-    monkeypatch.setattr(plan_computations, "SCENARIOS", ("size", "POS"))
+    monkeypatch.setattr(controller, "SCENARIOS", ("size", "POS"))
     driver.bot.keyClick(design, Key.Key_F9)
     wait_until_designed(driver)
     pictures = design.pictures

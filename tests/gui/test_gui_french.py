@@ -15,9 +15,11 @@ from lispac.gui.appearance import theme
 from lispac.gui.features.design import edits
 from lispac.gui.features.export.export_dialog import ExportDialog
 from lispac.gui.features.help.about import about_box, shortcuts_box
-from lispac.gui.features.import_survey.add_lines_dialog import AddLinesDialog
-from lispac.gui.features.import_survey.file_preview import FilePreview
-from lispac.gui.features.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.open_project.import_survey.file_page import FilePreview
+from lispac.gui.features.open_project.import_survey.import_dialog import (
+    AddLinesDialog,
+    ImportDialog,
+)
 from lispac.gui.features.pick_targets.find_again_dialog import FindAgainDialog
 from lispac.gui.features.pick_targets.seed_at import SeedDialog
 from lispac.gui.features.report.identity_dialog import IdentityDialog

@@ -10,9 +10,13 @@ from PySide6.QtWidgets import QComboBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.settings import AppSettings
-from lispac.gui.features.import_survey.file_table import ROLE, STATE
-from lispac.gui.features.import_survey.import_dialog import MOUNTING, TIMELINE, ImportDialog
-from lispac.gui.features.import_survey.timeline import timeline_bars
+from lispac.gui.features.open_project.import_survey.file_table import ROLE, STATE
+from lispac.gui.features.open_project.import_survey.import_dialog import (
+    MOUNTING,
+    TIMELINE,
+    ImportDialog,
+)
+from lispac.gui.features.open_project.import_survey.timeline import timeline_bars
 from lispac.messages import Action
 from lispac.workflow.project.projects import create_project
 from tests.gui.import_support import drop, raw, rest, shifted, texts

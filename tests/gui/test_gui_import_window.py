@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QApplication, QDialog, QMessageBox
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.settings import AppSettings
-from lispac.gui.features.import_survey.envelope import envelope
-from lispac.gui.features.import_survey.import_dialog import QUALITY, ImportDialog
-from lispac.gui.features.import_survey.timeline import round_ticks
+from lispac.gui.features.open_project.import_survey.import_dialog import QUALITY, ImportDialog
+from lispac.gui.features.open_project.import_survey.quality_figures import envelope
+from lispac.gui.features.open_project.import_survey.timeline import round_ticks
 from lispac.gui.window.dialogs import Dialogs
 from lispac.workflow.project.projects import open_project
 from tests.gui.import_support import drop, raw

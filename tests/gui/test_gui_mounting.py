@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication, QScrollArea, QWidget
 
 from lispac.gui.appearance import theme, units
-from lispac.gui.features.import_survey.import_dialog import ImportDialog
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.widgets.mounting_sketch import HEIGHT, VIEWS, MountingSketch, length_with_unit
 from lispac.survey.georeferencing import Mounting, place_points
 from lispac.survey.trajectory import Poses

@@ -15,9 +15,8 @@ from lispac.gui.appearance import theme
 from lispac.gui.appearance.colour_schemes import DARK, LIGHT, ColourScheme, luminance
 from lispac.gui.features.design import edits
 from lispac.gui.features.help.about import about_box
-from lispac.gui.features.import_survey.import_dialog import ImportDialog
-from lispac.gui.widgets.chart import Chart
-from lispac.gui.widgets.dark_pictures import with_inverted_lightness
+from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
+from lispac.gui.widgets.chart import Chart, with_inverted_lightness
 from lispac.gui.window.session import THEME_DELAY_MS, Session
 from lispac.project import Project
 from tests.gui.support import Demo, in_front

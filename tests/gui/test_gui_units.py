@@ -20,7 +20,7 @@ from lispac.gui.app.point_colours import point_shading
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import units
 from lispac.gui.features.inspect.measurements import Measurements, distance_text
-from lispac.gui.features.validate.distances import histogram_text
+from lispac.gui.features.validate.histograms_panel import histogram_text
 from lispac.gui.project.residuals import residual_shading
 from lispac.gui.viewport.base import PickedPoint
 from lispac.gui.viewport.overlay import legend_texts, length_text, scale_bar_length

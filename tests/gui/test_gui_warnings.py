@@ -41,7 +41,7 @@ def row_of(driver: Driver, wanted: str) -> int:
 
 
 def open_list(driver: Driver) -> None:
-    click(driver, driver.window.task_bar.warnings)
+    click(driver, driver.window.warnings_button)
     assert in_front(driver, TITLE)
 
 
@@ -78,7 +78,7 @@ def with_few_points(project: Project) -> Project:
 
 
 def test_without_a_project_it_says_what_will_be_there(driver: Driver) -> None:
-    assert not driver.window.task_bar.warnings.isVisible()
+    assert not driver.window.warnings_button.isVisible()
     press(driver, Key.Key_F12)
     assert in_front(driver, TITLE)
     assert driver.window.warnings.empty.text() == NO_PROJECT
@@ -88,10 +88,10 @@ def test_without_a_project_it_says_what_will_be_there(driver: Driver) -> None:
 def test_the_status_bar_counts_and_leads_to_the_list(adjusted: Driver) -> None:
     found = listed(adjusted)
     assert {each.level for each in found} == {Level.NOTE}
-    assert adjusted.window.task_bar.warnings.text() == f"{len(found)} notes"
+    assert adjusted.window.warnings_button.text() == f"{len(found)} notes"
     bad = (*found, warning("report.not_calibrated"))
-    adjusted.window.task_bar.warnings.show_warnings(bad)
-    assert adjusted.window.task_bar.warnings.text() == "1 warning"
+    adjusted.window.warnings_button.show_warnings(bad)
+    assert adjusted.window.warnings_button.text() == "1 warning"
     open_list(adjusted)
     assert has_focus(adjusted.window.warnings.list)
     icons = {
@@ -268,10 +268,10 @@ def test_that_unsaved_work_is_not_kept_stays_to_be_read(picked: Driver) -> None:
 def test_nothing_to_warn_of_is_reported(picked: Driver) -> None:
     listed(picked)
     picked.window.warnings.show_warnings(())
-    picked.window.task_bar.warnings.show_warnings(())
+    picked.window.warnings_button.show_warnings(())
     press(picked, Key.Key_F12)
     assert picked.window.warnings.empty.text() == NO_WARNINGS
-    assert picked.window.task_bar.warnings.text() == "No warnings"
+    assert picked.window.warnings_button.text() == "No warnings"
 
 
 def test_the_window_does_not_wait_for_the_list(adjusted: Driver, monkeypatch) -> None:

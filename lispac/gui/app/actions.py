@@ -1,6 +1,6 @@
 """Menus, toolbar and shortcuts: all actions of the window by name."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 
 from PySide6.QtCore import QObject, QSize, Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
@@ -239,6 +239,11 @@ class Actions(QObject):
 
     def __getitem__(self, name: str) -> QAction:
         return self._by_name[name]
+
+    def connect_slots(self, slots: Mapping[str, Callable[[], object]]) -> None:
+        """Call a function without arguments when the action of its name is triggered."""
+        for name, slot in slots.items():
+            self[name].triggered.connect(lambda _=False, slot=slot: slot())
 
     def fill_menus(self, docks: Iterable[QAction]) -> None:
         """Build the menu bar."""

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal
 
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
+from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QPushButton, QWidget
 
 from lispac.errors import LispacError
 from lispac.gui import widgets
@@ -17,6 +17,13 @@ CandidateChoice = Literal["accept", "reject", "cancel"]
 DropChoice = Literal["add", "new", "cancel"]
 MAX_NAMED_FILES = 8
 """Missing files that are listed by name."""
+
+
+def run_dialog(dialog: QDialog) -> bool:
+    """Show a dialogue until it is closed, and delete it; return whether it was accepted."""
+    accepted = dialog.exec() == QDialog.DialogCode.Accepted
+    dialog.deleteLater()
+    return accepted
 
 
 class Questions:

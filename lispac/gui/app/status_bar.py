@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar
 
 from lispac.gui import widgets
 from lispac.gui.app.tasks import Task
-from lispac.gui.features.warnings.warnings_panel import WarningsButton
 from lispac.language import duration_text, gettext
 from lispac.progress import PointProgress
 
@@ -23,9 +22,6 @@ class TaskStatusBar(QStatusBar):
     def __init__(self) -> None:
         super().__init__()
         self.setSizeGripEnabled(False)
-        self.warnings = WarningsButton()
-        self.addPermanentWidget(self.warnings)
-        self.warnings.hide()
         self.text = QLabel()
         self.text.setTextFormat(Qt.TextFormat.PlainText)
         self.text.setObjectName("task_text")

@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-Lines = tuple[tuple[int, int, int], ...]
+Colour = tuple[int, int, int]
+Lines = tuple[Colour, ...]
 
 
 @dataclass(frozen=True)

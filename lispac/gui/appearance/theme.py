@@ -8,23 +8,19 @@ paints and never keeps one under a name of its own.
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import cache
-from typing import TYPE_CHECKING
 
 import qtawesome
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QIcon, QPixmap
 from PySide6.QtWidgets import QApplication, QStyleFactory
 
-from lispac.gui.appearance.colour_schemes import LIGHT, SCHEMES, ColourScheme
+from lispac.gui.appearance.colour_schemes import LIGHT, SCHEMES, Colour, ColourScheme
 from lispac.gui.appearance.style import FRAMED, framed_palette, palette, style_sheet
 
-if TYPE_CHECKING:
-    from lispac.gui.viewport.base import Colour
-
-TARGET_COLOUR: "Colour" = (220, 20, 90)
-VALIDATION_COLOUR: "Colour" = (130, 84, 232)
-CANDIDATE_COLOUR: "Colour" = (255, 196, 0)
-UNUSED_COLOUR: "Colour" = (130, 138, 146)
+TARGET_COLOUR: Colour = (220, 20, 90)
+VALIDATION_COLOUR: Colour = (130, 84, 232)
+CANDIDATE_COLOUR: Colour = (255, 196, 0)
+UNUSED_COLOUR: Colour = (130, 138, 146)
 """Colour of unused points in the view, on light and dark backgrounds."""
 
 SPACING = 8
@@ -54,7 +50,7 @@ def colour(name: str, opacity: float = 1.0) -> QColor:
     return made
 
 
-def rgb(name: str) -> "Colour":
+def rgb(name: str) -> Colour:
     """Colour of the scheme in use by field name, as red, green, blue."""
     red, green, blue, _ = colour(name).getRgb()
     return red, green, blue
@@ -71,12 +67,12 @@ def paper_colours() -> Iterator[None]:
         _scheme = before
 
 
-def line_colours(lines: Sequence[str]) -> dict[str, "Colour"]:
+def line_colours(lines: Sequence[str]) -> dict[str, Colour]:
     """Colour of each line, by its place in the project."""
     return {line: _scheme.lines[k % len(_scheme.lines)] for k, line in enumerate(lines)}
 
 
-def swatch(colour: "Colour", size: int = 12) -> QIcon:
+def swatch(colour: Colour, size: int = 12) -> QIcon:
     """Icon of a square filled with a colour."""
     pixmap = QPixmap(size, size)
     pixmap.fill(QColor(*colour))

@@ -1,34 +1,23 @@
-"""Computations on a project in the background: counts, validation, placed lines, export."""
+"""Computations on a project in the background: counts, validation and placed lines."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
 from lispac.errors import AdjustmentError, Cancelled
 from lispac.gui.app.tasks import Task, TaskRunner
-from lispac.gui.features.validate.histograms_panel import preload_matplotlib
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene, Which
+from lispac.gui.widgets.chart import preload_matplotlib
 from lispac.language import N_, Plural, Template, gettext
 from lispac.message_texts import message_text
-from lispac.messages import Message
 from lispac.progress import Progress
 from lispac.project import Project
 from lispac.survey.cloud import Cloud
 from lispac.validation.local_models import SIX_POINT_PLANE, LocalModel
-from lispac.workflow.output.export_request import ExportRequest
 from lispac.workflow.project.survey import Survey
-
-EXPORT_TITLES = {
-    "lines": N_("Writing the lines"),
-    "targets": N_("Writing the targets"),
-    "planes": N_("Writing the files of the planes"),
-    "trajectory": N_("Writing the trajectory"),
-}
-"""Title of the task that exports each kind of data."""
 
 PLANE_THROUGH_POINTS = Plural(
     "validation with local planes through {count:n} point",
@@ -189,26 +178,6 @@ class Computations(QObject):
             done,
             key=key,
         )
-
-    def export(self, request: ExportRequest) -> None:
-        """Export lines, targets or the trajectory to files."""
-        project, survey = self._current_data()
-        if project is None or survey is None:
-            return
-
-        def work(progress: Progress) -> tuple[list[Path], tuple[Message, ...]]:
-            from lispac.workflow.output.export_request import export
-
-            return export(project, survey, request, progress=progress)
-
-        def done(written: tuple[list[Path], tuple[Message, ...]]) -> None:
-            paths, notes = written
-            for note in notes:
-                self._controller.logged.emit(message_text(note))
-            wrote = Plural("Wrote {path}", "Wrote {path} ({count:n} files)")
-            self._controller.logged.emit(gettext(wrote, count=len(paths), path=request.output))
-
-        self._runner.run(gettext(EXPORT_TITLES[request.what]), work, done, persistent=True)
 
     def _current_data(self) -> tuple[Project | None, Survey | None]:
         current = self._document.survey_is_current

@@ -1,5 +1,7 @@
 """Matplotlib plot in the window, imported with the first plot as it takes half a second."""
 
+import threading
+import time
 from collections.abc import Callable
 
 import numpy as np
@@ -8,13 +10,108 @@ from matplotlib.backend_bases import DrawEvent
 from matplotlib.backends.backend_agg import RendererAgg
 from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPixmap, QResizeEvent
 
 from lispac.gui.appearance import theme
-from lispac.gui.widgets.dark_pictures import with_inverted_lightness
 from lispac.gui.widgets.idle_tasks import IdleTask
-from lispac.gui.widgets.sliced_calculation import SlicedCalculation
 from lispac.gui.widgets.ticks import localise_ticks
+
+SLICE_S = 0.03
+"""Seconds after which the calculation pauses where it allows it."""
+
+
+class _CalculationAbandoned(BaseException):
+    """Ends a calculation that was abandoned."""
+
+
+class SlicedCalculation:
+    """Calculation that pauses after each slice until the caller continues it."""
+
+    def __init__(self) -> None:
+        self._turn, self._back = threading.Semaphore(0), threading.Semaphore(0)
+        self._thread: threading.Thread | None = None
+        self._done = self._abandoned = False
+        self._error: BaseException | None = None
+        self._until = 0.0
+
+    @property
+    def is_running(self) -> bool:
+        """Whether a calculation was begun and is not finished."""
+        return self._thread is not None
+
+    def begin(self, work: Callable[[], object]) -> None:
+        """Set a calculation, which calls `pause` where it may pause; `resume` starts it."""
+        self.abandon()
+        self._done = self._abandoned = False
+        self._error = None
+
+        def run() -> None:
+            self._turn.acquire()
+            self._until = time.perf_counter() + SLICE_S
+            try:
+                if not self._abandoned:
+                    work()
+            except _CalculationAbandoned:
+                pass
+            except BaseException as error:
+                self._error = error
+            self._done = True
+            self._back.release()
+
+        self._thread = threading.Thread(target=run, daemon=True, name="slices")
+        self._thread.start()
+
+    def resume(self) -> bool:
+        """Calculate for one slice; return True if finished. Raises errors of the calculation."""
+        if self._thread is None:
+            return True
+        self._turn.release()
+        self._back.acquire()
+        if self._done:
+            self._thread.join()
+            self._thread = None
+        if self._error is not None:
+            raise self._error
+        return self._done
+
+    def pause(self) -> None:
+        """Pause the calculation if its slice is over; called by the calculation."""
+        if threading.current_thread() is not self._thread or time.perf_counter() < self._until:
+            return
+        self._back.release()
+        self._turn.acquire()
+        if self._abandoned:
+            raise _CalculationAbandoned
+        self._until = time.perf_counter() + SLICE_S
+
+    def abandon(self) -> None:
+        """Abandon the calculation."""
+        self._abandoned = True
+        self.resume()
+
+
+LUMA = (77, 150, 29)
+"""Shares of red, green and blue in 256, after ITU-R BT.601."""
+
+
+def with_inverted_lightness(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Pixels of a picture with inverted lightness, in the colours of the scheme in use.
+
+    Parameters
+    ----------
+    pixels : ndarray, shape (height, width, 4), 0 to 255
+        Red, green, blue, alpha.
+    """
+    colours = pixels[..., :3].astype(np.int16)
+    luma = sum(colours[..., k].astype(np.int32) * share for k, share in enumerate(LUMA)) >> 8
+    colours += (255 - 2 * luma).astype(np.int16)[..., None]
+    np.clip(colours, 0, 255, out=colours)
+    result = pixels.copy()
+    for k, (dark, light) in enumerate(zip(theme.rgb("paper"), theme.rgb("text"), strict=True)):
+        result[..., k] = np.linspace(dark, light, 256).round().astype(np.uint8)[colours[..., k]]
+    return result
+
 
 DRAW_DELAY_MS = 20
 """Delay before drawing. A plot takes 0.2 to 0.5 s, half of it for the layout of its texts: other
@@ -22,6 +119,12 @@ changes are painted first, and keys are handled between its parts."""
 
 
 WHITE = "white"
+
+
+def preload_matplotlib() -> None:
+    """Import Matplotlib in the worker, which takes half a second."""
+    import lispac.report.distance_profiles  # noqa: F401
+    import lispac.report.histograms  # noqa: F401
 
 
 class _Renderer(RendererAgg):

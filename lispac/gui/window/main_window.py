@@ -24,6 +24,7 @@ from lispac.gui.features.estimate.diagnostics_panel import TITLE as DIAGNOSTICS
 from lispac.gui.features.estimate.diagnostics_panel import DiagnosticsPanel
 from lispac.gui.features.estimate.estimation import Estimation
 from lispac.gui.features.estimate.results_panel import ResultsPanel
+from lispac.gui.features.export.data_export import DataExport
 from lispac.gui.features.export.script_export import ScriptExport
 from lispac.gui.features.help.manual import Manual
 from lispac.gui.features.help.tour import Tour
@@ -44,7 +45,7 @@ from lispac.gui.features.validate.histograms_panel import HistogramsPanel
 from lispac.gui.features.validate.validate_panel import ValidatePanel
 from lispac.gui.features.warnings.warning_list import WarningList
 from lispac.gui.features.warnings.warnings_panel import TITLE as WARNINGS
-from lispac.gui.features.warnings.warnings_panel import WarningsPanel
+from lispac.gui.features.warnings.warnings_panel import WarningsButton, WarningsPanel
 from lispac.gui.project import status
 from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
@@ -104,10 +105,11 @@ class MainWindow(QMainWindow):
         self.scene = Scene(self.document, viewport, self)
         self.controller = Controller(self.document, self.runner, self.scene, self.settings, self)
         self.computations = Computations(self.document, self.runner, self.scene, self.controller)
-        self.estimation = Estimation(self.document, self.runner, self.scene, self.controller)
+        self.estimation = Estimation(
+            self.document, self.runner, self.scene, self.controller, self.dialogs
+        )
         self.lifecycle = ProjectLifecycle(
-            self.document, self.controller, self.computations, self.estimation, self.scene,
-            self.dialogs, self.settings,
+            self.document, self.controller, self.dialogs, self.settings,
         )  # fmt: skip
         self.actions_ = Actions(self, self.document.undo_stack)
         self.actions_["french" if current_language() == "fr" else "english"].setChecked(True)
@@ -116,6 +118,9 @@ class MainWindow(QMainWindow):
             viewport, self.scene, self.controller, self.actions_, self.settings
         )
         self.tools = InspectionTools(self)
+        self.data_export = DataExport(
+            self.document, self.runner, self.scene, self.controller, self.dialogs, self.actions_
+        )
         with without_style_sheet():
             self._build()
         self._connect_panels()
@@ -157,6 +162,9 @@ class MainWindow(QMainWindow):
         self.central_widget = CentralWidget(self.viewport)
         self.setCentralWidget(self.central_widget)
         self.task_bar = TaskStatusBar()
+        self.warnings_button = WarningsButton()
+        self.task_bar.insertPermanentWidget(0, self.warnings_button)
+        self.warnings_button.hide()
         self.setStatusBar(self.task_bar)
         self.addToolBar(self.actions_.fill_toolbar())
         self.docks = self._create_docks()
@@ -232,12 +240,12 @@ class MainWindow(QMainWindow):
         self.diagnostics.row_activated.connect(self._select)
         self.histograms.plane_selected.connect(self.table.select)
         self.adjust.subsample_changed.connect(self.computations.count)
-        self.adjust.estimate_requested.connect(self.lifecycle.estimate)
+        self.adjust.estimate_requested.connect(self.estimation.request_estimate)
         self.adjust.cancel_requested.connect(self.runner.cancel)
         self.validate.validate_requested.connect(self.computations.validate)
         self.validate.shown_changed.connect(self.computations.show)
         self.validate.model_changed.connect(self.computations.set_surface_model)
-        self.report.lines_requested.connect(self.lifecycle.export)
+        self.report.lines_requested.connect(self.data_export.export)
         self.central_widget.start.link_clicked.connect(lambda name: self.actions_[name].trigger())
         self.central_widget.start.project_chosen.connect(self.open_project)
 
@@ -250,7 +258,6 @@ class MainWindow(QMainWindow):
             "add_lines": self.lifecycle.add_lines,
             "save": self.controller.save,
             "save_as": self.lifecycle.save_as,
-            **self.lifecycle.export_actions,
             "quit": self.close,
             "seed_target": lambda: self._set_seed_role("target"),
             "seed_validation": lambda: self._set_seed_role("validation"),

@@ -83,7 +83,6 @@ class PanelRefresh(QObject):
     def _enable_controls(self, statuses: tuple[status.StepStatus, ...], busy: bool) -> None:
         window = self._window
         project, actions = window.document.project, window.actions_
-        ready = statuses[DATA].ready and not busy
         estimated = project is not None and project.result is not None
         for name, enabled in {
             "save": window.document.is_modified,
@@ -93,7 +92,6 @@ class PanelRefresh(QObject):
             "tour": not busy,
             **dict.fromkeys(("add_lines", "save_as"), statuses[DATA].ready and not busy),
             "report": statuses[REPORT].ready and not busy,
-            **dict.fromkeys(window.lifecycle.export_actions, ready),
             "accept": window.controller.candidate is not None,
             "reject": window.controller.candidate is not None,
             "estimate": statuses[ADJUST].ready and not busy,

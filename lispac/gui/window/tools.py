@@ -18,7 +18,7 @@ from lispac.gui.features.patch_test.controller import PatchTestController
 from lispac.gui.features.patch_test.panel import TITLE as PATCH_TEST
 from lispac.gui.features.pick_targets.hover_preview import HoverPreview, PreviewSettings
 from lispac.gui.features.pick_targets.lasso import Lasso
-from lispac.gui.features.pick_targets.target_roles import TargetRoles
+from lispac.gui.features.pick_targets.target_actions import TargetRoles
 
 if TYPE_CHECKING:
     from lispac.gui.window.main_window import MainWindow
@@ -48,8 +48,8 @@ class InspectionTools(QObject):
         self.clipping = ClipBoxController(window.scene, view, actions, raise_panel, note)
         self.patch_test_controller = PatchTestController(window, raise_panel)
         self.lasso = Lasso(
-            window.document, window.scene, view, actions, self.mouse_tool, self.clipping, note,
-            window.controller.refused.emit,
+            window.document, window.scene, view, actions, self.mouse_tool,
+            lambda: self.clipping.box, note, window.controller.refused.emit,
         )  # fmt: skip
         self.hover_preview = HoverPreview(
             window.document, window.runner, view, actions, self._preview_settings, window.controller

@@ -2,17 +2,18 @@
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QHBoxLayout,
+    QPlainTextEdit,
     QVBoxLayout,
     QWidget,
 )
 
 from lispac.adjustment.display_text import capitalised
 from lispac.gui import widgets
-from lispac.gui.widgets.matrix_field import MatrixField
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.survey.conventions.axes import DIRECTIONS, Axes, complete_axes
@@ -295,3 +296,23 @@ def _project_boresight(project: Project) -> tuple[Mounting, np.ndarray | None, s
         sigma_warning,
         gettext("Estimated boresight of {project}.", project=project.name),
     )
+
+
+ROWS = 4
+TEXT_PIXELS = 11
+
+
+class MatrixField(QPlainTextEdit):
+    """Shows a matrix, or accepts a typed or pasted one; Tab moves to the next field."""
+
+    def __init__(self, name: str, accessible_name: str, *, read_only: bool = False) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setAccessibleName(accessible_name)
+        self.setReadOnly(read_only)
+        self.setTabChangesFocus(True)
+        self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+        font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
+        font.setPixelSize(TEXT_PIXELS)
+        self.setFont(font)
+        self.setFixedHeight(ROWS * self.fontMetrics().lineSpacing() + 14)

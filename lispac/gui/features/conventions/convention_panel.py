@@ -19,10 +19,10 @@ from lispac.gui.features.conventions.convention_inputs import (
     BoresightInputs,
     CurrentSettingsInputs,
     ImuAxes,
+    MatrixField,
     program_name,
 )
 from lispac.gui.features.conventions.convention_table import ConventionAnglesTable
-from lispac.gui.widgets.matrix_field import MatrixField
 from lispac.gui.widgets.mounting_texts import boresight_sentence, lever_arm_sentence
 from lispac.gui.widgets.scanner_axes_view import ScannerAxesView
 from lispac.language import N_, gettext

@@ -2,19 +2,24 @@
 
 from dataclasses import replace
 from math import isclose
+from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QScrollArea, QWidget
+from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLineEdit, QScrollArea, QWidget
 
 from lispac.design.plan import System
 from lispac.design.scenarios import GRADES
 from lispac.gui import widgets
+from lispac.gui.appearance import theme
 from lispac.gui.features.design import edits
 from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.widgets.number_field import EQUAL_TOLERANCE
+from lispac.gui.widgets.sensor_choice import SensorChoice
+from lispac.io.config.sensor_file import PosAccuracy, ScannerSpecification
 from lispac.language import N_, LazyText, gettext, gettext_lazy
 from lispac.report.stochastic_model_names import NAMES
+from lispac.workflow.planning.sensors import read_library
 
 USER_DEFINED = N_("user-defined")
 AXES = {"north": N_("north"), "east": N_("east"), "up": N_("up")}
@@ -216,3 +221,66 @@ class SystemPanel(QScrollArea):
             self._work.refused.emit(
                 gettext("The title is empty. Enter a title for the survey plan.")
             )
+
+
+Sensors = tuple[ScannerSpecification | None, PosAccuracy | None]
+
+
+class PlanSensorsDialog(QDialog):
+    """Choice of scanner and INS/GNSS; the plan keeps its values where none is chosen.
+
+    Parameters
+    ----------
+    folder : of the user's own sensors
+    """
+
+    def __init__(self, folder: Path, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("plan_sensors")
+        self.setWindowTitle(gettext("Sensors of the survey plan"))
+        self.setMinimumWidth(520)
+        self._scanner: ScannerSpecification | None = None
+        self._pos: PosAccuracy | None = None
+        layout = widgets.vertical_layout(self, 16)
+        layout.addWidget(
+            widgets.label(
+                gettext(
+                    "The standard deviations of the chosen sensors are copied to the survey plan. "
+                    "If no sensor is chosen, the survey plan keeps its values."
+                ),
+                wrap=True,
+            )
+        )
+        self.choice = SensorChoice(read_library(folder), "plan")
+        self.choice.scanner_chosen.connect(self._set_scanner)
+        self.choice.pos_chosen.connect(self._set_pos)
+        form = QFormLayout()
+        form.setVerticalSpacing(theme.SPACING)
+        form.addRow(gettext("Scanner"), self.choice.scanner)
+        form.addRow("", self.choice.scanner_origin)
+        form.addRow(gettext("INS/GNSS"), self.choice.pos)
+        form.addRow("", self.choice.pos_origin)
+        layout.addLayout(form)
+        self.take = widgets.button(gettext("Use these sensors"), "plan_sensors_take", primary=True)
+        self.take.setDefault(True)
+        self.take.clicked.connect(self.accept)
+        cancel = widgets.button(gettext("Cancel"), "plan_sensors_cancel")
+        cancel.setAutoDefault(False)
+        cancel.clicked.connect(self.reject)
+        row = QHBoxLayout()
+        row.addStretch(1)
+        for each in widgets.in_platform_order(self.take, cancel):
+            row.addWidget(each)
+        layout.addLayout(row)
+
+    @property
+    def sensors(self) -> Sensors:
+        """The chosen sensors; None where the plan keeps its values."""
+        scanner, pos = self.choice.names
+        return (self._scanner if scanner else None, self._pos if pos else None)
+
+    def _set_scanner(self, figures: ScannerSpecification) -> None:
+        self._scanner = figures
+
+    def _set_pos(self, state: PosAccuracy) -> None:
+        self._pos = state

@@ -16,13 +16,12 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.app.status_bar import TaskStatusBar
 from lispac.gui.appearance import theme
-from lispac.gui.features.design.angles_table import AnglesTable
 from lispac.gui.features.design.figures_panel import FiguresPanel
 from lispac.gui.features.design.plan_tables import LinesList, TargetsList
 from lispac.gui.features.design.plan_view import PlanView
 from lispac.gui.features.design.prediction_panel import PredictionPanel
 from lispac.gui.features.design.search import SearchPanel
-from lispac.gui.features.design.surveys import SurveysPanel
+from lispac.gui.features.design.surveys import AnglesTable, SurveysPanel
 from lispac.gui.features.design.system import SystemPanel
 from lispac.gui.features.design.view3d import View3D
 from lispac.gui.features.design.wall_view import WallView

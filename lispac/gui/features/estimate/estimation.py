@@ -7,12 +7,13 @@ from time import perf_counter
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from lispac.errors import Cancelled, LispacError
+from lispac.gui.app.questions import Questions
 from lispac.gui.app.tasks import Task, TaskRunner
 from lispac.gui.appearance import units
-from lispac.gui.features.validate.histograms_panel import preload_matplotlib
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document, data_key
 from lispac.gui.project.scene import Scene
+from lispac.gui.widgets.chart import preload_matplotlib
 from lispac.language import N_, Plural, gettext, gettext_lazy
 from lispac.message_texts import message_text
 from lispac.messages import Message, error
@@ -80,10 +81,15 @@ class Estimation(QObject):
     """A requested adjustment has a result."""
 
     def __init__(
-        self, document: Document, runner: TaskRunner, scene: Scene, controller: Controller
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        controller: Controller,
+        questions: Questions,
     ) -> None:
         super().__init__(controller)
-        self._document, self._runner = document, runner
+        self._document, self._runner, self._questions = document, runner, questions
         self._scene, self._controller = scene, controller
         self._selection: _Selection | None = None
         self._automatic: tuple[Task, Project] | None = None
@@ -99,6 +105,19 @@ class Estimation(QObject):
         runner.idle.connect(self._wait_for_result)
         runner.failed.connect(self._record_refusal)
         self._last_task: Task | None = None
+
+    def request_estimate(self, settings: Settings, cross_check: bool) -> None:
+        """Adjust the boresight; asks first about a candidate that is not yet accepted."""
+        candidate = self._controller.candidate
+        if candidate is not None:
+            choice = self._questions.ask_about_candidate(candidate.name)
+            if choice == "cancel":
+                return
+            if choice == "accept":
+                self._controller.accept()
+            else:
+                self._controller.reject()
+        self.estimate(settings, cross_check)
 
     def estimate(self, settings: Settings, cross_check: bool) -> None:
         """Adjust the boresight with these settings and show the lines placed with it."""

@@ -25,19 +25,12 @@ from lispac.duplicate_targets import project_warnings
 from lispac.gui import widgets
 from lispac.gui.appearance import quantities, theme, units
 from lispac.gui.features.estimate import result_texts
-from lispac.gui.widgets.mounting_texts import boresight_sentence
+from lispac.gui.widgets.mounting_texts import boresight_sentence, convention_html
 from lispac.language import N_, gettext, number
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.project import Project, Triple
 
-_FRAMES = N_("The boresight rotates LiDAR coordinates into the body frame (forward, left, up):")
-_FORMULA = N_("R = {z}(−yaw) · {y}(pitch) · {x}(roll)")
-_ROTATIONS = {axis: f"R<sub>{axis}</sub>" for axis in "xyz"}
-_SIGNS = N_(
-    "Roll is positive port side up, pitch positive bow down, yaw positive clockwise seen from "
-    "above."
-)
 ANGLE_NAMES = (N_("Roll"), N_("Pitch"), N_("Yaw"))
 EMPTY = N_(
     "No result yet. Pick at least two targets with different orientations, then press Estimate in "
@@ -231,12 +224,6 @@ class ResultsPanel(QWidget):
             found = gettext("Estimated variance components: {components}.", components=components)
             verdict = f"{verdict} {found}"
         self._verdict.setText(verdict)
-
-
-def convention_html() -> str:
-    """Definition of the three angles."""
-    formula = gettext(_FORMULA, **_ROTATIONS)
-    return f"{gettext(_FRAMES)}<br><b>{formula}</b><br>{gettext(_SIGNS)}"
 
 
 def _matrix_cell(value: float) -> str:

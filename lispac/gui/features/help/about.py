@@ -10,7 +10,7 @@ from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.view_actions import KEYS
 from lispac.gui.appearance import theme
-from lispac.gui.features.estimate.results_panel import convention_html
+from lispac.gui.widgets.mounting_texts import convention_html
 from lispac.language import gettext
 
 

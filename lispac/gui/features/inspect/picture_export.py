@@ -11,10 +11,10 @@ from lispac.errors import InputError
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.appearance import units
+from lispac.gui.features.inspect.dialogs import PictureDialogs
 from lispac.gui.features.inspect.section_panel import SectionPanel
 from lispac.gui.project.document import Document
 from lispac.gui.viewport.base import Viewport
-from lispac.gui.window.dialogs import Dialogs
 from lispac.installation_paths import home_folder
 from lispac.io.files import atomic_write
 from lispac.language import N_, gettext
@@ -34,7 +34,7 @@ class PictureExport(QObject):
         viewport: Viewport,
         section: SectionPanel,
         actions: Actions,
-        dialogs: Dialogs,
+        dialogs: PictureDialogs,
         note: Callable[[str], None],
     ) -> None:
         super().__init__(actions)

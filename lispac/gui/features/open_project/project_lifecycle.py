@@ -1,8 +1,8 @@
-"""Opening, estimating, exporting and leaving a project, with the questions to the user."""
+"""Opening, saving and leaving a project, with the questions to the user."""
 
 import itertools
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -11,18 +11,14 @@ from PySide6.QtWidgets import QMenu
 from lispac.errors import InputError
 from lispac.gui.app.proposed_folders import folder_outside_cache
 from lispac.gui.app.settings import AppSettings
-from lispac.gui.features.estimate.estimation import Estimation
-from lispac.gui.project.computations import Computations
+from lispac.gui.features.open_project.dialogs import ProjectDialogs
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
-from lispac.gui.project.scene import Scene
-from lispac.gui.window.dialogs import Dialogs
 from lispac.installation_paths import home_folder
 from lispac.io.text.seed_file import is_point_list
 from lispac.language import gettext
-from lispac.project import Project, Settings
+from lispac.project import Project
 from lispac.workflow.importing.input_files import find_project
-from lispac.workflow.output.export_request import What
 from lispac.workflow.project.moved_files import missing_files, with_files_in
 
 
@@ -36,15 +32,11 @@ class ProjectLifecycle(QObject):
         self,
         document: Document,
         controller: Controller,
-        computing: Computations,
-        estimation: Estimation,
-        scene: Scene,
-        dialogs: Dialogs,
+        dialogs: ProjectDialogs,
         settings: AppSettings,
     ) -> None:
         super().__init__(controller)
-        self._document, self._controller, self._computations = document, controller, computing
-        self._estimation, self._scene = estimation, scene
+        self._document, self._controller = document, controller
         self._dialogs, self._settings = dialogs, settings
         controller.files_missing.connect(self._find_missing_files)
 
@@ -165,36 +157,6 @@ class ProjectLifecycle(QObject):
             menu.addAction(gettext("Clear recent projects")).triggered.connect(
                 self._settings.clear_recent
             )
-
-    def estimate(self, settings: Settings, cross_check: bool) -> None:
-        """Adjust the boresight; asks first about a candidate that is not yet accepted."""
-        candidate = self._controller.candidate
-        if candidate is not None:
-            choice = self._dialogs.ask_about_candidate(candidate.name)
-            if choice == "cancel":
-                return
-            if choice == "accept":
-                self._controller.accept()
-            else:
-                self._controller.reject()
-        self._estimation.estimate(settings, cross_check)
-
-    @property
-    def export_actions(self) -> dict[str, Callable[[], None]]:
-        """Export functions besides the report, by the names of their actions."""
-        return {
-            "lines": self.export,
-            "targets": lambda: self.export("targets"),
-            "trajectory": lambda: self.export("trajectory"),
-        }
-
-    def export(self, what: What = "lines") -> None:
-        """Show the export dialogue and export lines, targets or the trajectory."""
-        project, survey = self._document.project, self._document.survey
-        if project is not None and survey is not None:
-            request = self._dialogs.export(what, self._scene.which, project, survey.trajectory)
-            if request is not None:
-                self._computations.export(request)
 
 
 def _free_folder(folder: Path) -> Path:

@@ -9,10 +9,10 @@ from PySide6.QtCore import QObject
 from lispac.errors import LispacError
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.mouse_tool import MouseTool
-from lispac.gui.features.inspect.clipping import ClipBoxController
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, Viewport
+from lispac.gui.viewport.clipping import Box
 from lispac.language import N_, Plural, gettext
 from lispac.workflow.calibration.point_edits import with_points, without_points
 
@@ -48,13 +48,13 @@ class Lasso(QObject):
         viewport: Viewport,
         actions: Actions,
         mouse_tool: MouseTool,
-        clipping: ClipBoxController,
+        clip_box: Callable[[], Box | None],
         note: Callable[[str], None],
         refuse: Callable[[LispacError], None],
     ) -> None:
         super().__init__(actions)
         self._document, self._scene, self._viewport = document, scene, viewport
-        self._mouse_tool, self._clipping = mouse_tool, clipping
+        self._mouse_tool, self._clip_box = mouse_tool, clip_box
         self._actions, self._note, self._refuse = actions, note, refuse
         for tool in TOOLS:
             actions[tool].triggered.connect(lambda on, tool=tool: self._toggle_tool(tool, on))
@@ -124,9 +124,10 @@ class Lasso(QObject):
         pixels = self._viewport.to_pixels(points)
         is_in_front = np.isfinite(pixels).all(axis=1)
         inside[is_in_front] = Path(corners).contains_points(pixels[is_in_front])
-        if self._clipping.box is not None:
+        box = self._clip_box()
+        if box is not None:
             boxed = np.zeros(len(points), dtype=bool)
-            boxed[self._clipping.box.inside(points)] = True
+            boxed[box.inside(points)] = True
             inside &= boxed
         return inside
 

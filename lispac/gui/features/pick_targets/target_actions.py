@@ -1,14 +1,20 @@
 """Actions on targets besides the click: rate, find again, propose."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from lispac.errors import LispacError
+from lispac.gui.app.actions import Actions
 from lispac.gui.features.pick_targets.sighting_quality import QualityComputation
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
 from lispac.language import N_, gettext
 from lispac.progress import Progress
 from lispac.project import Project, Target
+from lispac.workflow.calibration import edits
 from lispac.workflow.project.survey import Survey
 
 if TYPE_CHECKING:
@@ -130,3 +136,40 @@ def _used_as_before(target: Target, before: Target) -> Target:
     excluded = {sighting.line for sighting in before.sightings if not sighting.used}
     sightings = tuple(replace(s, used=s.line not in excluded) for s in target.sightings)
     return replace(target, used=before.used, sightings=sightings)
+
+
+NOTHING_SELECTED = N_("Select a target or validation plane first, then change its role.")
+
+
+class TargetRoles(QObject):
+    """Changes a target into a validation plane, or the reverse."""
+
+    def __init__(
+        self,
+        document: Document,
+        scene: Scene,
+        actions: Actions,
+        note: Callable[[str], None],
+        refuse: Callable[[LispacError], None],
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._scene = document, scene
+        self._note, self._refuse = note, refuse
+        actions["change_role"].triggered.connect(lambda _=False: self._change_role())
+
+    def _change_role(self) -> None:
+        project, selected = self._document.project, self._scene.selected
+        if project is None or selected is None or not self._scene.selected_points:
+            self._note(gettext(NOTHING_SELECTED))
+            return
+        name = selected[0]
+        try:
+            edited = edits.with_switched_role(project, name)
+        except LispacError as error:
+            self._refuse(error)
+            return
+        self._document.edit(N_("change of role of {target}"), edited, target=name)
+        if edited.target(name).role == "validation":
+            self._note(gettext("{target} is now a validation plane.", target=name))
+        else:
+            self._note(gettext("{target} is now a target.", target=name))

@@ -13,9 +13,9 @@ from lispac.gui.appearance.units import ANGLES, LENGTHS
 from lispac.gui.features.preferences.cache_box import CacheBox
 from lispac.gui.features.preferences.preferences import Preferences
 from lispac.gui.features.preferences.sensor_library import SensorLibraryPage
-from lispac.gui.features.report.report_panel import OTHER_SYSTEMS
 from lispac.gui.widgets.sensor_choice import SensorChoice
 from lispac.language import LANGUAGES, N_, gettext
+from lispac.survey.conventions.systems import OTHER_SYSTEMS
 from lispac.workflow.planning.sensors import read_library
 
 MILLION = 1_000_000

@@ -11,10 +11,9 @@ from lispac.gui import widgets
 from lispac.gui.project.status import StepStatus
 from lispac.language import LANGUAGES, N_, current_language, gettext
 from lispac.report.options import PAGES, USUAL, ReportOptions
-from lispac.survey.conventions.systems import LISPAC, SYSTEMS, Status
+from lispac.survey.conventions.systems import OTHER_SYSTEMS, Status
 from lispac.workflow.output.report_options import report_options
 
-OTHER_SYSTEMS = tuple(each for each in SYSTEMS if each.key != LISPAC.key)
 STATUS: dict[Status, str] = {
     "verified": N_("{program} (verified)"),
     "partly": N_("{program} (partly verified)"),

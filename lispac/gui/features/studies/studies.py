@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from lispac.gui.features.validate.histograms_panel import preload_matplotlib
+from lispac.gui.widgets.chart import preload_matplotlib
 from lispac.installation_paths import home_folder
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text

@@ -40,7 +40,7 @@ class WarningList(QObject):
     def __init__(self, window: "MainWindow") -> None:
         super().__init__(window)
         self._window, self._document = window, window.document
-        self._panel, self._button = window.warnings, window.task_bar.warnings
+        self._panel, self._button = window.warnings, window.warnings_button
         self._worker = ThreadPoolExecutor(1, "lispac-warnings")
         self._qualities: Mapping[tuple[str, str], SightingQuality] = {}
         self._requested = self._shown_request = 0

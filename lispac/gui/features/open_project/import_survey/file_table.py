@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
-from lispac.gui.features.import_survey import file_texts
+from lispac.gui.features.open_project.import_survey import file_texts
 from lispac.io.format_types import Kind
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text

@@ -10,8 +10,7 @@ from matplotlib.ticker import FuncFormatter, MultipleLocator
 from numpy.typing import NDArray
 
 from lispac.gui.appearance import theme, units
-from lispac.gui.features.import_survey.envelope import envelope
-from lispac.gui.features.import_survey.file_texts import time_axis_title
+from lispac.gui.features.open_project.import_survey.file_texts import time_axis_title
 from lispac.gui.widgets.ticks import convert_axis_units
 from lispac.io.points.line_times import LineTimes
 from lispac.io.trajectory.trajectory_facts import motion_of
@@ -243,3 +242,42 @@ def _style_axes(axes: Axes) -> None:
 def _add_legend(axes: Axes) -> None:
     axes.legend(fontsize=SMALL_SIZE, frameon=False, labelcolor=theme.TEXT, loc="center left",
                 bbox_to_anchor=(1.005, 0.5), borderaxespad=0.1)  # fmt: skip
+
+
+DEFAULT_BINS = 1500
+"""Intervals of the envelope; more than an axis has pixels."""
+
+
+def envelope(
+    time: Array, values: Array, *, bins: int = DEFAULT_BINS, longest_gap: float = np.inf
+) -> tuple[Array, Array]:
+    """Smallest and largest value of each time interval, with NaN at gaps.
+
+    Parameters
+    ----------
+    time : ndarray of shape (n,), seconds, increasing
+    values : ndarray of shape (n,)
+    longest_gap : float, seconds
+        Longer gaps break the line.
+
+    Returns
+    -------
+    time, values : ndarray of shape (m,)
+    """
+    breaks = np.flatnonzero(np.diff(time) > longest_gap) + 1
+    if len(time) > 4 * bins:
+        edges = np.linspace(time[0], time[-1], bins + 1)
+        starts = np.unique(np.concatenate([np.searchsorted(time, edges[:-1]), breaks]))
+        starts = starts[starts < len(time)]
+        low = np.minimum.reduceat(values, starts)
+        high = np.maximum.reduceat(values, starts)
+        ends = np.append(starts[1:], len(time)) - 1
+        time_out = np.stack([time[starts], time[ends]], axis=1).ravel()
+        values_out = np.stack([low, high], axis=1).ravel()
+        places = 2 * np.searchsorted(starts, breaks)
+    else:
+        time_out, values_out, places = time, values, breaks
+    if len(places):
+        time_out = np.insert(time_out, places, time_out[places])
+        values_out = np.insert(values_out, places, np.nan)
+    return time_out, values_out

@@ -94,7 +94,10 @@ class QualityPage(QWidget):
         if not ready:
             return
         # Matplotlib is imported late, so that the dialogue starts without it.
-        from lispac.gui.features.import_survey.quality_figures import FIGURES, TrajectoryQuality
+        from lispac.gui.features.open_project.import_survey.quality_figures import (
+            FIGURES,
+            TrajectoryQuality,
+        )
         from lispac.gui.widgets.chart import Chart
 
         if self.canvas is None:

@@ -9,7 +9,7 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from lispac.gui.appearance import theme
-from lispac.gui.features.import_survey.file_texts import time_axis_title
+from lispac.gui.features.open_project.import_survey.file_texts import time_axis_title
 from lispac.io.points.line_times import LineTimes
 from lispac.language import Plural, gettext, number
 from lispac.survey.time_quality import TrajectoryCoverage

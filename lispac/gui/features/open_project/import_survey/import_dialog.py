@@ -26,13 +26,13 @@ from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
-from lispac.gui.features.import_survey.drop_area import DropArea
-from lispac.gui.features.import_survey.file_page import FilePage
-from lispac.gui.features.import_survey.file_table import FileTable
-from lispac.gui.features.import_survey.import_worker import ImportWorker
-from lispac.gui.features.import_survey.mounting_page import MountingPage
-from lispac.gui.features.import_survey.quality_page import QualityPage
-from lispac.gui.features.import_survey.timeline_page import TimelinePage
+from lispac.gui.features.open_project.import_survey.drop_area import DropArea
+from lispac.gui.features.open_project.import_survey.file_page import FilePage
+from lispac.gui.features.open_project.import_survey.file_table import FileTable
+from lispac.gui.features.open_project.import_survey.import_worker import ImportWorker
+from lispac.gui.features.open_project.import_survey.mounting_page import MountingPage
+from lispac.gui.features.open_project.import_survey.quality_page import QualityPage
+from lispac.gui.features.open_project.import_survey.timeline_page import TimelinePage
 from lispac.gui.widgets.error_box import error_text_and_details
 from lispac.gui.widgets.file_drops import FileDrops
 from lispac.identity import BLANK
@@ -41,6 +41,7 @@ from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
 from lispac.language import Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Action
+from lispac.project import LineSource, Project
 from lispac.workflow.importing.input_files import ImportRequest, InputFiles, proposed_folder
 from lispac.workflow.planning.sensors import read_library
 
@@ -407,3 +408,44 @@ class ImportDialog(QDialog):
         if result == QDialog.DialogCode.Accepted:
             self._settings.save_column_mappings(self.input_files.column_mappings)
         super().done(result)
+
+
+class AddLinesDialog(ImportDialog):
+    """Adds lines to a project and checks them against its trajectory.
+
+    Parameters
+    ----------
+    project : Project
+        The open project.
+    """
+
+    def __init__(
+        self, settings: AppSettings, project: Project, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(settings, parent)
+        self.setWindowTitle(gettext("Add lines to {project}", project=project.name))
+        self.ok.setText(gettext("Add to project"))
+        self.place.hide()
+        self.tabs.setTabVisible(MOUNTING, False)
+        self.work.begin(InputFiles.of_project(project))
+
+    def sources(self) -> tuple[LineSource, ...]:
+        """The lines to add."""
+        return self.input_files.sources()
+
+    def _problem_text(self) -> str:
+        if self.input_files.files and not self.input_files.lines and not self.work.busy:
+            return gettext(
+                "No lines have been added yet. Drop the scan files of the lines here, or press "
+                "Add files."
+            )
+        return self.input_files.files_problem_text()
+
+    def _hint(self) -> str:
+        if any(line.is_georeferenced for line in self.input_files.lines):
+            return gettext(
+                "Georeferenced lines are transformed back to the scanner frame with the lever arm "
+                "and prior boresight of the project. Add only lines that were georeferenced with "
+                "these values."
+            )
+        return ""

@@ -8,8 +8,8 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QVBoxLayout, QWi
 
 from lispac.gui import widgets
 from lispac.gui.appearance import theme
-from lispac.gui.features.import_survey.message_list import MessageList
-from lispac.gui.features.import_survey.timeline import TimelineView
+from lispac.gui.features.open_project.import_survey.message_list import MessageList
+from lispac.gui.features.open_project.import_survey.timeline import TimelineView
 from lispac.language import Plural, gettext
 from lispac.messages import Action, Level, Message
 from lispac.workflow.importing.input_files import InputFiles

@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QWidget
 
 from lispac.gui import widgets
-from lispac.gui.features.import_survey import file_texts
+from lispac.gui.features.open_project.import_survey import file_texts
 from lispac.io.format_types import FileFormat, FormatOption
 from lispac.language import gettext
 from lispac.message_texts import message_text
