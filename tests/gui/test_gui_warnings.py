@@ -182,23 +182,23 @@ def test_what_is_folded_away_is_unfolded(
 ) -> None:
     panel = adjusted.window.adjust
     assert isinstance(panel, AdjustPanel)
-    adjusted.window.warning_list.show_cause(cause)
+    adjusted.window.cause_navigation.show_cause(cause)
     assert adjusted.window.workflow.opened == step
     assert has_focus(focused(panel))
 
 
 def test_pages_and_the_result_come_to_the_front(adjusted: Driver) -> None:
-    adjusted.window.warning_list.show_cause(Cause.of_page("Cross-checks"))
+    adjusted.window.cause_navigation.show_cause(Cause.of_page("Cross-checks"))
     assert in_front(adjusted, "Diagnostics")
     assert adjusted.window.diagnostics.current.title == "Cross-checks"
-    adjusted.window.warning_list.show_cause(Cause("result"))
+    adjusted.window.cause_navigation.show_cause(Cause("result"))
     assert in_front(adjusted, "Results")
     assert has_focus(adjusted.window.results.angles)
 
 
 def test_a_cause_that_is_gone_is_no_error(adjusted: Driver) -> None:
     before = QApplication.focusWidget()
-    adjusted.window.warning_list.show_cause(Cause.of_sighting("gone", "nowhere"))
+    adjusted.window.cause_navigation.show_cause(Cause.of_sighting("gone", "nowhere"))
     assert QApplication.focusWidget() is before
 
 
@@ -286,7 +286,7 @@ def test_the_window_does_not_wait_for_the_list(adjusted: Driver, monkeypatch) ->
 
     listed(adjusted)
     monkeypatch.setattr(warning_list, "warnings_of", slow)
-    adjusted.window.warning_list._on_project_changed()
+    adjusted.window.warning_list.update()
     longest, started = 0.0, time.perf_counter()
     while not adjusted.window.warning_list.is_current:
         before = time.perf_counter()

@@ -8,12 +8,16 @@ that is found when a project is opened was left by a crash, and is offered for r
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from PySide6.QtCore import QLockFile, QObject, Signal
 
 from lispac.errors import InputError, LispacError
 from lispac.gui.app.language import local_datetime
+from lispac.gui.app.questions import Questions
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
 from lispac.io.project.project_file import remove_unsaved, write_unsaved
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
@@ -21,9 +25,6 @@ from lispac.messages import Message, error
 from lispac.project import Project
 from lispac.workflow.project.moved_files import with_files_of
 from lispac.workflow.project.projects import UnsavedProject, read_unsaved_project, require_folder
-
-if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
 
 LOCK_NAME = "open.lock"
 LOCKED_ELSEWHERE = error("window.unsaved_work_elsewhere")
@@ -37,10 +38,16 @@ class RecoveryCopies(QObject):
     _failed = Signal(object)
     _written = Signal()
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._document, self._dialogs = window.document, window.dialogs
-        self._settings, self._note = window.settings, window.controller.logged.emit
+    def __init__(
+        self,
+        document: Document,
+        controller: Controller,
+        questions: Questions,
+        settings: AppSettings,
+    ) -> None:
+        super().__init__(controller)
+        self._document, self._questions = document, questions
+        self._settings, self._note = settings, controller.logged.emit
         self._writer = ThreadPoolExecutor(1, "lispac-keeping")
         self._latest: Project | None = None
         self._failed.connect(self._on_write_failed)
@@ -50,17 +57,15 @@ class RecoveryCopies(QObject):
         self._writes_copies = False
         self.problem: Message | None = None
         """Why no recovery copy is written; None if it is."""
-        window.controller.may_save = self._may_save
-        window.controller.may_overwrite = lambda project: self._dialogs.ask_to_overwrite(
-            project.name
-        )
-        window.document.opened.connect(self._on_project_opened)
-        window.document.changed.connect(self._write_copy)
+        controller.may_save = self._may_save
+        controller.may_overwrite = lambda project: self._questions.ask_to_overwrite(project.name)
+        document.opened.connect(self._on_project_opened)
+        document.changed.connect(self._write_copy)
         # An edit is announced before the stack knows that it is no longer clean
-        window.document.modified.connect(
+        document.modified.connect(
             lambda modified: self._write_copy() if modified else self.discard()
         )
-        window.document.saved.connect(self._on_saved)
+        document.saved.connect(self._on_saved)
 
     # -- a project comes and goes ----------------------------------------------------------------
 
@@ -76,7 +81,7 @@ class RecoveryCopies(QObject):
         self._settings.last_project = project.folder
         if not self._lock_project(project):
             self._writes_copies = False
-            if self._dialogs.ask_to_open_locked(project.name, self._lock_holder()):
+            if self._questions.ask_to_open_locked(project.name, self._lock_holder()):
                 self._set_problem(LOCKED_ELSEWHERE)
             else:
                 self._document.open(None, None)
@@ -106,7 +111,7 @@ class RecoveryCopies(QObject):
             return
         if found is None:
             remove_unsaved(project.folder)
-        elif self._dialogs.ask_to_recover(project.name, _copy_time_text(found)):
+        elif self._questions.ask_to_recover(project.name, _copy_time_text(found)):
             again = with_files_of(found.project, project)
             self._document.edit(N_("recovery of unsaved changes"), again)
             self._note(gettext("Unsaved changes were recovered. Save the project to keep them."))
@@ -166,7 +171,7 @@ class RecoveryCopies(QObject):
         try:
             require_folder(project)
         except InputError as failure:
-            self._dialogs.show_error(failure)
+            self._questions.show_error(failure)
             return False
         return True
 

@@ -14,38 +14,29 @@ from lispac.gui.app.log_file import LOG_NAME as LOG_NAME
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.status_bar import TaskStatusBar
 from lispac.gui.app.tasks import TaskRunner
-from lispac.gui.app.view_actions import STEP_ACTIONS, THEME_ACTIONS
+from lispac.gui.app.view_actions import COLOUR_ACTIONS, STEP_ACTIONS, THEME_ACTIONS
 from lispac.gui.appearance.theme import without_style_sheet
 from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
-from lispac.gui.features.conventions.convention_panel import ConventionPanel
 from lispac.gui.features.design.controller import SiteDesign
-from lispac.gui.features.estimate.adjust_panel import AdjustPanel
 from lispac.gui.features.estimate.diagnostics_panel import TITLE as DIAGNOSTICS
-from lispac.gui.features.estimate.diagnostics_panel import DiagnosticsPanel
 from lispac.gui.features.estimate.estimation import Estimation
-from lispac.gui.features.estimate.results_panel import ResultsPanel
 from lispac.gui.features.export.data_export import DataExport
 from lispac.gui.features.export.script_export import ScriptExport
 from lispac.gui.features.help.manual import Manual
 from lispac.gui.features.help.tour import Tour
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
 from lispac.gui.features.inspect.view_menu import ViewMenu
-from lispac.gui.features.open_project.data_panel import DataPanel
 from lispac.gui.features.open_project.project_lifecycle import ProjectLifecycle
+from lispac.gui.features.pick_targets.hover_preview import PreviewSettings
 from lispac.gui.features.pick_targets.seeds import SeedActions
-from lispac.gui.features.pick_targets.sightings_table import SightingsTable
 from lispac.gui.features.pick_targets.target_actions import TargetActions
-from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
-from lispac.gui.features.preferences.preferences import PreferencesController
+from lispac.gui.features.preferences.controller import PreferencesController
 from lispac.gui.features.report.report_export import ReportExport
-from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.studies.alternative_methods import AlternativeMethods
 from lispac.gui.features.studies.studies import Studies
-from lispac.gui.features.validate.histograms_panel import HistogramsPanel
-from lispac.gui.features.validate.validate_panel import ValidatePanel
 from lispac.gui.features.warnings.warning_list import WarningList
 from lispac.gui.features.warnings.warnings_panel import TITLE as WARNINGS
-from lispac.gui.features.warnings.warnings_panel import WarningsButton, WarningsPanel
+from lispac.gui.features.warnings.warnings_panel import WarningsButton
 from lispac.gui.project import status
 from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
@@ -54,14 +45,15 @@ from lispac.gui.project.recovery_copies import RecoveryCopies
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.gui.widgets import tab_order
+from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.widgets.file_drops import FileDrops
+from lispac.gui.window.cause_navigation import CauseNavigation
 from lispac.gui.window.central_widget import CentralWidget
 from lispac.gui.window.desktop_notifications import DesktopNotifications
 from lispac.gui.window.dialogs import Dialogs
-from lispac.gui.window.log_panel import LogPanel
 from lispac.gui.window.panel_refresh import PanelRefresh
+from lispac.gui.window.panels import Panels
 from lispac.gui.window.tools import InspectionTools
-from lispac.gui.window.workflow_panel import WorkflowPanel
 from lispac.language import current_language, gettext
 
 Area = Qt.DockWidgetArea
@@ -117,48 +109,93 @@ class MainWindow(QMainWindow):
         self.view_menu = ViewMenu(
             viewport, self.scene, self.controller, self.actions_, self.settings
         )
-        self.tools = InspectionTools(self)
-        self.data_export = DataExport(
-            self.document, self.runner, self.scene, self.controller, self.dialogs, self.actions_
-        )
+        self.tools = InspectionTools(
+            self.document, self.runner, self.scene, viewport, self.computations, self.controller,
+            self.dialogs, self.actions_, self._preview_settings,
+        )  # fmt: skip
         with without_style_sheet():
             self._build()
         self._connect_panels()
         self._connect_actions()
         self._connect_tasks()
-        self.panel_refresh = PanelRefresh(self)
-        self.target_work = TargetActions(self)
-        SeedActions(self)
-        ReportExport(self)
-        Studies(self)
-        AlternativeMethods(self)
-        ScriptExport(self)
-        PreferencesController(self)
-        Manual(self)
-        self.site_design = SiteDesign(self)
-        self.recovery_copies = RecoveryCopies(self)
-        self.warning_list = WarningList(self)
-        self.warning_list.selected.connect(self._select)
-        self.notifications = DesktopNotifications(self, self.runner)
-        self.tour = Tour(self, self.central_widget.card)
-        FileDrops(self).dropped.connect(self.lifecycle.open_dropped)
+        self._create_controllers()
         if document is None:
             self.panel_refresh.refresh()
+            self._set_title()
         else:
             document.notify_opened()
 
     # -- assembly ----------------------------------------------------------------------------
 
-    def _build(self) -> None:
-        self.data, self.targets, self.adjust = DataPanel(), TargetsPanel(), AdjustPanel()
-        self.validate, self.report = ValidatePanel(), ReportPanel()
-        self.workflow = WorkflowPanel(
-            (self.data, self.targets, self.adjust, self.validate, self.report)
+    def _name_panels(self) -> None:
+        panels = self.panels
+        self.data, self.targets, self.adjust = panels.data, panels.targets, panels.adjust
+        self.validate, self.report = panels.validate, panels.report
+        self.workflow, self.results, self.log = panels.workflow, panels.results, panels.log
+        self.table, self.histograms = panels.table, panels.histograms
+        self.diagnostics, self.convention = panels.diagnostics, panels.convention
+        self.warnings = panels.warnings
+
+    def _create_controllers(self) -> None:
+        """Create the controllers of the features and of the window."""
+        document, runner, scene, control = (
+            self.document, self.runner, self.scene, self.controller
+        )  # fmt: skip
+        viewport, dialogs, actions, settings = (
+            self.viewport, self.dialogs, self.actions_, self.settings
+        )  # fmt: skip
+        panels, computations = self.panels, self.computations
+        self.panel_refresh = PanelRefresh(
+            document, runner, control, computations, scene, settings, actions, panels,
+            self.central_widget,
+        )  # fmt: skip
+        document.changed.connect(self._set_title)
+        document.modified.connect(lambda _modified: self._set_title())
+        self.target_work = TargetActions(
+            document, runner, control, dialogs, actions, panels.targets, panels.table
         )
-        self.results, self.log, self.warnings = ResultsPanel(), LogPanel(), WarningsPanel()
-        self.convention = ConventionPanel()
-        self.table, self.histograms = SightingsTable(), HistogramsPanel()
-        self.diagnostics = DiagnosticsPanel()
+        control.accepted.connect(self._select_accepted)
+        seeds = SeedActions(document, runner, control, dialogs, actions, panels.targets)
+        self.lifecycle.list_dropped.connect(seeds.list_seeds)
+        export = DataExport(document, runner, scene, control, dialogs, actions)
+        panels.report.lines_requested.connect(export.export)
+        report = ReportExport(
+            document, runner, scene, viewport, control, computations, dialogs, settings, actions,
+            panels.report,
+        )  # fmt: skip
+        panels.data.details_requested.connect(report.ask_details)
+        Studies(document, runner, scene, control, dialogs, actions)
+        AlternativeMethods(document, runner, control, dialogs, actions)
+        ScriptExport(document, runner, control, dialogs, actions)
+        preferences = PreferencesController(
+            viewport, control, dialogs, settings, actions, self.rebuild_window
+        )
+        preferences.report_choice_changed.connect(report.show_choice)
+        Manual(runner, control, actions, lambda: panels.workflow.opened)
+        self.site_design = SiteDesign(
+            document, viewport.create_empty_viewport, dialogs, settings, actions,
+            dialogs.shortcuts, self,
+        )  # fmt: skip
+        self.recovery_copies = RecoveryCopies(document, control, dialogs, settings)
+        self.warning_list = WarningList(
+            document, runner, panels.warnings, self.warnings_button, actions,
+            lambda: self.recovery_copies.problem,
+        )  # fmt: skip
+        self.recovery_copies.problem_changed.connect(self.warning_list.update)
+        quality = self.target_work.quality_computation
+        quality.qualities_changed.connect(self.warning_list.set_qualities)
+        self.cause_navigation = CauseNavigation(document, scene, viewport, panels, self._select)
+        panels.warnings.cause_activated.connect(self.cause_navigation.show_cause)
+        self.notifications = DesktopNotifications(self, runner)
+        self.tour = Tour(
+            document, scene, viewport, control, self.central_widget.card,
+            self.lifecycle.may_leave, panels.workflow.open,
+        )  # fmt: skip
+        FileDrops(self).dropped.connect(self.lifecycle.open_dropped)
+
+    def _build(self) -> None:
+        self.panels = Panels()
+        self._name_panels()
         self.central_widget = CentralWidget(self.viewport)
         self.setCentralWidget(self.central_widget)
         self.task_bar = TaskStatusBar()
@@ -245,7 +282,6 @@ class MainWindow(QMainWindow):
         self.validate.validate_requested.connect(self.computations.validate)
         self.validate.shown_changed.connect(self.computations.show)
         self.validate.model_changed.connect(self.computations.set_surface_model)
-        self.report.lines_requested.connect(self.data_export.export)
         self.central_widget.start.link_clicked.connect(lambda name: self.actions_[name].trigger())
         self.central_widget.start.project_chosen.connect(self.open_project)
 
@@ -285,6 +321,7 @@ class MainWindow(QMainWindow):
     def _connect_tasks(self) -> None:
         self.document.changed.connect(self.task_bar.clearMessage)  # it concerned the former state
         self.task_bar.cancel_requested.connect(self.runner.cancel)
+        self.runner.progress_changed.connect(lambda: self.task_bar.show_task(self.runner.current))
         self.runner.failed.connect(self.dialogs.show_error)
         self.runner.stopped.connect(self._note_cancelled)
         self.runner.cancelled_too_late.connect(self._note)
@@ -334,6 +371,23 @@ class MainWindow(QMainWindow):
         self.diagnostics.select(name, line)
         self.histograms.select(name)
 
+    def _select_accepted(self, name: str) -> None:
+        """Select the accepted target without moving the view."""
+        self.scene.select(name)
+        self.table.select(name)
+        self.histograms.select(name)
+        if self.targets.line is None:  # else the next seed on that line would be its sighting
+            self.targets.select(name)
+
+    def _preview_settings(self) -> PreviewSettings:
+        targets = self.targets
+        return PreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
+
+    def _set_title(self) -> None:
+        project = self.document.project
+        self.setWindowTitle("LISPAC" if project is None else f"{project.name}[*] – LISPAC")
+        self.setWindowModified(self.document.is_modified)
+
     def _rename(self, old: str, new: str) -> None:
         self.controller.rename(old, new)
         if new.strip() in self.targets.names:  # still the one that was chosen
@@ -364,6 +418,25 @@ class MainWindow(QMainWindow):
 
     def _toggle_before_after(self) -> None:
         self.computations.show("prior" if self.scene.which == "estimated" else "estimated")
+
+    def copy_state_from(self, former: "MainWindow") -> None:
+        """Take over the fields, choices, open step, view and candidate of a former window."""
+        self.log.copy_state_from(former.log)
+        for before, after in (
+            (former.data, self.data),
+            (former.targets, self.targets),
+            (former.adjust, self.adjust),
+            (former.validate, self.validate),
+        ):
+            copy_fields(before, after)
+        self.workflow.open(former.workflow.opened)
+        if former.controller.candidate is not None:
+            self.controller.set_candidate(former.controller.candidate)
+        self.scene.copy_state_from(former.scene)
+        for name in ("wipe", COLOUR_ACTIONS[former.scene.colouring]):
+            self.actions_[name].setChecked(former.actions_[name].isChecked())
+        if former.tour.is_running:
+            self.tour.resume()
 
     # -- the end -----------------------------------------------------------------------------
 

@@ -1,78 +1,92 @@
 """Refresh of the panels from the document, and availability of the actions."""
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QObject
 
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.project import status
-from lispac.gui.project.computations import PointCount
+from lispac.gui.project.computations import Computations, PointCount
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
 from lispac.gui.project.status import ADJUST, DATA, REPORT, TARGETS, VALIDATE
+from lispac.gui.window.central_widget import CentralWidget
+from lispac.gui.window.panels import Panels
 from lispac.message_texts import message_text
 from lispac.messages import Message
 from lispac.project import Project
 from lispac.workflow.project.survey import Survey
 
-if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
-
 
 class PanelRefresh(QObject):
     """Refreshes the panels and enables the actions after every change."""
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._window = window
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        controller: Controller,
+        computations: Computations,
+        scene: Scene,
+        settings: AppSettings,
+        actions: Actions,
+        panels: Panels,
+        central_widget: CentralWidget,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner, self._controller = document, runner, controller
+        self._computations, self._settings, self._actions = computations, settings, actions
+        self._panels, self._central_widget = panels, central_widget
         self._opening = False
-        window.document.changed.connect(self.refresh)
-        window.document.changed.connect(self._count_points)
-        window.document.modified.connect(lambda _modified: self._set_window_title())
-        window.workflow.step_opened.connect(lambda _step: self.refresh())
-        window.document.opened.connect(self._open_step)
-        window.runner.changed.connect(self._show_task)
-        window.runner.progress_changed.connect(self._show_progress)
-        window.controller.candidate_changed.connect(self._show_candidate)
-        window.computations.counted.connect(self._show_count)
-        window.scene.which_changed.connect(self._show_before_after)
+        document.changed.connect(self.refresh)
+        document.changed.connect(self._count_points)
+        panels.workflow.step_opened.connect(lambda _step: self.refresh())
+        document.modified.connect(actions["save"].setEnabled)
+        document.opened.connect(self._open_step)
+        runner.changed.connect(self._show_task)
+        runner.progress_changed.connect(self._show_progress)
+        controller.candidate_changed.connect(self._show_candidate)
+        computations.counted.connect(self._show_count)
+        scene.which_changed.connect(self._show_before_after)
 
     def refresh(self) -> None:
         """Show the current document in all panels."""
         if self._opening:
             return
-        window = self._window
+        panels = self._panels
         project, survey, statuses = self._project_state()
-        waiting = window.document.awaits_result
-        busy = window.runner.busy
-        window.central_widget.show_view(project is not None)
+        waiting = self._document.awaits_result
+        busy = self._runner.busy
+        self._central_widget.show_view(project is not None)
         if project is None:
-            window.central_widget.start.show_recent(window.settings.recent())
-        window.workflow.show_status(statuses)
-        window.data.show_project(project, survey)
-        window.targets.show_project(project, survey)
-        window.adjust.show_project(project, statuses[ADJUST], busy)
-        window.validate.show_project(project, statuses[VALIDATE], busy)
-        window.report.show_status(statuses[REPORT], survey is not None, busy)
-        window.table.show_project(project, survey)
-        window.results.show_project(
-            project, waiting=waiting, refusal=_reason_text(window.document.refusal),
-            refused_since=window.document.refused_since,
+            self._central_widget.start.show_recent(self._settings.recent())
+        panels.workflow.show_status(statuses)
+        panels.data.show_project(project, survey)
+        panels.targets.show_project(project, survey)
+        panels.adjust.show_project(project, statuses[ADJUST], busy)
+        panels.validate.show_project(project, statuses[VALIDATE], busy)
+        panels.report.show_status(statuses[REPORT], survey is not None, busy)
+        panels.table.show_project(project, survey)
+        panels.results.show_project(
+            project, waiting=waiting, refusal=_reason_text(self._document.refusal),
+            refused_since=self._document.refused_since,
         )  # fmt: skip
-        window.diagnostics.show_project(project, waiting=waiting)
-        window.convention.show_project(project)
-        window.histograms.show_project(project)
+        panels.diagnostics.show_project(project, waiting=waiting)
+        panels.convention.show_project(project)
+        panels.histograms.show_project(project)
         self._enable_controls(statuses, busy)
-        self._set_window_title()
 
     def _open_step(self) -> None:
         """Open the first step that is not done, without refreshing the panels twice."""
         self._opening = True
         try:
-            self._window.workflow.open(self._first_open_step())
+            self._panels.workflow.open(self._first_open_step())
         finally:
             self._opening = False
 
     def _project_state(self) -> tuple[Project | None, Survey | None, tuple[status.StepStatus, ...]]:
-        window = self._window
-        document = window.document
+        document = self._document
         survey = document.survey if document.survey_is_current else None
         statuses = status.step_statuses(
             document.project, survey, waiting=document.awaits_result, refusal=document.refusal,
@@ -81,22 +95,21 @@ class PanelRefresh(QObject):
         return document.project, survey, statuses
 
     def _enable_controls(self, statuses: tuple[status.StepStatus, ...], busy: bool) -> None:
-        window = self._window
-        project, actions = window.document.project, window.actions_
+        project, actions = self._document.project, self._actions
         estimated = project is not None and project.result is not None
         for name, enabled in {
-            "save": window.document.is_modified,
+            "save": self._document.is_modified,
             "new": not busy,
             "open": not busy,
             "demo": not busy,
             "tour": not busy,
             **dict.fromkeys(("add_lines", "save_as"), statuses[DATA].ready and not busy),
             "report": statuses[REPORT].ready and not busy,
-            "accept": window.controller.candidate is not None,
-            "reject": window.controller.candidate is not None,
+            "accept": self._controller.candidate is not None,
+            "reject": self._controller.candidate is not None,
             "estimate": statuses[ADJUST].ready and not busy,
             "validate": statuses[VALIDATE].ready and not busy,
-            "cancel": window.runner.active,
+            "cancel": self._runner.active,
             "before": project is not None,
             "after": estimated,
             "toggle": estimated,
@@ -105,54 +118,41 @@ class PanelRefresh(QObject):
         actions.recent.setEnabled(not busy)
 
     def _show_progress(self) -> None:
-        window = self._window
-        task = window.runner.current
-        window.task_bar.show_task(task)
-        window.adjust.show_task(task if task is not None and task.key == "estimate" else None)
+        task = self._runner.current
+        self._panels.adjust.show_task(task if task is not None and task.key == "estimate" else None)
 
     def _show_task(self) -> None:
-        window = self._window
+        panels = self._panels
         project, survey, statuses = self._project_state()
-        busy = window.runner.busy
-        window.adjust.show_project(project, statuses[ADJUST], busy)
-        window.validate.show_project(project, statuses[VALIDATE], busy)
-        window.report.show_status(statuses[REPORT], survey is not None, busy)
+        busy = self._runner.busy
+        panels.adjust.show_project(project, statuses[ADJUST], busy)
+        panels.validate.show_project(project, statuses[VALIDATE], busy)
+        panels.report.show_status(statuses[REPORT], survey is not None, busy)
         self._enable_controls(statuses, busy)
 
     def _show_candidate(self) -> None:
-        window = self._window
-        candidate, project = window.controller.candidate, window.document.project
+        panels = self._panels
+        candidate, project = self._controller.candidate, self._document.project
         if candidate is not None:
-            window.workflow.open(TARGETS)
-        window.targets.show_candidate(candidate, project)
+            panels.workflow.open(TARGETS)
+        panels.targets.show_candidate(candidate, project)
         if candidate is not None:
-            window.workflow.scroll_to(window.targets.candidate)
+            panels.workflow.scroll_to(panels.targets.candidate)
         for name in ("accept", "reject"):
-            window.actions_[name].setEnabled(candidate is not None)
+            self._actions[name].setEnabled(candidate is not None)
 
     def _show_count(self, count: PointCount) -> None:
-        window = self._window
-        window.adjust.show_count(count.kept, count.total, count.sightings, count.reason)
+        self._panels.adjust.show_count(count.kept, count.total, count.sightings, count.reason)
 
     def _count_points(self) -> None:
-        window = self._window
-        window.computations.count(window.adjust.subsample)
+        self._computations.count(self._panels.adjust.subsample)
 
     def _show_before_after(self, which: str) -> None:
-        window = self._window
-        window.validate.show_before_after(which)
-        window.actions_["after" if which == "estimated" else "before"].setChecked(True)
-
-    def _set_window_title(self) -> None:
-        window = self._window
-        project = window.document.project
-        window.setWindowTitle("LISPAC" if project is None else f"{project.name}[*] – LISPAC")
-        window.setWindowModified(window.document.is_modified)
-        window.actions_["save"].setEnabled(window.document.is_modified)
+        self._panels.validate.show_before_after(which)
+        self._actions["after" if which == "estimated" else "before"].setChecked(True)
 
     def _first_open_step(self) -> int:
-        window = self._window
-        project = window.document.project
+        project = self._document.project
         if project is None:
             return DATA
         if not project.targets_of_role("target"):

@@ -19,7 +19,6 @@ from lispac.gui.appearance import theme, units
 from lispac.gui.viewport.base import Viewport
 from lispac.gui.window.dialogs import Dialogs
 from lispac.gui.window.main_window import MainWindow
-from lispac.gui.window.window_state import transfer_window_state
 from lispac.io.project.project_file import UNSAVED_NAME
 
 THEME_DELAY_MS = 500
@@ -63,8 +62,7 @@ class Session(QObject):
         document = None if former is None else former.document.copy_for_new_window()
         window = MainWindow(self._viewport(), self._settings, self._dialogs, document)
         if former is not None:
-            window.log.copy_state_from(former.log)
-            transfer_window_state(former, window)
+            window.copy_state_from(former)
         # Queued: the action that asks for it belongs to the window that goes.
         window.renewal_requested.connect(self.rebuild_window, Qt.ConnectionType.QueuedConnection)
         show_window_and_docks(window, window.docks)

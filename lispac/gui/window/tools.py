@@ -1,15 +1,18 @@
 """Tools for inspection: sections, measurements, clip box, lasso, comparison, patch test."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QWidget
 
+from lispac.gui.app.actions import Actions
 from lispac.gui.app.docks import raise_panel
 from lispac.gui.app.mouse_tool import MouseTool
+from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.features.inspect.before_after_wipe import BeforeAfterWipe
 from lispac.gui.features.inspect.clipping import ClipBoxController
 from lispac.gui.features.inspect.clipping_panel import TITLE as CLIPPING
+from lispac.gui.features.inspect.dialogs import PictureDialogs
 from lispac.gui.features.inspect.measurements import Measurements
 from lispac.gui.features.inspect.picture_export import PictureExport
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
@@ -19,55 +22,55 @@ from lispac.gui.features.patch_test.panel import TITLE as PATCH_TEST
 from lispac.gui.features.pick_targets.hover_preview import HoverPreview, PreviewSettings
 from lispac.gui.features.pick_targets.lasso import Lasso
 from lispac.gui.features.pick_targets.target_actions import TargetRoles
-
-if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
+from lispac.gui.project.computations import Computations
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
+from lispac.gui.viewport.base import Viewport
 
 
 class InspectionTools(QObject):
     """Creates the tools and connects them with the window."""
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._window = window
-        view, actions, note = window.viewport, window.actions_, window.controller.logged.emit
-        self.mouse_tool = MouseTool(view, actions)
-        self.measurements = Measurements(view, actions, self.mouse_tool, note)
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        viewport: Viewport,
+        computations: Computations,
+        controller: Controller,
+        dialogs: PictureDialogs,
+        actions: Actions,
+        preview_settings: Callable[[], PreviewSettings],
+    ) -> None:
+        super().__init__(actions)
+        note, refuse = controller.logged.emit, controller.refused.emit
+        self.mouse_tool = MouseTool(viewport, actions)
+        self.measurements = Measurements(viewport, actions, self.mouse_tool, note)
         self.sections = SectionTool(
-            window.document,
-            window.runner,
-            window.scene,
-            view,
-            actions,
-            self.mouse_tool,
-            raise_panel,
+            document, runner, scene, viewport, actions, self.mouse_tool, raise_panel
         )
-        self.curtain = BeforeAfterWipe(
-            window.document, window.scene, window.computations, view, actions, note
-        )
-        self.clipping = ClipBoxController(window.scene, view, actions, raise_panel, note)
-        self.patch_test_controller = PatchTestController(window, raise_panel)
+        self.curtain = BeforeAfterWipe(document, scene, computations, viewport, actions, note)
+        self.clipping = ClipBoxController(scene, viewport, actions, raise_panel, note)
+        self.patch_test_controller = PatchTestController(
+            document, runner, scene, viewport, controller, actions, self.mouse_tool,
+            lambda: self.clipping.box, raise_panel,
+        )  # fmt: skip
         self.lasso = Lasso(
-            window.document, window.scene, view, actions, self.mouse_tool,
-            lambda: self.clipping.box, note, window.controller.refused.emit,
+            document, scene, viewport, actions, self.mouse_tool, lambda: self.clipping.box, note,
+            refuse,
         )  # fmt: skip
         self.hover_preview = HoverPreview(
-            window.document, window.runner, view, actions, self._preview_settings, window.controller
+            document, runner, viewport, actions, preview_settings, controller
         )
         self.pictures = PictureExport(
-            window.document, window.runner, view, self.sections.panel, actions, window.dialogs,
-            note,
-        )  # fmt: skip
-        self.roles = TargetRoles(
-            window.document, window.scene, actions, note, window.controller.refused.emit
+            document, runner, viewport, self.sections.panel, actions, dialogs, note
         )
-        window.scene.which_changed.connect(lambda _which: self.measurements.restart())
-        window.document.opened.connect(self.mouse_tool.end)
-        window.document.about_to_open.connect(self.clipping.reset)
-
-    def _preview_settings(self) -> PreviewSettings:
-        targets = self._window.targets
-        return PreviewSettings(targets.threshold, targets.radius, targets.shape == "plane")
+        self.roles = TargetRoles(document, scene, actions, note, refuse)
+        scene.which_changed.connect(lambda _which: self.measurements.restart())
+        document.opened.connect(self.mouse_tool.end)
+        document.about_to_open.connect(self.clipping.reset)
 
     @property
     def panels(self) -> dict[str, tuple[QWidget, Qt.DockWidgetArea]]:

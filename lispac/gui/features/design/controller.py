@@ -4,10 +4,11 @@ import os
 import time
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
 
 from lispac.design.monte_carlo import MIN_SURVEYS, MonteCarloResult
 from lispac.design.objective import CRITERIA, PlanObjective
@@ -20,12 +21,17 @@ from lispac.design.scenarios import (
 )
 from lispac.design.site import Site
 from lispac.errors import LispacError, ProjectError
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.features.design import edits
+from lispac.gui.features.design.dialogs import DesignDialogs
 from lispac.gui.features.design.search import SearchResult
 from lispac.gui.features.design.surveys import SimulationRequest
 from lispac.gui.features.design.window import DesignWindow
 from lispac.gui.features.design.workspace import Workspace
+from lispac.gui.project.document import Document
+from lispac.gui.viewport.base import Viewport
 from lispac.gui.widgets.chart import preload_matplotlib
 from lispac.installation_paths import home_folder
 from lispac.io.config.plan_file import TitledPlan, read_plan, read_site, write_plan
@@ -36,9 +42,6 @@ from lispac.workflow.planning.parallel_map import process_pool_mapper
 from lispac.workflow.planning.plan_checks import result_heading, simulate_surveys, write_field_plan
 from lispac.workflow.planning.plan_comparison import PlanComparison, compare_with_plan
 from lispac.workflow.project.survey import load_survey
-
-if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
 
 MAX_SERIAL_PLANS = 600
 """Plans that are examined sooner than other processes are started."""
@@ -114,14 +117,24 @@ class SiteDesign(QObject):
         Writes field plans, also while a search runs.
     """
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._main, self._dialogs = window, window.dialogs
+    def __init__(
+        self,
+        document: Document,
+        make_viewport: Callable[[], Viewport],
+        dialogs: DesignDialogs,
+        settings: AppSettings,
+        actions: Actions,
+        show_keys: Callable[[], None],
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._make_viewport, self._parent = document, make_viewport, parent
+        self._dialogs, self._settings, self._show_keys = dialogs, settings, show_keys
         self.window: DesignWindow | None = None
         self.workspace = Workspace(self)
         self.runner, self.paper = TaskRunner(self), TaskRunner(self)
         self._path: Path | None = None
-        window.actions_["design"].triggered.connect(lambda _=False: self.open())
+        actions.connect_slots({"design": self.open})
 
     def copy_state_from(self, former: "SiteDesign") -> None:
         """Take over the plan and the results of a former window."""
@@ -135,7 +148,7 @@ class SiteDesign(QObject):
 
     def choose_sensors(self) -> None:
         """Ask for sensors of the library and use their standard deviations in the plan."""
-        chosen = self._dialogs.sensors_of_plan(self._main.settings)
+        chosen = self._dialogs.sensors_of_plan(self._settings)
         if chosen is None or chosen == (None, None):
             return
         self.workspace.edit(
@@ -151,11 +164,11 @@ class SiteDesign(QObject):
         self.window.activateWindow()
 
     def _create_window(self) -> DesignWindow:
-        window = DesignWindow(self.workspace, self._main.viewport.create_empty_viewport, self._main)
+        window = DesignWindow(self.workspace, self._make_viewport, self._parent)
         for name, slot in {
             "new": self.new, "open": self.open_plan, "save": self.save, "save_as": self.save_as,
             "page": self.save_field_plan, "scenarios": self.scenarios, "cancel": self.runner.cancel,
-            "compare": self.compare, "keys": self._dialogs.shortcuts,
+            "compare": self.compare, "keys": self._show_keys,
         }.items():  # fmt: skip
             window.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
         window.search.requested.connect(self.search)
@@ -341,7 +354,7 @@ class SiteDesign(QObject):
     def compare(self) -> None:
         """Compare the survey of the main window with this plan."""
         assert self.window is not None
-        project, survey = self._main.document.project, self._main.document.survey
+        project, survey = self._document.project, self._document.survey
         titled, window = self.workspace.titled, self.window
         try:
             self._require_complete_plan()

@@ -5,24 +5,35 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from lispac.errors import InputError
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.features.export.dialogs import ExportDialogs
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
 from lispac.language import gettext
 from lispac.progress import Progress
 from lispac.project import Project
 
 if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
     from lispac.workflow.output.script import Script
 
 
 class ScriptExport(QObject):
     """Creates the script of the project, shows it and saves it."""
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._document, self._runner = window.document, window.runner
-        self._controller, self._dialogs = window.controller, window.dialogs
-        self._action = window.actions_["script"]
-        self._action.triggered.connect(lambda _=False: self.show_script())
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        controller: Controller,
+        dialogs: ExportDialogs,
+        actions: Actions,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner = document, runner
+        self._controller, self._dialogs = controller, dialogs
+        self._action = actions["script"]
+        actions.connect_slots({"script": self.show_script})
         for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
             moved.connect(self._enable_controls)
         self._enable_controls()

@@ -1,30 +1,43 @@
 """Help > Manual: built in the background if necessary, and opened in the browser."""
 
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QUrl
 from PySide6.QtGui import QDesktopServices
 
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.project.controller import Controller
 from lispac.language import current_language, gettext
 from lispac.progress import Progress
-
-if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
 
 PANELS = "panels"
 """The page that has a part for each step, called ``step-1`` to ``step-5``."""
 
 
 class Manual(QObject):
-    """Opens pages of the manual in the browser."""
+    """Opens pages of the manual in the browser.
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._runner, self._controller = window.runner, window.controller
-        window.actions_["manual"].triggered.connect(lambda _=False: self.open())
-        window.actions_["manual_step"].triggered.connect(
-            lambda _=False: self.open(PANELS, f"step-{window.workflow.opened + 1}")
+    Parameters
+    ----------
+    opened_step : returns the step shown in the window, counted from 0
+    """
+
+    def __init__(
+        self,
+        runner: TaskRunner,
+        controller: Controller,
+        actions: Actions,
+        opened_step: Callable[[], int],
+    ) -> None:
+        super().__init__(actions)
+        self._runner, self._controller = runner, controller
+        actions.connect_slots(
+            {
+                "manual": self.open,
+                "manual_step": lambda: self.open(PANELS, f"step-{opened_step() + 1}"),
+            }
         )
 
     def open(self, page: str = "index", place: str = "") -> None:

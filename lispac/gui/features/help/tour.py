@@ -6,21 +6,21 @@ brings the place into view, and continues when the project shows that the step i
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout
 
 from lispac.gui import widgets
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
 from lispac.gui.project.status import TARGETS
+from lispac.gui.viewport.base import Viewport
 from lispac.language import N_, gettext
 from lispac.project import Project
 from lispac.workflow.calibration.orientation_check import do_targets_face_one_way
 from lispac.workflow.planning.demo import demo_seeds
-
-if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
 
 VIEW_RADIUS = 2.5
 """Metres about a board that are brought into view with it."""
@@ -113,19 +113,30 @@ class TourCard(QFrame):
 class Tour(QObject):
     """Guides the user through the steps of the tour."""
 
-    def __init__(self, window: "MainWindow", card: TourCard) -> None:
-        super().__init__(window)
-        self._window, self._card = window, card
+    def __init__(
+        self,
+        document: Document,
+        scene: Scene,
+        viewport: Viewport,
+        controller: Controller,
+        card: TourCard,
+        may_leave: Callable[[], bool],
+        open_step: Callable[[int], None],
+    ) -> None:
+        super().__init__(controller)
+        self._document, self._scene, self._viewport = document, scene, viewport
+        self._controller, self._card = controller, card
+        self._may_leave, self._open_step = may_leave, open_step
         self._at: int | None = None
         self._text = ""
         self._starting = False
         self._place: str | None = None
         """What is to be brought into view once the lines are drawn."""
         card.ended.connect(self.end)
-        window.document.opened.connect(self._on_project_opened)
-        window.document.changed.connect(self._show_current_step)
-        window.controller.candidate_changed.connect(self._show_current_step)
-        window.scene.drawn.connect(self._view_place)
+        document.opened.connect(self._on_project_opened)
+        document.changed.connect(self._show_current_step)
+        controller.candidate_changed.connect(self._show_current_step)
+        scene.drawn.connect(self._view_place)
 
     @property
     def is_running(self) -> bool:
@@ -134,9 +145,8 @@ class Tour(QObject):
 
     def start(self) -> None:
         """Open the demo without its targets and start the tour."""
-        window = self._window
-        if window.lifecycle.may_leave():
-            window.controller.open_demo(first=self._mark_start)
+        if self._may_leave():
+            self._controller.open_demo(first=self._mark_start)
 
     def _mark_start(self) -> None:
         # Only now: had the demo been cancelled, the next project would lose its targets to the tour
@@ -157,23 +167,22 @@ class Tour(QObject):
         if not starting:
             self.end()
             return
-        document = self._window.document
-        assert document.project is not None
-        if document.project.targets:  # of an earlier visit
-            project = document.project
+        project = self._document.project
+        assert project is not None
+        if project.targets:  # of an earlier visit
             for target in project.targets:
                 project = project.without_target(target.name)
-            document.edit(N_("start of the tour"), project)
-        self._window.workflow.open(TARGETS)
+            self._document.edit(N_("start of the tour"), project)
+        self._open_step(TARGETS)
         self.resume()
 
     def _show_current_step(self) -> None:
-        project = self._window.document.project
+        project = self._document.project
         if self._at is None or project is None:
             return
-        waits = self._window.controller.candidate is not None
+        waits = self._controller.candidate is not None
         at = next(k for k, step in enumerate(STEPS) if not step.done(project, waits))
-        document, text = self._window.document, STEPS[at].text
+        document, text = self._document, STEPS[at].text
         if project.result is None and document.survey_is_current:
             assert document.survey is not None
             text = SAME_ORIENTATION if do_targets_face_one_way(project, document.survey) else text
@@ -181,7 +190,7 @@ class Tour(QObject):
             self._at, self._text = at, text
             self._card.show_step(at, text)
             self._place = STEPS[at].place
-            if not self._window.scene.awaits_lines:
+            if not self._scene.awaits_lines:
                 self._view_place()
 
     def _view_place(self) -> None:
@@ -191,6 +200,6 @@ class Tour(QObject):
         if place:
             centre = np.array(demo_seeds()[place][1])
             corners = centre + VIEW_RADIUS * np.array([[-1.0, 0.0, -1.0], [1.0, 0.0, 1.0]])
-            self._window.viewport.view_along(np.array([0.0, 1.0, 0.0]), corners)
+            self._viewport.view_along(np.array([0.0, 1.0, 0.0]), corners)
         else:
-            self._window.viewport.fit()
+            self._viewport.fit()

@@ -1,18 +1,22 @@
 """Controller of the patch test: objects, angles, and the pictures that depend on them."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QObject, QTimer
 
 from lispac.errors import LispacError
-from lispac.gui.app.tasks import Task
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.mouse_tool import MouseTool
+from lispac.gui.app.tasks import Task, TaskRunner
 from lispac.gui.appearance import theme, units
 from lispac.gui.features.patch_test.angles import RESULT_RANGE_DEG
 from lispac.gui.features.patch_test.objects import PatchObjects
 from lispac.gui.features.patch_test.panel import EMPTY, NO_DATA, PatchTestPanel
-from lispac.gui.viewport.base import Array, Colour, Sketch
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
+from lispac.gui.viewport.base import Array, Colour, Sketch, Viewport
 from lispac.gui.viewport.clipping import EDGES
 from lispac.gui.viewport.clipping import Box as ClipBox
 from lispac.language import N_, gettext
@@ -34,9 +38,6 @@ from lispac.workflow.calibration.patch_test import (
 )
 from lispac.workflow.project.survey import Survey
 
-if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
-
 SKETCH_NAME = "patch"
 ANGLE_NAMES = (N_("roll"), N_("pitch"), N_("yaw"))
 SKETCH_COLOUR: Colour = (0, 150, 90)
@@ -55,12 +56,22 @@ DEBOUNCE_MS = 200
 class PatchTestController(QObject):
     """Holds the objects, and updates the pictures when the angles change."""
 
-    def __init__(self, window: "MainWindow", bring: Callable[[QObject], None]) -> None:
-        super().__init__(window)
-        self._document, self._runner, self._scene = window.document, window.runner, window.scene
-        self._viewport, self._controller = window.viewport, window.controller
-        self._actions, self._bring = window.actions_, bring
-        self._window = window
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        viewport: Viewport,
+        controller: Controller,
+        actions: Actions,
+        mouse_tool: MouseTool,
+        clip_box: Callable[[], ClipBox | None],
+        bring: Callable[[QObject], None],
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner, self._scene = document, runner, scene
+        self._viewport, self._controller = viewport, controller
+        self._actions, self._bring = actions, bring
         self.panel = PatchTestPanel()
         self._laid: PlacedObjects | None = None
         self._result: PatchTestResult | None = None
@@ -74,7 +85,7 @@ class PatchTestController(QObject):
         self._debounce = QTimer(self, singleShot=True, interval=DEBOUNCE_MS)
         self._debounce.timeout.connect(self._compute_curve)
         panel = self.panel
-        window.actions_["patch_test"].triggered.connect(lambda _=False: self.open())
+        actions.connect_slots({"patch_test": self.open})
         panel.remove_requested.connect(self._remove)
         panel.zoom_requested.connect(self._zoom_to_object)
         panel.shown_changed.connect(self._show_object)
@@ -88,7 +99,10 @@ class PatchTestController(QObject):
         self._document.survey_changed.connect(self._reset)
         self._runner.changed.connect(self._enable_controls)
         self._runner.idle.connect(self._when_idle)
-        adding = PatchObjects(window, self.panel, lambda: self._laid)
+        adding = PatchObjects(
+            document, runner, scene, controller, actions, mouse_tool, clip_box, self.panel,
+            lambda: self._laid,
+        )  # fmt: skip
         adding.objects_placed.connect(self._set_objects)
         self._reset()
 

@@ -2,13 +2,18 @@
 
 from collections.abc import Callable
 from itertools import count
-from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from lispac.errors import LispacError
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.mouse_tool import MouseTool
+from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.features.patch_test.panel import PatchTestPanel
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, PickedPoint
 from lispac.gui.viewport.clipping import Box as ClipBox
 from lispac.language import N_, gettext
@@ -17,9 +22,6 @@ from lispac.progress import Progress
 from lispac.project import Project
 from lispac.workflow.calibration.patch_test import PlacedObjects, place_objects, propose_objects
 from lispac.workflow.project.survey import Survey
-
-if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
 
 HINT = N_("Click an object that is visible in two lines, to place a box around it")
 POINT_BOX_SIZE = (2.0, 2.0, 3.0)
@@ -35,6 +37,7 @@ class PatchObjects(QObject):
 
     Parameters
     ----------
+    clip_box : returns the clip box, or None where there is none
     present : the objects there are, or None
     """
 
@@ -43,17 +46,23 @@ class PatchObjects(QObject):
 
     def __init__(
         self,
-        window: "MainWindow",
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        controller: Controller,
+        actions: Actions,
+        mouse_tool: MouseTool,
+        clip_box: Callable[[], ClipBox | None],
         panel: PatchTestPanel,
         present: Callable[[], PlacedObjects | None],
     ) -> None:
-        super().__init__(window)
-        self._window, self._present = window, present
-        self._document, self._runner, self._scene = window.document, window.runner, window.scene
-        self._controller = window.controller
-        window.actions_["patch_point"].triggered.connect(self._toggle_tool)
+        super().__init__(actions)
+        self._mouse_tool, self._clip_box, self._present = mouse_tool, clip_box, present
+        self._document, self._runner, self._scene = document, runner, scene
+        self._controller = controller
+        actions["patch_point"].triggered.connect(self._toggle_tool)
         panel.propose_requested.connect(self.propose)
-        panel.point_requested.connect(window.actions_["patch_point"].trigger)
+        panel.point_requested.connect(actions["patch_point"].trigger)
         panel.target_requested.connect(self._add_target)
         panel.box_requested.connect(self._add_clip_box)
 
@@ -78,14 +87,15 @@ class PatchObjects(QObject):
         self.objects_placed.emit(laid, "")
 
     def _toggle_tool(self, on: bool) -> None:
-        mouse_tool = self._window.tools.mouse_tool
         if not on:
-            mouse_tool.end()
+            self._mouse_tool.end()
             return
-        mouse_tool.begin("patch_point", gettext(HINT), pointed=self._add_point, ended=lambda: None)
+        self._mouse_tool.begin(
+            "patch_point", gettext(HINT), pointed=self._add_point, ended=lambda: None
+        )
 
     def _add_point(self, point: PickedPoint) -> None:
-        self._window.tools.mouse_tool.end()
+        self._mouse_tool.end()
         self._add_box(ObjectBox(np.array(point.position), np.array(POINT_BOX_SIZE)))
 
     def _add_target(self) -> None:
@@ -98,7 +108,7 @@ class PatchObjects(QObject):
         self._add_box(_patch_box(ClipBox.around(points, ahead, TARGET_BOX_MARGIN)))
 
     def _add_clip_box(self) -> None:
-        box = self._window.tools.clipping.box
+        box = self._clip_box()
         if box is None:
             self._controller.logged.emit(
                 gettext("Switch on the clip box (X) and place it around an object.")

@@ -5,6 +5,12 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.features.pick_targets.dialogs import TargetDialogs
+from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
@@ -13,7 +19,6 @@ from lispac.project import Project
 from lispac.workflow.project.survey import Survey
 
 if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
     from lispac.workflow.calibration.seed_lists import SeedOutcome
 
 SeedOutcomes = tuple[Project, tuple["SeedOutcome", ...]]
@@ -22,19 +27,23 @@ SeedOutcomes = tuple[Project, tuple["SeedOutcome", ...]]
 class SeedActions(QObject):
     """Asks for seeds and searches for their targets."""
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._document, self._runner = window.document, window.runner
-        self._controller, self._dialogs = window.controller, window.dialogs
-        self._targets, self._actions = window.targets, window.actions_
-        window.actions_["seed_at"].triggered.connect(lambda _=False: self.type_seed())
-        window.actions_["seed_list"].triggered.connect(lambda _=False: self.list_seeds())
-        window.targets.type_seed.clicked.connect(lambda: self.type_seed())
-        window.targets.list_seeds.clicked.connect(lambda: self.list_seeds())
-        window.lifecycle.list_dropped.connect(self.list_seeds)
-        for changed in (
-            window.document.changed, window.document.survey_changed, window.runner.changed,
-        ):  # fmt: skip
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        controller: Controller,
+        dialogs: TargetDialogs,
+        actions: Actions,
+        panel: TargetsPanel,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner = document, runner
+        self._controller, self._dialogs = controller, dialogs
+        self._targets, self._actions = panel, actions
+        actions.connect_slots({"seed_at": self.type_seed, "seed_list": self.list_seeds})
+        panel.type_seed.clicked.connect(lambda: self.type_seed())
+        panel.list_seeds.clicked.connect(lambda: self.list_seeds())
+        for changed in (document.changed, document.survey_changed, runner.changed):
             changed.connect(self._enable_controls)
         self._enable_controls()
 

@@ -8,7 +8,12 @@ from PySide6.QtCore import QObject
 
 from lispac.errors import LispacError
 from lispac.gui.app.actions import Actions
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.features.pick_targets.dialogs import TargetDialogs
 from lispac.gui.features.pick_targets.sighting_quality import QualityComputation
+from lispac.gui.features.pick_targets.sightings_table import SightingsTable
+from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
+from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.language import N_, gettext
@@ -18,45 +23,39 @@ from lispac.workflow.calibration import edits
 from lispac.workflow.project.survey import Survey
 
 if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
     from lispac.workflow.calibration.proposals import Proposal
 
 
 class TargetActions(QObject):
     """Controls proposals, repeated searches and the quality of targets."""
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._document, self._runner = window.document, window.runner
-        self._controller, self._dialogs = window.controller, window.dialogs
-        self._targets, self._actions = window.targets, window.actions_
-        self.quality_computation = QualityComputation(window.document, window.runner, self)
-        self.quality_computation.qualities_changed.connect(window.table.sightings.show_qualities)
-        self.quality_computation.candidate_rated.connect(
-            window.targets.candidate.lights.show_qualities
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        controller: Controller,
+        dialogs: TargetDialogs,
+        actions: Actions,
+        panel: TargetsPanel,
+        table: SightingsTable,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner = document, runner
+        self._controller, self._dialogs = controller, dialogs
+        self._targets, self._actions = panel, actions
+        self.quality_computation = QualityComputation(document, runner, self)
+        self.quality_computation.qualities_changed.connect(table.sightings.show_qualities)
+        self.quality_computation.candidate_rated.connect(panel.candidate.lights.show_qualities)
+        controller.candidate_changed.connect(
+            lambda: self.quality_computation.rate_candidate(controller.candidate)
         )
-        window.controller.candidate_changed.connect(
-            lambda: self.quality_computation.rate_candidate(window.controller.candidate)
-        )
-        window.controller.accepted.connect(self._select_accepted)
-        self._scene, self._table, self._histograms = window.scene, window.table, window.histograms
-        window.targets.propose_requested.connect(self.propose)
-        window.actions_["propose"].triggered.connect(lambda _=False: self.propose())
-        window.actions_["find_again"].triggered.connect(lambda _=False: self.find_again())
+        panel.propose_requested.connect(self.propose)
+        actions.connect_slots({"propose": self.propose, "find_again": self.find_again})
         for changed in (
-            window.document.changed, window.document.survey_changed, window.runner.changed,
-            window.targets.current_changed,
+            document.changed, document.survey_changed, runner.changed, panel.current_changed,
         ):  # fmt: skip
             changed.connect(self._enable_controls)
         self._enable_controls()
-
-    def _select_accepted(self, name: str) -> None:
-        """Select the accepted target without moving the view."""
-        self._scene.select(name)
-        self._table.select(name)
-        self._histograms.select(name)
-        if self._targets.line is None:  # else the next seed on that line would be its sighting
-            self._targets.select(name)
 
     def propose(self) -> None:
         """Detect planes in all lines and propose targets."""

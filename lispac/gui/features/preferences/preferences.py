@@ -1,18 +1,11 @@
-"""Preferences of the user for all projects: read, stored and applied."""
+"""Preferences of the user for all projects, read and stored."""
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
-
-from lispac.errors import InputError
 from lispac.gui.app.point_colours import Scale
 from lispac.gui.app.settings import POINT_SIZE, THEMES, AppSettings
 from lispac.gui.viewport.decimation import Budget
-
-if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
 
 
 @dataclass(frozen=True)
@@ -73,38 +66,3 @@ class Preferences:
         settings.theme, settings.colour_scale = self.theme, self.scale
         settings.sync()
         settings.cache_folder = self.cache
-
-
-class PreferencesController(QObject):
-    """Asks for preferences and applies them to the window."""
-
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._window = window
-        self._set_point_budget()
-        window.actions_["settings"].triggered.connect(lambda _=False: self.show_dialog())
-
-    def show_dialog(self) -> None:
-        """Show the dialogue and apply the choices; another language or theme renews the window."""
-        window, settings = self._window, self._window.settings
-        before = _appearance(settings)
-        entered = window.dialogs.preferences(Preferences.of(settings), settings)
-        if entered is None:
-            return
-        try:
-            entered.save(settings)
-        except InputError as error:
-            window.controller.refused.emit(error)
-        window.viewport.set_point_size(entered.point_size)
-        self._set_point_budget()
-        window.report.show_choice(settings.report_choice())
-        if _appearance(settings) != before:
-            window.rebuild_window()
-
-    def _set_point_budget(self) -> None:
-        self._window.viewport.set_point_budget(self._window.settings.point_budget)
-
-
-def _appearance(settings: AppSettings) -> tuple[object, ...]:
-    """Settings that a window is made with: language, units, theme, colour scale."""
-    return settings.language, settings.units, settings.theme, settings.colour_scale

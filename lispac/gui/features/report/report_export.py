@@ -11,8 +11,18 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QImage
 
 from lispac.errors import InputError
+from lispac.gui.app.actions import Actions
 from lispac.gui.app.proposed_folders import folder_outside_cache
+from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.features.report.dialogs import ReportDialogs
+from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.report.report_pictures import ReportPictures
+from lispac.gui.project.computations import Computations
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
+from lispac.gui.viewport.base import Viewport
 from lispac.installation_paths import home_folder
 from lispac.language import N_, gettext
 from lispac.messages import error
@@ -23,7 +33,6 @@ from lispac.workflow.project.survey import Survey
 from lispac.workflow.project.survey_dates import survey_dates
 
 if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
     from lispac.report.pdf import Preview
 
 PIXELS_PER_INCH = 96.0
@@ -33,23 +42,36 @@ PIXELS_PER_INCH = 96.0
 class ReportExport(QObject):
     """Asks for the details and options of the report, previews it and writes it."""
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._document, self._dialogs = window.document, window.dialogs
-        self._runner, self._controller = window.runner, window.controller
-        self._photographer = ReportPictures(
-            self._document, self._runner, self._controller, window.scene, window.viewport, self
-        )
-        self._computations = window.computations
-        self._panel, self._settings = window.report, window.settings
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        viewport: Viewport,
+        controller: Controller,
+        computations: Computations,
+        dialogs: ReportDialogs,
+        settings: AppSettings,
+        actions: Actions,
+        panel: ReportPanel,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._dialogs = document, dialogs
+        self._runner, self._controller = runner, controller
+        self._photographer = ReportPictures(document, runner, controller, scene, viewport, self)
+        self._computations = computations
+        self._panel, self._settings = panel, settings
+        self.show_choice()
+        panel.report_requested.connect(self.export)
+        panel.preview_requested.connect(self.preview)
+        panel.template_requested.connect(self.ask_template)
+        panel.details_requested.connect(self.ask_details)
+        panel.changed.connect(self._store_choice)
+        actions.connect_slots({"report": self.export})
+
+    def show_choice(self) -> None:
+        """Show the options of the settings in the panel."""
         self._panel.show_choice(self._settings.report_choice())
-        self._panel.report_requested.connect(self.export)
-        self._panel.preview_requested.connect(self.preview)
-        self._panel.template_requested.connect(self.ask_template)
-        self._panel.changed.connect(self._store_choice)
-        window.actions_["report"].triggered.connect(lambda _=False: self.export())
-        for panel in (window.data, window.report):
-            panel.details_requested.connect(self.ask_details)
 
     def ask_details(self) -> None:
         """Ask for surveyor, dates and equipment, and store them as one undo step."""

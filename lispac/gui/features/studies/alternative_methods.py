@@ -1,10 +1,14 @@
 """Alternative methods for the boresight: their results, and running those without one."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.features.studies.dialogs import StudyDialogs
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
 from lispac.language import N_, gettext
 from lispac.messages import Message
 from lispac.method_comparison import method_results, missing_methods
@@ -13,21 +17,25 @@ from lispac.project import Project
 from lispac.workflow.calibration.method_runs import run_missing_methods
 from lispac.workflow.project.survey import Survey
 
-if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
-
 MissingResults = tuple[Project, Mapping[str, Message]]
 
 
 class AlternativeMethods(QObject):
     """Shows the results of alternative methods and runs those that have none."""
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._document, self._runner = window.document, window.runner
-        self._controller, self._dialogs = window.controller, window.dialogs
-        self._action = window.actions_["methods"]
-        self._action.triggered.connect(lambda _=False: self.compare())
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        controller: Controller,
+        dialogs: StudyDialogs,
+        actions: Actions,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner = document, runner
+        self._controller, self._dialogs = controller, dialogs
+        self._action = actions["methods"]
+        actions.connect_slots({"methods": self.compare})
         for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
             moved.connect(self._enable_controls)
         self._enable_controls()

@@ -4,10 +4,14 @@ Of a result: comparison with a reference, history of calibrations, subsampling s
 and differences between lines.
 """
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QObject
 
+from lispac.gui.app.actions import Actions
+from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.features.studies.dialogs import StudyDialogs
+from lispac.gui.project.controller import Controller
+from lispac.gui.project.document import Document
+from lispac.gui.project.scene import Scene
 from lispac.gui.widgets.chart import preload_matplotlib
 from lispac.installation_paths import home_folder
 from lispac.language import N_, gettext
@@ -26,27 +30,33 @@ from lispac.workflow.checking.line_quality import LineQuality, line_quality
 from lispac.workflow.checking.subsampling import DISTANCES, SubsamplingResult, subsampling_study
 from lispac.workflow.project.survey import Survey
 
-if TYPE_CHECKING:
-    from lispac.gui.window.main_window import MainWindow
-
 
 class Studies(QObject):
     """Runs the studies and shows their results in dialogues."""
 
-    def __init__(self, window: "MainWindow") -> None:
-        super().__init__(window)
-        self._document, self._runner = window.document, window.runner
-        self._controller, self._dialogs = window.controller, window.dialogs
-        self._actions, self._scene = window.actions_, window.scene
-        for name, study in {
-            "check": self.check,
-            "history": self.history,
-            "subsampling": self.subsampling,
-            "budget": self.budget,
-            "line_quality": self.line_quality,
-            "visibility": self.visibility,
-        }.items():
-            self._actions[name].triggered.connect(lambda _=False, study=study: study())
+    def __init__(
+        self,
+        document: Document,
+        runner: TaskRunner,
+        scene: Scene,
+        controller: Controller,
+        dialogs: StudyDialogs,
+        actions: Actions,
+    ) -> None:
+        super().__init__(actions)
+        self._document, self._runner = document, runner
+        self._controller, self._dialogs = controller, dialogs
+        self._actions, self._scene = actions, scene
+        actions.connect_slots(
+            {
+                "check": self.check,
+                "history": self.history,
+                "subsampling": self.subsampling,
+                "budget": self.budget,
+                "line_quality": self.line_quality,
+                "visibility": self.visibility,
+            }
+        )
         for moved in (self._document.changed, self._document.survey_changed, self._runner.changed):
             moved.connect(self._enable_controls)
         self._enable_controls()
