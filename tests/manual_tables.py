@@ -10,6 +10,7 @@ import re
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
+from itertools import chain
 from pathlib import Path
 
 from PySide6.QtWidgets import (
@@ -26,10 +27,9 @@ from PySide6.QtWidgets import (
 from lispac.gui.app import actions
 from lispac.gui.app.language import set_language
 from lispac.gui.app.settings import AppSettings
-from lispac.gui.app.view_actions import KEYS, Menu
 from lispac.gui.features.conventions.convention_panel import ConventionPanel
 from lispac.gui.features.estimate.adjust_panel import AdjustPanel
-from lispac.gui.features.help.about import keys_text
+from lispac.gui.features.help.about import KEYS, keys_text
 from lispac.gui.features.open_project.data_panel import DataPanel
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
@@ -38,6 +38,7 @@ from lispac.gui.features.preferences.settings_dialog import SettingsDialog
 from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.validate.histograms_panel import HistogramsPanel
 from lispac.gui.features.validate.validate_panel import ValidatePanel
+from lispac.gui.window.actions import ALL_ACTIONS
 from lispac.installation_paths import resource_path
 from lispac.io.format_types import FileFormat, FormatOption
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
@@ -248,19 +249,20 @@ def _range(field: QWidget, language: str) -> str:
 
 def _menus(language: str) -> str:
     parts = []
-    for title, names in actions._MENUS.items():
-        rows = list(_entries(names, ""))
-        parts.append(f"### {_bare(gettext(title))}\n\n{_table(MENUS[language], rows)}")
+    for name, menu in actions.MENUS.items():
+        if not menu.menu:
+            rows = list(_entries(name, ""))
+            parts.append(f"### {_bare(gettext(menu.title))}\n\n{_table(MENUS[language], rows)}")
     return "\n".join(parts)
 
 
-def _entries(names: Menu, under: str) -> Iterator[tuple[str, ...]]:
-    for name in names:
-        if isinstance(name, tuple):
-            yield from _entries(name[1], f"{under}{_bare(gettext(name[0]))} > ")
-        elif name in actions._ACTIONS:
-            keys = actions._ACTIONS[name][3]
-            text, tip = actions.action_texts(name)
+def _entries(menu: str, under: str) -> Iterator[tuple[str, ...]]:
+    for name in chain.from_iterable(actions.menu_groups(menu, ALL_ACTIONS.values())):
+        if name in actions.MENUS:
+            yield from _entries(name, f"{under}{_bare(gettext(actions.MENUS[name].title))} > ")
+        else:
+            keys = ALL_ACTIONS[name].keys
+            text, tip = ALL_ACTIONS[name].texts
             first = keys[0] if isinstance(keys, tuple) else keys
             shown = STANDARD.get(first, first)
             shown = shown.replace("Shift", "Maj") if current_language() == "fr" else shown

@@ -7,8 +7,8 @@ import pytest
 from PySide6.QtGui import QColor
 
 from lispac.gui.app.point_colours import COLOURINGS, SCALES, Scale, point_shading, set_colour_scale
-from lispac.gui.app.view_actions import COLOUR_ACTIONS
 from lispac.gui.appearance.colour_schemes import DARK, LIGHT
+from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
 from tests.gui.support import Demo, Driver, Key, press
 
 

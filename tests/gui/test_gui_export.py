@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QDialogButtonBox
 from pytestqt.qtbot import QtBot
 
 from lispac.gui.app.actions import dialog_title
+from lispac.gui.features.export.actions import ACTIONS
 from lispac.gui.features.export.export_dialog import CONTENTS, DELAY_MS, ExportDialog
 from lispac.project import LineSource, Project, Settings
 from lispac.workflow.output.export_request import ENDINGS, ExportRequest
@@ -38,7 +39,7 @@ def ok(dialog: ExportDialog):
 
 def test_proposes_the_zone_and_says_what_it_means(dialog: ExportDialog, demo: Demo) -> None:
     asked = dialog.request()
-    assert dialog.windowTitle() == dialog_title("lines")
+    assert dialog.windowTitle() == dialog_title(ACTIONS["lines"])
     assert asked.system == utm_zone(demo.survey.trajectory)
     assert (asked.what, asked.which, asked.form) == ("lines", "estimated", "laz")
     assert asked.output == dialog._project.folder / "export"

@@ -10,10 +10,11 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.app import actions
+from lispac.gui.app.actions import MENUS
 from lispac.gui.app.language import set_language
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.project.status import STEPS
+from lispac.gui.window.actions import ALL_ACTIONS
 from lispac.gui.window.main_window import MainWindow
 from lispac.gui.window.session import Session
 from lispac.language import gettext
@@ -84,7 +85,8 @@ def test_the_french_page_has_the_same_steps_by_their_french_names() -> None:
         steps_of(page(language, "tutorial").read_text(encoding="utf-8")) for language in REPORTS
     )
     assert [step.kind for step in french] == [step.kind for step in english]
-    texts = [text for text, *_ in actions._ACTIONS.values()] + list(actions._MENUS)
+    texts = [each.text for each in ALL_ACTIONS.values()]
+    texts += [menu.title for menu in MENUS.values() if not menu.menu]
     numbered = [f"{k + 1} {name}" for k, name in enumerate(STEPS)]
     set_language("fr")
     try:

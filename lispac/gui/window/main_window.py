@@ -14,7 +14,6 @@ from lispac.gui.app.log_file import LOG_NAME as LOG_NAME
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.status_bar import TaskStatusBar
 from lispac.gui.app.tasks import TaskRunner
-from lispac.gui.app.view_actions import COLOUR_ACTIONS, STEP_ACTIONS, THEME_ACTIONS
 from lispac.gui.appearance.theme import without_style_sheet
 from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
 from lispac.gui.features.design.controller import SiteDesign
@@ -24,6 +23,7 @@ from lispac.gui.features.export.data_export import DataExport
 from lispac.gui.features.export.script_export import ScriptExport
 from lispac.gui.features.help.manual import Manual
 from lispac.gui.features.help.tour import Tour
+from lispac.gui.features.inspect.actions import COLOUR_ACTIONS
 from lispac.gui.features.inspect.section_panel import TITLE as SECTION
 from lispac.gui.features.inspect.view_menu import ViewMenu
 from lispac.gui.features.open_project.project_lifecycle import ProjectLifecycle
@@ -47,6 +47,7 @@ from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.gui.widgets import tab_order
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.widgets.file_drops import FileDrops
+from lispac.gui.window.actions import ALL_ACTIONS, STEP_ACTIONS
 from lispac.gui.window.cause_navigation import CauseNavigation
 from lispac.gui.window.central_widget import CentralWidget
 from lispac.gui.window.desktop_notifications import DesktopNotifications
@@ -54,7 +55,7 @@ from lispac.gui.window.dialogs import Dialogs
 from lispac.gui.window.panel_refresh import PanelRefresh
 from lispac.gui.window.panels import Panels
 from lispac.gui.window.tools import InspectionTools
-from lispac.language import current_language, gettext
+from lispac.language import gettext
 
 Area = Qt.DockWidgetArea
 NOTE_MS = 6000
@@ -100,14 +101,12 @@ class MainWindow(QMainWindow):
         self.estimation = Estimation(
             self.document, self.runner, self.scene, self.controller, self.dialogs
         )
+        self.actions_ = Actions(self, self.document.undo_stack, ALL_ACTIONS)
         self.lifecycle = ProjectLifecycle(
-            self.document, self.controller, self.dialogs, self.settings,
-        )  # fmt: skip
-        self.actions_ = Actions(self, self.document.undo_stack)
-        self.actions_["french" if current_language() == "fr" else "english"].setChecked(True)
-        self.actions_[THEME_ACTIONS[self.settings.theme]].setChecked(True)
+            self.document, self.controller, self.dialogs, self.settings, self.actions_
+        )
         self.view_menu = ViewMenu(
-            viewport, self.scene, self.controller, self.actions_, self.settings
+            viewport, self.scene, self.controller, self.computations, self.actions_, self.settings
         )
         self.tools = InspectionTools(
             self.document, self.runner, self.scene, viewport, self.computations, self.controller,
@@ -259,21 +258,9 @@ class MainWindow(QMainWindow):
         data.new_requested.connect(self.lifecycle.new)
         data.open_requested.connect(self.lifecycle.open)
         data.demo_requested.connect(self.lifecycle.demo)
-        targets.accepted.connect(control.accept)
-        targets.rejected.connect(control.reject)
         targets.renamed.connect(self._rename)
-        targets.removed.connect(control.remove)
-        targets.used_changed.connect(control.use_target)
-        targets.role_changed.connect(
-            lambda role: self.actions_[
-                "seed_validation" if role == "validation" else "seed_target"
-            ].setChecked(True)
-        )
         targets.selected.connect(lambda name: self._select(name, ""))
         self.table.sighting_selected.connect(self._select)
-        self.table.sightings.target_use_changed.connect(control.use_target)
-        self.table.sightings.sighting_use_changed.connect(control.use_sighting)
-        self.table.sightings.line_use_changed.connect(control.use_line)
         self.diagnostics.row_activated.connect(self._select)
         self.histograms.plane_selected.connect(self.table.select)
         self.adjust.subsample_changed.connect(self.computations.count)
@@ -287,36 +274,22 @@ class MainWindow(QMainWindow):
 
     def _connect_actions(self) -> None:
         actions = self.actions_
-        for name, slot in {
-            "new": self.lifecycle.new,
-            "open": self.lifecycle.open,
-            "demo": self.lifecycle.demo,
-            "add_lines": self.lifecycle.add_lines,
-            "save": self.controller.save,
-            "save_as": self.lifecycle.save_as,
-            "quit": self.close,
-            "seed_target": lambda: self._set_seed_role("target"),
-            "seed_validation": lambda: self._set_seed_role("validation"),
-            "accept": self.controller.accept,
-            "reject": self.controller.reject,
-            "estimate": self.adjust.request_estimate,
-            "validate": self.computations.validate,
-            "cancel": self.runner.cancel,
-            "before": lambda: self.computations.show("prior"),
-            "after": lambda: self.computations.show("estimated"),
-            "toggle": self._toggle_before_after,
-            **{name: partial(self.workflow.go_to, k) for k, name in enumerate(STEP_ACTIONS)},
-            "arrange": lambda: docks.restore_default_layout(self, self.docks, self._at_first),
-            "english": lambda: self._set_language("en"),
-            "french": lambda: self._set_language("fr"),
-            **{name: partial(self._set_theme, choice) for choice, name in THEME_ACTIONS.items()},
-            "keys": self.dialogs.shortcuts,
-            "tour": lambda: self.tour.start(),
-            "log_file": self._open_log_file,
-            "about": self.dialogs.about,
-        }.items():
-            actions[name].triggered.connect(lambda _=False, slot=slot: slot())
-        actions.recent.aboutToShow.connect(self._list_recent)
+        actions.connect_slots(
+            {
+                "quit": self.close,
+                "seed_target": lambda: self._set_seed_role("target"),
+                "seed_validation": lambda: self._set_seed_role("validation"),
+                "estimate": self.adjust.request_estimate,
+                "validate": self.computations.validate,
+                "cancel": self.runner.cancel,
+                **{name: partial(self.workflow.go_to, k) for k, name in enumerate(STEP_ACTIONS)},
+                "arrange": lambda: docks.restore_default_layout(self, self.docks, self._at_first),
+                "keys": self.dialogs.shortcuts,
+                "tour": lambda: self.tour.start(),
+                "log_file": self._open_log_file,
+                "about": self.dialogs.about,
+            }
+        )
 
     def _connect_tasks(self) -> None:
         self.document.changed.connect(self.task_bar.clearMessage)  # it concerned the former state
@@ -354,9 +327,6 @@ class MainWindow(QMainWindow):
         if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(file))):
             self._note(gettext("No program is set up to open {file}.", file=file))
 
-    def _list_recent(self) -> None:
-        self.lifecycle.list_recent(self.actions_.recent)
-
     def _set_seed_role(self, role: str) -> None:
         self.targets.set_role(role)
         self.workflow.open(status.TARGETS)
@@ -393,16 +363,6 @@ class MainWindow(QMainWindow):
         if new.strip() in self.targets.names:  # still the one that was chosen
             self._select(new.strip(), "")
 
-    def _set_language(self, language: str) -> None:
-        if language != self.settings.language:
-            self.settings.language = language
-            self.rebuild_window()
-
-    def _set_theme(self, choice: str) -> None:
-        if choice != self.settings.theme:
-            self.settings.theme = choice
-            self.rebuild_window()
-
     def rebuild_window(self) -> None:
         """Request a new window with the language and theme of the settings, once no task runs."""
         for runner in (self.runner, *self.site_design.runners):
@@ -415,9 +375,6 @@ class MainWindow(QMainWindow):
                 runner.idle.connect(self.rebuild_window, Qt.ConnectionType.SingleShotConnection)
                 return
         self.renewal_requested.emit()
-
-    def _toggle_before_after(self) -> None:
-        self.computations.show("prior" if self.scene.which == "estimated" else "estimated")
 
     def copy_state_from(self, former: "MainWindow") -> None:
         """Take over the fields, choices, open step, view and candidate of a former window."""

@@ -21,6 +21,7 @@ from lispac.errors import InputError, LispacError
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
+from lispac.gui.features.export.actions import ACTIONS
 from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.system_choice import DELAY_MS, HEIGHTS, HEIGHTS_TIP, system_box, system_text
 from lispac.installation_paths import expand_user
@@ -68,7 +69,7 @@ class ExportDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("export_dialog")
-        self.setWindowTitle(dialog_title("targets" if what == "planes" else what))
+        self.setWindowTitle(dialog_title(ACTIONS["targets" if what == "planes" else what]))
         self._project, self._trajectory = project, trajectory
         self.what = widgets.ChoiceBox(
             "export_what", [gettext(each) for each in CONTENTS.values()], gettext("Data to export")

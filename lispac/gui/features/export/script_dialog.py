@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QPlainTextEdit, QWidget
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
+from lispac.gui.features.export.actions import ACTIONS
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 
@@ -34,7 +35,7 @@ class ScriptDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("script_dialog")
-        self.setWindowTitle(dialog_title("script"))
+        self.setWindowTitle(dialog_title(ACTIONS["script"]))
         self._save = save
         layout = widgets.vertical_layout(self, 16)
         layout.addWidget(widgets.label(gettext(INTRODUCTION), wrap=True))

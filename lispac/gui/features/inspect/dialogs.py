@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions
+from lispac.gui.features.inspect.actions import ACTIONS
 
 
 class PictureDialogs(Questions):
@@ -16,7 +17,7 @@ class PictureDialogs(Questions):
         """File for a picture; its suffix, or the chosen filter, sets the format."""
         filters = ";;".join(f"{kind} (*.{kind.lower()})" for kind in kinds)
         name, chosen = QFileDialog.getSaveFileName(
-            self.parent, dialog_title("picture"), str(start), filters
+            self.parent, dialog_title(ACTIONS["picture"]), str(start), filters
         )
         if not name:
             return None

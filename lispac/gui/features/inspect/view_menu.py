@@ -1,4 +1,4 @@
-"""Actions of the View menu: standard views, size and colours of the points."""
+"""Actions of the View menu: before and after, standard views, size and colours of the points."""
 
 import numpy as np
 from PySide6.QtCore import QObject
@@ -6,7 +6,8 @@ from PySide6.QtCore import QObject
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.point_colours import COLOURINGS, Colouring
 from lispac.gui.app.settings import POINT_SIZES, AppSettings
-from lispac.gui.app.view_actions import COLOUR_ACTIONS, VIEWS
+from lispac.gui.features.inspect.actions import COLOUR_ACTIONS, VIEWS
+from lispac.gui.project.computations import Computations
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, Viewport
@@ -24,6 +25,7 @@ class ViewMenu(QObject):
         viewport: Viewport,
         scene: Scene,
         controller: Controller,
+        computations: Computations,
         actions: Actions,
         settings: AppSettings,
     ) -> None:
@@ -32,6 +34,11 @@ class ViewMenu(QObject):
         self._actions, self._settings = actions, settings
         viewport.set_point_size(settings.point_size)
         slots = {
+            "before": lambda: computations.show("prior"),
+            "after": lambda: computations.show("estimated"),
+            "toggle": lambda: computations.show(
+                "prior" if scene.which == "estimated" else "estimated"
+            ),
             "fit": viewport.fit,
             "larger": lambda: self._resize_points(+1),
             "smaller": lambda: self._resize_points(-1),
@@ -44,8 +51,7 @@ class ViewMenu(QObject):
             slots[name] = lambda name=name: viewport.view(name)
         for name in COLOURINGS:
             slots[COLOUR_ACTIONS[name]] = lambda name=name: self._colour_by(name)
-        for name, slot in slots.items():
-            actions[name].triggered.connect(lambda _=False, slot=slot: slot())
+        actions.connect_slots(slots)
 
     def _resize_points(self, by: int) -> None:
         pixels = min(max(self._settings.point_size + by, POINT_SIZES[0]), POINT_SIZES[-1])

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QFileDialog
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions, run_dialog
 from lispac.gui.app.settings import AppSettings
+from lispac.gui.features.open_project.actions import ACTIONS
 from lispac.gui.features.open_project.import_survey.import_dialog import (
     AddLinesDialog,
     ImportDialog,
@@ -52,7 +53,7 @@ class ProjectDialogs(Questions):
         """File of a project to open."""
         name, _ = QFileDialog.getOpenFileName(
             self.parent,
-            dialog_title("open"),
+            dialog_title(ACTIONS["open"]),
             str(start),
             gettext("LISPAC project (project.json *.lispac)"),
         )
@@ -62,7 +63,7 @@ class ProjectDialogs(Questions):
         """Ask for a new folder for the project; ``start`` is proposed."""
         name, _ = QFileDialog.getSaveFileName(
             self.parent,
-            gettext("{title} (name of the new folder)", title=dialog_title("save_as")),
+            gettext("{title} (name of the new folder)", title=dialog_title(ACTIONS["save_as"])),
             str(start),
             gettext("Folder (*)"),
             # Nothing is overwritten: existing projects and files are refused

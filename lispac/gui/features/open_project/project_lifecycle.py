@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QMenu
 
 from lispac.errors import InputError
+from lispac.gui.app.actions import Actions
 from lispac.gui.app.proposed_folders import folder_outside_cache
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.features.open_project.dialogs import ProjectDialogs
@@ -34,11 +35,23 @@ class ProjectLifecycle(QObject):
         controller: Controller,
         dialogs: ProjectDialogs,
         settings: AppSettings,
+        actions: Actions,
     ) -> None:
         super().__init__(controller)
         self._document, self._controller = document, controller
         self._dialogs, self._settings = dialogs, settings
         controller.files_missing.connect(self._find_missing_files)
+        actions.connect_slots(
+            {
+                "new": self.new,
+                "open": self.open,
+                "demo": self.demo,
+                "add_lines": self.add_lines,
+                "save": controller.save,
+                "save_as": self.save_as,
+            }
+        )
+        actions.recent.aboutToShow.connect(lambda: self._list_recent(actions.recent))
 
     def may_leave(self) -> bool:
         """Whether the project may be closed; asks if it has unsaved changes."""
@@ -144,7 +157,7 @@ class ProjectLifecycle(QObject):
         if self.may_leave():
             self._controller.open_demo()
 
-    def list_recent(self, menu: QMenu) -> None:
+    def _list_recent(self, menu: QMenu) -> None:
         """Fill the menu of recent projects."""
         menu.clear()
         for folder in self._settings.recent():

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions, run_dialog
+from lispac.gui.features.pick_targets.actions import ACTIONS
 from lispac.gui.features.pick_targets.find_again_dialog import FindAgainDialog
 from lispac.gui.features.pick_targets.proposal_dialog import ProposedTargetsDialog
 from lispac.gui.features.pick_targets.seed_at import SeedDialog
@@ -43,7 +44,7 @@ class TargetDialogs(Questions):
     def seed_list_file(self, start: Path) -> Path | None:
         """A list of target coordinates."""
         name, _ = QFileDialog.getOpenFileName(
-            self.parent, dialog_title("seed_list"), str(start),
+            self.parent, dialog_title(ACTIONS["seed_list"]), str(start),
             ";;".join(
                 [
                     gettext(

@@ -4,6 +4,7 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QHBoxLayout, QLayout, QWidge
 
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
+from lispac.gui.features.pick_targets.actions import ACTIONS
 from lispac.gui.features.pick_targets.search_option_fields import SearchOptionFields
 from lispac.language import gettext
 from lispac.project import Target
@@ -16,7 +17,7 @@ class FindAgainDialog(QDialog):
     def __init__(self, target: Target, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("find_again_dialog")
-        self.setWindowTitle(dialog_title("find_again"))
+        self.setWindowTitle(dialog_title(ACTIONS["find_again"]))
         layout = widgets.vertical_layout(self, 16)
         layout.setSizeConstraint(QLayout.SizeConstraint.SetFixedSize)  # adapts to the folded part
         introduction = gettext(

@@ -17,6 +17,7 @@ from lispac.adjustment.result import ANGLES
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme, units
+from lispac.gui.features.pick_targets.actions import ACTIONS
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
 from lispac.workflow.calibration.proposals import Proposal
@@ -31,7 +32,7 @@ class ProposedTargetsDialog(QDialog):
     def __init__(self, proposal: Proposal, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("proposal_dialog")
-        self.setWindowTitle(dialog_title("propose"))
+        self.setWindowTitle(dialog_title(ACTIONS["propose"]))
         self.resize(860, 420)
         self._proposal = proposal
         layout = widgets.vertical_layout(self, 16)

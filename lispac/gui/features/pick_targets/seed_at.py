@@ -8,6 +8,7 @@ from lispac.errors import InputError, ProjectError
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
+from lispac.gui.features.pick_targets.actions import ACTIONS
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.system_choice import CoordinateSystemFields
@@ -62,7 +63,7 @@ class SeedDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("seed_dialog")
-        self.setWindowTitle(dialog_title("seed_at"))
+        self.setWindowTitle(dialog_title(ACTIONS["seed_at"]))
         self.setMinimumWidth(530)
         self._project, self._trajectory, self._seed_options = project, trajectory, seed_options
         self._place: Triple | None = None

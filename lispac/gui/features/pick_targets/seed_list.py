@@ -21,6 +21,7 @@ from lispac.errors import LispacError
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
+from lispac.gui.features.pick_targets.actions import ACTIONS
 from lispac.gui.widgets.error_box import exception_text
 from lispac.gui.widgets.system_choice import CoordinateSystemFields
 from lispac.language import N_, Plural, gettext, number
@@ -52,7 +53,7 @@ class SeedListDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("seed_list_dialog")
-        self.setWindowTitle(f"{dialog_title('seed_list')} – {path.name}")
+        self.setWindowTitle(f"{dialog_title(ACTIONS['seed_list'])} – {path.name}")
         self.resize(900, 560)
         self._path, self._project, self._trajectory = path, project, trajectory
         self._read: SeedList | None = None

@@ -50,7 +50,26 @@ class TargetActions(QObject):
             lambda: self.quality_computation.rate_candidate(controller.candidate)
         )
         panel.propose_requested.connect(self.propose)
-        actions.connect_slots({"propose": self.propose, "find_again": self.find_again})
+        panel.accepted.connect(controller.accept)
+        panel.rejected.connect(controller.reject)
+        panel.removed.connect(controller.remove)
+        panel.used_changed.connect(controller.use_target)
+        panel.role_changed.connect(
+            lambda role: actions[
+                "seed_validation" if role == "validation" else "seed_target"
+            ].setChecked(True)
+        )
+        table.sightings.target_use_changed.connect(controller.use_target)
+        table.sightings.sighting_use_changed.connect(controller.use_sighting)
+        table.sightings.line_use_changed.connect(controller.use_line)
+        actions.connect_slots(
+            {
+                "propose": self.propose,
+                "find_again": self.find_again,
+                "accept": controller.accept,
+                "reject": controller.reject,
+            }
+        )
         for changed in (
             document.changed, document.survey_changed, runner.changed, panel.current_changed,
         ):  # fmt: skip

@@ -10,6 +10,7 @@ from lispac.gui.app.point_colours import Scale
 from lispac.gui.app.settings import POINT_BUDGETS, POINT_SIZES
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.units import ANGLES, LENGTHS
+from lispac.gui.features.preferences.actions import ACTIONS
 from lispac.gui.features.preferences.cache_box import CacheBox
 from lispac.gui.features.preferences.preferences import Preferences
 from lispac.gui.features.preferences.sensor_library import SensorLibraryPage
@@ -51,7 +52,7 @@ class SettingsDialog(QDialog):
     def __init__(self, present: Preferences, sensors: Path, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("settings_dialog")
-        self.setWindowTitle(dialog_title("settings"))
+        self.setWindowTitle(dialog_title(ACTIONS["settings"]))
         self.resize(1180, 640)
         self._folder = sensors
         layout = widgets.vertical_layout(self, 16)

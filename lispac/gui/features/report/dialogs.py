@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions, run_dialog
+from lispac.gui.features.report.actions import ACTIONS
 from lispac.gui.features.report.identity_dialog import IdentityDialog
 from lispac.gui.features.report.preview_dialog import PreviewDialog
 from lispac.identity import Identity
@@ -25,7 +26,7 @@ class ReportDialogs(Questions):
         """File for the report; its suffix, or the chosen filter, sets the format."""
         filters = ";;".join(map(gettext, REPORT_FILTERS))
         name, kind = QFileDialog.getSaveFileName(
-            self.parent, dialog_title("report"), str(start), filters
+            self.parent, dialog_title(ACTIONS["report"]), str(start), filters
         )
         if not name:
             return None

@@ -4,6 +4,7 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
+from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
 from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext
@@ -44,7 +45,7 @@ class BudgetDialog(StudyDialog):
         )
         table = DiagnosticsTable("budget_table", gettext("Error budget"), columns)
         super().__init__(
-            "budget", dialog_title("budget"),
+            "budget", dialog_title(ACTIONS["budget"]),
             gettext(
                 "The table shows the standard deviation of a georeferenced point due to each "
                 "error source, in centimetres. It is propagated with the derivatives used in the "

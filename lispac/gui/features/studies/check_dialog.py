@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import theme
+from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
 from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.gui.widgets.system_choice import HEIGHTS, system_box, system_text
@@ -100,7 +101,7 @@ class CheckDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("check_dialog")
-        self.setWindowTitle(dialog_title("check"))
+        self.setWindowTitle(dialog_title(ACTIONS["check"]))
         self.setMinimumWidth(620)
         self._start = project.folder.parent
         layout = widgets.vertical_layout(self, 16)

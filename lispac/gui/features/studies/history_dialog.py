@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
+from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog, angle_columns
 from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext, short_date
@@ -57,7 +58,7 @@ class HistoryDialog(StudyDialog):
         messages: Sequence[Message],
         parent: QWidget | None = None,
     ) -> None:
-        title = dialog_title("history")
+        title = dialog_title(ACTIONS["history"])
         table = DiagnosticsTable("history_table", title, _columns())
         super().__init__(
             "history", title,

@@ -3,6 +3,7 @@
 from PySide6.QtWidgets import QWidget
 
 from lispac.gui.app.actions import dialog_title
+from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
 from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext
@@ -50,7 +51,7 @@ class LineQualityDialog(StudyDialog):
     """A row for each two lines and orientation of the surfaces, and a map of all places."""
 
     def __init__(self, quality: LineQuality, parent: QWidget | None = None) -> None:
-        title = dialog_title("line_quality")
+        title = dialog_title(ACTIONS["line_quality"])
         table = DiagnosticsTable("line_quality_table", title, _columns())
         super().__init__(
             "line_quality", title, gettext(INTRODUCTIONS[quality.which]), table, parent

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 from lispac.alternative_methods import Method
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
+from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog, angle_columns
 from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import N_, gettext
@@ -82,7 +83,7 @@ class MethodsDialog(StudyDialog):
     ) -> None:
         table = DiagnosticsTable("methods_table", gettext("Results of all methods"), _columns())
         super().__init__(
-            "methods", dialog_title("methods"),
+            "methods", dialog_title(ACTIONS["methods"]),
             gettext(
                 "The alternative methods estimate the boresight from the same lines without the "
                 "targets. If the results agree, they are more reliable. They are saved in the "

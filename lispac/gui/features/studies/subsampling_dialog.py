@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from lispac.gui.app.actions import dialog_title
 from lispac.gui.appearance import units
+from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog, angle_columns
 from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row, number_cell
 from lispac.language import gettext
@@ -19,7 +20,7 @@ class SubsamplingDialog(StudyDialog):
     def __init__(
         self, results: Sequence[SubsamplingResult], used: float, parent: QWidget | None = None
     ) -> None:
-        title = dialog_title("subsampling")
+        title = dialog_title(ACTIONS["subsampling"])
         table = DiagnosticsTable("subsampling_table", title, _columns())
         super().__init__(
             "subsampling", title,

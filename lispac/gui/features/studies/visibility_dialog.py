@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
 from lispac.gui import widgets
 from lispac.gui.app.actions import dialog_title
+from lispac.gui.features.studies.actions import ACTIONS
 from lispac.gui.features.studies.study_dialog import StudyDialog
 from lispac.gui.widgets.diagnostics_table import Cell, Column, DiagnosticsTable, Row
 from lispac.language import N_, gettext
@@ -76,7 +77,7 @@ class VisibilityDialog(StudyDialog):
             "visibility_table", gettext("Best inclination and lines for each error"), columns
         )
         super().__init__(
-            "visibility", dialog_title("visibility"),
+            "visibility", dialog_title(ACTIONS["visibility"]),
             gettext(
                 "One board is scanned on six lines with one systematic error at a time and no "
                 "noise. The chart shows at which inclinations and on which lines the error is "

@@ -26,6 +26,7 @@ from lispac.gui.app.actions import dialog_title
 from lispac.gui.app.questions import Questions
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
+from lispac.gui.features.open_project.actions import ACTIONS
 from lispac.gui.features.open_project.import_survey.drop_area import DropArea
 from lispac.gui.features.open_project.import_survey.file_page import FilePage
 from lispac.gui.features.open_project.import_survey.file_table import FileTable
@@ -76,7 +77,7 @@ class ImportDialog(QDialog):
         """A project that was dropped, to be opened instead."""
         self._own_folder = False
         self.setObjectName("import_dialog")
-        self.setWindowTitle(dialog_title("new"))
+        self.setWindowTitle(dialog_title(ACTIONS["new"]))
         self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
         self.work = ImportWorker(settings.column_mappings(), self)
         self._build()
