@@ -29,7 +29,7 @@ from lispac.gui.app.language import set_language
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.features.conventions.convention_panel import ConventionPanel
 from lispac.gui.features.estimate.adjust_panel import AdjustPanel
-from lispac.gui.features.help.about import KEYS, keys_text
+from lispac.gui.features.help.dialogs import KEYS, keys_text
 from lispac.gui.features.open_project.data_panel import DataPanel
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.features.pick_targets.targets_panel import TargetsPanel

@@ -14,13 +14,13 @@ from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
 from lispac.gui.features.design import edits
 from lispac.gui.features.export.export_dialog import ExportDialog
-from lispac.gui.features.help.about import about_box, shortcuts_box
+from lispac.gui.features.help.dialogs import about_box, shortcuts_box
 from lispac.gui.features.open_project.import_survey.file_page import FilePreview
 from lispac.gui.features.open_project.import_survey.import_dialog import (
     AddLinesDialog,
     ImportDialog,
 )
-from lispac.gui.features.pick_targets.find_again_dialog import FindAgainDialog
+from lispac.gui.features.pick_targets.dialogs import FindAgainDialog
 from lispac.gui.features.pick_targets.seed_at import SeedDialog
 from lispac.gui.features.report.identity_dialog import IdentityDialog
 from lispac.gui.features.studies.budget_dialog import BudgetDialog

@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from lispac.gui.appearance import units
-from lispac.gui.features.help.about import shortcuts_box
+from lispac.gui.features.help.dialogs import shortcuts_box
 from lispac.gui.features.inspect.picture_export import NO_SECTION
 from lispac.gui.features.pick_targets.sightings_table import EDITED
 from lispac.gui.viewport.base import PointColouring

@@ -380,7 +380,7 @@ def test_no_report_is_proposed_into_the_cache(
     """It may be emptied at any time; a project elsewhere keeps its report beside it."""
     folder = adjusted.project.folder
     place = folder.parent if cached else folder / "cache"
-    monkeypatch.setattr("lispac.gui.app.proposed_folders.usable_cache_folder", lambda: place)
+    monkeypatch.setattr("lispac.gui.app.settings.usable_cache_folder", lambda: place)
     adjusted.window.actions_["report"].trigger()
     proposed = adjusted.dialogs.proposed
     assert proposed.name == f"{adjusted.project.name}.pdf"

@@ -177,7 +177,7 @@ def test_no_project_is_proposed_into_the_cache(
     """That of the built-in survey lies there; it is not where one would look for one's own."""
     folder = harbour.project.folder
     place = folder.parent if cached else folder / "cache"
-    monkeypatch.setattr("lispac.gui.app.proposed_folders.usable_cache_folder", lambda: place)
+    monkeypatch.setattr("lispac.gui.app.settings.usable_cache_folder", lambda: place)
     asked: list[Path] = []
     harbour.dialogs.folder_to_save_in = asked.append
     press(harbour, Key.Key_S, Control | Shift)

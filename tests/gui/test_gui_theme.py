@@ -14,7 +14,7 @@ from lispac.gui.app.settings import AppSettings
 from lispac.gui.appearance import theme
 from lispac.gui.appearance.colour_schemes import DARK, LIGHT, ColourScheme, luminance
 from lispac.gui.features.design import edits
-from lispac.gui.features.help.about import about_box
+from lispac.gui.features.help.dialogs import about_box
 from lispac.gui.features.open_project.import_survey.import_dialog import ImportDialog
 from lispac.gui.widgets.chart import Chart, with_inverted_lightness
 from lispac.gui.window.session import THEME_DELAY_MS, Session

@@ -3,7 +3,7 @@
 import numpy as np
 from PySide6.QtWidgets import QLabel
 
-from lispac.gui.features.help.about import shortcuts_box
+from lispac.gui.features.help.dialogs import shortcuts_box
 from lispac.gui.features.inspect.actions import VIEWS
 from lispac.gui.features.inspect.view_menu import NOTHING_SELECTED
 from tests.gui.support import Driver, Key, press

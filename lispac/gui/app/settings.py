@@ -6,9 +6,11 @@ from pathlib import Path
 from PySide6.QtCore import QByteArray, QLocale, QSettings, QStandardPaths
 
 from lispac import caches
+from lispac.caches import usable_cache_folder
 from lispac.gui.app.point_colours import SCALES, Scale
 from lispac.gui.appearance.units import ANGLES, LENGTHS
 from lispac.gui.viewport.decimation import Budget
+from lispac.installation_paths import home_folder
 from lispac.language import LANGUAGES
 from lispac.untrusted_values import json_values
 from lispac.workflow.planning.sensors import user_sensors_folder
@@ -206,3 +208,11 @@ class AppSettings:
     def sync(self) -> None:
         """Write the settings now."""
         self._store.sync()
+
+
+def folder_outside_cache(folder: Path) -> Path:
+    """The folder, or the user's documents if it lies in the cache, which may be emptied."""
+    if not folder.is_relative_to(usable_cache_folder()):
+        return folder
+    documents = QStandardPaths.StandardLocation.DocumentsLocation
+    return Path(QStandardPaths.writableLocation(documents) or home_folder())

@@ -32,8 +32,7 @@ from lispac.gui.features.pick_targets.seeds import SeedActions
 from lispac.gui.features.pick_targets.target_actions import TargetActions
 from lispac.gui.features.preferences.controller import PreferencesController
 from lispac.gui.features.report.report_export import ReportExport
-from lispac.gui.features.studies.alternative_methods import AlternativeMethods
-from lispac.gui.features.studies.studies import Studies
+from lispac.gui.features.studies.studies import AlternativeMethods, Studies
 from lispac.gui.features.warnings.warning_list import WarningList
 from lispac.gui.features.warnings.warnings_panel import TITLE as WARNINGS
 from lispac.gui.features.warnings.warnings_panel import WarningsButton

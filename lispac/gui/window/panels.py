@@ -1,6 +1,10 @@
 """The panels of the window."""
 
 from dataclasses import dataclass, field
+from datetime import datetime
+
+from PySide6.QtGui import QFontDatabase
+from PySide6.QtWidgets import QPlainTextEdit
 
 from lispac.gui.features.conventions.convention_panel import ConventionPanel
 from lispac.gui.features.estimate.adjust_panel import AdjustPanel
@@ -13,8 +17,33 @@ from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.validate.histograms_panel import HistogramsPanel
 from lispac.gui.features.validate.validate_panel import ValidatePanel
 from lispac.gui.features.warnings.warnings_panel import WarningsPanel
-from lispac.gui.window.log_panel import LogPanel
 from lispac.gui.window.workflow_panel import WorkflowPanel
+from lispac.language import N_, gettext
+
+MAX_LINES = 2000
+EMPTY = N_("Actions, assumptions and errors of the program are listed here with their time.")
+
+
+class LogPanel(QPlainTextEdit):
+    """Log messages with their times."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("log")
+        self.setAccessibleName(gettext("Log"))
+        self.setReadOnly(True)
+        self.setPlaceholderText(gettext(EMPTY))
+        self.setMaximumBlockCount(MAX_LINES)
+        self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
+        self.setFrameShape(QPlainTextEdit.Shape.NoFrame)
+
+    def copy_state_from(self, former: "LogPanel") -> None:
+        """Copy the messages of the log of a former window."""
+        self.setPlainText(former.toPlainText())
+
+    def note(self, text: str) -> None:
+        """Add a line."""
+        self.appendPlainText(f"{datetime.now():%H:%M:%S}  {text}")
 
 
 @dataclass(eq=False)

@@ -10,8 +10,7 @@ from PySide6.QtWidgets import QMenu
 
 from lispac.errors import InputError
 from lispac.gui.app.actions import Actions
-from lispac.gui.app.proposed_folders import folder_outside_cache
-from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.settings import AppSettings, folder_outside_cache
 from lispac.gui.features.open_project.dialogs import ProjectDialogs
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document

@@ -12,8 +12,7 @@ from PySide6.QtGui import QImage
 
 from lispac.errors import InputError
 from lispac.gui.app.actions import Actions
-from lispac.gui.app.proposed_folders import folder_outside_cache
-from lispac.gui.app.settings import AppSettings
+from lispac.gui.app.settings import AppSettings, folder_outside_cache
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.features.report.dialogs import ReportDialogs
 from lispac.gui.features.report.report_panel import ReportPanel
