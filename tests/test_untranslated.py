@@ -89,7 +89,6 @@ NOT_SHOWN: dict[str, set[str]] = {
         "person responsible for the calibration",
     },
     "keys": {
-        "str | tuple[str, Menu]",
         "text of a static scan",
     },
     "errors of a programmer, and a label that is in French in every language": {

@@ -1,4 +1,4 @@
-"""Settings that the window stores between runs."""
+"""Settings that the window stores between runs, and folders that it proposes."""
 
 import json
 from pathlib import Path

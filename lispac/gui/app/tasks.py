@@ -220,3 +220,9 @@ class TaskRunner(QObject):
 
 def _ignore(_ignored: object) -> None:
     """Replacement for the functions of an ended task."""
+
+
+def preload_matplotlib() -> None:
+    """Import Matplotlib in the worker, which takes half a second."""
+    import lispac.report.distance_profiles  # noqa: F401
+    import lispac.report.histograms  # noqa: F401

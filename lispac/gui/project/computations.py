@@ -6,11 +6,10 @@ from dataclasses import dataclass, replace
 from PySide6.QtCore import QObject, Signal
 
 from lispac.errors import AdjustmentError, Cancelled
-from lispac.gui.app.tasks import Task, TaskRunner
+from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene, Which
-from lispac.gui.widgets.chart import preload_matplotlib
 from lispac.language import N_, Plural, Template, gettext
 from lispac.message_texts import message_text
 from lispac.progress import Progress
@@ -77,7 +76,7 @@ class Computations(QObject):
     def count(self, subsample: float) -> None:
         """Count the points that a point spacing, metres, would keep; emits `counted`."""
         self._subsample = subsample
-        project, survey = self._current_data()
+        project, survey = self._document.current_data
         sightings = _used_sightings(project)
         total = sum(len(sighting.indices) for sighting in sightings)
         if project is None or survey is None or not sightings or subsample <= 0:
@@ -113,7 +112,7 @@ class Computations(QObject):
 
     def validate(self) -> None:
         """Compare the lines on the validation planes."""
-        project, survey = self._current_data()
+        project, survey = self._document.current_data
         if project is None or survey is None:
             return
 
@@ -142,7 +141,7 @@ class Computations(QObject):
 
     def show(self, which: Which) -> None:
         """Show the lines before or after the adjustment; place them first if necessary."""
-        project, survey = self._current_data()
+        project, survey = self._document.current_data
         if which == "prior" or self._scene.has_estimated:
             self._scene.show(which)
             return
@@ -178,10 +177,6 @@ class Computations(QObject):
             done,
             key=key,
         )
-
-    def _current_data(self) -> tuple[Project | None, Survey | None]:
-        current = self._document.survey_is_current
-        return self._document.project, self._document.survey if current else None
 
     def _count_again(self) -> None:
         last = self._counting

@@ -10,12 +10,11 @@ from lispac.caches import DEMO, usable_cache_folder
 from lispac.duplicate_targets import project_warnings
 from lispac.errors import LispacError, ProjectChanged
 from lispac.gui.app.settings import AppSettings
-from lispac.gui.app.tasks import Task, TaskRunner
+from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.project.seed_options import SeedOptions
 from lispac.gui.viewport.base import PickedPoint
-from lispac.gui.widgets.chart import preload_matplotlib
 from lispac.language import N_, Plural, gettext
 from lispac.message_texts import message_text
 from lispac.messages import Message, error

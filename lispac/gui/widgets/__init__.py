@@ -1,4 +1,4 @@
-"""Small building blocks of the panels."""
+"""Widgets of the panels and dialogues; the small ones are in this module."""
 
 from collections.abc import Sequence
 from html import escape

@@ -121,12 +121,6 @@ changes are painted first, and keys are handled between its parts."""
 WHITE = "white"
 
 
-def preload_matplotlib() -> None:
-    """Import Matplotlib in the worker, which takes half a second."""
-    import lispac.report.distance_profiles  # noqa: F401
-    import lispac.report.histograms  # noqa: F401
-
-
 class _Renderer(RendererAgg):
     """The Agg renderer, which can be interrupted during the layout of texts."""
 

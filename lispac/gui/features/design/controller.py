@@ -23,7 +23,7 @@ from lispac.design.site import Site
 from lispac.errors import LispacError, ProjectError
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.settings import AppSettings
-from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.app.tasks import TaskRunner, preload_matplotlib
 from lispac.gui.features.design import edits
 from lispac.gui.features.design.dialogs import DesignDialogs
 from lispac.gui.features.design.search import SearchResult
@@ -32,7 +32,6 @@ from lispac.gui.features.design.window import DesignWindow
 from lispac.gui.features.design.workspace import Workspace
 from lispac.gui.project.document import Document
 from lispac.gui.viewport.base import Viewport
-from lispac.gui.widgets.chart import preload_matplotlib
 from lispac.installation_paths import home_folder
 from lispac.io.config.plan_file import TitledPlan, read_plan, read_site, write_plan
 from lispac.language import N_, gettext, gettext_lazy

@@ -1,4 +1,4 @@
-"""Panel of the predicted precision of the plan."""
+"""Panel of the predicted precision of the plan, which is computed in the background."""
 
 from dataclasses import dataclass
 from html import escape

@@ -1,4 +1,4 @@
-"""Panel of simulated surveys, which check the predicted standard deviations."""
+"""Panel of simulated surveys, which check the predicted standard deviations, and its table."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

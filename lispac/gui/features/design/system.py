@@ -1,4 +1,4 @@
-"""Form of the survey system: POS, scanner and stochastic model of the POS errors."""
+"""Form of the survey system: POS, scanner and their errors; choice of sensors of the library."""
 
 from dataclasses import replace
 from math import isclose

@@ -1,4 +1,4 @@
-"""The plan being designed, its selection and its edits."""
+"""The plan being designed, its selection, its edits and their undo history."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace

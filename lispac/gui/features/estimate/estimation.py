@@ -8,12 +8,11 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from lispac.errors import Cancelled, LispacError
 from lispac.gui.app.questions import Questions
-from lispac.gui.app.tasks import Task, TaskRunner
+from lispac.gui.app.tasks import Task, TaskRunner, preload_matplotlib
 from lispac.gui.appearance import units
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document, data_key
 from lispac.gui.project.scene import Scene
-from lispac.gui.widgets.chart import preload_matplotlib
 from lispac.language import N_, Plural, gettext, gettext_lazy
 from lispac.message_texts import message_text
 from lispac.messages import Message, error
@@ -121,7 +120,7 @@ class Estimation(QObject):
 
     def estimate(self, settings: Settings, cross_check: bool) -> None:
         """Adjust the boresight with these settings and show the lines placed with it."""
-        project, survey = self._current_data()
+        project, survey = self._document.current_data
         if project is None or survey is None:
             return
         selected_with = project if settings == project.settings else project.with_settings(settings)
@@ -152,10 +151,6 @@ class Estimation(QObject):
     def stop(self) -> None:
         """Stop the timer."""
         self._debounce.stop()
-
-    def _current_data(self) -> tuple[Project | None, Survey | None]:
-        current = self._document.survey_is_current
-        return self._document.project, self._document.survey if current else None
 
     def _on_project_opened(self) -> None:
         project = self._document.project
@@ -194,7 +189,7 @@ class Estimation(QObject):
         self._debounce.start()
 
     def _estimate_again(self) -> None:
-        project, survey = self._current_data()
+        project, survey = self._document.current_data
         if project is None or survey is None or not self._document.awaits_result:
             return
         if self._runner.busy:
@@ -244,7 +239,7 @@ class Estimation(QObject):
         last, self._checking = self._checking, None
         if last is not None and last.cancel.is_set() and not last.superseded:
             self._unchecked = None  # cancelled by hand
-        (project, survey), selection = self._current_data(), self._selection
+        (project, survey), selection = self._document.current_data, self._selection
         if project is None or project is not self._unchecked or survey is None:
             return
         if selection is None or not selection.covers_sightings(project, survey):

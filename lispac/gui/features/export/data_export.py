@@ -58,8 +58,8 @@ class DataExport(QObject):
 
     def _write(self, request: ExportRequest) -> None:
         """Export lines, targets or the trajectory to files."""
-        project, survey = self._document.project, self._document.survey
-        if project is None or survey is None or not self._document.survey_is_current:
+        project, survey = self._document.current_data
+        if project is None or survey is None:
             return
 
         def work(progress: Progress) -> tuple[list[Path], tuple[Message, ...]]:

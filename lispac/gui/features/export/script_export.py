@@ -40,8 +40,8 @@ class ScriptExport(QObject):
 
     def show_script(self) -> None:
         """Create the script of the current project and show it."""
-        project, survey = self._document.project, self._document.survey
-        if project is None or survey is None or not self._document.survey_is_current:
+        project, survey = self._document.current_data
+        if project is None or survey is None:
             return
 
         def work(progress: Progress) -> "Script":

@@ -1,4 +1,4 @@
-"""Dialogues about the program."""
+"""Dialogues about the program and about its mouse and keyboard commands."""
 
 import platform
 

@@ -8,14 +8,13 @@ from PySide6.QtCore import QObject
 from lispac.errors import LispacError
 from lispac.gui.app.actions import Actions
 from lispac.gui.app.mouse_tool import MouseTool
-from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.app.tasks import TaskRunner, preload_matplotlib
 from lispac.gui.appearance import theme
 from lispac.gui.features.inspect.section_panel import EMPTY, SectionPanel
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
 from lispac.gui.viewport.base import Array, Colour, PickedPoint, Sketch, Viewport
 from lispac.gui.viewport.clipping import EDGES, Box
-from lispac.gui.widgets.chart import preload_matplotlib
 from lispac.language import N_, gettext
 from lispac.progress import Progress
 from lispac.targets.cross_section import Section

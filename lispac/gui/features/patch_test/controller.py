@@ -28,7 +28,6 @@ from lispac.patchtest.object_boxes import ObjectBox, PatchObject
 from lispac.patchtest.object_sample import ObjectSample
 from lispac.patchtest.patch_test_result import PatchTestResult
 from lispac.progress import Progress
-from lispac.project import Project
 from lispac.workflow.calibration.method_runs import patch_test_result
 from lispac.workflow.calibration.patch_test import (
     PlacedObjects,
@@ -307,7 +306,7 @@ class PatchTestController(QObject):
 
     def find_all(self) -> None:
         """Estimate all three angles with their standard deviations."""
-        project, survey = self._current_data()
+        project, survey = self._document.current_data
         if project is None or survey is None or self._laid is None:
             return
         laid, pairs = (
@@ -392,7 +391,7 @@ class PatchTestController(QObject):
 
     def _reset(self) -> None:
         """Discard the objects when the data change."""
-        _, survey = self._current_data()
+        _, survey = self._document.current_data
         if survey is not None and survey is self._survey:
             return
         self._survey, self._laid, self._result = survey, None, None
@@ -406,10 +405,6 @@ class PatchTestController(QObject):
         self._draw_sketch(None)
         self._reset_to_prior()
         self._enable_controls()
-
-    def _current_data(self) -> tuple[Project | None, Survey | None]:
-        current = self._document.survey_is_current
-        return self._document.project, self._document.survey if current else None
 
     def _enable_controls(self) -> None:
         survey = self._survey

@@ -19,9 +19,7 @@ from lispac.gui.viewport.clipping import Box as ClipBox
 from lispac.language import N_, gettext
 from lispac.patchtest.object_boxes import SMALLEST, ObjectBox, object_of_box
 from lispac.progress import Progress
-from lispac.project import Project
 from lispac.workflow.calibration.patch_test import PlacedObjects, place_objects, propose_objects
-from lispac.workflow.project.survey import Survey
 
 HINT = N_("Click an object that is visible in two lines, to place a box around it")
 POINT_BOX_SIZE = (2.0, 2.0, 3.0)
@@ -68,7 +66,7 @@ class PatchObjects(QObject):
 
     def propose(self) -> None:
         """Detect objects in the worker."""
-        project, survey = self._current_data()
+        project, survey = self._document.current_data
         if project is None or survey is None:
             return
         task = self._runner.run(
@@ -124,7 +122,7 @@ class PatchObjects(QObject):
 
     def _add_box(self, box: ObjectBox) -> None:
         """Place a box where the lines are displayed."""
-        project, survey = self._current_data()
+        project, survey = self._document.current_data
         if project is None or survey is None:
             return
         before = self._present()
@@ -154,10 +152,6 @@ class PatchObjects(QObject):
 
         task = self._runner.run(gettext("Placing a box"), work, done)
         self._controller.cancel_on_edit(task)
-
-    def _current_data(self) -> tuple[Project | None, Survey | None]:
-        current = self._document.survey_is_current
-        return self._document.project, self._document.survey if current else None
 
 
 def _patch_box(box: ClipBox) -> ObjectBox:

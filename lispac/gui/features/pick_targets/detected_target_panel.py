@@ -1,4 +1,4 @@
-"""The detected target, to be accepted or rejected."""
+"""The detected target with the quality on each line, to be accepted or rejected."""
 
 from collections.abc import Mapping
 

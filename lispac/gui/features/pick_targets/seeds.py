@@ -127,8 +127,8 @@ class SeedActions(QObject):
         self._dialogs.seeds_found(outcomes, len(edited.lines))
 
     def _current_data(self) -> tuple[Project | None, Survey | None]:
-        current = self._document.survey_is_current and not self._runner.busy
-        return self._document.project, self._document.survey if current else None
+        project, survey = self._document.current_data
+        return project, None if self._runner.busy else survey
 
     def _enable_controls(self) -> None:
         ready = self._current_data()[1] is not None

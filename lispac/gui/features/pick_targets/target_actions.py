@@ -1,4 +1,4 @@
-"""Actions on targets besides the click: rate, find again, propose."""
+"""Actions on targets besides the click: rate, find again, propose, change the role."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -139,8 +139,8 @@ class TargetActions(QObject):
         self._controller.logged.emit(gettext("Accepted {targets:names}", targets=accepted))
 
     def _current_data(self) -> tuple[Project | None, Survey | None]:
-        current = self._document.survey_is_current and not self._runner.busy
-        return self._document.project, self._document.survey if current else None
+        project, survey = self._document.current_data
+        return project, None if self._runner.busy else survey
 
     def _enable_controls(self) -> None:
         ready = self._current_data()[1] is not None

@@ -1,4 +1,4 @@
-"""Settings dialogue: preferences for all projects, and the library of sensors."""
+"""Settings dialogue: preferences for all projects, the cache, and the library of sensors."""
 
 from pathlib import Path
 

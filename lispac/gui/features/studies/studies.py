@@ -9,12 +9,11 @@ from collections.abc import Mapping
 from PySide6.QtCore import QObject
 
 from lispac.gui.app.actions import Actions
-from lispac.gui.app.tasks import TaskRunner
+from lispac.gui.app.tasks import TaskRunner, preload_matplotlib
 from lispac.gui.features.studies.dialogs import StudyDialogs
 from lispac.gui.project.controller import Controller
 from lispac.gui.project.document import Document
 from lispac.gui.project.scene import Scene
-from lispac.gui.widgets.chart import preload_matplotlib
 from lispac.installation_paths import home_folder
 from lispac.language import N_, gettext
 from lispac.message_texts import message_text
@@ -88,7 +87,7 @@ class Studies(QObject):
 
     def check(self) -> None:
         """Compare the lines with a static scan or surveyed points, as one undo step."""
-        project, survey = self._current_data()
+        project, survey = self._document.current_data
         if project is None or survey is None:
             return
         request = self._dialogs.check(project, survey.trajectory)
@@ -116,7 +115,7 @@ class Studies(QObject):
 
     def budget(self) -> None:
         """Show the effect of each source of error on a point."""
-        project, survey = self._current_data()
+        project, survey = self._document.current_data
         if project is None or survey is None:
             return
         task = self._runner.run(
@@ -129,7 +128,7 @@ class Studies(QObject):
 
     def line_quality(self) -> None:
         """Show the differences between the lines as they are shown."""
-        project, survey = self._current_data()
+        project, survey = self._document.current_data
         if project is None or survey is None:
             return
         which = self._scene.which
@@ -145,7 +144,7 @@ class Studies(QObject):
 
     def subsampling(self) -> None:
         """Adjust with smaller and larger point spacings."""
-        project, survey = self._current_data()
+        project, survey = self._document.current_data
         if project is None or survey is None:
             return
         used = project.settings.subsample
@@ -174,12 +173,8 @@ class Studies(QObject):
 
         self._runner.run(gettext("Simulating boards"), work, self._dialogs.visibility, modal=True)
 
-    def _current_data(self) -> tuple[Project | None, Survey | None]:
-        current = self._document.survey_is_current
-        return self._document.project, self._document.survey if current else None
-
     def _enable_controls(self) -> None:
-        (project, survey), busy = self._current_data(), self._runner.busy
+        (project, survey), busy = self._document.current_data, self._runner.busy
         ready = survey is not None and not busy
         picked = project is not None and bool(project.targets_of_role("target"))
         estimated = project is not None and project.result is not None
@@ -221,8 +216,8 @@ class AlternativeMethods(QObject):
         ----------
         refused : why a method has no result, by its name
         """
-        project, survey = self._document.project, self._document.survey
-        if project is None or survey is None or not self._document.survey_is_current:
+        project, survey = self._document.current_data
+        if project is None or survey is None:
             return
         run_missing = self._dialogs.methods(
             method_results(project), missing_methods(project), refused or {}

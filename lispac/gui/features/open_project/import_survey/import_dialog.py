@@ -1,4 +1,4 @@
-"""Import dialogue: layout of its parts and connections between them."""
+"""Import dialogues for a new project and for more lines: layout and connection of the parts."""
 
 from collections.abc import Sequence
 from dataclasses import replace
