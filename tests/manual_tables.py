@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from lispac.gui.app import actions
+from lispac.gui.app.actions import Keys, menu_groups
 from lispac.gui.app.language import set_language
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.features.conventions.convention_panel import ConventionPanel
@@ -39,6 +39,7 @@ from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.validate.histograms_panel import HistogramsPanel
 from lispac.gui.features.validate.validate_panel import ValidatePanel
 from lispac.gui.window.actions import ALL_ACTIONS
+from lispac.gui.window.actions import MENUS as WINDOW_MENUS
 from lispac.installation_paths import resource_path
 from lispac.io.format_types import FileFormat, FormatOption
 from lispac.io.formats import ACCURACIES, POINTS, TRAJECTORIES
@@ -56,8 +57,8 @@ WORDS = {
            "habituel"),
 }  # fmt: skip
 STANDARD = {
-    actions.Keys.New: "Ctrl+N", actions.Keys.Open: "Ctrl+O", actions.Keys.Save: "Ctrl+S",
-    actions.Keys.SaveAs: "Ctrl+Shift+S", actions.Keys.Quit: "Ctrl+Q", actions.Keys.Undo: "Ctrl+Z",
+    Keys.New: "Ctrl+N", Keys.Open: "Ctrl+O", Keys.Save: "Ctrl+S",
+    Keys.SaveAs: "Ctrl+Shift+S", Keys.Quit: "Ctrl+Q", Keys.Undo: "Ctrl+Z",
 }  # fmt: skip
 """Keys that the desktop has a say in; these are the usual ones."""
 MENUS = {"en": ("Entry", "Keys", "What it does"), "fr": ("Entrée", "Touches", "Ce qu'elle fait")}
@@ -249,7 +250,7 @@ def _range(field: QWidget, language: str) -> str:
 
 def _menus(language: str) -> str:
     parts = []
-    for name, menu in actions.MENUS.items():
+    for name, menu in WINDOW_MENUS.items():
         if not menu.menu:
             rows = list(_entries(name, ""))
             parts.append(f"### {_bare(gettext(menu.title))}\n\n{_table(MENUS[language], rows)}")
@@ -257,9 +258,9 @@ def _menus(language: str) -> str:
 
 
 def _entries(menu: str, under: str) -> Iterator[tuple[str, ...]]:
-    for name in chain.from_iterable(actions.menu_groups(menu, ALL_ACTIONS.values())):
-        if name in actions.MENUS:
-            yield from _entries(name, f"{under}{_bare(gettext(actions.MENUS[name].title))} > ")
+    for name in chain.from_iterable(menu_groups(menu, ALL_ACTIONS, WINDOW_MENUS)):
+        if name in WINDOW_MENUS:
+            yield from _entries(name, f"{under}{_bare(gettext(WINDOW_MENUS[name].title))} > ")
         else:
             keys = ALL_ACTIONS[name].keys
             text, tip = ALL_ACTIONS[name].texts

@@ -10,11 +10,10 @@ from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from lispac.gui.app.actions import MENUS
 from lispac.gui.app.language import set_language
 from lispac.gui.app.settings import AppSettings
 from lispac.gui.project.status import STEPS
-from lispac.gui.window.actions import ALL_ACTIONS
+from lispac.gui.window.actions import ALL_ACTIONS, MENUS
 from lispac.gui.window.main_window import MainWindow
 from lispac.gui.window.session import Session
 from lispac.language import gettext

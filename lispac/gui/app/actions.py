@@ -1,4 +1,4 @@
-"""Actions of the window: one record each, from which menus, toolbar and shortcuts are made."""
+"""Actions of a window: one record each, from which menus, toolbar and shortcuts are made."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar
 
 from lispac.gui.appearance import theme
-from lispac.language import N_, gettext
+from lispac.language import gettext
 
 Keys = QKeySequence.StandardKey
 Key = str | QKeySequence.StandardKey
@@ -20,7 +20,7 @@ class ActionRecord:
 
     Attributes
     ----------
-    name : name of the action; that of the Qt object begins with ``action_``
+    name : name of the action
     text, tip : menu text and tip, marked with `N_`
     menu : name of the menu, number of the group in it and position in the group
     toolbar : number of the group in the toolbar and position in it; None where it is not there
@@ -62,26 +62,6 @@ class Menu:
     position: int = 0
 
 
-MENUS = {
-    "File": Menu(N_("&File")),
-    "Recent": Menu(N_("Open &recent"), "File", 1, 4),
-    "Edit": Menu(N_("&Edit")),
-    "View": Menu(N_("&View")),
-    "Look from": Menu(N_("&Look from"), "View", 2, 3),
-    "Colour by": Menu(N_("&Colour by"), "View", 3, 3),
-    "Steps": Menu(N_("S&teps"), "View", 5, 2),
-    "Panels": Menu(N_("&Panels"), "View", 5, 3),
-    "Theme": Menu(N_("T&heme"), "View", 5, 4),
-    "Language": Menu(N_("Lan&guage · Langue"), "View", 5, 5),
-    "Inspect": Menu(N_("&Inspect")),
-    "Targets": Menu(N_("&Targets")),
-    "Adjust": Menu(N_("&Adjust")),
-    "Validate": Menu(N_("Va&lidate")),
-    "Help": Menu(N_("&Help")),
-}
-"""Menus and submenus by name; those of the menu bar in their order."""
-
-
 def by_name(*records: ActionRecord) -> dict[str, ActionRecord]:
     """Actions by their names."""
     return {each.name: each for each in records}
@@ -92,11 +72,13 @@ def dialog_title(record: ActionRecord) -> str:
     return record.texts[0].replace("&", "").removesuffix("…").rstrip()
 
 
-def menu_groups(menu: str, records: Iterable[ActionRecord]) -> list[list[str]]:
+def menu_groups(
+    menu: str, records: Mapping[str, ActionRecord], menus: Mapping[str, Menu]
+) -> list[list[str]]:
     """Names of the actions and submenus of a menu, in the groups that lines divide."""
-    places = [(*each.menu[1:], each.name) for each in records if each.menu[0] == menu]
+    places = [(*each.menu[1:], name) for name, each in records.items() if each.menu[0] == menu]
     places += [
-        (each.group, each.position, name) for name, each in MENUS.items() if each.menu == menu
+        (each.group, each.position, name) for name, each in menus.items() if each.menu == menu
     ]
     groups: dict[int, list[str]] = {}
     for group, _, name in sorted(places):
@@ -105,29 +87,29 @@ def menu_groups(menu: str, records: Iterable[ActionRecord]) -> list[list[str]]:
 
 
 class Actions(QObject):
-    """Actions of the window, by name."""
+    """Actions of a window, by name, with its menus and its toolbar.
+
+    Parameters
+    ----------
+    records, menus : by name
+    prefix : beginning of the object names
+    """
 
     def __init__(
-        self, window: QMainWindow, stack: QUndoStack, records: Mapping[str, ActionRecord]
+        self,
+        window: QMainWindow,
+        records: Mapping[str, ActionRecord],
+        menus: Mapping[str, Menu],
+        prefix: str = "action",
     ) -> None:
         super().__init__(window)
-        self._window, self._records = window, records
-        recent = MENUS["Recent"]
-        self.recent = QMenu(gettext(recent.title), window)
-        self.recent.setObjectName("recent_menu")
+        self._window, self._records, self._menus = window, records, menus
+        self._prefix = prefix
+        self.submenus = {
+            name: QMenu(gettext(each.title), window) for name, each in menus.items() if each.menu
+        }
         self._by_name = {name: self._create_action(each) for name, each in records.items()}
         self._create_choices()
-        stack.canUndoChanged.connect(self["undo"].setEnabled)
-        stack.canRedoChanged.connect(self["redo"].setEnabled)
-        stack.undoTextChanged.connect(self._set_undo_text)
-        stack.redoTextChanged.connect(self._set_redo_text)
-        self["undo"].triggered.connect(stack.undo)
-        self["redo"].triggered.connect(stack.redo)
-        # A window made anew begins with the steps of the former one
-        self["undo"].setEnabled(stack.canUndo())
-        self["redo"].setEnabled(stack.canRedo())
-        self._set_undo_text(stack.undoText())
-        self._set_redo_text(stack.redoText())
 
     def __getitem__(self, name: str) -> QAction:
         return self._by_name[name]
@@ -137,45 +119,60 @@ class Actions(QObject):
         for name, slot in slots.items():
             self[name].triggered.connect(lambda _=False, slot=slot: slot())
 
-    def fill_menus(self, docks: Iterable[QAction]) -> None:
-        """Build the menu bar; ``docks`` are the actions of the panels."""
-        self._docks = list(docks)
-        for name, menu in MENUS.items():
+    def connect_undo_stack(self, stack: QUndoStack) -> None:
+        """Connect the actions ``undo`` and ``redo``, with the name of the edit in their texts."""
+        stack.canUndoChanged.connect(self["undo"].setEnabled)
+        stack.canRedoChanged.connect(self["redo"].setEnabled)
+        stack.undoTextChanged.connect(self._set_undo_text)
+        stack.redoTextChanged.connect(self._set_redo_text)
+        self.connect_slots({"undo": stack.undo, "redo": stack.redo})
+        # A window made anew begins with the steps of the former one
+        self["undo"].setEnabled(stack.canUndo())
+        self["redo"].setEnabled(stack.canRedo())
+        self._set_undo_text(stack.undoText())
+        self._set_redo_text(stack.redoText())
+
+    def _set_undo_text(self, edit: str) -> None:
+        self["undo"].setText(gettext("&Undo {edit}", edit=edit) if edit else gettext("&Undo"))
+        self["undo"].setIconText(gettext("Undo"))
+
+    def _set_redo_text(self, edit: str) -> None:
+        self["redo"].setText(gettext("&Redo {edit}", edit=edit) if edit else gettext("&Redo"))
+        self["redo"].setIconText(gettext("Redo"))
+
+    def fill_menus(self, panels: Iterable[QAction] = ()) -> None:
+        """Build the menu bar; ``panels`` are the actions at the top of the menu of the panels."""
+        for action in panels:
+            self.submenus["Panels"].addAction(action)
+        for name, menu in self._menus.items():
             if not menu.menu:
                 self._fill_menu(self._window.menuBar().addMenu(gettext(menu.title)), name)
 
     def _fill_menu(self, menu: QMenu, name: str) -> None:
-        groups = menu_groups(name, self._records.values())
-        if name == "Panels":
-            menu.addActions(self._docks)
-            menu.addSeparator()
-        for k, group in enumerate(groups):
-            if k:
+        for group in menu_groups(name, self._records, self._menus):
+            if not menu.isEmpty():
                 menu.addSeparator()
             for entry in group:
-                if entry == "Recent":
-                    menu.addMenu(self.recent)
-                elif entry in MENUS:
-                    self._fill_menu(menu.addMenu(gettext(MENUS[entry].title)), entry)
+                if entry in self._menus:
+                    menu.addMenu(self.submenus[entry])
+                    self._fill_menu(self.submenus[entry], entry)
                 else:
                     menu.addAction(self[entry])
 
-    def fill_toolbar(self) -> QToolBar:
-        """Build the toolbar."""
-        bar = QToolBar(gettext("Toolbar"), self._window)
-        bar.setObjectName("toolbar")
+    def create_toolbar(self, name: str) -> QToolBar:
+        """Add the toolbar to the window."""
+        bar = self._window.addToolBar(gettext("Toolbar"))
+        bar.setObjectName(name)
         bar.setMovable(False)
         bar.setIconSize(QSize(20, 20))
         bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
-        shown = sorted(
-            (each.toolbar, each.name) for each in self._records.values() if each.toolbar is not None
-        )
-        group = shown[0][0][0]
-        for place, name in shown:
-            if place[0] != group:
+        shown = sorted((each.toolbar, each.name) for each in self._records.values() if each.toolbar)
+        former = shown[0][0]
+        for place, action in shown:
+            if place[0] != former[0]:
                 bar.addSeparator()
-            group = place[0]
-            bar.addAction(self[name])
+            former = place
+            bar.addAction(self[action])
         return bar
 
     def _create_choices(self) -> None:
@@ -190,18 +187,10 @@ class Actions(QObject):
                     action.setChecked(True)
                 groups[record.choice].addAction(action)
 
-    def _set_undo_text(self, edit: str) -> None:
-        self["undo"].setText(gettext("&Undo {edit}", edit=edit) if edit else gettext("&Undo"))
-        self["undo"].setIconText(gettext("Undo"))
-
-    def _set_redo_text(self, edit: str) -> None:
-        self["redo"].setText(gettext("&Redo {edit}", edit=edit) if edit else gettext("&Redo"))
-        self["redo"].setIconText(gettext("Redo"))
-
     def _create_action(self, record: ActionRecord) -> QAction:
         text, tip = record.texts
         action = QAction(text, self._window)
-        action.setObjectName(f"action_{record.name}")
+        action.setObjectName(f"{self._prefix}_{record.name}")
         if record.short:
             action.setIconText(gettext(record.short))
         if record.icon:

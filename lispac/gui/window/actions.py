@@ -1,8 +1,8 @@
-"""Actions of the window and of its steps; all actions."""
+"""Menus of the main window, its own actions, and those of all features."""
 
 from PySide6.QtGui import QKeySequence
 
-from lispac.gui.app.actions import ActionRecord, by_name
+from lispac.gui.app.actions import ActionRecord, Menu, by_name
 from lispac.gui.features.design import actions as design
 from lispac.gui.features.estimate import actions as estimate
 from lispac.gui.features.export import actions as export
@@ -18,6 +18,25 @@ from lispac.gui.features.validate import actions as validate
 from lispac.gui.features.warnings import actions as warnings
 from lispac.gui.project.status import STEP_TITLES
 from lispac.language import N_
+
+MENUS = {
+    "File": Menu(N_("&File")),
+    "Recent": Menu(N_("Open &recent"), "File", 1, 4),
+    "Edit": Menu(N_("&Edit")),
+    "View": Menu(N_("&View")),
+    "Look from": Menu(N_("&Look from"), "View", 2, 3),
+    "Colour by": Menu(N_("&Colour by"), "View", 3, 3),
+    "Steps": Menu(N_("S&teps"), "View", 5, 2),
+    "Panels": Menu(N_("&Panels"), "View", 5, 3),
+    "Theme": Menu(N_("T&heme"), "View", 5, 4),
+    "Language": Menu(N_("Lan&guage · Langue"), "View", 5, 5),
+    "Inspect": Menu(N_("&Inspect")),
+    "Targets": Menu(N_("&Targets")),
+    "Adjust": Menu(N_("&Adjust")),
+    "Validate": Menu(N_("Va&lidate")),
+    "Help": Menu(N_("&Help")),
+}
+"""Menus and submenus by name; those of the menu bar in their order."""
 
 STEP_ACTIONS = by_name(
     *(

@@ -46,7 +46,7 @@ from lispac.gui.viewport.base import PickedPoint, Viewport
 from lispac.gui.widgets import tab_order
 from lispac.gui.widgets.field_transfer import copy_fields
 from lispac.gui.widgets.file_drops import FileDrops
-from lispac.gui.window.actions import ALL_ACTIONS, STEP_ACTIONS
+from lispac.gui.window.actions import ALL_ACTIONS, MENUS, STEP_ACTIONS
 from lispac.gui.window.cause_navigation import CauseNavigation
 from lispac.gui.window.central_widget import CentralWidget
 from lispac.gui.window.desktop_notifications import DesktopNotifications
@@ -100,7 +100,9 @@ class MainWindow(QMainWindow):
         self.estimation = Estimation(
             self.document, self.runner, self.scene, self.controller, self.dialogs
         )
-        self.actions_ = Actions(self, self.document.undo_stack, ALL_ACTIONS)
+        self.actions_ = Actions(self, ALL_ACTIONS, MENUS)
+        self.actions_.submenus["Recent"].setObjectName("recent_menu")
+        self.actions_.connect_undo_stack(self.document.undo_stack)
         self.lifecycle = ProjectLifecycle(
             self.document, self.controller, self.dialogs, self.settings, self.actions_
         )
@@ -201,7 +203,7 @@ class MainWindow(QMainWindow):
         self.task_bar.insertPermanentWidget(0, self.warnings_button)
         self.warnings_button.hide()
         self.setStatusBar(self.task_bar)
-        self.addToolBar(self.actions_.fill_toolbar())
+        self.actions_.create_toolbar("toolbar")
         self.docks = self._create_docks()
         self._at_first = self.saveState()
         # A dock behind another counts as visible; only this signal is reliable.

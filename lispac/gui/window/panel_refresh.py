@@ -115,7 +115,7 @@ class PanelRefresh(QObject):
             "toggle": estimated,
         }.items():
             actions[name].setEnabled(enabled)
-        actions.recent.setEnabled(not busy)
+        actions.submenus["Recent"].setEnabled(not busy)
 
     def _show_progress(self) -> None:
         task = self._runner.current

@@ -164,12 +164,11 @@ class SiteDesign(QObject):
 
     def _create_window(self) -> DesignWindow:
         window = DesignWindow(self.workspace, self._make_viewport, self._parent)
-        for name, slot in {
+        window.actions_.connect_slots({
             "new": self.new, "open": self.open_plan, "save": self.save, "save_as": self.save_as,
             "page": self.save_field_plan, "scenarios": self.scenarios, "cancel": self.runner.cancel,
             "compare": self.compare, "keys": self._show_keys,
-        }.items():  # fmt: skip
-            window.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
+        })  # fmt: skip
         window.search.requested.connect(self.search)
         window.system.library_requested.connect(self.choose_sensors)
         window.search.cancel_requested.connect(self.runner.cancel)

@@ -4,7 +4,6 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import (
     QMainWindow,
     QScrollArea,
@@ -19,8 +18,9 @@ from lispac.design.monte_carlo import MonteCarloResult
 from lispac.design.plan_search import ReductionStep
 from lispac.design.scenarios import OF_THE_THESIS, ScenarioOutcome
 from lispac.gui import widgets
+from lispac.gui.app.actions import Actions
 from lispac.gui.app.status_bar import TaskStatusBar
-from lispac.gui.appearance import theme
+from lispac.gui.features.design.actions import WINDOW_ACTIONS, WINDOW_MENUS
 from lispac.gui.features.design.plan_tables import LinesList, TargetsList
 from lispac.gui.features.design.plan_view import PlanView
 from lispac.gui.features.design.prediction_panel import PredictionPanel
@@ -149,67 +149,6 @@ COMPARE = N_(
     "then press F11 to compare them. Targets are matched by name, lines by heading."
 )
 NOTE_MS = 6000
-Keys = QKeySequence.StandardKey
-
-# name: (text, short text, icon, keys, tip)
-ACTIONS: dict[str, tuple[str, str, str, object, str]] = {
-    "new": (N_("&New survey plan"), N_("New"), "file-outline", Keys.New,
-            N_("Create a survey plan with the targets and lines of Shahraji's thesis")),
-    "open": (N_("&Open survey plan…"), N_("Open"), "folder-open-outline", Keys.Open,
-             N_("Open a survey plan")),
-    "save": (N_("&Save survey plan"), N_("Save"), "content-save-outline", Keys.Save,
-             N_("Save the survey plan")),
-    "save_as": (N_("Save survey plan &as…"), N_("Save as"), "", Keys.SaveAs,
-                N_("Save the survey plan in another file")),
-    "page": (N_("&Field plan…"), N_("Field plan"), "file-document-outline", "Ctrl+E",
-             N_("Save the field plan as PDF: one page with a drawing, the targets and the order "
-                "of the lines")),
-    "close": (N_("&Close"), N_("Close"), "", Keys.Close,
-              N_("Close this window without discarding the survey plan")),
-    "undo": (N_("&Undo"), N_("Undo"), "undo", Keys.Undo, N_("Undo the last edit")),
-    "redo": (N_("&Redo"), N_("Redo"), "redo", ("Ctrl+Y", "Ctrl+Shift+Z"),
-             N_("Redo the edit that was undone")),
-    "add_line": (N_("Add &line"), N_("Add line"), "plus", "Ctrl+L",
-                 N_("Add a line in the direction opposite to the selected line")),
-    "duplicate": (N_("&Duplicate line"), N_("Duplicate"), "content-copy", "Ctrl+D",
-                  N_("Add a copy of the selected line")),
-    "earlier": (N_("Move line &earlier"), N_("Move earlier"), "", "Alt+Up",
-                N_("Move the selected line one position earlier in the survey order")),
-    "later": (N_("Move line la&ter"), N_("Move later"), "", "Alt+Down",
-              N_("Move the selected line one position later in the survey order")),
-    "add_board": (N_("Add &board"), N_("Add board"), "square-outline", "Ctrl+B",
-                  N_("Add a flat target board")),
-    "add_ball": (N_("Add &sphere"), N_("Add sphere"), "circle-outline", "Ctrl+Shift+B",
-                 N_("Add a spherical target")),
-    "fit": (N_("&Fit the 3D view"), N_("Fit view"), "fit-to-page-outline", "Ctrl+0",
-            N_("Show the whole site in the 3D view")),
-    "scenarios": (N_("Sc&enarios"), N_("Scenarios"), "chart-bar", "F9",
-                  N_("Predict the precision while one quantity varies, with correlated and with "
-                     "uncorrelated POS errors")),
-    "surveys": (N_("Simulate &surveys…"), N_("Simulate surveys"), "dice-multiple-outline", "F10",
-                N_("Simulate this survey many times to check the predicted standard deviations")),
-    "compare": (N_("Compare with the &open project"), N_("Compare"), "compare-horizontal", "F11",
-                N_("Compare the standard deviations of the open project with those predicted for "
-                   "the survey plan")),
-    "cancel": (N_("&Cancel the running task"), N_("Cancel"), "close-circle-outline", "Ctrl+.",
-               N_("Cancel the running task; the project stays unchanged")),
-    "keys": (N_("&Mouse and keys"), N_("Mouse and keys"), "keyboard-outline", "F1",
-             N_("Show the mouse and keyboard actions")),
-}  # fmt: skip
-MENUS = {
-    N_("&File"): ("new", "open", "", "save", "save_as", "", "page", "", "close"),
-    N_("&Edit"): (
-        "undo", "redo", "", "add_line", "duplicate", "earlier", "later", "", "add_board",
-        "add_ball",
-    ),
-    N_("&View"): ("fit",),
-    N_("&Tools"): ("scenarios", "surveys", "compare", "", "cancel"),
-    N_("&Help"): ("keys",),
-}  # fmt: skip
-TOOLBAR = (
-    "new", "open", "save", "page", "", "undo", "redo", "", "add_line", "duplicate", "add_board",
-    "add_ball", "", "scenarios",
-)  # fmt: skip
 
 
 class DesignWindow(QMainWindow):
@@ -229,11 +168,11 @@ class DesignWindow(QMainWindow):
         self.setObjectName("design_window")
         self.workspace, self._make_viewport = workspace, make_viewport
         self.view3d: View3D | None = None
-        self.actions_ = {name: self._create_action(name) for name in ACTIONS}
+        self.actions_ = Actions(self, WINDOW_ACTIONS, WINDOW_MENUS, "design")
         self._build()
         workspace.changed.connect(self._show)
         workspace.refused.connect(self.note)
-        for name, slot in {
+        self.actions_.connect_slots({
             "close": self.close, "undo": workspace.undo, "redo": workspace.redo,
             "add_line": workspace.add_line, "add_board": workspace.add_target,
             "duplicate": lambda: workspace.add_line(duplicate=True),
@@ -241,8 +180,7 @@ class DesignWindow(QMainWindow):
             "later": lambda: workspace.move_line_in_order(False),
             "add_ball": lambda: workspace.add_target(ball=True), "fit": self.fit,
             "surveys": self.open_surveys_tab,
-        }.items():  # fmt: skip
-            self.actions_[name].triggered.connect(lambda _=False, slot=slot: slot())
+        })  # fmt: skip
         self._show()
 
     def sizeHint(self) -> QSize:
@@ -295,35 +233,10 @@ class DesignWindow(QMainWindow):
         self.setStatusBar(self.task_bar)
         for table in (self.lines.table, self.targets.table):
             table.input_error.connect(self.error_label.setText)
-        for title, names in MENUS.items():
-            menu = self.menuBar().addMenu(gettext(title))
-            for name in names:
-                menu.addAction(self.actions_[name]) if name else menu.addSeparator()
-        bar = self.addToolBar(gettext("Toolbar"))
-        bar.setObjectName("design_toolbar")
-        bar.setMovable(False)
-        bar.setIconSize(QSize(20, 20))
-        bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
-        for name in TOOLBAR:
-            bar.addAction(self.actions_[name]) if name else bar.addSeparator()
+        self.actions_.fill_menus()
+        self.actions_.create_toolbar("design_toolbar")
         screen = self.screen().availableGeometry()
         self.resize(min(1480, screen.width()), min(920, screen.height() - 30))
-
-    def _create_action(self, name: str) -> QAction:
-        text, short, icon, keys, tip = ACTIONS[name]
-        action = QAction(gettext(text), self)
-        action.setObjectName(f"design_{name}")
-        action.setIconText(gettext(short))
-        if icon:
-            action.setIcon(theme.icon(icon))
-        if isinstance(keys, tuple):
-            action.setShortcuts([QKeySequence(key) for key in keys])
-        else:
-            action.setShortcut(QKeySequence(keys))
-        shown = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(f"{gettext(tip)} ({shown})" if shown else gettext(tip))
-        action.setStatusTip(gettext(tip))
-        return action
 
     # -- what is shown -----------------------------------------------------------------------
 
@@ -333,10 +246,10 @@ class DesignWindow(QMainWindow):
             ("undo", N_("&Undo: {edit}"), history.undo_name),
             ("redo", N_("&Redo: {edit}"), history.redo_name),
         ):
-            action, (usual, *_) = self.actions_[name], ACTIONS[name]
+            action, record = self.actions_[name], WINDOW_ACTIONS[name]
             action.setEnabled(edit is not None)
-            action.setText(gettext(usual) if edit is None else gettext(title, edit=str(edit)))
-            action.setIconText(gettext(ACTIONS[name][1]))
+            action.setText(gettext(record.text) if edit is None else gettext(title, edit=str(edit)))
+            action.setIconText(gettext(record.short))
         for table in (self.surveys.result_table, self.compared):
             table.set_current_plan(self.workspace.titled.plan)
         design = gettext("Survey design")

@@ -50,7 +50,9 @@ class ProjectLifecycle(QObject):
                 "save_as": self.save_as,
             }
         )
-        actions.recent.aboutToShow.connect(lambda: self._list_recent(actions.recent))
+        actions.submenus["Recent"].aboutToShow.connect(
+            lambda: self._list_recent(actions.submenus["Recent"])
+        )
 
     def may_leave(self) -> bool:
         """Whether the project may be closed; asks if it has unsaved changes."""
