@@ -1,13 +1,14 @@
 """A dialogue has the words of the menu entry that opens it as its title."""
 
 import ast
+from collections import Counter
 from pathlib import Path
 
 import pytest
 
 import lispac.gui
 from lispac.gui.app.actions import dialog_title
-from lispac.gui.window.actions import ALL_ACTIONS
+from lispac.gui.window.actions import ALL_ACTIONS, MENUS
 from lispac.language import LANGUAGES, in_language
 
 OTHERWISE = {"lines", "targets", "trajectory", "add_lines", "section_picture", "design"}
@@ -41,3 +42,10 @@ def test_a_title_has_neither_mnemonic_nor_ellipsis(code: str) -> None:
     with in_language(code):
         titles = [dialog_title(each) for each in ALL_ACTIONS.values()]
     assert not [title for title in titles if "&" in title or "…" in title or title != title.strip()]
+
+
+def test_every_place_in_a_menu_has_one_entry() -> None:
+    places = [each.menu for each in ALL_ACTIONS.values()]
+    places += [(each.menu, each.group, each.position) for each in MENUS.values() if each.menu]
+    assert [place for place, count in Counter(places).items() if count > 1] == []
+    assert {place[0] for place in places} <= set(MENUS)

@@ -15,9 +15,7 @@ from lispac.gui.app.settings import AppSettings
 from lispac.gui.app.status_bar import TaskStatusBar
 from lispac.gui.app.tasks import TaskRunner
 from lispac.gui.appearance.theme import without_style_sheet
-from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
 from lispac.gui.features.design.controller import SiteDesign
-from lispac.gui.features.estimate.diagnostics_panel import TITLE as DIAGNOSTICS
 from lispac.gui.features.estimate.estimation import Estimation
 from lispac.gui.features.export.data_export import DataExport
 from lispac.gui.features.export.script_export import ScriptExport
@@ -34,7 +32,6 @@ from lispac.gui.features.preferences.controller import PreferencesController
 from lispac.gui.features.report.report_export import ReportExport
 from lispac.gui.features.studies.studies import AlternativeMethods, Studies
 from lispac.gui.features.warnings.warning_list import WarningList
-from lispac.gui.features.warnings.warnings_panel import TITLE as WARNINGS
 from lispac.gui.features.warnings.warnings_panel import WarningsButton
 from lispac.gui.project import status
 from lispac.gui.project.computations import Computations
@@ -56,7 +53,6 @@ from lispac.gui.window.panels import Panels
 from lispac.gui.window.tools import InspectionTools
 from lispac.language import gettext
 
-Area = Qt.DockWidgetArea
 NOTE_MS = 6000
 TITLE_BAR_HEIGHT = 40
 """Pixels a window needs for it, at most: they are not in the window's size."""
@@ -204,7 +200,7 @@ class MainWindow(QMainWindow):
         self.warnings_button.hide()
         self.setStatusBar(self.task_bar)
         self.actions_.create_toolbar("toolbar")
-        self.docks = self._create_docks()
+        self.docks = docks.create_docks(self, self.panels.docks(self.tools.panels))
         self._at_first = self.saveState()
         # A dock behind another counts as visible; only this signal is reliable.
         self.docks[SECTION].visibilityChanged.connect(self.tools.sections.set_panel_visible)
@@ -219,25 +215,6 @@ class MainWindow(QMainWindow):
         else:
             self.restoreGeometry(kept[0])
             self.restoreState(kept[1])
-
-    def _create_docks(self) -> docks.Docks:
-        left, right, below = (
-            Area.LeftDockWidgetArea, Area.RightDockWidgetArea, Area.BottomDockWidgetArea
-        )  # fmt: skip
-        return docks.create_docks(
-            self,
-            {
-                docks.WORKFLOW: (self.workflow, left),
-                docks.RESULTS: (self.results, right),
-                CONVENTION: (self.convention, right),
-                docks.SIGHTINGS: (self.table, below),
-                DIAGNOSTICS: (self.diagnostics, below),
-                docks.HISTOGRAMS: (self.histograms, below),
-                **self.tools.panels,
-                WARNINGS: (self.warnings, below),
-                docks.LOG: (self.log, below),
-            },
-        )
 
     def sizeHint(self) -> QSize:
         """Preferred size, in pixels."""

@@ -1,13 +1,17 @@
 """The panels of the window."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
 
 from PySide6.QtGui import QFontDatabase
-from PySide6.QtWidgets import QPlainTextEdit
+from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
+from lispac.gui.app.docks import HISTOGRAMS, LOG, RESULTS, SIGHTINGS, WORKFLOW, Area
+from lispac.gui.features.conventions.convention_panel import TITLE as CONVENTION
 from lispac.gui.features.conventions.convention_panel import ConventionPanel
 from lispac.gui.features.estimate.adjust_panel import AdjustPanel
+from lispac.gui.features.estimate.diagnostics_panel import TITLE as DIAGNOSTICS
 from lispac.gui.features.estimate.diagnostics_panel import DiagnosticsPanel
 from lispac.gui.features.estimate.results_panel import ResultsPanel
 from lispac.gui.features.open_project.data_panel import DataPanel
@@ -16,6 +20,7 @@ from lispac.gui.features.pick_targets.targets_panel import TargetsPanel
 from lispac.gui.features.report.report_panel import ReportPanel
 from lispac.gui.features.validate.histograms_panel import HistogramsPanel
 from lispac.gui.features.validate.validate_panel import ValidatePanel
+from lispac.gui.features.warnings.warnings_panel import TITLE as WARNINGS
 from lispac.gui.features.warnings.warnings_panel import WarningsPanel
 from lispac.gui.window.workflow_panel import WorkflowPanel
 from lispac.language import N_, gettext
@@ -67,3 +72,19 @@ class Panels:
     def __post_init__(self) -> None:
         steps = (self.data, self.targets, self.adjust, self.validate, self.report)
         self.workflow = WorkflowPanel(steps)
+
+    def docks(self, tools: Mapping[str, tuple[QWidget, Area]]) -> dict[str, tuple[QWidget, Area]]:
+        """Panels by title with their sides, in the order of their tabs; ``tools`` are more."""
+        left, right = Area.LeftDockWidgetArea, Area.RightDockWidgetArea
+        below = Area.BottomDockWidgetArea
+        return {
+            WORKFLOW: (self.workflow, left),
+            RESULTS: (self.results, right),
+            CONVENTION: (self.convention, right),
+            SIGHTINGS: (self.table, below),
+            DIAGNOSTICS: (self.diagnostics, below),
+            HISTOGRAMS: (self.histograms, below),
+            **tools,
+            WARNINGS: (self.warnings, below),
+            LOG: (self.log, below),
+        }
