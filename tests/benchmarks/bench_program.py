@@ -79,7 +79,7 @@ def start(began: float, words: list[str]) -> None:
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
-    from lispac.gui.window import program as app
+    from lispac.gui.window import program
 
     run, found = QApplication.exec, {}
 
@@ -115,7 +115,7 @@ def start(began: float, words: list[str]) -> None:
 
     QApplication.exec = staticmethod(exec_)
     sys.argv[1:] = words
-    app.main(words)
+    program.main(words)
     print(json.dumps(found))
 
 

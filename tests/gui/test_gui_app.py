@@ -51,7 +51,7 @@ WINDOW = """
 import sys
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QMainWindow
-from lispac.gui.window import program as app
+from lispac.gui.window import program
 
 def inspect_window():
     (window,) = [w for w in QApplication.topLevelWidgets() if isinstance(w, QMainWindow)]
@@ -61,10 +61,10 @@ def inspect_window():
     print(window.settings.folder)
     QApplication.exit(0)
 
-app.IMPORT_AFTER_MS = 3_600_000
+program.IMPORT_AFTER_MS = 3_600_000
 application = QApplication(sys.argv[:1])
 QTimer.singleShot(0, inspect_window)
-sys.exit(app.main([]))
+sys.exit(program.main([]))
 """
 
 
